@@ -1,0 +1,34 @@
+#include "renderers/core/output.h"
+
+#include <array>
+
+namespace ir {
+
+std::string to_string(OutputKind kind) {
+    static constexpr std::array names{"image",    "pyramid", "stack",         "point-set",
+                                      "line-set", "glyphs",  "sphere-values", "table"};
+    return names.at(static_cast<std::size_t>(kind));
+}
+
+std::string to_string(Semantic semantic) {
+    static constexpr std::array names{"generic",     "radiance", "irradiance", "accessibility", "albedo",
+                                      "normal",      "position", "depth",      "distance",      "velocity",
+                                      "probability", "count",    "id",         "mask"};
+    return names.at(static_cast<std::size_t>(semantic));
+}
+
+std::string default_colour_map(Semantic semantic) {
+    switch (semantic) {
+        case Semantic::depth:
+        case Semantic::distance:
+        case Semantic::probability:
+            return "viridis";
+        case Semantic::count:
+        case Semantic::id:
+            return "turbo";
+        default:
+            return "grey";
+    }
+}
+
+}  // namespace ir

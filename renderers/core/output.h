@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ir {
+
+/// What an output is made of; each kind has one viewer.
+enum class OutputKind { image, pyramid, stack, point_set, line_set, glyphs, sphere_values, table };
+
+/// What the numbers mean; chooses colour map, tooltip unit and metric.
+enum class Semantic {
+    generic,
+    radiance,
+    irradiance,
+    accessibility,
+    albedo,
+    normal,
+    position,
+    depth,
+    distance,
+    velocity,
+    probability,
+    count,
+    id,
+    mask
+};
+
+std::string to_string(OutputKind kind);
+std::string to_string(Semantic semantic);
+
+/// What a method shows of itself. The first output of a method is its main result.
+struct OutputDescription {
+    std::string key;  ///< equals the key of the graph resource that holds it
+    std::string label;
+    OutputKind kind = OutputKind::image;
+    Semantic semantic = Semantic::generic;
+    std::string unit = {};
+    std::string colour_map = {};  ///< empty: the semantic's own
+    std::string doc = {};
+};
+
+/// The colour map that a semantic is shown with when nobody chose another ("viridis", "grey", …).
+std::string default_colour_map(Semantic semantic);
+
+}  // namespace ir

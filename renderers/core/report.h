@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "renderers/core/output.h"
+
+namespace ir {
+
+enum class Severity { note, warning, error };
+
+/// Something that a user should read: loader warnings, growth, shader errors, GL messages.
+struct Message {
+    Severity severity = Severity::note;
+    std::string source;  ///< "scene", "graph", "shader", "gl", …
+    std::string text;    ///< one line
+};
+
+struct PassReport {
+    std::string name;
+    std::string queue;  ///< "gl" or "cpu"
+    double gpu_ms = 0;  ///< on software drivers measured with glFinish and a steady clock, like cpu_ms
+    double cpu_ms = 0;
+    int slices = 1;
+    bool culled = false;
+    std::vector<std::string> reads, writes;  ///< resource keys
+};
+
+/// A resource of the graph as listings and inspectors see it.
+struct ResourceReport {
+    std::string key, label, doc;
+    std::string pass;  ///< the pass that writes it first; "scene" for uploads
+    OutputKind kind = OutputKind::image;
+    Semantic semantic = Semantic::generic;
+    std::string unit, colour_map, format;
+    int width = 0, height = 0, levels = 1, layers = 1;
+    std::uint64_t elements = 0;  ///< buffers: elements in use (counter) or capacity
+    std::uint64_t bytes = 0;     ///< device and host together
+    bool is_output = false, is_history = false, available = false;
+};
+
+/// What one frame did; the statistics JSON and the panels are made of it.
+struct FrameReport {
+    std::string backend, device;
+    double wall_ms = 0;
+    int frame = 0;
+    bool complete = true;  ///< false: a buffer overflowed and the next frame mends it
+    std::vector<PassReport> passes;
+    std::vector<ResourceReport> resources;
+    std::map<std::string, double> counters;  ///< "growth", "ldm.fragments", …
+    std::uint64_t memory_bytes = 0;
+    std::uint64_t peak_memory_bytes = 0;
+    std::vector<Message> messages;
+};
+
+}  // namespace ir

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+namespace ir {
+
+/// Where shaders/ and samples/ are: share/interreflect beside the binary's bin/ folder, in the build tree as
+/// in an installation. INTERREFLECT_DATA overrides it. Throws Error naming the places looked at.
+std::filesystem::path data_directory();
+std::filesystem::path shader_directory();
+std::filesystem::path samples_directory();
+
+}  // namespace ir

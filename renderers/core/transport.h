@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderers/core/parameter.h"
+
+namespace ir {
+
+/// What is being computed: the one group of parameters that all methods share. Equal keys mean the same
+/// everywhere, so a reference matches a method by copying the group.
+struct Transport {
+    enum class Paths { ao, direct, indirect, full };
+    enum class Falloff { hard, smooth };
+    enum class Materials { gltf, metalness_blend, lambert };
+
+    Paths paths = Paths::ao;
+    int min_bounces = 1;
+    int max_bounces = 1;
+    float max_distance = 0;  ///< metres; 0 = unlimited
+    Falloff falloff = Falloff::hard;
+    Materials materials = Materials::gltf;
+    bool normal_maps = true;
+    bool environment_light = true;
+};
+
+/// The part of the group that a method supports.
+struct TransportSupport {
+    std::vector<std::string> paths;  ///< keys that `paths` may take: "ao", "direct", "indirect", "full"
+    std::vector<std::string> keys;   ///< the other keys of the group that the method honours
+};
+
+/// Describes the supported part of the group. Defaults are the member initialisers above, or those that the
+/// method's own struct gives its Transport member.
+ParameterTable<Transport> transport_parameters(const TransportSupport& support);
+
+/// Whether `key` belongs to the transport group.
+bool is_transport_key(const std::string& key);
+
+}  // namespace ir

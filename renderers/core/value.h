@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+
+namespace ir {
+
+/// One parameter's value. A choice is held by the key of the chosen entry, so that files stay readable.
+using Value = std::variant<bool, std::int64_t, double, std::string>;
+
+/// Values by parameter key; a method's complete configuration.
+using Settings = std::map<std::string, Value>;
+
+/// "true", "12", "0.25" or the choice's key; numbers in the shortest form that reads back bit for bit.
+std::string to_string(const Value& value);
+
+}  // namespace ir

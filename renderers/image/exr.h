@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "renderers/image/image.h"
+
+namespace ir {
+
+using ImageAttributes = std::map<std::string, std::string>;
+
+/// Writes 32-bit float layers to one EXR file (written to a temporary, then renamed). Layers of the first
+/// layer's size share the first part, with channels "LAYER.CHANNEL"; each other size becomes a part of its
+/// own, named by its layer. Throws Error.
+void write_exr(const std::filesystem::path& file, const std::vector<ImageLayer>& layers,
+               const ImageAttributes& attributes);
+
+/// All layers of all parts. Throws InputError.
+std::vector<ImageLayer> read_exr(const std::filesystem::path& file, ImageAttributes* attributes = nullptr);
+
+/// The standard channel names for 1, 2, 3 or 4 channels of an output ("Y"; "X","Y"; "R","G","B"; …).
+std::vector<std::string> standard_channels(int channels, bool vector_valued = false);
+
+/// Any image file that OpenImageIO or OpenEXR reads, linear floats; `layer` chooses an EXR layer by name.
+/// Throws InputError (also for an unknown layer, listing the known ones).
+Image read_image(const std::filesystem::path& file, const std::string& layer = {});
+
+/// 8-bit sRGB PNG of a linear image; values are clamped to [0,1] after `exposure` stops. Throws Error.
+void write_png(const std::filesystem::path& file, const Image& linear, double exposure = 0);
+
+}  // namespace ir
