@@ -1,1 +1,29 @@
 #pragma once
+
+#include <functional>
+#include <utility>
+
+#include "renderers/core/method.h"
+#include "renderers/graph/builder.h"
+
+namespace ir::graph {
+
+/// A method that can run: its description, and a setup that declares a frame's resources and passes.
+/// Resources whose keys equal those of the description's outputs are the outputs; a pixel is valid where the
+/// image "valid" is not 0.
+struct Method {
+    MethodDescription description;
+    std::function<void(GraphBuilder&, const Settings&)> setup;
+};
+
+/// Binds a typed setup to its parameter table.
+template <class Parameters>
+Method make_method(MethodDescription description, ParameterTable<Parameters> table,
+                   std::function<void(GraphBuilder&, const Parameters&)> setup) {
+    description.parameters = table.descriptions();
+    return {std::move(description),
+            [table = std::move(table), setup = std::move(setup)](
+                GraphBuilder& builder, const Settings& settings) { setup(builder, table.typed(settings)); }};
+}
+
+}  // namespace ir::graph

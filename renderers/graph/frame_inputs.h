@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "renderers/scene/view.h"
+#include "renderers/scene/world.h"
+
+namespace ir::graph {
+
+/// What a frame is made from. The pointers outlive the frame.
+struct FrameInputs {
+    const scene::Scene* scene = nullptr;
+    const scene::World* world = nullptr;
+    std::string world_fingerprint;  ///< equal exactly while the world is (scene hash and time)
+    scene::View view, previous_view;
+    std::uint64_t seed = 0;
+    int frame = 0;    ///< 0 for the first after an empty history
+    double time = 0;  ///< seconds
+    int threads = 0;  ///< for cpu passes; 0 = all
+};
+
+}  // namespace ir::graph

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderers/core/method.h"
+#include "renderers/core/progress.h"
+#include "renderers/core/report.h"
+#include "renderers/gl/device.h"
+#include "renderers/gl/program.h"
+#include "renderers/graph/frame_inputs.h"
+#include "renderers/graph/method.h"
+#include "renderers/image/image.h"
+
+namespace ir::graph {
+
+enum class Growth {
+    rerun,      ///< headless: an overflowing frame runs again, with larger buffers, until it is complete
+    next_frame  ///< live: the frame is reported as incomplete and is not committed; the next one is larger
+};
+
+struct FrameOptions {
+    std::vector<std::string> wanted;  ///< patterns ('*', '?') of resource keys to keep beside the main result
+    Growth growth = Growth::rerun;
+    std::uint64_t memory_budget = 0;  ///< bytes; 0 = none
+    double initial_capacity = 1;      ///< scales the first capacity of growable buffers (to test growth)
+    bool rebuild = false;             ///< ignore fingerprints: run every pass (cold benchmark)
+    const CancelToken* cancel = nullptr;
+    ProgressCallback progress;
+    std::function<void()> between_slices;  ///< serves views while a frame runs
+};
+
+/// Owns every image and buffer of one execution, runs its frames and keeps their history. All calls from one
+/// thread, with the device's context current.
+class Graph {
+  public:
+    /// `programs` may be null for tests on the null device.
+    Graph(gl::Device& device, gl::Context* context, gl::ProgramLibrary* programs);
+    ~Graph();
+    Graph(const Graph&) = delete;
+
+    /// Runs one frame and commits it when complete. Throws Cancelled (the history stays as it was),
+    /// BudgetError, Error.
+    FrameReport run(const Method& method, const Settings& settings, const FrameInputs& inputs,
+                    const FrameOptions& options = {});
+
+    /// Forgets the committed frames; buffers stay allocated.
+    void reset_history();
+
+    /// Contents of an image resource as floats (integers are converted), one level and layer. Empty when the
+    /// resource does not exist or its pass was culled.
+    std::optional<Image> read_image(const std::string& key, int level = 0, int layer = 0) const;
+    /// Raw elements of a buffer resource.
+    std::optional<std::vector<std::byte>> read_buffer(const std::string& key) const;
+    const BufferDesc* buffer_desc(const std::string& key) const;
+    const FrameReport& last_report() const;
+
+  private:
+    friend class PassContext;
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Whether `text` matches `pattern` with '*' and '?'.
+bool matches(const std::string& pattern, const std::string& text);
+
+}  // namespace ir::graph

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "renderers/core/output.h"
+#include "renderers/gl/device.h"
+
+namespace ir::graph {
+
+/// Handles are valid for the setup of one frame and its passes.
+struct ImageRef {
+    int index = -1;
+};
+struct BufferRef {
+    int index = -1;
+};
+struct ObjectRef {
+    int index = -1;
+};
+struct CounterRef {
+    int index = -1;
+};
+
+/// What every resource says about itself, for listings, tooltips and files.
+struct ResourceText {
+    std::string key;    ///< "gbuffer.normal": unique, lower case, dots between subject and part
+    std::string label;  ///< "Shading normal"
+    std::string doc = {};
+    Semantic semantic = Semantic::generic;
+    std::string unit = {};
+    std::string colour_map = {};
+};
+
+/// The size of an image: a multiple of the view's, or a fixed number of texels.
+struct Extent {
+    float scale = 1;
+    int width = 0, height = 0;
+    static Extent view(float scale = 1) { return {scale, 0, 0}; }
+    static Extent fixed(int width, int height) { return {0, width, height}; }
+};
+
+struct ImageDesc {
+    ResourceText text;
+    gl::Format format = gl::Format::rgba32f;
+    Extent extent = {};
+    int levels = 1;
+    int layers = 0;  ///< 0: a plain image; else a stack
+    /// When not empty, the contents stay valid from frame to frame while this string stays equal, and passes
+    /// that write only such resources are skipped.
+    std::string fingerprint = {};
+};
+
+enum class FieldType { u32, i32, f32 };
+/// One named component of a buffer element; `count` consecutive scalars.
+struct Field {
+    std::string name;
+    FieldType type = FieldType::f32;
+    int count = 1;
+};
+
+struct BufferDesc {
+    ResourceText text;
+    OutputKind kind = OutputKind::table;  ///< or point_set, line_set, glyphs, sphere_values
+    std::vector<Field> fields;            ///< std430 with scalars only: 4 bytes each, tightly packed
+    std::uint64_t elements = 0;
+    /// Elements beyond capacity are counted by a counter that names this buffer; the graph grows it then.
+    bool growable = false;
+    bool cleared = false;    ///< zeroed at the start of each frame
+    std::string lower = {};  ///< parameter(s) to lower when the memory budget does not allow it
+    std::string fingerprint = {};
+};
+int stride(const BufferDesc& desc);
+
+/// A thing on the host that only passes of the cpu queue use, such as a BVH.
+struct ObjectDesc {
+    ResourceText text;
+    std::string fingerprint = {};
+};
+
+/// A 32-bit number that passes add to; zeroed when a frame starts, read when it ends. Counters of one key are
+/// summed in the report. For a growable buffer the count is the number of elements asked for, also beyond
+/// capacity; with several counters (batches) the largest decides.
+struct CounterDesc {
+    std::string key, label, doc = {};
+    BufferRef growth_of = {};
+};
+
+}  // namespace ir::graph
