@@ -1,0 +1,99 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/engine/experiment.h"
+#include "renderers/gl/context.h"
+#include "renderers/gl/program.h"
+#include "renderers/graph/graph.h"
+#include "renderers/image/exr.h"
+#include "renderers/scene/world.h"
+
+namespace ir::engine {
+
+/// Loaded scenes, shared between executions. Not thread-safe: belongs to the render thread.
+class SceneCache {
+  public:
+    std::shared_ptr<const scene::Scene> load(const std::string& name);
+    /// Loads again when the files changed on disk.
+    void forget(const std::string& name);
+
+  private:
+    std::map<std::string, std::shared_ptr<const scene::Scene>> scenes_;
+};
+
+/// A context, its device and its programs: made once per render thread.
+class Machine {
+  public:
+    struct Options {
+        std::string backend;  ///< "egl", "osmesa", empty: the best
+        std::string device;
+        bool debug = false;
+        int threads = 0;  ///< for cpu passes; 0 = all
+    };
+    explicit Machine(const Options& options = {});
+    ~Machine();
+    gl::Context& context() { return *context_; }
+    gl::Device& device() { return *device_; }
+    gl::ProgramLibrary& programs() { return *programs_; }
+    SceneCache& scenes() { return scenes_; }
+    const Options& options() const { return options_; }
+
+  private:
+    Options options_;
+    std::unique_ptr<gl::Context> context_;
+    std::unique_ptr<gl::Device> device_;
+    std::unique_ptr<gl::ProgramLibrary> programs_;
+    SceneCache scenes_;
+};
+
+/// One experiment at one camera and size: owns graph, history and accumulation. Render thread only.
+class Execution {
+  public:
+    Execution(Machine& machine, Experiment experiment);
+
+    const Experiment& experiment() const { return experiment_; }
+    const MethodDescription& method() const;
+    const scene::Scene& scene() const { return *scene_; }
+    const scene::World& world() const { return world_; }
+
+    /// Changes what can be changed without losing buffers; resets the history where the picture changes.
+    void update(Experiment experiment);
+
+    /// Runs the next frame. Throws as Graph::run.
+    FrameReport run_frame(const graph::FrameOptions& options);
+    int committed_frames() const { return frame_; }
+
+    graph::Graph& graph() { return *graph_; }
+    /// The main result and its valid mask after the last frame.
+    Image main_result() const;
+    /// Default layer with the main result, "valid", and each resource that matches a pattern: images as they
+    /// are (levels and layers as "key.level1", "key.layer3"), buffers as images with a channel per field, at
+    /// most 4096 wide.
+    std::vector<ImageLayer> layers(const std::vector<std::string>& patterns) const;
+    /// Parameters, seed, camera, scene hash, versions: for the EXR header.
+    ImageAttributes attributes() const;
+
+  private:
+    void load();
+    Machine& machine_;
+    Experiment experiment_;
+    const graph::Method* method_ = nullptr;
+    std::shared_ptr<const scene::Scene> scene_;
+    scene::World world_;
+    double world_time_ = -1;
+    std::unique_ptr<graph::Graph> graph_;
+    std::optional<scene::View> previous_view_;
+    Settings settings_;
+    int frame_ = 0;
+};
+
+/// The statistics JSON of the command line (design contract): backend, device, wall_ms, passes, counters,
+/// memory_bytes, …
+std::string statistics_json(const FrameReport& report, int indent = 2);
+
+}  // namespace ir::engine

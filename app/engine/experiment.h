@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderers/core/value.h"
+#include "renderers/scene/scene.h"
+
+namespace ir::engine {
+
+/// Everything that one picture depends on, resolved: what the command line and the project document both
+/// become.
+struct Experiment {
+    std::string scene;        ///< path or builtin:NAME
+    std::string method;       ///< id
+    Settings settings;        ///< may be incomplete; completed from the method's description
+    std::string camera_name;  ///< of the scene's; empty: `camera`, or the scene's first
+    std::optional<scene::Camera> camera;
+    std::vector<scene::Light> lights;  ///< replace the scene's when `replace_lights`
+    bool replace_lights = false;
+    std::optional<scene::Environment> environment;
+    int width = 800, height = 600;
+    std::uint64_t seed = 0;
+    int frames = 1;
+    double time = 0;  ///< seconds, of the first frame
+};
+
+}  // namespace ir::engine

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "renderers/graph/builder.h"
+#include "renderers/passes/scene/scene_buffers.h"
+
+namespace ir::passes {
+
+/// What is visible at the centre of each pixel. Normals are unit length and turned to the viewer; background
+/// pixels are 0.
+struct GBuffer {
+    graph::ImageRef depth;     ///< "gbuffer.depth" depth32f, 0…1, background 1
+    graph::ImageRef position;  ///< "gbuffer.position" rgba32f: xyz world space (m); w distance to the eye (m)
+    graph::ImageRef normal;  ///< "gbuffer.normal" rgba16f: xyz shading normal, with normal maps if asked for
+    graph::ImageRef geometric_normal;  ///< "gbuffer.geometric_normal" rgba32f: xyz of the triangle's plane
+    graph::ImageRef albedo;            ///< "gbuffer.albedo" rgba16f: linear base colour; a: transmission
+    graph::ImageRef
+        material;  ///< "gbuffer.material" rgba16f: x metallic, y roughness, z unlit, w material index
+    graph::ImageRef emission;  ///< "gbuffer.emission" rgba16f: radiance
+    graph::ImageRef
+        velocity;  ///< "gbuffer.velocity" rg16f: pixels from the previous frame's place to this one's
+    graph::ImageRef valid;  ///< "valid" r8: 1 where the result counts; background and glass are 0
+};
+
+struct GBufferOptions {
+    bool normal_maps = true;
+};
+
+/// Declares the pass "G-buffer".
+GBuffer gbuffer(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBufferOptions& options = {});
+
+}  // namespace ir::passes
