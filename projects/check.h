@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "projects/document_json.h"
+#include "renderers/core/report.h"
+
+namespace ir::projects {
+
+/// Everything that a user should know about a project, most serious first: missing or changed scenes, unknown
+/// keys and methods, references to nothing, an older schema, newer method versions, stale results.
+std::vector<Message> check(const ReadProject& read, const std::filesystem::path& project_folder,
+                           const Registry& registry);
+
+/// Why the experiment cannot run in this build, or empty: unknown method, missing scene, camera or lights.
+std::string why_not_runnable(const Project& project, const Experiment& experiment, const Registry& registry,
+                             const std::filesystem::path& project_folder);
+
+}  // namespace ir::projects

@@ -1,0 +1,196 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "projects/json.h"
+#include "projects/light_spec.h"
+#include "renderers/core/value.h"
+
+/// Plain data; nothing here touches files. Ids are unique within their list and made of letters, digits,
+/// '-', '_' and '.', not beginning with '.', because results are named after them. Every structure keeps
+/// the keys that this build does not know in `extra`, and writes them back.
+namespace ir::projects {
+
+inline constexpr int schema_version = 2;
+/// Id that stands for the scene's own lights and environment wherever a set of lights is asked for.
+inline constexpr const char* scene_lights = "scene";
+
+/// A file or built-in scene as a part of a composed scene.
+struct ScenePart {
+    std::string source;        ///< path relative to the project folder, or builtin:NAME@VERSION?options
+    std::string content_hash;  ///< as scene_hash() of scene_files.h gives it; empty: not yet known
+    std::optional<std::array<double, 16>> transform;  ///< column-major, metres; absent: identity
+    Json extra = Json::object();
+    bool operator==(const ScenePart&) const = default;
+};
+
+struct Scene {
+    std::string id, name;
+    std::vector<ScenePart> parts;  ///< at least one
+    Json extra = Json::object();
+    bool operator==(const Scene&) const = default;
+};
+
+/// Either a camera of the scene's file, by name, or a pose of its own.
+struct Camera {
+    std::string id, name;
+    std::string scene_camera;  ///< not empty: the pose below does not count
+    glm::dvec3 eye{0, 0, 5}, target{0}, up{0, 1, 0};
+    double fov_y_degrees = 45;
+    bool orthographic = false;
+    double height = 2;  ///< metres across the image's height, orthographic only
+    Json extra = Json::object();
+    bool operator==(const Camera&) const = default;
+};
+
+/// Radiance from infinity.
+struct Environment {
+    enum class Kind { scene, constant, map };
+    Kind kind = Kind::scene;
+    glm::dvec3 constant{0};            ///< W/(m² sr)
+    std::string source, content_hash;  ///< equirectangular map, path relative to the project folder
+    Json extra = Json::object();
+    bool operator==(const Environment&) const = default;
+};
+
+/// A lighting: lights that replace the scene's, and an environment.
+struct LightSet {
+    std::string id, name;
+    bool use_scene_lights = false;  ///< written as "lights": "scene"; then `lights` is empty
+    std::vector<LightSpec> lights;
+    std::vector<Json> light_extras;  ///< unknown keys of each light; shorter than or as long as `lights`
+    Environment environment;
+    Json extra = Json::object();
+    bool operator==(const LightSet&) const = default;
+};
+
+/// Poses of a camera over time, linearly interpolated, clamped at the ends.
+struct Motion {
+    struct Key {
+        double time = 0;  ///< seconds, ascending
+        glm::dvec3 eye{0, 0, 5}, target{0}, up{0, 1, 0};
+        Json extra = Json::object();
+        bool operator==(const Key&) const = default;
+    };
+    std::string id, name;
+    std::string camera;  ///< id of the camera that moves
+    std::vector<Key> keys;
+    Json extra = Json::object();
+    bool operator==(const Motion&) const = default;
+};
+
+/// An image from elsewhere to compare with.
+struct ForeignImage {
+    std::string id, name, source, content_hash, notes;
+    Json extra = Json::object();
+    bool operator==(const ForeignImage&) const = default;
+};
+
+/// A named set of overrides, such as "paper" and "preview".
+struct Preset {
+    std::optional<glm::ivec2> size;
+    std::optional<int> frames;
+    Settings values;
+    Json extra_values = Json::object();  ///< values that are no plain boolean, number or text
+    Json extra = Json::object();
+    bool operator==(const Preset&) const = default;
+};
+
+struct Experiment {
+    std::string id, name;
+    std::string scene;                  ///< id
+    std::string camera;                 ///< id; empty: the scene's first camera
+    std::string lights = scene_lights;  ///< id or "scene"
+    std::string method;                 ///< id in the registry; unknown ones are kept, not runnable
+    int method_version = 1;             ///< the version whose values these are
+    /// All values by key, transport included, without the active preset's overrides; also keys that the
+    /// method does not know, as read. Written as the groups "transport" and "values".
+    Settings values;
+    Json extra_values = Json::object();     ///< as Preset::extra_values
+    Json extra_transport = Json::object();  ///< members of "transport" that are no transport keys here
+    glm::ivec2 size{512, 512};
+    std::uint64_t seed = 1;
+    int frames = 1;   ///< the result is the picture after exactly so many frames from empty history
+    double time = 0;  ///< seconds
+    std::string notes;
+    std::string reference;  ///< id of the experiment that this one is judged by; may be empty
+    std::map<std::string, Preset> presets;
+    std::string active_preset;  ///< a key of presets, or empty
+    std::string last_kept_key;  ///< see results.h; empty: nothing kept yet
+    Json extra = Json::object();
+    bool operator==(const Experiment&) const = default;
+};
+
+/// Two pictures side by side. A and B are ids of experiments or foreign images.
+struct Comparison {
+    std::string id, name, a, b;
+    std::string output;  ///< key of the output; empty: main result
+    std::string mode =
+        "wipe";  ///< wipe, flip, side-by-side, difference, flip-metric, …: the views' own names
+    std::optional<glm::dvec2> range;  ///< shown from … to; absent: automatic
+    std::string notes;
+    Json extra = Json::object();
+    bool operator==(const Comparison&) const = default;
+};
+
+/// Variations of one experiment: the product of all axes, the last one fastest.
+struct Sweep {
+    struct Axis {
+        std::string key;  ///< a parameter's key, or size, seed, frames, time, camera, lights, scene
+        std::vector<Json> values;
+        Json extra = Json::object();
+        bool operator==(const Axis&) const = default;
+    };
+    std::string id, name, experiment;
+    std::vector<Axis> axes;
+    Json extra = Json::object();
+    bool operator==(const Sweep&) const = default;
+};
+
+struct Project {
+    int schema = schema_version;
+    std::string name, notes;
+    std::vector<Scene> scenes;
+    std::vector<Camera> cameras;
+    std::vector<LightSet> lights;
+    std::vector<Motion> motion;
+    std::vector<ForeignImage> images;
+    std::vector<Experiment> experiments;
+    std::vector<Comparison> comparisons;
+    std::vector<Sweep> sweeps;
+    Json extra = Json::object();
+    bool operator==(const Project&) const = default;
+};
+
+/// Item of a list by id, or null.
+template <class List>
+auto find_item(List& list, const std::string& id) -> decltype(list.data()) {
+    for (auto& item : list)
+        if (item.id == id) return &item;
+    return nullptr;
+}
+
+/// The experiment as it runs: the active preset's overrides applied, presets dropped.
+Experiment effective(const Experiment& experiment);
+
+/// The camera with its motion applied at `time` (seconds). Cameras of the scene's file come back as they are.
+Camera camera_at(const Project& project, const Camera& camera, double time);
+
+/// Whether `id` may name an item.
+bool is_valid_id(const std::string& id);
+/// A valid id made of `name` ("Nave, paper view" → "nave-paper-view") that `list` does not contain yet.
+std::string free_id(const std::string& name, const std::vector<std::string>& taken);
+template <class List>
+std::string free_id_in(const List& list, const std::string& name) {
+    std::vector<std::string> taken;
+    for (const auto& item : list) taken.push_back(item.id);
+    return free_id(name, taken);
+}
+
+}  // namespace ir::projects

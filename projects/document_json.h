@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "projects/document.h"
+#include "projects/json.h"
+#include "renderers/core/method.h"
+#include "renderers/core/report.h"
+
+namespace ir::projects {
+
+struct ReadProject {
+    Project project;
+    int schema_in_file = schema_version;
+    std::vector<Message> messages;  ///< migrations done, values filled in; see also check()
+};
+
+/// Text of `file` (a name for messages) to a document of the newest schema: migrates, checks every value
+/// against the method's description, completes values that newer versions of a method introduced. Throws
+/// InputError that names file, place (JSON pointer) and mend; the file is never touched.
+ReadProject read_project(const std::string& text, const std::string& file, const Registry& registry);
+
+/// The document as pretty text, stable to the byte.
+std::string write_project(const Project& project);
+
+Json to_json(const Project& project);
+Json to_json(const LightSpec& light);
+
+/// JSON pointers of all kept keys that this build does not know, values of known methods included.
+std::vector<std::string> unknown_keys(const Project& project, const Registry& registry);
+
+}  // namespace ir::projects

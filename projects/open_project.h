@@ -1,0 +1,79 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "projects/autosave.h"
+#include "projects/lock.h"
+#include "projects/store.h"
+#include "projects/undo_stack.h"
+
+namespace ir::projects {
+
+/// A project open in a window: document, undo, lock, saving, autosave. One thread (the GUI's).
+class OpenProject {
+  public:
+    /// A new, empty, unsaved project.
+    explicit OpenProject(const Registry& registry, FileSystem& files = real_file_system());
+    /// Opens for editing, or read-only when another process holds the lock or the folder cannot be written.
+    OpenProject(const std::filesystem::path& given, const Registry& registry,
+                FileSystem& files = real_file_system());
+    ~OpenProject();
+
+    const Project& project() const { return project_; }
+    const Registry& registry() const { return registry_; }
+    const std::filesystem::path& folder() const { return folder_; }  ///< empty: never saved
+    bool is_read_only() const { return read_only_; }
+    const std::string& read_only_reason() const { return lock_.reason(); }
+    /// From reading and check(): for the banner and the log.
+    const std::vector<Message>& messages() const { return messages_; }
+    void check_again();
+
+    /// Applies and remembers. Throws UsageError when read-only.
+    bool edit(EditPtr edit);
+    void end_gesture() { undo_.end_gesture(); }
+    void undo();
+    void redo();
+    const UndoStack& undo_stack() const { return undo_; }
+    bool is_dirty() const { return !undo_.is_clean() || kept_since_save_ || recovered_; }
+
+    /// Remembers that a result was kept: part of the document, but no step of undo.
+    void mark_kept(const std::string& experiment, const std::string& key);
+
+    /// Throws Error (one line) and loses nothing on failure. `overwrite` also when the file on disk changed.
+    void save(bool overwrite = false);
+    /// Into another folder, whose lock is taken; relative sources are rewritten to stay valid.
+    void save_as(const std::filesystem::path& given);
+    /// To be called now and then (a timer): writes an autosave when there are unsaved changes.
+    void autosave();
+    std::string take_autosave_error() { return autosave_.take_error(); }
+
+    /// What a crashed session left; ask the user, then take or discard it.
+    const std::optional<Recovery>& recovery() const { return recovery_; }
+    void take_recovery();
+    void discard_recovery();
+
+    /// Takes the lock from whoever holds it; only after the user said so. Reloads the document.
+    void break_lock();
+
+  private:
+    void load();
+    const Registry& registry_;
+    FileSystem& files_;
+    std::filesystem::path folder_;
+    Lock lock_;
+    bool read_only_ = false, kept_since_save_ = false, recovered_ = false;
+    LoadedProject read_info_;
+    Project project_;
+    UndoStack undo_;
+    std::vector<Message> messages_;
+    std::optional<Recovery> recovery_;
+    std::string file_hash_;
+    std::size_t autosaved_revision_ = 0, revision_ = 0;
+    AutosaveThread autosave_;
+};
+
+}  // namespace ir::projects

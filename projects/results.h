@@ -1,0 +1,85 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "projects/document.h"
+#include "projects/file_system.h"
+#include "renderers/core/method.h"
+#include "renderers/core/report.h"
+
+namespace ir::projects {
+
+/// Everything that the picture of an experiment depends on, as JSON: content of the scene, camera at its
+/// time, lights, environment, method and version, all effective values, size, seed, frames, time. Ids,
+/// names, notes and paths of files whose hash is known do not count.
+Json picture_inputs(const Project& project, const Experiment& experiment, const Registry& registry);
+/// hash_json of picture_inputs.
+std::string result_key(const Project& project, const Experiment& experiment, const Registry& registry);
+
+enum class ResultState { none, current, stale };
+/// By the experiment's last kept key.
+ResultState result_state(const Project& project, const Experiment& experiment, const Registry& registry);
+
+/// Keys of picture_inputs that differ: "values.samples: 16 → 64". For --verify and the stale badge.
+std::vector<std::string> differences(const Json& inputs_before, const Json& inputs_now);
+
+struct Provenance {
+    std::string build, driver, backend, date;  ///< date: "2024-05-01T12:00:00Z"
+    Json extra = Json::object();
+    bool operator==(const Provenance&) const = default;
+};
+
+struct ResultFile {
+    std::string role;          ///< "main", "statistics" or an output's key
+    std::string path;          ///< relative to results/, '/' as separator
+    std::string content_hash;  ///< hash_file
+    Json extra = Json::object();
+    bool operator==(const ResultFile&) const = default;
+};
+
+struct KeptResult {
+    std::string key;
+    std::string experiment;  ///< id at the time
+    std::vector<ResultFile> files;
+    Provenance provenance;
+    Json inputs = Json::object();  ///< picture_inputs at the time: says later what changed
+    Json extra = Json::object();
+    bool operator==(const KeptResult&) const = default;
+};
+
+/// results/index.json
+class ResultIndex {
+  public:
+    /// An absent index is empty. Throws InputError for a damaged one and for paths that leave results/.
+    static ResultIndex load(const std::filesystem::path& project_folder,
+                            FileSystem& files = real_file_system());
+    void save(const std::filesystem::path& project_folder, FileSystem& files = real_file_system()) const;
+
+    const std::vector<KeptResult>& entries() const { return entries_; }
+    const KeptResult* find(const std::string& key) const;
+    void put(KeptResult result);  ///< replaces an entry with the same key
+    bool erase(const std::string& key);
+
+    bool operator==(const ResultIndex&) const = default;
+
+  private:
+    std::vector<KeptResult> entries_;
+    Json extra_ = Json::object();
+};
+
+/// Folder for the files of a result, relative to results/: made of the key.
+std::string result_folder(const std::string& key);
+/// What the index says and the disk does not hold (missing, changed).
+std::vector<Message> check_results(const ResultIndex& index, const std::filesystem::path& project_folder);
+
+struct Pruned {
+    std::vector<std::string> keys, files;  ///< entries dropped; files removed, relative to results/
+};
+/// Drops entries that are neither the present nor the last kept result of an experiment, and files in
+/// results/ that no remaining entry names. Saves the index first.
+Pruned prune_results(const Project& project, const Registry& registry,
+                     const std::filesystem::path& project_folder);
+
+}  // namespace ir::projects

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "projects/document.h"
+#include "renderers/core/method.h"
+
+namespace ir::projects {
+
+/// One variation: the experiment to run, with a valid file name as its id ("base-0007"), and what varies.
+struct SweepPoint {
+    Experiment experiment;
+    Json coordinates;  ///< {"samples": 16, "seed": 2}
+};
+
+/// All variations, last axis fastest. Throws UsageError (one line) for unknown experiments, keys, or values
+/// that the method refuses, and beyond 100,000 points.
+std::vector<SweepPoint> sweep_points(const Project& project, const Sweep& sweep, const Registry& registry);
+
+/// The points of shard `index` (1-based) of `count`: every count-th, so that shards are equally hard.
+std::vector<SweepPoint> shard(const std::vector<SweepPoint>& points, int index, int count);
+
+}  // namespace ir::projects
