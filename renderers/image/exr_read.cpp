@@ -1,0 +1,153 @@
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfPartType.h>
+#include <ImfStringAttribute.h>
+
+#include <algorithm>
+
+#include "renderers/core/error.h"
+#include "renderers/image/exr.h"
+#include "renderers/image/exr_channels.h"
+
+namespace ir {
+namespace {
+
+/// Larger images are taken for damaged files.
+constexpr std::int64_t max_pixels = std::int64_t(1) << 28;
+
+/// The full channel names in the file that make up one layer.
+struct LayerChannels {
+    std::string layer;
+    std::vector<std::string> channels, full_names;
+};
+
+bool is_flat(const Imf::Header& header) {
+    return !header.hasType() || (header.type() != Imf::DEEPSCANLINE && header.type() != Imf::DEEPTILE);
+}
+
+/// Parts after the first name their layer; a prefix of the channel may repeat or refine it.
+std::string layer_name(const std::string& part, const std::string& prefix) {
+    if (part.empty() || prefix == part) return prefix;
+    return prefix.empty() ? part : part + "." + prefix;
+}
+
+LayerChannels& layer_of(std::vector<LayerChannels>& layers, const std::string& name) {
+    for (auto& each : layers)
+        if (each.layer == name) return each;
+    layers.push_back({name, {}, {}});
+    return layers.back();
+}
+
+void sort_by_rank(LayerChannels& layer) {
+    const auto sorted = [&layer](const std::vector<std::string>& names) {
+        std::vector<std::size_t> order(names.size());
+        for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+        std::stable_sort(order.begin(), order.end(), [&layer](std::size_t a, std::size_t b) {
+            return channel_rank(layer.channels[a]) < channel_rank(layer.channels[b]);
+        });
+        std::vector<std::string> result;
+        for (const auto i : order) result.push_back(names[i]);
+        return result;
+    };
+    layer.full_names = sorted(layer.full_names);
+    layer.channels = sorted(layer.channels);
+}
+
+std::vector<LayerChannels> layers_in(const Imf::Header& header, const std::string& part,
+                                     const std::string& file) {
+    std::vector<LayerChannels> layers;
+    for (auto each = header.channels().begin(); each != header.channels().end(); ++each) {
+        const std::string full = each.name();
+        if (each.channel().xSampling != 1 || each.channel().ySampling != 1)
+            throw InputError(file, "channel '" + full + "'",
+                             "is subsampled (luminance and chroma); save it as RGB");
+        const auto name = split_channel_name(full);
+        auto& layer = layer_of(layers, layer_name(part, name.layer));
+        layer.channels.push_back(name.channel);
+        layer.full_names.push_back(full);
+    }
+    for (auto& layer : layers) sort_by_rank(layer);
+    return layers;
+}
+
+Imath::Box2i checked_window(const Imf::Header& header, const std::string& file) {
+    const auto window = header.dataWindow();
+    const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
+    const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
+    if (width < 1 || height < 1 || width > max_pixels || height > max_pixels || width * height > max_pixels)
+        throw InputError(file, "data window",
+                         std::to_string(width) + "x" + std::to_string(height) +
+                             " pixels are not a sensible size; the file seems damaged");
+    return window;
+}
+
+void insert_layer(Imf::FrameBuffer& buffer, ImageLayer& layer, const LayerChannels& names,
+                  const Imath::Box2i& window) {
+    Image& image = layer.image;
+    const std::size_t pixel = sizeof(float) * image.channels;
+    for (int c = 0; c < image.channels; ++c)
+        buffer.insert(names.full_names[c],
+                      Imf::Slice::Make(Imf::FLOAT, image.pixels.data() + c, window.min, image.width,
+                                       image.height, pixel, pixel * image.width));
+}
+
+void read_part(Imf::MultiPartInputFile& input, int index, const std::string& file,
+               std::vector<ImageLayer>& layers) {
+    const Imf::Header& header = input.header(index);
+    const std::string part = index > 0 && header.hasName() ? header.name() : "";
+    const auto window = checked_window(header, file);
+    const auto names = layers_in(header, part, file);
+    std::vector<ImageLayer> read;
+    for (const auto& each : names)
+        read.push_back({each.layer, each.channels,
+                        Image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1,
+                              static_cast<int>(each.channels.size()))});
+    Imf::FrameBuffer buffer;
+    for (std::size_t i = 0; i < read.size(); ++i) insert_layer(buffer, read[i], names[i], window);
+    Imf::InputPart pixels(input, index);
+    pixels.setFrameBuffer(buffer);
+    pixels.readPixels(window.min.y, window.max.y);
+    std::move(read.begin(), read.end(), std::back_inserter(layers));
+}
+
+ImageAttributes attributes_of(const Imf::Header& header) {
+    ImageAttributes result;
+    for (auto each = header.begin(); each != header.end(); ++each) {
+        const std::string key = each.name();
+        const auto* text = dynamic_cast<const Imf::StringAttribute*>(&each.attribute());
+        if (text && key != "name" && key != "type" && key != "view") result[key] = text->value();
+    }
+    return result;
+}
+
+/// The default layer comes first, as it does in files where it was not the first to be written.
+void default_layer_first(std::vector<ImageLayer>& layers) {
+    std::stable_partition(layers.begin(), layers.end(), [](const auto& layer) { return layer.name.empty(); });
+}
+
+}  // namespace
+
+std::vector<ImageLayer> read_exr(const std::filesystem::path& file, ImageAttributes* attributes) {
+    if (!std::filesystem::is_regular_file(file))
+        throw InputError(file.string(), "", "there is no such file; check the path");
+    std::vector<ImageLayer> layers;
+    try {
+        Imf::MultiPartInputFile input(file.c_str());
+        for (int i = 0; i < input.parts(); ++i)
+            if (is_flat(input.header(i))) read_part(input, i, file.string(), layers);
+        if (attributes) *attributes = attributes_of(input.header(0));
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& problem) {
+        throw InputError(file.string(), "",
+                         std::string("is not a readable EXR file (") + problem.what() + ")");
+    }
+    if (layers.empty()) throw InputError(file.string(), "", "has no flat image; save it without deep data");
+    default_layer_first(layers);
+    return layers;
+}
+
+}  // namespace ir

@@ -1,0 +1,226 @@
+#include "renderers/image/exr.h"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+
+#include "renderers/core/error.h"
+#include "temporary_folder.h"
+
+namespace ir {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Different in every pixel and channel, and under every flip.
+Image pattern(int width, int height, int channels, float offset = 0) {
+    Image image(width, height, channels);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            for (int c = 0; c < channels; ++c) image.at(x, y, c) = offset + x + 10.5f * y + 1000.25f * c;
+    return image;
+}
+
+ImageLayer layer(const std::string& name, const Image& image, bool vector_valued = false) {
+    return {name, standard_channels(image.channels, vector_valued), image};
+}
+
+void expect_same_bits(const Image& a, const Image& b) {
+    ASSERT_EQ(a.width, b.width);
+    ASSERT_EQ(a.height, b.height);
+    ASSERT_EQ(a.channels, b.channels);
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        ASSERT_EQ(std::bit_cast<std::uint32_t>(a.pixels[i]), std::bit_cast<std::uint32_t>(b.pixels[i])) << i;
+}
+
+const ImageLayer& find_layer(const std::vector<ImageLayer>& layers, const std::string& name) {
+    for (const auto& each : layers)
+        if (each.name == name) return each;
+    throw Error("no layer " + name);
+}
+
+template <class Exception, class Action>
+std::string message_of(Action action) {
+    try {
+        action();
+    } catch (const Exception& error) {
+        return error.what();
+    }
+    ADD_FAILURE() << "nothing of the expected type was thrown";
+    return {};
+}
+
+TEST(Exr, KeepsLayersChannelsAndBits) {
+    TemporaryFolder folder;
+    Image special = pattern(7, 5, 1);
+    special.at(0, 0) = infinity;
+    special.at(1, 0) = -infinity;
+    special.at(2, 0) = std::numeric_limits<float>::quiet_NaN();
+    special.at(3, 0) = -0.0f;
+    special.at(4, 0) = std::numeric_limits<float>::denorm_min();
+    const std::vector<ImageLayer> written = {
+        layer("", pattern(7, 5, 3)), layer("normal", pattern(7, 5, 3, 0.1f), true),
+        layer("uv.offset", pattern(7, 5, 2)), layer("depth", special), layer("rgba", pattern(7, 5, 4))};
+    write_exr(folder / "a.exr", written, {});
+    const auto read = read_exr(folder / "a.exr");
+    ASSERT_EQ(read.size(), written.size());
+    EXPECT_EQ(read.front().name, "");
+    for (const auto& each : written) {
+        const auto& found = find_layer(read, each.name);
+        EXPECT_EQ(found.channels, each.channels);
+        expect_same_bits(found.image, each.image);
+    }
+    EXPECT_EQ(folder.files(), 1u) << "a temporary was left behind";
+}
+
+TEST(Exr, OtherSizesBecomeParts) {
+    TemporaryFolder folder;
+    const std::vector<ImageLayer> written = {layer("", pattern(8, 4, 1)), layer("half", pattern(4, 2, 3)),
+                                             layer("main", pattern(3, 9, 1)), layer("ids", pattern(8, 4, 2)),
+                                             layer("half.more", pattern(4, 2, 1, 5))};
+    write_exr(folder / "a.exr", written, {{"seed", "7"}});
+    ImageAttributes attributes;
+    const auto read = read_exr(folder / "a.exr", &attributes);
+    ASSERT_EQ(read.size(), written.size());
+    for (const auto& each : written) {
+        const auto& found = find_layer(read, each.name);
+        EXPECT_EQ(found.channels, each.channels) << each.name;
+        expect_same_bits(found.image, each.image);
+    }
+    EXPECT_EQ(attributes, (ImageAttributes{{"seed", "7"}}));
+}
+
+TEST(Exr, KeepsAttributes) {
+    TemporaryFolder folder;
+    const ImageAttributes written = {
+        {"seed", "42"}, {"empty", ""}, {"parameters", "{\"max_distance\": 0.1, \"ä\": [1, 2]}\nsecond line"}};
+    write_exr(folder / "a.exr", {layer("", pattern(2, 2, 1))}, written);
+    ImageAttributes read;
+    read_exr(folder / "a.exr", &read);
+    EXPECT_EQ(read, written);
+    EXPECT_THROW(write_exr(folder / "b.exr", {layer("", pattern(2, 2, 1))}, {{"channels", "x"}}), UsageError);
+}
+
+TEST(Exr, StandardChannelNames) {
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(standard_channels(1), (Names{"Y"}));
+    EXPECT_EQ(standard_channels(2), (Names{"X", "Y"}));
+    EXPECT_EQ(standard_channels(3), (Names{"R", "G", "B"}));
+    EXPECT_EQ(standard_channels(4), (Names{"R", "G", "B", "A"}));
+    EXPECT_EQ(standard_channels(3, true), (Names{"X", "Y", "Z"}));
+    EXPECT_EQ(standard_channels(4, true), (Names{"X", "Y", "Z", "W"}));
+    EXPECT_THROW(standard_channels(5), UsageError);
+    EXPECT_THROW(standard_channels(0), UsageError);
+}
+
+TEST(Exr, FirstRowIsTheFileTop) {
+    TemporaryFolder folder;
+    Image image(3, 2, 1);
+    image.pixels = {1, 2, 3, 4, 5, 6};
+    write_exr(folder / "a.exr", {layer("", image)}, {});
+    Imf::InputFile input((folder / "a.exr").c_str());
+    float top[3] = {};  // scan line 0 of an EXR file is the top one
+    Imf::FrameBuffer buffer;
+    buffer.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(top), sizeof(float), 0));
+    input.setFrameBuffer(buffer);
+    input.readPixels(0, 0);
+    EXPECT_EQ(top[0], 1);
+    EXPECT_EQ(top[2], 3);
+    expect_same_bits(read_image(folder / "a.exr"), image);
+}
+
+TEST(Exr, ReadsHalfFloatsAndShiftedDataWindows) {
+    TemporaryFolder folder;
+    Imf::Header header({{0, 0}, {9, 9}}, {{-2, 3}, {0, 4}});
+    header.channels().insert("G", Imf::Channel(Imf::HALF));
+    header.channels().insert("R", Imf::Channel(Imf::HALF));
+    const std::vector<half> pixels = {1, 2, 3, 4, 5, 6};
+    {
+        Imf::OutputFile output((folder / "a.exr").c_str(), header);
+        Imf::FrameBuffer buffer;
+        char* origin = reinterpret_cast<char*>(const_cast<half*>(pixels.data()) + 2 - 3 * 3);
+        for (const char* channel : {"R", "G"})
+            buffer.insert(channel, Imf::Slice(Imf::HALF, origin, sizeof(half), 3 * sizeof(half)));
+        output.setFrameBuffer(buffer);
+        output.writePixels(2);
+    }
+    const auto layers = read_exr(folder / "a.exr");
+    ASSERT_EQ(layers.size(), 1u);
+    EXPECT_EQ(layers[0].channels, (std::vector<std::string>{"R", "G"}));
+    ASSERT_EQ(layers[0].image.width, 3);
+    ASSERT_EQ(layers[0].image.height, 2);
+    EXPECT_EQ(layers[0].image.at(0, 0, 0), 1);
+    EXPECT_EQ(layers[0].image.at(2, 1, 1), 6);
+}
+
+TEST(Exr, ChoosesLayers) {
+    TemporaryFolder folder;
+    write_exr(folder / "a.exr", {layer("", pattern(2, 2, 3)), layer("ao", pattern(2, 2, 1, 3))}, {});
+    expect_same_bits(read_image(folder / "a.exr"), pattern(2, 2, 3));
+    expect_same_bits(read_image(folder / "a.exr", "ao"), pattern(2, 2, 1, 3));
+    const auto text = message_of<InputError>([&] { read_image(folder / "a.exr", "depth"); });
+    EXPECT_NE(text.find("a.exr"), std::string::npos) << text;
+    EXPECT_NE(text.find("'depth'"), std::string::npos) << text;
+    EXPECT_NE(text.find("(default), ao"), std::string::npos) << text;
+}
+
+TEST(Exr, RefusesUnsoundLayers) {
+    TemporaryFolder folder;
+    const auto file = folder / "a.exr";
+    EXPECT_THROW(write_exr(file, {}, {}), Error);
+    EXPECT_THROW(write_exr(file, {layer("", pattern(1, 1, 1)), layer("", pattern(1, 1, 1))}, {}), Error);
+    EXPECT_THROW(write_exr(file, {{"", {"R", "G"}, pattern(1, 1, 3)}}, {}), Error);
+    EXPECT_THROW(write_exr(file, {{"", {"R", "R"}, pattern(1, 1, 2)}}, {}), Error);
+    EXPECT_THROW(write_exr(file, {{"", {}, Image()}}, {}), Error);
+    EXPECT_EQ(folder.files(), 0u);
+}
+
+TEST(Exr, ReadErrorsAreOneLineWithTheFile) {
+    TemporaryFolder folder;
+    EXPECT_NE(message_of<InputError>([&] { read_exr(folder / "none.exr"); }).find("none.exr"),
+              std::string::npos);
+    std::ofstream(folder / "text.exr") << "this is no image";
+    EXPECT_NE(message_of<InputError>([&] { read_exr(folder / "text.exr"); }).find("text.exr"),
+              std::string::npos);
+
+    write_exr(folder / "whole.exr", {layer("", pattern(64, 64, 3))}, {});
+    std::ifstream whole(folder / "whole.exr", std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(whole), {}};
+    std::ofstream(folder / "half.exr", std::ios::binary) << bytes.substr(0, bytes.size() / 2);
+    const auto text = message_of<InputError>([&] { read_exr(folder / "half.exr"); });
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+}
+
+TEST(Exr, KeepsTheOldFileWhenWritingFails) {
+    TemporaryFolder folder;
+    const auto text =
+        message_of<Error>([&] { write_exr(folder / "none/a.exr", {layer("", pattern(1, 1, 1))}, {}); });
+    EXPECT_NE(text.find("a.exr"), std::string::npos) << text;
+    EXPECT_NE(text.find("writable"), std::string::npos) << text;
+
+    write_exr(folder / "a.exr", {layer("", pattern(2, 2, 1))}, {});
+    EXPECT_THROW(write_exr(folder / "a.exr", {{"", {"R", "G"}, pattern(1, 1, 1)}}, {}), Error);
+    expect_same_bits(read_image(folder / "a.exr"), pattern(2, 2, 1));
+}
+
+TEST(Exr, ReadOnlyFolderIsRefused) {
+    if (geteuid() == 0) GTEST_SKIP() << "the superuser writes into read-only folders";
+    TemporaryFolder folder;
+    std::filesystem::permissions(folder.path(),
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    EXPECT_THROW(write_exr(folder / "a.exr", {layer("", pattern(1, 1, 1))}, {}), Error);
+    EXPECT_THROW(write_png(folder / "a.png", pattern(1, 1, 1)), Error);
+    std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
+}
+
+}  // namespace
+}  // namespace ir
