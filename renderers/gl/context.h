@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ Backend parse_backend(const std::string& text);
 struct ContextOptions {
     bool debug = false;  ///< KHR_debug output, synchronous
     std::string device;  ///< part of an EGL device's renderer or extension string; empty: the best
+    std::string osmesa_library = {};  ///< file to load instead of the system's libOSMesa
 };
 
 struct DeviceInfo {
@@ -36,9 +38,10 @@ struct DeviceInfo {
 };
 
 /// An OpenGL 4.5 core context without a window. It belongs to one thread at a time. On creation the
-/// conventions of the house are set: clip space with y down (row 0 of every image is the top row) and depth
-/// 0…1 (glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE)), seamless cube maps, no dithering, pack and unpack
-/// alignment 1.
+/// conventions of the house are set: y = +1 in normalised device coordinates is the top and row 0 of every
+/// image is the top row (gl_FragCoord.y counts downwards), depth is 0…1
+/// (glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE)), cube maps are seamless, nothing is dithered, pack and
+/// unpack alignment are 1.
 class Context {
   public:
     /// Throws Error with one line that says what was tried and what would mend it.
@@ -59,12 +62,12 @@ class Context {
     const Api& api() const { return api_; }
     const DeviceInfo& info() const { return info_; }
     bool has_extension(const std::string& name) const;
-    /// True after a GPU reset; the context must be created anew.
+    /// True after a GPU reset (asked only where the context is current); the context must be created anew.
     bool is_lost() const;
 
-    /// KHR_debug messages since the last call: errors, undefined behaviour and portability as errors,
-    /// deprecated behaviour and performance as warnings (each distinct text once). Empty without
-    /// options.debug.
+    /// KHR_debug messages since the last call: errors, undefined behaviour and portability as errors (each
+    /// text once per call), deprecated behaviour and performance as warnings (each text once per context).
+    /// Compiler errors are left to ProgramLibrary, which knows files and lines. Empty without options.debug.
     std::vector<Message> take_messages();
 
   protected:
@@ -80,7 +83,14 @@ class Context {
   private:
     static void on_debug_message(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
                                  const GLchar* text, const void* user);
+    void read_info();
+    void set_conventions();
+    void set_debug_output();
+    void add_message(Severity severity, const std::string& text);
+
     std::vector<Message> messages_;
+    std::set<std::string> warned_;  ///< texts of warnings that were given
+    mutable bool lost_ = false;
 };
 
 }  // namespace ir::gl
