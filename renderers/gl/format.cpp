@@ -6,7 +6,7 @@ namespace ir::gl {
 
 const FormatInfo& info(Format format) {
     // name, internal format, format, type, channels, bytes, integer, depth; in the order of Format
-    static constexpr std::array<FormatInfo, 11> table{{
+    static constexpr std::array<FormatInfo, 12> table{{
         {"r8", GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1, 1, false, false},
         {"rgba8", GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4, 4, false, false},
         {"r16f", GL_R16F, GL_RED, GL_HALF_FLOAT, 1, 2, false, false},
@@ -18,6 +18,7 @@ const FormatInfo& info(Format format) {
         {"r32ui", GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 1, 4, true, false},
         {"rg32ui", GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 2, 8, true, false},
         {"depth32f", GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 4, false, true},
+        {"srgba8", GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, 4, 4, false, false},
     }};
     return table.at(static_cast<std::size_t>(format));
 }
