@@ -15,6 +15,7 @@
 namespace ir::graph {
 
 class Graph;
+struct Physical;
 
 /// What a running pass may touch: only what it declared; anything else throws std::logic_error that names
 /// pass and resource. Images and buffers are in device memory for passes of the gl queue, in host memory for
@@ -100,7 +101,10 @@ class PassContext {
 
   private:
     friend class Graph;
+    struct Physical;
     PassContext(Graph& graph, const Pass& pass) : graph_(graph), pass_(pass) {}
+    Physical& physical(ImageRef ref, bool previous, bool write = false) const;
+    Physical& physical(BufferRef ref, bool previous, bool write = false) const;
     std::span<std::byte> host(ImageRef ref, int layer, bool previous) const;
     std::span<std::byte> host(BufferRef ref, bool previous) const;
     std::shared_ptr<void> stored(ObjectRef ref) const;

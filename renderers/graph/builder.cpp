@@ -1,0 +1,92 @@
+#include "renderers/graph/builder.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace ir::graph {
+
+int stride(const BufferDesc& desc) {
+    int scalars = 0;
+    for (const auto& field : desc.fields) scalars += field.count;
+    return 4 * scalars;
+}
+
+PassBuilder& PassBuilder::counts(CounterRef counter) {
+    pass_->counters.push_back(counter);
+    return *this;
+}
+
+void PassBuilder::execute(std::function<void(PassContext&)> run) {
+    pass_->execute = [run = std::move(run)](PassContext& context, Slice) { run(context); };
+}
+
+void PassBuilder::execute_sliced(std::int64_t items, std::function<void(PassContext&, Slice)> run,
+                                 std::int64_t first_slice) {
+    pass_->items = items;
+    pass_->first_slice = first_slice > 0 ? first_slice : std::max<std::int64_t>(1, items / 16);
+    pass_->execute = std::move(run);
+}
+
+void PassBuilder::access(ImageRef ref, bool write, bool previous) {
+    pass_->accesses.push_back({Pass::Access::Kind::image, ref.index, write, previous});
+}
+
+void PassBuilder::access(BufferRef ref, bool write, bool previous) {
+    pass_->accesses.push_back({Pass::Access::Kind::buffer, ref.index, write, previous});
+}
+
+void PassBuilder::access(ObjectRef ref, bool write, bool previous) {
+    pass_->accesses.push_back({Pass::Access::Kind::object, ref.index, write, previous});
+}
+
+void GraphBuilder::claim(const std::string& key) {
+    const bool well_formed = !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
+    });
+    if (!well_formed)
+        throw std::logic_error("resource key '" + key + "' is not of lower-case letters, digits and dots");
+    if (std::find(keys_.begin(), keys_.end(), key) != keys_.end())
+        throw std::logic_error("resource '" + key + "' is declared twice");
+    keys_.push_back(key);
+}
+
+ImageRef GraphBuilder::image(ImageDesc desc) {
+    claim(desc.text.key);
+    images_.push_back(std::move(desc));
+    return {static_cast<int>(images_.size()) - 1};
+}
+
+BufferRef GraphBuilder::buffer(BufferDesc desc) {
+    claim(desc.text.key);
+    if (desc.fields.empty()) throw std::logic_error("buffer '" + desc.text.key + "' has no fields");
+    buffers_.push_back(std::move(desc));
+    return {static_cast<int>(buffers_.size()) - 1};
+}
+
+ObjectRef GraphBuilder::object(ObjectDesc desc) {
+    claim(desc.text.key);
+    objects_.push_back(std::move(desc));
+    return {static_cast<int>(objects_.size()) - 1};
+}
+
+CounterRef GraphBuilder::counter(CounterDesc desc) {
+    counters_.push_back(std::move(desc));
+    return {static_cast<int>(counters_.size()) - 1};
+}
+
+PassBuilder GraphBuilder::pass(std::string name, Queue queue) {
+    for (const auto& pass : passes_)
+        if (pass.name == name) throw std::logic_error("pass '" + name + "' is declared twice");
+    Pass pass;
+    pass.name = std::move(name);
+    pass.queue = queue;
+    passes_.push_back(std::move(pass));
+    return PassBuilder(passes_.back());
+}
+
+int GraphBuilder::batches(int limit) {
+    batch_limit_ = std::max(1, limit);
+    return std::min(batches_, batch_limit_);
+}
+
+}  // namespace ir::graph

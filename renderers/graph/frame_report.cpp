@@ -1,0 +1,117 @@
+#include <algorithm>
+
+#include "renderers/graph/state.h"
+
+namespace ir::graph {
+namespace {
+
+using Kind = Pass::Access::Kind;
+
+std::string first_writer(const GraphBuilder& builder, Kind kind, int index) {
+    for (const auto& pass : builder.passes())
+        for (const auto& access : pass.accesses)
+            if (access.write && access.kind == kind && access.index == index) return pass.name;
+    return {};
+}
+
+ResourceReport described(const ResourceText& text, const MethodDescription& method) {
+    ResourceReport report;
+    report.key = text.key;
+    report.label = text.label;
+    report.doc = text.doc;
+    report.semantic = text.semantic;
+    report.unit = text.unit;
+    report.colour_map = text.colour_map.empty() ? default_colour_map(text.semantic) : text.colour_map;
+    for (const auto& output : method.outputs) {
+        if (output.key != text.key) continue;
+        report.is_output = true;
+        report.label = output.label;
+        report.semantic = output.semantic;
+        report.unit = output.unit;
+        if (!output.colour_map.empty()) report.colour_map = output.colour_map;
+        if (!output.doc.empty()) report.doc = output.doc;
+    }
+    return report;
+}
+
+}  // namespace
+
+void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
+    const auto& description = method->description;
+    report.resources.clear();
+    for (std::size_t i = 0; i < builder->images().size(); ++i) {
+        const auto& desc = builder->images()[i];
+        auto row = described(desc.text, description);
+        const auto shape = resolve(desc, inputs->view);
+        row.pass = first_writer(*builder, Kind::image, static_cast<int>(i));
+        row.kind = desc.layers > 0   ? OutputKind::stack
+                   : desc.levels > 1 ? OutputKind::pyramid
+                                     : OutputKind::image;
+        row.format = gl::info(shape.format).name;
+        row.width = shape.width;
+        row.height = shape.height;
+        row.levels = shape.levels;
+        row.layers = std::max(1, shape.layers);
+        row.available = images[i] != nullptr;
+        row.is_history = plan.image_history[i];
+        if (images[i]) row.bytes = pool.bytes(*images[i]);
+        report.resources.push_back(std::move(row));
+    }
+    for (std::size_t i = 0; i < builder->buffers().size(); ++i) {
+        const auto& desc = builder->buffers()[i];
+        auto row = described(desc.text, description);
+        row.pass = first_writer(*builder, Kind::buffer, static_cast<int>(i));
+        row.kind = desc.kind;
+        row.format = std::to_string(stride(desc)) + " B";
+        row.available = buffers[i] != nullptr;
+        row.is_history = plan.buffer_history[i];
+        row.elements = buffers[i] ? buffers[i]->capacity : desc.elements;
+        std::uint64_t used = 0;
+        bool counted = false;
+        for (std::size_t c = 0; c < counts.size(); ++c) {
+            if (builder->counters()[c].growth_of.index != static_cast<int>(i)) continue;
+            used = std::max(used, counts[c]);
+            counted = true;
+        }
+        if (counted) row.elements = std::min(row.elements, used);
+        if (buffers[i]) row.bytes = pool.bytes(*buffers[i]);
+        report.resources.push_back(std::move(row));
+    }
+    report.memory_bytes = pool.bytes() + counter_capacity + parameter_bytes;
+    for (const auto& desc : builder->objects()) {
+        auto row = described(desc.text, description);
+        const auto found = objects.find(desc.text.key);
+        row.format = "object";
+        row.kind = OutputKind::table;
+        row.available = found != objects.end();
+        if (row.available) row.bytes = found->second.bytes;
+        report.memory_bytes += row.bytes;
+        report.resources.push_back(std::move(row));
+    }
+    report.peak_memory_bytes = std::max(report.peak_memory_bytes, report.memory_bytes);
+    report.counters.clear();
+    for (std::size_t c = 0; c < counts.size(); ++c)
+        report.counters[builder->counters()[c].key] += static_cast<double>(counts[c]);
+    report.counters["growth"] = growths;
+    report.counters["batches"] = std::min(batches, builder->batch_limit());
+    for (std::size_t p = 0; p < builder->passes().size(); ++p) {
+        for (const auto& access : builder->passes()[p].accesses) {
+            const auto& key = access.kind == Kind::image    ? builder->images()[access.index].text.key
+                              : access.kind == Kind::buffer ? builder->buffers()[access.index].text.key
+                                                            : builder->objects()[access.index].text.key;
+            auto& keys = access.write ? report.passes[p].writes : report.passes[p].reads;
+            keys.push_back(key);
+        }
+    }
+    auto notes = builder->notes();
+    if (const int parts = std::min(batches, builder->batch_limit()); parts > 1)
+        notes.push_back("works in " + std::to_string(parts) + " batches to stay within the memory budget");
+    for (const auto& note : notes) {
+        const auto same = [&](const Message& message) { return message.text == note; };
+        if (std::none_of(report.messages.begin(), report.messages.end(), same))
+            report.messages.push_back({Severity::note, description.id, note});
+    }
+    for (auto& message : device.take_messages()) report.messages.push_back(std::move(message));
+}
+
+}  // namespace ir::graph

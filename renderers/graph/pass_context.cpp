@@ -1,0 +1,295 @@
+#include "renderers/graph/pass_context.h"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+#include "renderers/graph/state.h"
+
+namespace ir::graph {
+namespace {
+
+using Kind = Pass::Access::Kind;
+
+/// The declared access, or std::logic_error.
+const Pass::Access& declared(const Pass& pass, Kind kind, int index, bool previous, const std::string& key) {
+    const Pass::Access* found = nullptr;
+    for (const auto& access : pass.accesses)
+        if (access.kind == kind && access.index == index && access.previous == previous)
+            if (!found || access.write) found = &access;
+    if (!found)
+        throw std::logic_error("pass '" + pass.name + "' uses " + (previous ? "the history of '" : "'") +
+                               key + "' without declaring it");
+    return *found;
+}
+
+void require_write(const Pass& pass, const Pass::Access& access, const std::string& key) {
+    if (!access.write)
+        throw std::logic_error("pass '" + pass.name + "' writes '" + key + "' without declaring it");
+}
+
+GLenum wrap_of(scene::Wrap wrap) {
+    switch (wrap) {
+        case scene::Wrap::repeat:
+            return GL_REPEAT;
+        case scene::Wrap::mirrored_repeat:
+            return GL_MIRRORED_REPEAT;
+        default:
+            return GL_CLAMP_TO_EDGE;
+    }
+}
+
+GLuint make_sampler(const gl::Api& gl, const scene::Sampler& sampler) {
+    const bool linear = sampler.min == scene::Filter::linear;
+    GLuint name = 0;
+    gl.CreateSamplers(1, &name);
+    gl.SamplerParameteri(name, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrap_of(sampler.wrap_s)));
+    gl.SamplerParameteri(name, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrap_of(sampler.wrap_t)));
+    gl.SamplerParameteri(name, GL_TEXTURE_MAG_FILTER,
+                         sampler.mag == scene::Filter::linear ? GL_LINEAR : GL_NEAREST);
+    gl.SamplerParameteri(name, GL_TEXTURE_MIN_FILTER,
+                         sampler.mipmaps ? (linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST)
+                                         : (linear ? GL_LINEAR : GL_NEAREST));
+    return name;
+}
+
+constexpr scene::Sampler nearest_clamped{scene::Wrap::clamp_to_edge, scene::Wrap::clamp_to_edge,
+                                         scene::Filter::nearest, scene::Filter::nearest, false};
+
+}  // namespace
+
+const FrameInputs& PassContext::inputs() const {
+    return *graph_.state_->inputs;
+}
+const CancelToken& PassContext::cancel() const {
+    return graph_.state_->cancel();
+}
+const gl::Api& PassContext::api() const {
+    return graph_.state_->context->api();
+}
+
+Physical& PassContext::physical(ImageRef ref, bool previous, bool write) const {
+    auto& s = *graph_.state_;
+    const auto& key = s.builder->images().at(ref.index).text.key;
+    const auto& access = declared(pass_, Kind::image, ref.index, previous, key);
+    if (write) require_write(pass_, access, key);
+    return *s.images.at(ref.index);
+}
+
+Physical& PassContext::physical(BufferRef ref, bool previous, bool write) const {
+    auto& s = *graph_.state_;
+    const auto& key = s.builder->buffers().at(ref.index).text.key;
+    const auto& access = declared(pass_, Kind::buffer, ref.index, previous, key);
+    if (write) require_write(pass_, access, key);
+    return *s.buffers.at(ref.index);
+}
+
+gl::Name PassContext::image(ImageRef ref) const {
+    return physical(ref, false).now().name;
+}
+gl::Name PassContext::previous(ImageRef ref) const {
+    return physical(ref, true).before().name;
+}
+gl::Name PassContext::buffer(BufferRef ref) const {
+    return physical(ref, false).now().name;
+}
+gl::Name PassContext::previous(BufferRef ref) const {
+    return physical(ref, true).before().name;
+}
+
+const gl::Program& PassContext::program(const gl::ProgramSource& source) const {
+    return graph_.state_->programs->get(source);
+}
+
+const gl::Program& PassContext::method_program(gl::ProgramSource source) const {
+    auto& s = *graph_.state_;
+    const auto& parameters = s.method->description.parameters;
+    source.preamble += gl::parameter_glsl(parameters, *s.settings, gl::parameter_binding);
+    const auto& program = s.programs->get(source);
+    if (!parameters.empty()) {
+        gl::check_parameter_block(api(), program.name(), parameters);
+        api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, gl::parameter_binding, s.parameter_buffer);
+    }
+    return program;
+}
+
+void PassContext::bind_buffer(int binding, BufferRef ref) const {
+    api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), buffer(ref));
+}
+
+void PassContext::bind_previous_buffer(int binding, BufferRef ref) const {
+    api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), previous(ref));
+}
+
+void PassContext::bind_counter(int binding, CounterRef ref) const {
+    const auto& s = *graph_.state_;
+    const auto found = std::find_if(pass_.counters.begin(), pass_.counters.end(),
+                                    [&](CounterRef counter) { return counter.index == ref.index; });
+    if (found == pass_.counters.end())
+        throw std::logic_error("pass '" + pass_.name + "' uses counter '" +
+                               s.builder->counters().at(ref.index).key + "' without declaring it");
+    api().BindBufferRange(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), s.counter_buffer,
+                          static_cast<GLintptr>(ref.index * counter_stride), 16);
+}
+
+void PassContext::bind_texture(int unit, ImageRef ref) const {
+    bind_texture(unit, ref, nearest_clamped);
+}
+
+void PassContext::bind_texture(int unit, ImageRef ref, const scene::Sampler& sampler) const {
+    auto& s = *graph_.state_;
+    auto found = std::find_if(s.samplers.begin(), s.samplers.end(),
+                              [&](const auto& entry) { return entry.first == sampler; });
+    if (found == s.samplers.end()) {
+        s.samplers.emplace_back(sampler, make_sampler(api(), sampler));
+        found = s.samplers.end() - 1;
+    }
+    api().BindTextureUnit(static_cast<GLuint>(unit), image(ref));
+    api().BindSampler(static_cast<GLuint>(unit), found->second);
+}
+
+void PassContext::bind_previous_texture(int unit, ImageRef ref) const {
+    api().BindTextureUnit(static_cast<GLuint>(unit), previous(ref));
+    api().BindSampler(static_cast<GLuint>(unit), 0);
+}
+
+void PassContext::bind_storage_image(int unit, ImageRef ref, int level) const {
+    const auto& target = physical(ref, false);
+    api().BindImageTexture(static_cast<GLuint>(unit), image(ref), level, target.shape.layers > 0, 0,
+                           GL_READ_WRITE, gl::info(target.shape.format).internal);
+}
+
+void PassContext::bind_framebuffer(const std::vector<Attachment>& colours, const Attachment* depth) const {
+    const auto& gl = api();
+    GLuint name = 0;
+    gl.CreateFramebuffers(1, &name);
+    graph_.state_->framebuffers.push_back(name);
+    int width = 0, height = 0;
+    const auto attach = [&](GLenum point, const Attachment& attachment) {
+        const auto& target = physical(attachment.image, false, true);
+        width = target.shape.level_width(attachment.level);
+        height = target.shape.level_height(attachment.level);
+        const auto texture = image(attachment.image);
+        if (attachment.layer < 0)
+            gl.NamedFramebufferTexture(name, point, texture, attachment.level);
+        else
+            gl.NamedFramebufferTextureLayer(name, point, texture, attachment.level, attachment.layer);
+    };
+    std::vector<GLenum> draw_buffers;
+    for (const auto& colour : colours) {
+        draw_buffers.push_back(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + draw_buffers.size()));
+        attach(draw_buffers.back(), colour);
+    }
+    if (depth) attach(GL_DEPTH_ATTACHMENT, *depth);
+    if (draw_buffers.empty())
+        gl.NamedFramebufferDrawBuffer(name, GL_NONE);
+    else
+        gl.NamedFramebufferDrawBuffers(name, static_cast<GLsizei>(draw_buffers.size()), draw_buffers.data());
+    if (gl.CheckNamedFramebufferStatus(name, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw std::logic_error("pass '" + pass_.name +
+                               "': its attachments do not make a complete framebuffer");
+    gl.BindFramebuffer(GL_FRAMEBUFFER, name);
+    gl.Viewport(0, 0, width, height);
+}
+
+void PassContext::bind_empty_framebuffer(int width, int height, int layers) const {
+    const auto& gl = api();
+    GLuint name = 0;
+    gl.CreateFramebuffers(1, &name);
+    graph_.state_->framebuffers.push_back(name);
+    gl.NamedFramebufferParameteri(name, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
+    gl.NamedFramebufferParameteri(name, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
+    gl.NamedFramebufferParameteri(name, GL_FRAMEBUFFER_DEFAULT_LAYERS, layers);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, name);
+    gl.Viewport(0, 0, width, height);
+}
+
+void PassContext::bind_empty_vertex_array() const {
+    auto& s = *graph_.state_;
+    if (!s.empty_vertex_array) api().CreateVertexArrays(1, &s.empty_vertex_array);
+    api().BindVertexArray(s.empty_vertex_array);
+}
+
+void PassContext::draw_full_screen() const {
+    bind_empty_vertex_array();
+    api().DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void PassContext::upload(BufferRef ref, std::span<const std::byte> bytes, std::uint64_t offset) const {
+    const auto& target = physical(ref, false, true);
+    if (offset + bytes.size() > target.copy_bytes())
+        throw std::logic_error("pass '" + pass_.name + "' uploads beyond the end of '" + target.label + "'");
+    if (!bytes.empty()) graph_.state_->device.write_buffer(buffer(ref), offset, bytes);
+}
+
+void PassContext::upload(ImageRef ref, std::span<const std::byte> texels, int level, int layer) const {
+    const auto& target = physical(ref, false, true);
+    graph_.state_->device.write_image(image(ref), target.shape, level, layer, texels);
+}
+
+void PassContext::clear(ImageRef ref) const {
+    const auto& target = physical(ref, false, true);
+    graph_.state_->device.clear_image(image(ref), target.shape);
+}
+
+void PassContext::clear(BufferRef ref) const {
+    const auto& target = physical(ref, false, true);
+    graph_.state_->device.clear_buffer(buffer(ref), 0, target.copy_bytes());
+}
+
+void PassContext::barrier() const {
+    graph_.state_->device.barrier();
+}
+
+std::span<std::byte> PassContext::host(ImageRef ref, int layer, bool previous) const {
+    auto& target = physical(ref, previous);
+    auto& copy = previous ? target.before() : target.now();
+    const auto layer_bytes = copy.host.size() / std::max(1, target.shape.layers);
+    return std::span(copy.host).subspan(layer * layer_bytes, layer_bytes);
+}
+
+std::span<std::byte> PassContext::host(BufferRef ref, bool previous) const {
+    auto& target = physical(ref, previous);
+    return previous ? target.before().host : target.now().host;
+}
+
+void PassContext::add(CounterRef ref, std::uint32_t amount) const {
+    graph_.state_->host_counters[ref.index].fetch_add(amount, std::memory_order_relaxed);
+}
+
+std::shared_ptr<void> PassContext::stored(ObjectRef ref) const {
+    auto& s = *graph_.state_;
+    const auto& key = s.builder->objects().at(ref.index).text.key;
+    declared(pass_, Kind::object, ref.index, false, key);
+    return s.objects[key].object;
+}
+
+void PassContext::store(ObjectRef ref, std::shared_ptr<void> object, std::uint64_t bytes) const {
+    auto& s = *graph_.state_;
+    const auto& key = s.builder->objects().at(ref.index).text.key;
+    require_write(pass_, declared(pass_, Kind::object, ref.index, false, key), key);
+    s.objects[key] = {std::move(object), bytes, {}};
+}
+
+gl::ImageShape PassContext::shape(ImageRef ref) const {
+    auto& s = *graph_.state_;
+    return resolve(s.builder->images().at(ref.index), s.inputs->view);
+}
+
+std::uint64_t PassContext::capacity(BufferRef ref) const {
+    return graph_.state_->buffers.at(ref.index)->capacity;
+}
+
+bool PassContext::has_previous() const {
+    auto& s = *graph_.state_;
+    bool any = false;
+    for (const auto& access : pass_.accesses) {
+        if (!access.previous || access.kind == Kind::object) continue;
+        any = true;
+        auto* target = access.kind == Kind::image ? s.images[access.index] : s.buffers[access.index];
+        if (!target->before().committed) return false;
+    }
+    return any;
+}
+
+}  // namespace ir::graph

@@ -1,0 +1,66 @@
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+
+#include "renderers/graph/state.h"
+
+namespace ir::graph {
+namespace {
+
+float component(const std::byte* from, const gl::FormatInfo& format) {
+    switch (format.type) {
+        case GL_UNSIGNED_BYTE:
+            return static_cast<float>(std::to_integer<int>(*from)) / 255.0f;
+        case GL_HALF_FLOAT: {
+            std::uint16_t half;
+            std::memcpy(&half, from, sizeof half);
+            return glm::unpackHalf1x16(half);
+        }
+        case GL_UNSIGNED_INT: {
+            std::uint32_t number;
+            std::memcpy(&number, from, sizeof number);
+            return static_cast<float>(number);
+        }
+        default: {
+            float number;
+            std::memcpy(&number, from, sizeof number);
+            return number;
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<Image> Graph::read_image(const std::string& key, int level, int layer) const {
+    auto* physical = state_->pool.find(key);
+    if (!physical || !physical->is_image) return std::nullopt;
+    const auto& shape = physical->shape;
+    if (level < 0 || level >= shape.levels || layer < 0 || layer >= std::max(1, shape.layers))
+        return std::nullopt;
+    auto& copy = physical->now();
+    if (!copy.on_device && !copy.on_host) return std::nullopt;
+    const auto& format = gl::info(shape.format);
+    const int width = shape.level_width(level), height = shape.level_height(level);
+    std::vector<std::byte> raw(static_cast<std::size_t>(width) * height * format.bytes);
+    if (copy.on_host && level == 0)
+        std::memcpy(raw.data(), copy.host.data() + layer * raw.size(), raw.size());
+    else
+        state_->device.read_image(state_->pool.on_device(*physical, copy), shape, level, layer, raw);
+    Image image(width, height, format.channels);
+    const auto step = static_cast<std::size_t>(format.bytes / format.channels);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = component(raw.data() + i * step, format);
+    return image;
+}
+
+std::optional<std::vector<std::byte>> Graph::read_buffer(const std::string& key) const {
+    auto* physical = state_->pool.find(key);
+    if (!physical || physical->is_image) return std::nullopt;
+    auto& copy = physical->now();
+    if (!copy.on_device && !copy.on_host) return std::nullopt;
+    if (copy.on_host) return copy.host;
+    std::vector<std::byte> bytes(physical->copy_bytes());
+    state_->device.read_buffer(copy.name, 0, bytes);
+    return bytes;
+}
+
+}  // namespace ir::graph
