@@ -101,7 +101,6 @@ class PassContext {
 
   private:
     friend class Graph;
-    struct Physical;
     PassContext(Graph& graph, const Pass& pass) : graph_(graph), pass_(pass) {}
     Physical& physical(ImageRef ref, bool previous, bool write = false) const;
     Physical& physical(BufferRef ref, bool previous, bool write = false) const;
