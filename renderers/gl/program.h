@@ -3,13 +3,17 @@
 #include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
+#include "renderers/core/error.h"
 #include "renderers/core/parameter.h"
+#include "renderers/core/report.h"
 #include "renderers/gl/context.h"
 
 namespace ir::gl {
@@ -24,8 +28,15 @@ struct ProgramSource {
     auto operator<=>(const ProgramSource&) const = default;
 };
 
-/// A linked program. Uniforms that the compiler removed are ignored when set; those that never existed in the
-/// source throw in debug builds.
+/// A program that does not compile or link. what() is the first error, "passes/ldm/build.comp:12: …".
+class ShaderError : public Error {
+  public:
+    explicit ShaderError(std::vector<Message> all) : Error(all.at(0).text), messages(std::move(all)) {}
+    std::vector<Message> messages;  ///< all errors
+};
+
+/// A linked program. Uniforms that the compiler removed are ignored when set; setting one that the source
+/// never names, or with another type than declared, throws Error.
 class Program {
   public:
     GLuint name() const { return name_; }
@@ -40,17 +51,27 @@ class Program {
     void set(const char* uniform, const glm::mat4& value) const;
     /// Local size of a compute program.
     glm::ivec3 work_group_size() const { return work_group_size_; }
-    /// Dispatches enough groups for `invocations`, after use(). Nothing for 0.
+    /// Dispatches enough groups for x × y × z invocations, after use(). Nothing when one of them is 0. Throws
+    /// Error beyond the device's number of groups (65,535 per dimension is what every device takes).
     void dispatch(std::int64_t x, std::int64_t y = 1, std::int64_t z = 1) const;
 
   private:
     friend class ProgramLibrary;
     Program() = default;
-    GLint location(const char* uniform) const;
+    struct Uniform {
+        GLint location = -1;  ///< -1: removed by the compiler
+        GLenum type = GL_NONE;
+    };
+    const Uniform& find_uniform(const std::string& uniform) const;
+    /// The location for a value whose type is one of `accepted`, or -1.
+    GLint location(const char* uniform, std::initializer_list<GLenum> accepted) const;
+
     const Api* api_ = nullptr;
     GLuint name_ = 0;
-    glm::ivec3 work_group_size_{1};
-    mutable std::unordered_map<std::string, GLint> locations_;
+    std::string label_;
+    glm::ivec3 work_group_size_{1}, max_groups_{65535};
+    std::unordered_set<std::string> identifiers_;  ///< all words of the source
+    mutable std::unordered_map<std::string, Uniform> uniforms_;
 };
 
 /// Compiles, caches and reloads the programs of one context. `#include "lib/random.glsl"` is resolved against
@@ -61,7 +82,8 @@ class ProgramLibrary {
     ProgramLibrary(Context& context, std::filesystem::path shader_folder);
     ~ProgramLibrary();
 
-    /// Throws Error ("passes/ldm/build.comp:12: …") when the program never compiled.
+    /// Throws ShaderError when the program never compiled; asks the compiler again only after a file changed.
+    /// The reference stays valid, also through reloads.
     const Program& get(const ProgramSource& source);
 
     /// Recompiles programs whose files changed on disk. A program that fails keeps its last good version; the
@@ -73,15 +95,18 @@ class ProgramLibrary {
 
   private:
     struct Entry;
+    /// Replaces the entry's program, or throws and leaves it.
+    void compile(const ProgramSource& source, Entry& entry);
+
     Context& context_;
     std::filesystem::path folder_;
     std::map<ProgramSource, std::unique_ptr<Entry>> entries_;
 };
 
 /// The GLSL block for a method's parameters: `#define`s with the current value for those that ask for
-/// recompilation, one std430 buffer block `Parameters` at `binding` for the others, and constants KEY_CHOICE
-/// for choices. In GLSL a parameter is `params.key` (bool as uint is hidden behind `bool(params.key)`), or
-/// KEY in capitals for a #define.
+/// recompilation, one std430 buffer block `Parameters` at `binding` for the others (no block when there are
+/// none), and constants KEY_CHOICE for choices (STORAGE_LINKED_LISTS). In GLSL a parameter is `params.key`
+/// (bool as uint is hidden behind `bool(params.key)`), or KEY in capitals for a #define.
 std::string parameter_glsl(const std::vector<ParameterDescription>& parameters, const Settings& settings,
                            int binding);
 

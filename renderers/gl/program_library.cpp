@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <utility>
+
+#include "renderers/gl/preprocessor.h"
+#include "renderers/gl/program.h"
+#include "renderers/gl/shader_log.h"
+
+namespace ir::gl {
+namespace {
+
+namespace fs = std::filesystem;
+
+GLenum stage_of(const std::string& file) {
+    static const std::map<std::string, GLenum> stages{
+        {".vert", GL_VERTEX_SHADER},          {".tesc", GL_TESS_CONTROL_SHADER},
+        {".tese", GL_TESS_EVALUATION_SHADER}, {".geom", GL_GEOMETRY_SHADER},
+        {".frag", GL_FRAGMENT_SHADER},        {".comp", GL_COMPUTE_SHADER}};
+    const auto found = stages.find(fs::path(file).extension().string());
+    if (found == stages.end())
+        throw Error(file + ": a program's files end in .vert, .tesc, .tese, .geom, .frag or .comp");
+    return found->second;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+std::vector<Message> as_messages(const std::vector<std::string>& errors) {
+    std::vector<Message> messages;
+    for (const auto& error : errors) messages.push_back({Severity::error, "shader", error});
+    return messages;
+}
+
+/// Deletes an object of OpenGL unless it is taken.
+struct Handle {
+    const Api& api;
+    GLuint name;
+    bool shader;
+    Handle(const Api& functions, GLuint object, bool is_shader)
+        : api(functions), name(object), shader(is_shader) {}
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+    ~Handle() {
+        if (shader)
+            api.DeleteShader(name);
+        else
+            api.DeleteProgram(name);
+    }
+    GLuint take() { return std::exchange(name, 0); }
+};
+
+std::string log_of(const Handle& object) {
+    GLint length = 0;
+    if (object.shader)
+        object.api.GetShaderiv(object.name, GL_INFO_LOG_LENGTH, &length);
+    else
+        object.api.GetProgramiv(object.name, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    GLsizei written = 0;
+    if (object.shader)
+        object.api.GetShaderInfoLog(object.name, length, &written, log.data());
+    else
+        object.api.GetProgramInfoLog(object.name, length, &written, log.data());
+    log.resize(static_cast<std::size_t>(written));
+    return log;
+}
+
+[[noreturn]] void fail(const Handle& object, const std::string& label,
+                       const std::vector<std::string>& files) {
+    auto errors = shader_errors(log_of(object), files);
+    if (errors.empty()) errors.push_back("the driver refuses it without a reason");
+    // what has no place of its own gets at least the program's name
+    for (auto& error : errors) {
+        const bool placed = std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+            return error.starts_with(file + ":");
+        });
+        if (!placed) error = label + ": " + error;
+    }
+    throw ShaderError(as_messages(errors));
+}
+
+void compile_stage(const Api& api, const Handle& program, const std::string& file, const StageSource& stage) {
+    const Handle shader(api, api.CreateShader(stage_of(file)), true);
+    const char* text = stage.text.c_str();
+    api.ShaderSource(shader.name, 1, &text, nullptr);
+    api.CompileShader(shader.name);
+    GLint compiled = 0;
+    api.GetShaderiv(shader.name, GL_COMPILE_STATUS, &compiled);
+    if (!compiled) fail(shader, file, stage.files);
+    api.AttachShader(program.name, shader.name);
+}
+
+void link(const Api& api, const Handle& program, const ProgramSource& source) {
+    if (!source.feedback.empty()) {
+        std::vector<const char*> varyings;
+        for (const auto& varying : source.feedback) varyings.push_back(varying.c_str());
+        api.TransformFeedbackVaryings(program.name, static_cast<GLsizei>(varyings.size()), varyings.data(),
+                                      GL_INTERLEAVED_ATTRIBS);
+    }
+    api.LinkProgram(program.name);
+    GLint linked = 0;
+    api.GetProgramiv(program.name, GL_LINK_STATUS, &linked);
+    if (!linked) fail(program, joined(source.files), {});
+}
+
+/// Adds the words of a source, from which a uniform's existence is judged.
+void add_identifiers(const std::string& text, std::unordered_set<std::string>& identifiers) {
+    const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    for (std::size_t begin = 0; begin < text.size();) {
+        std::size_t end = begin;
+        while (end < text.size() && in_word(text[end])) ++end;
+        if (end > begin) identifiers.insert(text.substr(begin, end - begin));
+        begin = std::max(end, begin + 1);
+    }
+}
+
+bool changed_on_disk(const FileStamps& files) {
+    return std::any_of(files.begin(), files.end(),
+                       [](const auto& file) { return stamp_of(file.first) != file.second; });
+}
+
+}  // namespace
+
+struct ProgramLibrary::Entry {
+    Program program;                   ///< the last good version; name 0 when there is none
+    FileStamps files;                  ///< as of the last attempt
+    std::optional<ShaderError> error;  ///< of the last attempt
+};
+
+ProgramLibrary::ProgramLibrary(Context& context, fs::path shader_folder)
+    : context_(context), folder_(std::move(shader_folder)) {}
+
+ProgramLibrary::~ProgramLibrary() {
+    // Without its context the programs are gone already.
+    if (!context_.is_current()) return;
+    for (const auto& [source, entry] : entries_) context_.api().DeleteProgram(entry->program.name());
+}
+
+const Program& ProgramLibrary::get(const ProgramSource& source) {
+    auto& entry = entries_[source];
+    const bool is_new = !entry;
+    if (is_new) entry.reset(new Entry);
+    if (entry->program.name() == 0) {
+        if (!is_new && entry->error && !changed_on_disk(entry->files)) throw *entry->error;
+        compile(source, *entry);
+    }
+    return entry->program;
+}
+
+std::vector<Message> ProgramLibrary::reload_changed(bool* changed) {
+    std::vector<Message> messages;
+    if (changed) *changed = false;
+    for (auto& [source, entry] : entries_) {
+        if (!changed_on_disk(entry->files)) continue;
+        try {
+            compile(source, *entry);
+            if (changed) *changed = true;
+        } catch (const ShaderError& error) {
+            messages.insert(messages.end(), error.messages.begin(), error.messages.end());
+        }
+    }
+    return messages;
+}
+
+void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
+    const std::string label = joined(source.files);
+    if (on_compile) on_compile(label);
+    const Api& api = context_.api();
+    entry.files.clear();
+    try {
+        Handle handle(api, api.CreateProgram(), false);
+        Program program;
+        for (const auto& file : source.files) {
+            const auto stage = preprocess(folder_, file, source.defines, source.preamble, entry.files);
+            compile_stage(api, handle, file, stage);
+            add_identifiers(stage.text, program.identifiers_);
+        }
+        link(api, handle, source);
+        api.ObjectLabel(GL_PROGRAM, handle.name,
+                        static_cast<GLsizei>(std::min<std::size_t>(label.size(), 255)), label.c_str());
+        program.api_ = &api;
+        program.label_ = label;
+        if (stage_of(source.files.at(0)) == GL_COMPUTE_SHADER) {
+            api.GetProgramiv(handle.name, GL_COMPUTE_WORK_GROUP_SIZE, &program.work_group_size_.x);
+            for (int i = 0; i < 3; ++i)
+                api.GetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, static_cast<GLuint>(i),
+                                  &program.max_groups_[i]);
+        }
+        program.name_ = handle.take();
+        api.DeleteProgram(entry.program.name_);
+        entry.program = std::move(program);
+        entry.error.reset();
+    } catch (const ShaderError& error) {
+        entry.error = error;
+        throw;
+    } catch (const Error& error) {
+        entry.error = ShaderError(as_messages({error.what()}));
+        throw *entry.error;
+    }
+}
+
+}  // namespace ir::gl

@@ -1,0 +1,56 @@
+// Reflection models as functions of unit vectors: n normal, l to the light, v to the viewer, h halfway. They
+// return the BRDF in 1/sr without the cosine; inputs are linear.
+
+#ifndef PI
+#define PI 3.14159265358979323846
+#endif
+
+/// A perfectly smooth surface reflects no punctual light; below this roughness² the highlight stays this wide.
+const float MIN_ALPHA = 1e-3;
+
+/// Microfacet distribution.  [Walter07 eq. 33]
+float ggx_distribution(float n_dot_h, float alpha) {
+    float squared = alpha * alpha;
+    float denominator = n_dot_h * n_dot_h * (squared - 1.0) + 1.0;
+    return squared / (PI * denominator * denominator);
+}
+
+/// Height-correlated Smith masking and shadowing over 4 (n·l)(n·v).  [Heitz14 eq. 99]
+float smith_visibility(float n_dot_l, float n_dot_v, float alpha) {
+    float squared = alpha * alpha;
+    float towards_viewer = n_dot_l * sqrt(n_dot_v * n_dot_v * (1.0 - squared) + squared);
+    float towards_light = n_dot_v * sqrt(n_dot_l * n_dot_l * (1.0 - squared) + squared);
+    return 0.5 / max(towards_viewer + towards_light, 1e-7);
+}
+
+/// [Schlick94 eq. 15]
+vec3 schlick_fresnel(vec3 f0, float v_dot_h) {
+    return f0 + (1.0 - f0) * pow(clamp(1.0 - v_dot_h, 0.0, 1.0), 5.0);
+}
+
+/// Reflectance at normal incidence from air.
+float dielectric_f0(float ior) {
+    float ratio = (ior - 1.0) / (ior + 1.0);
+    return ratio * ratio;
+}
+
+/// What a lit glTF surface is made of.
+struct Surface {
+    vec3 base_colour;
+    float metallic, roughness, ior;
+};
+
+/// The metallic-roughness material of glTF 2.0, Appendix B.3.5: Lambert below a GGX interface; metals have no
+/// Lambert part and their colour as reflectance.  [glTF 2.0 B.3.5]
+vec3 gltf_brdf(Surface surface, vec3 n, vec3 l, vec3 v) {
+    float n_dot_l = dot(n, l), n_dot_v = max(dot(n, v), 1e-4);
+    if (n_dot_l <= 0.0) return vec3(0);
+    vec3 h = normalize(l + v);
+    float n_dot_h = clamp(dot(n, h), 0.0, 1.0), v_dot_h = clamp(dot(v, h), 0.0, 1.0);
+    float alpha = max(surface.roughness * surface.roughness, MIN_ALPHA);
+    vec3 f0 = mix(vec3(dielectric_f0(surface.ior)), surface.base_colour, surface.metallic);
+    vec3 fresnel = schlick_fresnel(f0, v_dot_h);
+    vec3 diffuse = (1.0 - fresnel) * (1.0 - surface.metallic) * surface.base_colour / PI;
+    float specular = ggx_distribution(n_dot_h, alpha) * smith_visibility(n_dot_l, n_dot_v, alpha);
+    return diffuse + fresnel * specular;
+}

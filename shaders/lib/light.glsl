@@ -1,0 +1,60 @@
+// One element of the buffer "scene.lights" (renderers/passes/scene/light_data.h writes it), and what a light
+// without extent sends to a point. Declare the buffer where it is used:
+//
+//   layout(std430, binding = N) readonly buffer Lights { Light lights[]; };
+
+const int LIGHT_POINT = 0;
+const int LIGHT_SPOT = 1;
+const int LIGHT_DIRECTIONAL = 2;
+const int LIGHT_RECTANGLE = 3;
+const int LIGHT_DISK = 4;
+
+struct Light {
+    vec3 position_ws;
+    int type;
+    vec3 direction_ws;  // of travel
+    float range;        // m; 0: unlimited
+    vec3 intensity;     // point, spot W/sr; directional W/m²; rectangle, disk W/(m² sr)
+    float cos_inner;    // of the spot's half-angles
+    vec2 size;          // m
+    float cos_outer;
+    int shadow_layer;  // the first of "shadow.maps", or -1
+};
+
+bool is_punctual(Light light) {
+    return light.type <= LIGHT_DIRECTIONAL;
+}
+
+/// Fraction of a spot's intensity in a direction whose angle to the axis has this cosine: squared linear
+/// between the cones, a hard edge where they coincide.  [KHR_lights_punctual, inner and outer cone angles]
+float spot_profile(Light light, float cosine) {
+    float width = light.cos_inner - light.cos_outer;
+    if (width < 1e-6) return cosine >= light.cos_outer ? 1.0 : 0.0;
+    float fraction = clamp((cosine - light.cos_outer) / width, 0.0, 1.0);
+    return fraction * fraction;
+}
+
+/// The recommended window that takes a light to 0 at its range.  [KHR_lights_punctual, range property]
+float range_window(float range, float distance) {
+    if (range <= 0.0) return 1.0;
+    float ratio = distance / range;
+    return clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0);
+}
+
+/// What arrives of a point, spot or directional light, nothing in between.
+struct Arrival {
+    vec3 direction_ws;  // to the light, unit length
+    float distance;     // m; infinite lights: 0
+    vec3 irradiance;    // W/m² on a surface that faces the light
+};
+Arrival arrival(Light light, vec3 position_ws) {
+    if (light.type == LIGHT_DIRECTIONAL) return Arrival(-light.direction_ws, 0.0, light.intensity);
+    vec3 offset = light.position_ws - position_ws;
+    float squared = dot(offset, offset);
+    float distance = sqrt(squared);
+    if (distance == 0.0) return Arrival(vec3(0, 1, 0), 0.0, vec3(0));
+    vec3 direction_ws = offset / distance;
+    float profile =
+        light.type == LIGHT_SPOT ? spot_profile(light, -dot(direction_ws, light.direction_ws)) : 1.0;
+    return Arrival(direction_ws, distance, light.intensity * (profile * range_window(light.range, distance) / squared));
+}

@@ -1,0 +1,38 @@
+// One element of the buffer "scene.materials" (renderers/passes/scene/material_data.h writes it). Declare the
+// buffer where it is used:
+//
+//   layout(std430, binding = N) readonly buffer Materials { Material materials[]; };
+
+/// Where and how a texture is looked up: uv' = offset + R (scale uv)  [KHR_texture_transform].
+struct TextureSlot {
+    vec2 offset, scale;
+    float sine, cosine;
+    int texture;  // index into the scene's textures, or -1
+    int uv_set;   // 0 or 1
+};
+
+const uint MATERIAL_UNLIT = 1u;
+const uint MATERIAL_DOUBLE_SIDED = 2u;
+const uint MATERIAL_MASKED = 4u;
+
+struct Material {
+    vec4 base_colour;
+    vec3 emission;  // W/(m² sr)
+    float metallic;
+    float roughness, normal_scale, alpha_cutoff, ior;
+    float transmission, thickness, attenuation_distance;
+    uint flags;
+    vec3 attenuation_colour;
+    float unused;
+    TextureSlot base_colour_slot, metallic_roughness_slot, normal_slot, emission_slot, transmission_slot;
+};
+
+/// The slot's coordinates. `precise` keeps the rounding of scene::transformed_uv.
+vec2 transformed_uv(TextureSlot slot, vec2 uv0, vec2 uv1) {
+    vec2 uv = slot.uv_set == 0 ? uv0 : uv1;
+    precise vec2 scaled = slot.scale * uv;
+    precise vec2 rotated = vec2(slot.cosine * scaled.x + slot.sine * scaled.y,
+                                slot.cosine * scaled.y - slot.sine * scaled.x);
+    precise vec2 moved = slot.offset + rotated;
+    return moved;
+}
