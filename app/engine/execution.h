@@ -15,6 +15,9 @@
 
 namespace ir::engine {
 
+/// All methods of this build.
+const Registry& registry();
+
 /// Loaded scenes, shared between executions. Not thread-safe: belongs to the render thread.
 class SceneCache {
   public:
@@ -26,15 +29,17 @@ class SceneCache {
     std::map<std::string, std::shared_ptr<const scene::Scene>> scenes_;
 };
 
+struct MachineOptions {
+    std::string backend;  ///< "egl", "osmesa", empty: the best
+    std::string device;
+    bool debug = false;
+    int threads = 0;  ///< for cpu passes; 0 = all
+};
+
 /// A context, its device and its programs: made once per render thread.
 class Machine {
   public:
-    struct Options {
-        std::string backend;  ///< "egl", "osmesa", empty: the best
-        std::string device;
-        bool debug = false;
-        int threads = 0;  ///< for cpu passes; 0 = all
-    };
+    using Options = MachineOptions;
     explicit Machine(const Options& options = {});
     ~Machine();
     gl::Context& context() { return *context_; }
@@ -78,8 +83,12 @@ class Execution {
     /// Parameters, seed, camera, scene hash, versions: for the EXR header.
     ImageAttributes attributes() const;
 
+    /// The camera in force, after the first frame.
+    scene::Camera camera() const;
+
   private:
     void load();
+    std::string world_fingerprint() const;
     Machine& machine_;
     Experiment experiment_;
     const graph::Method* method_ = nullptr;

@@ -1,0 +1,173 @@
+#include "app/engine/execution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtx/string_cast.hpp>
+#include <utility>
+
+#include "renderers/core/error.h"
+#include "renderers/methods/all_methods.h"
+
+namespace ir::engine {
+namespace {
+
+const graph::Method& find_method(const std::string& id) {
+    for (const auto* method : methods::all_methods())
+        if (method->description.id == id) return *method;
+    registry().at(id);  // throws, naming the known ones
+    throw Error("method '" + id + "' is not built");
+}
+
+/// Seconds between frames of a run.
+constexpr double frame_seconds = 1.0 / 30;
+
+bool same_camera(const std::optional<scene::Camera>& a, const std::optional<scene::Camera>& b) {
+    if (a.has_value() != b.has_value()) return false;
+    return !a || (a->eye == b->eye && a->target == b->target && a->up == b->up && a->fov_y == b->fov_y &&
+                  a->orthographic == b->orthographic && a->height == b->height);
+}
+
+bool same_light(const scene::Light& a, const scene::Light& b) {
+    return a.type == b.type && a.colour == b.colour && a.intensity == b.intensity &&
+           a.position == b.position && a.direction == b.direction && a.inner_angle == b.inner_angle &&
+           a.outer_angle == b.outer_angle && a.range == b.range && a.size == b.size;
+}
+
+bool same_lights(const Experiment& a, const Experiment& b) {
+    return a.replace_lights == b.replace_lights &&
+           std::equal(a.lights.begin(), a.lights.end(), b.lights.begin(), b.lights.end(), same_light);
+}
+
+}  // namespace
+
+const Registry& registry() {
+    static const Registry all = [] {
+        std::vector<const MethodDescription*> descriptions;
+        for (const auto* method : methods::all_methods()) descriptions.push_back(&method->description);
+        return Registry(std::move(descriptions));
+    }();
+    return all;
+}
+
+Execution::Execution(Machine& machine, Experiment experiment)
+    : machine_(machine), experiment_(std::move(experiment)) {
+    load();
+    graph_ = std::make_unique<graph::Graph>(machine_.device(), &machine_.context(), &machine_.programs());
+}
+
+const MethodDescription& Execution::method() const {
+    return method_->description;
+}
+
+void Execution::load() {
+    method_ = &find_method(experiment_.method);
+    settings_ = completed(method_->description.parameters, experiment_.settings);
+    if (experiment_.width < 1 || experiment_.height < 1 || experiment_.width > 16384 ||
+        experiment_.height > 16384)
+        throw UsageError("image size " + std::to_string(experiment_.width) + "x" +
+                         std::to_string(experiment_.height) +
+                         " is not allowed; give 1 to 16384 pixels a side");
+    auto loaded = machine_.scenes().load(experiment_.scene);
+    if (experiment_.replace_lights || experiment_.environment) {
+        auto changed = std::make_shared<scene::Scene>(*loaded);
+        if (experiment_.replace_lights) changed->lights = experiment_.lights;
+        if (experiment_.environment) changed->environment = *experiment_.environment;
+        loaded = changed;
+    }
+    scene_ = loaded;
+    world_time_ = std::nan("");
+    previous_view_.reset();
+    frame_ = 0;
+    if (!experiment_.camera_name.empty() && !scene_->find_camera(experiment_.camera_name)) {
+        std::string known;
+        for (const auto& camera : scene_->cameras) known += (known.empty() ? "" : ", ") + camera.name;
+        throw UsageError("scene " + experiment_.scene + " has no camera '" + experiment_.camera_name +
+                         "'; its cameras are " + known);
+    }
+}
+
+void Execution::update(Experiment experiment) {
+    const auto& old = experiment_;
+    const bool reload =
+        experiment.scene != old.scene || experiment.method != old.method || !same_lights(experiment, old) ||
+        experiment.environment.has_value() != old.environment.has_value() ||
+        (experiment.environment && (experiment.environment->constant != old.environment->constant ||
+                                    experiment.environment->map != old.environment->map));
+    bool restart = reload || experiment.width != old.width || experiment.height != old.height ||
+                   experiment.seed != old.seed || experiment.time != old.time ||
+                   experiment.camera_name != old.camera_name || !same_camera(experiment.camera, old.camera) ||
+                   experiment.frames < frame_;
+    if (!restart) {
+        const auto after = completed(method_->description.parameters, experiment.settings);
+        for (const auto& parameter : method_->description.parameters)
+            if (parameter.on_change != OnChange::nothing &&
+                after.at(parameter.key) != settings_.at(parameter.key))
+                restart = true;
+    }
+    auto backup = std::exchange(experiment_, std::move(experiment));
+    try {
+        if (reload)
+            load();
+        else
+            settings_ = completed(method_->description.parameters, experiment_.settings);
+    } catch (...) {
+        experiment_ = std::move(backup);
+        throw;
+    }
+    if (restart) {
+        frame_ = 0;
+        previous_view_.reset();
+        world_time_ = std::nan("");
+        graph_->reset_history();
+    }
+}
+
+scene::Camera Execution::camera() const {
+    if (experiment_.camera) return *experiment_.camera;
+    for (const auto& camera : world_.cameras)
+        if (camera.name == experiment_.camera_name) return camera;
+    return world_.cameras.empty() ? scene::framing_camera(world_.bounds) : world_.cameras.front();
+}
+
+FrameReport Execution::run_frame(const graph::FrameOptions& options) {
+    machine_.context().make_current();
+    const double time = experiment_.time + frame_ * frame_seconds;
+    const double world_time = scene_->is_animated() ? time : 0;
+    if (world_time != world_time_) {
+        const double previous = frame_ > 0 && scene_->is_animated() ? time - frame_seconds : world_time;
+        world_ = scene::flatten(*scene_, world_time, previous);
+        world_time_ = world_time;
+    }
+    graph::FrameInputs inputs;
+    inputs.scene = scene_.get();
+    inputs.world = &world_;
+    inputs.world_fingerprint = world_fingerprint();
+    inputs.view = scene::make_view(camera(), experiment_.width, experiment_.height, world_.bounds);
+    inputs.previous_view = previous_view_.value_or(inputs.view);
+    inputs.seed = experiment_.seed;
+    inputs.frame = frame_;
+    inputs.time = time;
+    inputs.threads = machine_.options().threads;
+    auto report = graph_->run(*method_, settings_, inputs, options);
+    if (report.complete) {
+        previous_view_ = inputs.view;
+        ++frame_;
+    }
+    return report;
+}
+
+std::string Execution::world_fingerprint() const {
+    std::string lights;
+    for (const auto& light : world_.lights)
+        lights += ";" + std::to_string(static_cast<int>(light.type)) + glm::to_string(light.position) +
+                  glm::to_string(light.direction) + glm::to_string(light.colour) +
+                  std::to_string(light.intensity) + std::to_string(light.outer_angle) +
+                  std::to_string(light.inner_angle) + glm::to_string(light.size);
+    return scene_->content_hash + "@" + std::to_string(world_time_) + lights;
+}
+
+Image Execution::main_result() const {
+    return graph_->read_image(method_->description.outputs.front().key).value_or(Image());
+}
+
+}  // namespace ir::engine

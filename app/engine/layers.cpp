@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <cstring>
+
+#include "app/engine/execution.h"
+#include "app/engine/version.h"
+
+namespace ir::engine {
+namespace {
+
+constexpr std::size_t max_buffer_width = 4096;
+
+/// A buffer as an image: one element a pixel, one channel a scalar.
+ImageLayer buffer_layer(const std::string& key, const graph::BufferDesc& desc,
+                        const std::vector<std::byte>& bytes, std::size_t elements) {
+    ImageLayer layer;
+    layer.name = key;
+    std::vector<graph::FieldType> types;
+    for (const auto& field : desc.fields)
+        for (int i = 0; i < field.count; ++i) {
+            layer.channels.push_back(field.count > 1 ? field.name + std::to_string(i) : field.name);
+            types.push_back(field.type);
+        }
+    const auto width = std::clamp<std::size_t>(elements, 1, max_buffer_width);
+    const auto height = std::max<std::size_t>(1, (elements + width - 1) / width);
+    layer.image = Image(static_cast<int>(width), static_cast<int>(height), static_cast<int>(types.size()));
+    for (std::size_t i = 0; i < elements * types.size(); ++i) {
+        std::uint32_t bits;
+        std::memcpy(&bits, bytes.data() + 4 * i, 4);
+        float value;
+        switch (types[i % types.size()]) {
+            case graph::FieldType::u32:
+                value = static_cast<float>(bits);
+                break;
+            case graph::FieldType::i32:
+                value = static_cast<float>(static_cast<std::int32_t>(bits));
+                break;
+            default:
+                std::memcpy(&value, &bits, 4);
+        }
+        layer.image.pixels[i] = value;
+    }
+    return layer;
+}
+
+bool is_vector(Semantic semantic) {
+    return semantic == Semantic::normal || semantic == Semantic::position || semantic == Semantic::velocity;
+}
+
+}  // namespace
+
+std::vector<ImageLayer> Execution::layers(const std::vector<std::string>& patterns) const {
+    std::vector<ImageLayer> result;
+    const auto& report = graph_->last_report();
+    const auto& main_key = method_->description.outputs.front().key;
+    const auto add = [&](const std::string& name, const ResourceReport& resource, int level, int layer) {
+        auto image = graph_->read_image(resource.key, level, layer);
+        if (!image) return;
+        const auto channels = standard_channels(image->channels, is_vector(resource.semantic));
+        result.push_back({name, channels, std::move(*image)});
+    };
+    for (const auto& resource : report.resources)
+        if (resource.key == main_key) add("", resource, 0, 0);
+    for (const auto& resource : report.resources) {
+        const bool wanted = resource.key == "valid" ||
+                            std::any_of(patterns.begin(), patterns.end(), [&](const auto& pattern) {
+                                return graph::matches(pattern, resource.key);
+                            });
+        if (!wanted || !resource.available) continue;
+        if (const auto* desc = graph_->buffer_desc(resource.key)) {
+            const auto bytes = graph_->read_buffer(resource.key);
+            const auto held = bytes ? bytes->size() / std::max(1, graph::stride(*desc)) : 0;
+            if (held > 0)
+                result.push_back(buffer_layer(resource.key, *desc, *bytes,
+                                              std::min<std::size_t>(held, resource.elements)));
+            continue;
+        }
+        for (int level = 0; level < resource.levels; ++level)
+            for (int layer = 0; layer < resource.layers; ++layer) {
+                auto name = resource.key;
+                if (level > 0) name += ".level" + std::to_string(level);
+                if (resource.layers > 1) name += ".layer" + std::to_string(layer);
+                add(name, resource, level, layer);
+            }
+    }
+    return result;
+}
+
+ImageAttributes Execution::attributes() const {
+    ImageAttributes result;
+    const auto vector = [](glm::vec3 v) {
+        return to_string(Value{double{v.x}}) + "," + to_string(Value{double{v.y}}) + "," +
+               to_string(Value{double{v.z}});
+    };
+    result["interreflect.version"] = version();
+    result["interreflect.method"] = method_->description.id;
+    result["interreflect.method_version"] = std::to_string(method_->description.version);
+    for (const auto& [key, value] : settings_) result["interreflect.set." + key] = to_string(value);
+    result["interreflect.scene"] = experiment_.scene;
+    result["interreflect.scene_hash"] = scene_->content_hash;
+    result["interreflect.seed"] = std::to_string(experiment_.seed);
+    result["interreflect.frames"] = std::to_string(frame_);
+    result["interreflect.time"] = to_string(Value{experiment_.time});
+    result["interreflect.backend"] = graph_->last_report().backend;
+    result["interreflect.device"] = graph_->last_report().device;
+    const auto from = camera();
+    result["interreflect.camera.eye"] = vector(from.eye);
+    result["interreflect.camera.target"] = vector(from.target);
+    result["interreflect.camera.up"] = vector(from.up);
+    result[from.orthographic ? "interreflect.camera.height" : "interreflect.camera.fov_y_degrees"] =
+        to_string(Value{double{from.orthographic ? from.height : glm::degrees(from.fov_y)}});
+    return result;
+}
+
+}  // namespace ir::engine

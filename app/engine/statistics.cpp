@@ -1,0 +1,56 @@
+#include <nlohmann/json.hpp>
+
+#include "app/engine/execution.h"
+
+namespace ir::engine {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string severity_text(Severity severity) {
+    return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "note";
+}
+
+}  // namespace
+
+std::string statistics_json(const FrameReport& report, int indent) {
+    Json json;
+    json["backend"] = report.backend;
+    json["device"] = report.device;
+    json["frame"] = report.frame;
+    json["complete"] = report.complete;
+    json["wall_ms"] = report.wall_ms;
+    json["passes"] = Json::array();
+    for (const auto& pass : report.passes) {
+        if (pass.culled) continue;
+        json["passes"].push_back({{"name", pass.name},
+                                  {"queue", pass.queue},
+                                  {"gpu_ms", pass.gpu_ms},
+                                  {"cpu_ms", pass.cpu_ms},
+                                  {"slices", pass.slices}});
+    }
+    json["counters"] = report.counters;
+    json["memory_bytes"] = report.memory_bytes;
+    json["peak_memory_bytes"] = report.peak_memory_bytes;
+    json["resources"] = Json::array();
+    for (const auto& resource : report.resources) {
+        Json row{{"key", resource.key},       {"pass", resource.pass},   {"kind", to_string(resource.kind)},
+                 {"format", resource.format}, {"bytes", resource.bytes}, {"computed", resource.available}};
+        if (resource.width > 0) {
+            row["size"] = {resource.width, resource.height};
+            row["levels"] = resource.levels;
+            row["layers"] = resource.layers;
+        } else {
+            row["elements"] = resource.elements;
+        }
+        json["resources"].push_back(std::move(row));
+    }
+    json["messages"] = Json::array();
+    for (const auto& message : report.messages)
+        json["messages"].push_back({{"severity", severity_text(message.severity)},
+                                    {"source", message.source},
+                                    {"text", message.text}});
+    return json.dump(indent);
+}
+
+}  // namespace ir::engine
