@@ -93,16 +93,16 @@ void Execution::update(Experiment experiment) {
         experiment.environment.has_value() != old.environment.has_value() ||
         (experiment.environment && (experiment.environment->constant != old.environment->constant ||
                                     experiment.environment->map != old.environment->map));
-    bool restart = reload || experiment.width != old.width || experiment.height != old.height ||
+    bool changed = reload || experiment.width != old.width || experiment.height != old.height ||
                    experiment.seed != old.seed || experiment.time != old.time ||
                    experiment.camera_name != old.camera_name || !same_camera(experiment.camera, old.camera) ||
                    experiment.frames < frame_;
-    if (!restart) {
+    if (!changed) {
         const auto after = completed(method_->description.parameters, experiment.settings);
         for (const auto& parameter : method_->description.parameters)
             if (parameter.on_change != OnChange::nothing &&
                 after.at(parameter.key) != settings_.at(parameter.key))
-                restart = true;
+                changed = true;
     }
     auto backup = std::exchange(experiment_, std::move(experiment));
     try {
@@ -114,12 +114,14 @@ void Execution::update(Experiment experiment) {
         experiment_ = std::move(backup);
         throw;
     }
-    if (restart) {
-        frame_ = 0;
-        previous_view_.reset();
-        world_time_ = std::nan("");
-        graph_->reset_history();
-    }
+    if (changed) restart();
+}
+
+void Execution::restart() {
+    frame_ = 0;
+    previous_view_.reset();
+    world_time_ = std::nan("");
+    graph_->reset_history();
 }
 
 scene::Camera Execution::camera() const {

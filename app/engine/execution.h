@@ -69,6 +69,9 @@ class Execution {
     /// Changes what can be changed without losing buffers; resets the history where the picture changes.
     void update(Experiment experiment);
 
+    /// Back to an empty history; buffers stay.
+    void restart();
+
     /// Runs the next frame. Throws as Graph::run.
     FrameReport run_frame(const graph::FrameOptions& options);
     int committed_frames() const { return frame_; }
