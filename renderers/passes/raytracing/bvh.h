@@ -12,10 +12,19 @@ namespace ir::passes {
 /// are asked through scene::is_covered, as in rasterisation. Thread-safe for queries.
 class Bvh {
   public:
-    /// `threads` 0 = all. Keeps a reference to the world.
-    Bvh(const scene::Scene& scene, const scene::World& world, int threads = 0);
+    /// How rays are tested against triangles.
+    enum class Edges {
+        watertight,  ///< no ray slips between two triangles that share an edge
+        fast         ///< a few rays may; 1–10 % less time. For benchmarks.
+    };
+
+    /// Builds with `threads` threads, 0 = all. Everything that queries need is copied from the world. Throws
+    /// Error when Embree fails, e.g. for want of memory.
+    Bvh(const scene::Scene& scene, const scene::World& world, int threads = 0,
+        Edges edges = Edges::watertight);
     ~Bvh();
     Bvh(const Bvh&) = delete;
+    Bvh& operator=(const Bvh&) = delete;
 
     /// Distance to the first hit along a unit direction within (near, far), or infinity.
     float closest(glm::vec3 origin, glm::vec3 direction, float near, float far) const;
@@ -27,6 +36,9 @@ class Bvh {
         alignas(64) int active[16];  ///< -1 or 0
     };
     unsigned occluded16(const Packet16& rays, bool coherent) const;
+    /// Distances to the first hits, infinity where there is none and for inactive rays.
+    void closest16(const Packet16& rays, bool coherent, float (&distances)[16]) const;
+    /// What Embree holds now, with the alpha masks.
     std::uint64_t bytes() const;
 
   private:

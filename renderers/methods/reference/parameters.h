@@ -1,0 +1,15 @@
+#pragma once
+
+#include "renderers/core/transport.h"
+
+namespace ir::methods::reference {
+
+enum class Primary { gbuffer };
+
+struct Parameters {
+    int samples = 64;
+    Primary primary = Primary::gbuffer;
+    Transport transport;
+};
+
+}  // namespace ir::methods::reference

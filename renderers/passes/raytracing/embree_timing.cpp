@@ -1,0 +1,105 @@
+#include "renderers/passes/raytracing/embree_timing.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <bit>
+#include <chrono>
+#include <limits>
+
+#include "renderers/core/error.h"
+#include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/raytracing/ray_offset.h"
+
+namespace ir::passes {
+namespace {
+
+constexpr std::size_t lanes = 16;
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+struct Count {
+    std::uint64_t rays = 0, blocked = 0;
+};
+
+/// All rays of up to sixteen consecutive positions, one packet per direction.
+class Group {
+  public:
+    Group(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) : normals_(normals) {
+        for (std::size_t i = 0; i < lanes; ++i) {
+            packet_.active[i] = 0;
+            const auto origin = i < positions.size() ? offset_origin(positions[i], normals[i]) : glm::vec3(0);
+            packet_.ox[i] = origin.x, packet_.oy[i] = origin.y, packet_.oz[i] = origin.z;
+            packet_.near[i] = 0;
+            packet_.far[i] = std::numeric_limits<float>::infinity();
+        }
+    }
+
+    Count trace(const Bvh& bvh, glm::vec3 direction) {
+        Count count;
+        for (std::size_t i = 0; i < normals_.size(); ++i) {
+            const bool above = glm::dot(normals_[i], direction) > 0;
+            packet_.active[i] = above ? -1 : 0;
+            count.rays += above;
+        }
+        if (count.rays == 0) return count;
+        for (std::size_t i = 0; i < lanes; ++i) {
+            packet_.dx[i] = direction.x, packet_.dy[i] = direction.y, packet_.dz[i] = direction.z;
+        }
+        count.blocked = static_cast<std::uint64_t>(std::popcount(bvh.occluded16(packet_, true)));
+        return count;
+    }
+
+  private:
+    std::span<const glm::vec3> normals_;
+    Bvh::Packet16 packet_;
+};
+
+Count trace_all(const Bvh& bvh, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                std::span<const glm::vec3> directions) {
+    tbb::enumerable_thread_specific<Count> counts;
+    const auto groups = (positions.size() + lanes - 1) / lanes;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups), [&](const auto& range) {
+        auto& count = counts.local();
+        for (auto g = range.begin(); g != range.end(); ++g) {
+            const auto first = g * lanes, size = std::min(lanes, positions.size() - first);
+            Group group(positions.subspan(first, size), normals.subspan(first, size));
+            for (const auto& direction : directions) {
+                const auto traced = group.trace(bvh, direction);
+                count.rays += traced.rays;
+                count.blocked += traced.blocked;
+            }
+        }
+    });
+    Count total;
+    for (const auto& count : counts) total.rays += count.rays, total.blocked += count.blocked;
+    return total;
+}
+
+}  // namespace
+
+EmbreeTiming time_embree_ao(const scene::Scene& scene, const scene::World& world,
+                            std::span<const glm::vec3> positions_ws, std::span<const glm::vec3> normals_ws,
+                            std::span<const glm::vec3> directions_ws, int threads) {
+    if (positions_ws.size() != normals_ws.size()) {
+        throw Error("ray tracing benchmark: as many normals as positions are needed");
+    }
+    EmbreeTiming timing;
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    const auto start = std::chrono::steady_clock::now();
+    const Bvh bvh(scene, world, threads, Bvh::Edges::fast);
+    timing.build_ms = milliseconds_since(start);
+    const auto traced_from = std::chrono::steady_clock::now();
+    const auto count = arena.execute([&] { return trace_all(bvh, positions_ws, normals_ws, directions_ws); });
+    timing.trace_ms = milliseconds_since(traced_from);
+    timing.rays = count.rays;
+    timing.blocked = count.blocked;
+    timing.bytes = bvh.bytes();
+    return timing;
+}
+
+}  // namespace ir::passes
