@@ -1,0 +1,106 @@
+#include "app/engine/from_project.h"
+
+#include <memory>
+
+#include "projects/scene_files.h"
+#include "renderers/core/error.h"
+#include "renderers/image/exr.h"
+
+namespace ir::engine {
+namespace {
+
+scene::LightType type_of(projects::LightSpec::Type type) {
+    using Type = projects::LightSpec::Type;
+    switch (type) {
+        case Type::point:
+            return scene::LightType::point;
+        case Type::spot:
+            return scene::LightType::spot;
+        case Type::directional:
+            return scene::LightType::directional;
+        case Type::rect:
+            return scene::LightType::rectangle;
+        default:
+            return scene::LightType::disk;
+    }
+}
+
+void set_camera(Experiment& result, const projects::Project& project, const std::string& id) {
+    if (id.empty()) return;
+    const auto* item = projects::find_item(project.cameras, id);
+    if (!item) throw Error("experiment uses camera '" + id + "', which the project does not have");
+    if (!item->scene_camera.empty()) {
+        result.camera_name = item->scene_camera;
+        return;
+    }
+    const auto posed = projects::camera_at(project, *item, result.time);
+    scene::Camera camera;
+    camera.name = posed.name;
+    camera.eye = posed.eye;
+    camera.target = posed.target;
+    camera.up = posed.up;
+    camera.fov_y = static_cast<float>(glm::radians(posed.fov_y_degrees));
+    camera.orthographic = posed.orthographic;
+    camera.height = static_cast<float>(posed.height);
+    result.camera = camera;
+}
+
+void set_lights(Experiment& result, const projects::Project& project, const std::string& id,
+                const std::filesystem::path& folder) {
+    if (id == projects::scene_lights) return;
+    const auto* set = projects::find_item(project.lights, id);
+    if (!set) throw Error("experiment uses lights '" + id + "', which the project does not have");
+    if (!set->use_scene_lights) {
+        result.replace_lights = true;
+        for (const auto& spec : set->lights)
+            result.lights.push_back(
+                to_scene_light(spec, set->name + " " + std::to_string(result.lights.size() + 1)));
+    }
+    using Kind = projects::Environment::Kind;
+    const auto& environment = set->environment;
+    if (environment.kind == Kind::constant) {
+        result.environment = scene::Environment{glm::vec3(environment.constant), nullptr};
+    } else if (environment.kind == Kind::map) {
+        const auto file = projects::resolve(environment.source, folder);
+        result.environment = scene::Environment{glm::vec3(0), std::make_shared<Image>(read_image(file))};
+    }
+}
+
+}  // namespace
+
+scene::Light to_scene_light(const projects::LightSpec& spec, const std::string& name) {
+    scene::Light light;
+    light.name = name;
+    light.type = type_of(spec.type);
+    light.colour = spec.color;
+    light.intensity = static_cast<float>(spec.intensity());
+    light.position = spec.position;
+    light.direction = spec.travel();
+    light.inner_angle = static_cast<float>(glm::radians(spec.inner));
+    light.outer_angle = static_cast<float>(glm::radians(spec.outer));
+    light.size = spec.size;
+    return light;
+}
+
+Experiment from_project(const projects::Project& project, const projects::Experiment& chosen,
+                        const std::filesystem::path& folder) {
+    const auto experiment = projects::effective(chosen);
+    const auto* scene = projects::find_item(project.scenes, experiment.scene);
+    if (!scene)
+        throw Error("experiment '" + chosen.id + "' uses scene '" + experiment.scene +
+                    "', which the project does not have");
+    Experiment result;
+    result.scene = projects::loadable_source(scene->parts.front().source, folder);
+    result.method = experiment.method;
+    result.settings = experiment.values;
+    result.width = experiment.size.x;
+    result.height = experiment.size.y;
+    result.seed = experiment.seed;
+    result.frames = experiment.frames;
+    result.time = experiment.time;
+    set_camera(result, project, experiment.camera);
+    set_lights(result, project, experiment.lights, folder);
+    return result;
+}
+
+}  // namespace ir::engine

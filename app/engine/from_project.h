@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/engine/experiment.h"
+#include "projects/document.h"
+
+namespace ir::engine {
+
+/// An experiment of a project as it runs: presets applied, ids resolved, files located. Throws Error or
+/// InputError with one line when something that it needs is missing. Environment maps are read here.
+Experiment from_project(const projects::Project& project, const projects::Experiment& experiment,
+                        const std::filesystem::path& folder);
+
+/// A light of the command line or of a project as the renderers take it.
+scene::Light to_scene_light(const projects::LightSpec& spec, const std::string& name);
+
+}  // namespace ir::engine

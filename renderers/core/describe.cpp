@@ -1,0 +1,135 @@
+#include "renderers/core/describe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "renderers/core/transport.h"
+
+namespace ir {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* type_name(ParameterType type) {
+    static constexpr const char* names[] = {"toggle", "integer", "number", "choice"};
+    return names[static_cast<int>(type)];
+}
+
+const char* on_change_name(OnChange change) {
+    static constexpr const char* names[] = {"nothing", "reset-history", "reallocate", "recompile"};
+    return names[static_cast<int>(change)];
+}
+
+Json json_of(const Value& value) {
+    return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+Json json_of(const Range& range) {
+    Json json = Json::object();
+    if (std::isfinite(range.min)) json["min"] = range.min;
+    if (std::isfinite(range.max)) json["max"] = range.max;
+    return json;
+}
+
+Json json_of(const ParameterDescription& p) {
+    Json json{{"key", p.key},
+              {"label", p.label},
+              {"type", type_name(p.type)},
+              {"default", json_of(p.default_value)}};
+    if (p.type == ParameterType::integer || p.type == ParameterType::number) {
+        json["hard_range"] = json_of(p.hard);
+        json["soft_range"] = json_of(p.soft);
+    }
+    if (!p.unit.empty()) json["unit"] = p.unit;
+    for (const auto& choice : p.choices) {
+        const bool supported = p.supported.empty() || std::find(p.supported.begin(), p.supported.end(),
+                                                                choice.key) != p.supported.end();
+        if (supported)
+            json["choices"].push_back({{"key", choice.key}, {"label", choice.label}, {"doc", choice.doc}});
+    }
+    json["doc"] = p.doc;
+    if (!p.citation.empty()) json["citation"] = p.citation;
+    json["group"] = is_transport_key(p.key) ? "transport" : "method";
+    json["effect"] = p.effect == Effect::image ? "image" : "cost";
+    json["on_change"] = on_change_name(p.on_change);
+    if (!p.active_when.key.empty()) {
+        Json values = Json::array();
+        for (const auto& value : p.active_when.values) values.push_back(json_of(value));
+        json["active_when"] = {{"key", p.active_when.key}, {"values", values}};
+    }
+    json["since_version"] = p.since_version;
+    if (p.value_in_older_projects) json["value_in_older_projects"] = json_of(*p.value_in_older_projects);
+    return json;
+}
+
+std::string number(double value) {
+    return to_string(Value{value});
+}
+
+std::string range_text(const Range& range) {
+    const bool low = std::isfinite(range.min), high = std::isfinite(range.max);
+    if (low && high) return number(range.min) + " … " + number(range.max);
+    if (low) return "≥ " + number(range.min);
+    if (high) return "≤ " + number(range.max);
+    return "any";
+}
+
+std::string allowed_text(const ParameterDescription& p) {
+    if (p.type == ParameterType::toggle) return "true, false";
+    if (p.type != ParameterType::choice) return range_text(p.hard) + (p.unit.empty() ? "" : " " + p.unit);
+    std::string text;
+    for (const auto& choice : p.choices)
+        if (p.supported.empty() ||
+            std::find(p.supported.begin(), p.supported.end(), choice.key) != p.supported.end())
+            text += (text.empty() ? "`" : ", `") + choice.key + "`";
+    return text;
+}
+
+}  // namespace
+
+std::string describe_json(const MethodDescription& method) {
+    Json json{{"id", method.id},           {"title", method.title},   {"version", method.version},
+              {"summary", method.summary}, {"papers", method.papers}, {"background", method.background}};
+    json["parameters"] = Json::array();
+    for (const auto& parameter : method.parameters) json["parameters"].push_back(json_of(parameter));
+    json["outputs"] = Json::array();
+    for (const auto& output : method.outputs)
+        json["outputs"].push_back(
+            {{"key", output.key},
+             {"label", output.label},
+             {"kind", to_string(output.kind)},
+             {"semantic", to_string(output.semantic)},
+             {"unit", output.unit},
+             {"colour_map",
+              output.colour_map.empty() ? default_colour_map(output.semantic) : output.colour_map},
+             {"doc", output.doc}});
+    return json.dump(2);
+}
+
+std::string describe_markdown(const MethodDescription& method) {
+    std::string text = "# " + method.title + "\n\n`" + method.id + "`, version " +
+                       std::to_string(method.version) + "\n\n" + method.summary + "\n\n";
+    if (!method.papers.empty()) {
+        text += "Papers: ";
+        for (std::size_t i = 0; i < method.papers.size(); ++i) text += (i ? ", " : "") + method.papers[i];
+        text += ".\n\n";
+    }
+    text += "## Parameters\n\n| key | default | allowed | changes | what it does |\n|---|---|---|---|---|\n";
+    for (const auto& p : method.parameters) {
+        text += "| `" + p.key + "` | " + to_string(p.default_value) + " | " + allowed_text(p) + " | " +
+                (p.effect == Effect::image ? "image" : "cost") + " | **" + p.label + ".** " + p.doc;
+        for (const auto& choice : p.choices)
+            if (!choice.doc.empty() && (p.supported.empty() || p.supported.size() > 1))
+                text += " `" + choice.key + "`: " + choice.doc;
+        if (!p.citation.empty()) text += " [" + p.citation + "]";
+        text += " |\n";
+    }
+    text += "\n## Outputs\n\n| key | kind | semantic | unit | what it shows |\n|---|---|---|---|---|\n";
+    for (const auto& o : method.outputs)
+        text += "| `" + o.key + "` | " + to_string(o.kind) + " | " + to_string(o.semantic) + " | " + o.unit +
+                " | **" + o.label + ".** " + o.doc + " |\n";
+    return text;
+}
+
+}  // namespace ir
