@@ -126,6 +126,7 @@ struct Camera {
     float fov_y = 0.785398f;  ///< radians
     bool orthographic = false;
     float height = 2;  ///< metres across the image's height, orthographic only
+    int node = -1;     ///< when ≥ 0 the camera moves with this node; eye, target and up are those at time 0
 };
 
 /// Radiance from infinity, W/(m² sr): a constant, or an equirectangular map (row 0 is +Y, column 0 is -X).
@@ -157,6 +158,9 @@ struct Scene {
 
 /// World matrices of all nodes at `time` (seconds; clamped to the animation).
 std::vector<glm::mat4> world_matrices(const Scene& scene, double time);
+
+/// World-space bounds of all instances at `time`; empty where nothing is drawn.
+Bounds bounds_of(const Scene& scene, double time);
 
 /// Loads SCENE: a .gltf or .glb file, or builtin:NAME[@VERSION][?key=value&…]. Throws InputError (or
 /// UsageError for an unknown builtin name or option, listing the known ones).

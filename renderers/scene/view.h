@@ -6,8 +6,8 @@
 
 namespace ir::scene {
 
-/// A camera at an image size, as matrices. Clip space as set once per context: y down (row 0 is the top row),
-/// depth 0…1.
+/// A camera at an image size, as matrices. Clip space as set once per context (gl::Context): y = +1 is the
+/// top, row 0 of an image is its top row, depth is 0 at the near plane and 1 at the far plane.
 struct View {
     int width = 0, height = 0;
     glm::vec3 eye_ws{0};

@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <cmath>
+
+#include "renderers/scene/scene.h"
+
+namespace ir::scene {
+namespace {
+
+glm::quat quaternion(glm::vec4 xyzw) {
+    return {xyzw.w, xyzw.x, xyzw.y, xyzw.z};
+}
+glm::vec4 components(glm::quat q) {
+    return {q.x, q.y, q.z, q.w};
+}
+
+/// [glTF 2.0, appendix C.5]
+glm::vec4 cubic(const AnimationChannel& channel, std::size_t key, float t, float interval) {
+    const auto value = channel.values[3 * key + 1], next = channel.values[3 * key + 4];
+    const auto out = interval * channel.values[3 * key + 2], in = interval * channel.values[3 * key + 3];
+    const float t2 = t * t, t3 = t2 * t;
+    return (2 * t3 - 3 * t2 + 1) * value + (t3 - 2 * t2 + t) * out + (-2 * t3 + 3 * t2) * next +
+           (t3 - t2) * in;
+}
+
+/// The channel's value at `time`, clamped to the first and last key; rotations are not yet unit length.
+glm::vec4 sample(const AnimationChannel& channel, float time) {
+    const bool is_cubic = channel.interpolation == Interpolation::cubic;
+    const auto value = [&](std::size_t key) { return channel.values[is_cubic ? 3 * key + 1 : key]; };
+    const auto& times = channel.times;
+    const auto after =
+        static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin());
+    if (after == 0) return value(0);
+    const auto key = after - 1;
+    if (after == times.size() || channel.interpolation == Interpolation::step) return value(key);
+    const float interval = times[after] - times[key];
+    const float t = (time - times[key]) / interval;
+    if (is_cubic) return cubic(channel, key, t, interval);
+    if (channel.path != AnimatedPath::rotation) return glm::mix(value(key), value(after), t);
+    return components(
+        glm::slerp(glm::normalize(quaternion(value(key))), glm::normalize(quaternion(value(after))), t));
+}
+
+void apply(const AnimationChannel& channel, float time, Node& node) {
+    if (channel.times.empty()) return;
+    const auto value = sample(channel, time);
+    if (channel.path == AnimatedPath::translation) node.translation = glm::vec3(value);
+    if (channel.path == AnimatedPath::scale) node.scale = glm::vec3(value);
+    if (channel.path != AnimatedPath::rotation) return;
+    const auto rotation = quaternion(value);
+    const float length = glm::length(rotation);
+    if (length > 1e-6f && std::isfinite(length)) node.rotation = rotation / length;
+}
+
+glm::mat4 local_matrix(const Node& node) {
+    if (node.matrix) return *node.matrix;
+    glm::mat4 matrix = glm::mat4_cast(node.rotation);
+    for (int i = 0; i < 3; ++i) matrix[i] *= node.scale[i];
+    matrix[3] = glm::vec4(node.translation, 1);
+    return matrix;
+}
+
+}  // namespace
+
+std::vector<glm::mat4> world_matrices(const Scene& scene, double time) {
+    std::vector<glm::mat4> matrices(scene.nodes.size());
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) matrices[i] = local_matrix(scene.nodes[i]);
+    if (scene.is_animated()) {
+        auto nodes = scene.nodes;
+        std::vector<bool> moved(nodes.size(), false);
+        for (const auto& channel : scene.animation) {
+            apply(channel, static_cast<float>(time), nodes[channel.node]);
+            moved[channel.node] = true;
+        }
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if (moved[i]) matrices[i] = local_matrix(nodes[i]);
+    }
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+        if (scene.nodes[i].parent >= 0) matrices[i] = matrices[scene.nodes[i].parent] * matrices[i];
+    return matrices;
+}
+
+}  // namespace ir::scene

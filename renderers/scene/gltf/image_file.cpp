@@ -1,0 +1,93 @@
+#include "renderers/scene/gltf/image_file.h"
+
+#include <tiny_gltf.h>
+
+#include <array>
+#include <cstring>
+#include <optional>
+
+#include "renderers/core/error.h"
+
+namespace ir::scene::gltf {
+namespace {
+
+constexpr int max_side = 16384;                           // what OpenGL implementations offer
+constexpr std::size_t max_texels = std::size_t{1} << 26;  // 8192 x 8192
+
+int big_endian(const Bytes& bytes, std::size_t offset, int count) {
+    std::uint32_t value = 0;
+    for (int i = 0; i < count; ++i) value = (value << 8) | bytes[offset + i];
+    return value > INT32_MAX ? INT32_MAX : static_cast<int>(value);
+}
+
+std::optional<ImageSize> png_size(const Bytes& bytes) {
+    constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    constexpr std::size_t header_bytes = 33;
+    if (bytes.size() < header_bytes || std::memcmp(bytes.data(), signature.data(), signature.size()) != 0)
+        return {};
+    return ImageSize{big_endian(bytes, 16, 4), big_endian(bytes, 20, 4)};
+}
+
+/// Walks the markers to the frame header [ITU-T T.81, B.2.2].
+std::optional<ImageSize> jpeg_size(const Bytes& bytes) {
+    if (bytes.size() < 4 || bytes[0] != 0xff || bytes[1] != 0xd8) return {};
+    std::size_t offset = 2;
+    while (offset + 9 <= bytes.size()) {
+        if (bytes[offset] != 0xff) return {};
+        const int marker = bytes[offset + 1];
+        if (marker == 0xff) {  // a fill byte
+            ++offset;
+            continue;
+        }
+        const bool is_frame =
+            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+        if (is_frame) return ImageSize{big_endian(bytes, offset + 7, 2), big_endian(bytes, offset + 5, 2)};
+        offset += 2 + static_cast<std::size_t>(big_endian(bytes, offset + 2, 2));
+    }
+    return {};
+}
+
+/// stb's decoder through tinygltf, 8 or 16 bits per channel, always four channels.
+bool decode(const Bytes& bytes, tinygltf::Image& image) {
+    std::string problems, warnings;
+    return tinygltf::LoadImageData(&image, 0, &problems, &warnings, 0, 0, bytes.data(),
+                                   static_cast<int>(bytes.size()), nullptr);
+}
+
+std::vector<std::uint8_t> to_8_bits(const std::vector<unsigned char>& wide) {
+    std::vector<std::uint8_t> result(wide.size() / 2);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        std::uint16_t value;
+        std::memcpy(&value, wide.data() + 2 * i, sizeof value);
+        result[i] = static_cast<std::uint8_t>((value + 128u) / 257u);
+    }
+    return result;
+}
+
+}  // namespace
+
+ImageSize probe_image(const std::string& file, const std::string& place, const Bytes& bytes) {
+    auto size = png_size(bytes);
+    if (!size) size = jpeg_size(bytes);
+    if (!size) throw InputError(file, place, "neither a PNG nor a JPEG image; convert it to one");
+    if (size->width < 1 || size->height < 1)
+        throw InputError(file, place, "an image without texels; replace it");
+    if (size->width > max_side || size->height > max_side || size->texels() > max_texels)
+        throw InputError(file, place,
+                         "an image of " + std::to_string(size->width) + "x" + std::to_string(size->height) +
+                             " texels; scale it to 8192x8192 or less");
+    return *size;
+}
+
+std::vector<std::uint8_t> decode_image(const std::string& file, const std::string& place, const Bytes& bytes,
+                                       ImageSize size) {
+    tinygltf::Image image;
+    const bool decoded = decode(bytes, image);
+    if (!decoded || image.width != size.width || image.height != size.height || image.component != 4)
+        throw InputError(file, place, "the image is damaged; replace it");
+    auto rgba = image.bits == 16 ? to_8_bits(image.image) : std::move(image.image);
+    if (rgba.size() != size.texels() * 4) throw InputError(file, place, "the image is damaged; replace it");
+    return rgba;
+}
+
+}  // namespace ir::scene::gltf

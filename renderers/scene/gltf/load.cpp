@@ -1,0 +1,40 @@
+#include <algorithm>
+
+#include "renderers/core/error.h"
+#include "renderers/scene/gltf/materials.h"
+#include "renderers/scene/gltf/nodes.h"
+#include "renderers/scene/gltf/primitives.h"
+#include "renderers/scene/scene.h"
+
+namespace ir::scene {
+namespace {
+
+bool needs_default_material(const gltf::Document& document) {
+    for (const auto& mesh : document.model.meshes)
+        for (const auto& primitive : mesh.primitives)
+            if (primitive.material < 0) return true;
+    return false;
+}
+
+}  // namespace
+
+Scene load_gltf(const std::string& file) {
+    auto document = gltf::read_document(file);
+    Scene scene;
+    scene.name = file;
+    scene.content_hash = document.content_hash;
+    const int default_material = gltf::load_materials(document, scene, needs_default_material(document));
+    const auto meshes = gltf::load_meshes(document, scene, default_material);
+    const auto nodes = gltf::load_nodes(document, scene, meshes);
+    gltf::load_animations(document, scene, nodes);
+    gltf::apply_rest_pose(document, scene, nodes);
+    gltf::load_cameras(document, scene, nodes);
+    gltf::load_lights(document, scene, nodes);
+    const auto bounds = bounds_of(scene, 0);
+    if (scene.cameras.empty()) scene.cameras.push_back(framing_camera(bounds));
+    if (scene.instanced_triangles() == 0) document.warnings.add("the scene draws no triangles");
+    scene.warnings = std::move(document.warnings.messages);
+    return scene;
+}
+
+}  // namespace ir::scene

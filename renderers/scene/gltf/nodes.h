@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "renderers/scene/gltf/document.h"
+#include "renderers/scene/scene.h"
+
+namespace ir::scene::gltf {
+
+/// Fills Scene::nodes with the default scene's tree, parents first. `meshes`: scene meshes per glTF mesh.
+/// Returns the scene node per glTF node, -1 for those outside the default scene. Throws InputError.
+std::vector<int> load_nodes(Document& document, Scene& scene, const std::vector<std::vector<int>>& meshes);
+
+/// Channels of all animations; of several for one property of a node the first wins. Throws InputError.
+void load_animations(Document& document, Scene& scene, const std::vector<int>& nodes);
+
+/// Cameras and lights of the default scene's nodes.
+void load_cameras(Document& document, Scene& scene, const std::vector<int>& nodes);
+void load_lights(Document& document, Scene& scene, const std::vector<int>& nodes);
+
+/// Moves skinned meshes to the rest pose of their joints. Throws InputError.
+void apply_rest_pose(Document& document, Scene& scene, const std::vector<int>& nodes);
+
+}  // namespace ir::scene::gltf

@@ -1,0 +1,169 @@
+#include "renderers/scene/gltf/source.h"
+
+#include <array>
+#include <cctype>
+#include <cstring>
+#include <fstream>
+
+#include "renderers/core/error.h"
+
+namespace ir::scene::gltf {
+namespace {
+
+constexpr std::uintmax_t max_file_bytes = std::uintmax_t{2} << 30;
+
+std::uint32_t word_at(const Bytes& bytes, std::size_t offset) {
+    std::uint32_t word = 0;
+    for (int i = 3; i >= 0; --i) word = (word << 8) | bytes[offset + i];
+    return word;
+}
+
+int hex_digit(char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return -1;
+}
+
+std::string percent_decoded(const std::string& uri) {
+    std::string result;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const int high = uri[i] == '%' && i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
+        const int low = high >= 0 ? hex_digit(uri[i + 2]) : -1;
+        if (low < 0) {
+            result += uri[i];
+            continue;
+        }
+        result += static_cast<char>(high * 16 + low);
+        i += 2;
+    }
+    return result;
+}
+
+bool has_scheme(const std::string& uri) {
+    const auto colon = uri.find(':');
+    if (colon == std::string::npos || colon < 2) return false;
+    for (const char c : uri.substr(0, colon))
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '+' && c != '.' && c != '-') return false;
+    return true;
+}
+
+std::array<int, 256> base64_table() {
+    std::array<int, 256> table;
+    table.fill(-1);
+    const char* alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (int i = 0; i < 64; ++i) table[static_cast<unsigned char>(alphabet[i])] = i;
+    return table;
+}
+
+}  // namespace
+
+std::string one_line(std::string_view text) {
+    constexpr std::size_t max_length = 120;
+    std::string result;
+    for (const char c : text.substr(0, max_length)) {
+        const auto byte = static_cast<unsigned char>(c);
+        result += byte < 0x20 || byte == 0x7f ? '?' : c;
+    }
+    if (text.size() > max_length) result += "...";
+    return result;
+}
+
+Bytes read_file(const std::filesystem::path& file, const std::string& owner, const std::string& place) {
+    const auto fail = [&](const std::string& problem) {
+        if (owner.empty()) throw InputError(one_line(file.string()), "", problem);
+        throw InputError(owner, place, one_line(file.string()) + ": " + problem);
+    };
+    std::error_code failure;
+    const auto status = std::filesystem::status(file, failure);
+    if (!std::filesystem::exists(status)) fail("no such file; check the path");
+    if (!std::filesystem::is_regular_file(status)) fail("not a regular file; give the path of a file");
+    const auto size = std::filesystem::file_size(file, failure);
+    if (failure) fail("cannot be read: " + failure.message());
+    if (size > max_file_bytes) fail("larger than 2 GiB; split the scene");
+    Bytes bytes(size);
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (!stream && size > 0) fail("cannot be read; check its permissions");
+    return bytes;
+}
+
+Container open_container(const std::string& file, const Bytes& bytes) {
+    constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8;
+    constexpr std::uint32_t json_chunk = 0x4e4f534a, binary_chunk = 0x004e4942;
+    Container result;
+    if (bytes.size() < 4 || std::memcmp(bytes.data(), "glTF", 4) != 0) {
+        result.json.assign(bytes.begin(), bytes.end());
+        return result;
+    }
+    result.is_binary_file = true;
+    const auto fail = [&](const std::string& problem) {
+        throw InputError(file, "GLB header", problem + "; export the file again");
+    };
+    if (bytes.size() < header_bytes + chunk_header_bytes) fail("the file ends inside the header");
+    if (word_at(bytes, 4) != 2)
+        fail("version " + std::to_string(word_at(bytes, 4)) + ", only 2 is supported");
+    const std::size_t length = word_at(bytes, 8);
+    if (length > bytes.size()) fail("announces more bytes than the file has");
+    std::size_t offset = header_bytes;
+    for (int chunk = 0; offset + chunk_header_bytes <= length; ++chunk) {
+        const std::size_t size = word_at(bytes, offset);
+        const auto type = word_at(bytes, offset + 4);
+        offset += chunk_header_bytes;
+        if (size > length - offset) fail("chunk " + std::to_string(chunk) + " reaches beyond the end");
+        if (chunk == 0 && type != json_chunk) fail("the first chunk is not JSON");
+        const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(offset);
+        const auto end = begin + static_cast<std::ptrdiff_t>(size);
+        if (chunk == 0) result.json.assign(begin, end);
+        if (chunk == 1 && type == binary_chunk) {
+            result.binary.assign(begin, end);
+            result.has_binary = true;
+        }
+        offset += size;
+    }
+    return result;
+}
+
+bool is_data_uri(std::string_view uri) {
+    return uri.substr(0, 5) == "data:";
+}
+
+Bytes decode_data_uri(const std::string& file, const std::string& place, std::string_view uri) {
+    static const auto table = base64_table();
+    const auto comma = uri.find(',');
+    if (comma == std::string_view::npos || uri.substr(0, comma).find(";base64") == std::string_view::npos)
+        throw InputError(file, place, "a data URI without ;base64, data; export the file again");
+    Bytes bytes;
+    bytes.reserve((uri.size() - comma) / 4 * 3);
+    std::uint32_t pending = 0;
+    int bits = 0;
+    for (const char c : uri.substr(comma + 1)) {
+        if (c == '=') break;
+        const int value = table[static_cast<unsigned char>(c)];
+        if (value < 0) throw InputError(file, place, "a data URI that is not base64; export the file again");
+        pending = (pending << 6) | static_cast<std::uint32_t>(value);
+        bits += 6;
+        if (bits < 8) continue;
+        bits -= 8;
+        bytes.push_back(static_cast<std::uint8_t>(pending >> bits));
+    }
+    return bytes;
+}
+
+std::filesystem::path resolve_uri(const std::string& file, const std::string& place, const std::string& uri) {
+    if (has_scheme(uri))
+        throw InputError(
+            file, place,
+            "the URI " + one_line(uri) + " has a scheme; only relative paths and data: are read");
+    const auto folder = std::filesystem::path(file).parent_path();
+    const auto decoded = percent_decoded(uri);
+    if (decoded.empty() || decoded.find('\0') != std::string::npos)
+        throw InputError(file, place, "an empty or broken URI; give a relative path");
+    std::error_code failure;
+    // Some writers do not escape a literal percent sign.
+    if (!std::filesystem::exists(folder / decoded, failure) && std::filesystem::exists(folder / uri, failure))
+        return folder / uri;
+    return folder / decoded;
+}
+
+}  // namespace ir::scene::gltf

@@ -1,0 +1,66 @@
+#include "renderers/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ir::scene {
+
+float Scene::duration() const {
+    float last = 0;
+    for (const auto& channel : animation)
+        if (!channel.times.empty()) last = std::max(last, channel.times.back());
+    return last;
+}
+
+std::size_t Scene::primitive_triangles() const {
+    std::size_t count = 0;
+    for (const auto& mesh : meshes) count += mesh.indices.size() / 3;
+    return count;
+}
+
+std::size_t Scene::instanced_triangles() const {
+    std::size_t count = 0;
+    for (const auto& node : nodes)
+        for (const int mesh : node.meshes) count += meshes[mesh].indices.size() / 3;
+    return count;
+}
+
+const Camera* Scene::find_camera(const std::string& camera) const {
+    const auto same = [&](const Camera& c) { return c.name == camera; };
+    const auto found = std::find_if(cameras.begin(), cameras.end(), same);
+    return found == cameras.end() ? nullptr : &*found;
+}
+
+Scene load_scene(const std::string& name) {
+    const std::string builtin = "builtin:";
+    if (name.compare(0, builtin.size(), builtin) == 0) return make_builtin(name);
+    return load_gltf(name);
+}
+
+Bounds bounds_of(const Scene& scene, double time) {
+    const auto matrices = world_matrices(scene, time);
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    Bounds bounds{glm::vec3(infinity), glm::vec3(-infinity)};
+    for (std::size_t n = 0; n < scene.nodes.size(); ++n)
+        for (const int mesh : scene.nodes[n].meshes)
+            for (const auto& position : scene.meshes[mesh].positions) {
+                const glm::vec3 p = matrices[n] * glm::vec4(position, 1);
+                bounds.min = glm::min(bounds.min, p);
+                bounds.max = glm::max(bounds.max, p);
+            }
+    return bounds.min.x <= bounds.max.x ? bounds : Bounds{};
+}
+
+Camera framing_camera(const Bounds& bounds) {
+    Camera camera;
+    camera.name = "default";
+    const float radius = bounds.radius() > 0 && std::isfinite(bounds.radius()) ? bounds.radius() : 1.0f;
+    // The bounding sphere touches the frustum's upper and lower planes.
+    const float distance = radius / std::sin(0.5f * camera.fov_y);
+    camera.target = bounds.centre();
+    camera.eye = camera.target + distance * glm::normalize(glm::vec3(0.6f, 0.4f, 1.0f));
+    return camera;
+}
+
+}  // namespace ir::scene

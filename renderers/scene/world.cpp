@@ -1,0 +1,183 @@
+#include "renderers/scene/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "renderers/core/error.h"
+#include "renderers/scene/frame.h"
+#include "renderers/scene/opacity.h"
+#include "renderers/scene/placement.h"
+
+namespace ir::scene {
+namespace {
+
+struct Instance {
+    int node = 0, mesh = 0;
+};
+
+bool is_masked(const Scene& scene, int material) {
+    return scene.materials[material].alpha_mode == AlphaMode::mask;
+}
+
+/// All drawn meshes: opaque ones first, then masked ones, each by material.
+std::vector<Instance> sorted_instances(const Scene& scene) {
+    std::vector<Instance> instances;
+    for (std::size_t n = 0; n < scene.nodes.size(); ++n)
+        for (const int mesh : scene.nodes[n].meshes) instances.push_back({static_cast<int>(n), mesh});
+    const auto key = [&](const Instance& i) {
+        const int material = scene.meshes[i.mesh].material;
+        return std::pair{is_masked(scene, material), material};
+    };
+    std::stable_sort(instances.begin(), instances.end(),
+                     [&](const Instance& a, const Instance& b) { return key(a) < key(b); });
+    return instances;
+}
+
+std::uint32_t packed(glm::vec4 colour) {
+    std::uint32_t result = 0;
+    for (int i = 0; i < 4; ++i) {
+        const float level = std::clamp(colour[i], 0.0f, 1.0f) * 255.0f + 0.5f;
+        result |= static_cast<std::uint32_t>(level) << (8 * i);
+    }
+    return result;
+}
+
+glm::vec3 unit_or(glm::vec3 v, glm::vec3 otherwise) {
+    const float length = glm::length(v);
+    return length > 0 && std::isfinite(length) ? v / length : otherwise;
+}
+
+/// Transforms of one instance. Normals take the cofactors, which are the inverse transpose up to a factor and
+/// exist for singular matrices too.
+struct Transform {
+    glm::mat4 matrix;
+    glm::mat3 cofactors;
+    bool mirrored;
+
+    explicit Transform(const glm::mat4& world_from_node) : matrix(world_from_node) {
+        const glm::mat3 m(matrix);
+        cofactors = glm::mat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+        mirrored = glm::dot(m[0], cofactors[0]) < 0;
+        if (mirrored) cofactors *= -1.0f;
+    }
+
+    glm::vec3 position(glm::vec3 p) const { return glm::vec3(matrix * glm::vec4(p, 1)); }
+    glm::vec3 normal(glm::vec3 n) const { return unit_or(cofactors * n, {0, 1, 0}); }
+    glm::vec4 tangent(glm::vec4 t, glm::vec3 normal_ws) const {
+        const auto direction = unit_or(glm::mat3(matrix) * glm::vec3(t), any_tangent(normal_ws));
+        return glm::vec4(direction, mirrored ? -t.w : t.w);
+    }
+};
+
+class Flattener {
+  public:
+    Flattener(const Scene& scene, World& world) : scene_(scene), world_(world) {}
+
+    void reserve(const std::vector<Instance>& instances) {
+        // Vertices and triangles are counted in 32 bits, three indices to each triangle.
+        constexpr std::size_t limit = std::size_t{1} << 30;
+        std::size_t vertices = 0, indices = 0;
+        for (const auto& instance : instances) {
+            vertices += scene_.meshes[instance.mesh].positions.size();
+            indices += scene_.meshes[instance.mesh].indices.size();
+        }
+        if (vertices > limit || indices > limit)
+            throw InputError(scene_.name, "",
+                             "instances add up to more than 2^30 vertices or indices; use fewer");
+        world_.positions.reserve(vertices);
+        world_.normals.reserve(vertices);
+        world_.tangents.reserve(vertices);
+        world_.uv0.reserve(vertices);
+        world_.uv1.reserve(vertices);
+        world_.colours.reserve(vertices);
+        world_.instances.reserve(vertices);
+        world_.indices.reserve(indices);
+        world_.triangle_materials.reserve(indices / 3);
+    }
+
+    void add(const Mesh& mesh, const glm::mat4& current, const glm::mat4& previous) {
+        const Transform transform(current);
+        const auto first_vertex = static_cast<std::uint32_t>(world_.positions.size());
+        add_vertices(mesh, transform);
+        add_triangles(mesh, first_vertex, transform.mirrored);
+        const bool moves = current != previous && std::abs(glm::determinant(current)) > 0;
+        const auto motion = moves ? previous * glm::inverse(current) : glm::mat4(1);
+        world_.motion.push_back(motion);
+    }
+
+  private:
+    void add_vertices(const Mesh& mesh, const Transform& transform) {
+        const auto instance = static_cast<std::uint32_t>(world_.motion.size());
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            const auto normal = transform.normal(mesh.normals[i]);
+            world_.positions.push_back(transform.position(mesh.positions[i]));
+            world_.normals.push_back(normal);
+            world_.tangents.push_back(mesh.tangents.empty() ? glm::vec4(any_tangent(normal), 1)
+                                                            : transform.tangent(mesh.tangents[i], normal));
+            world_.uv0.push_back(mesh.uv0.empty() ? glm::vec2(0) : mesh.uv0[i]);
+            world_.uv1.push_back(mesh.uv1.empty() ? glm::vec2(0) : mesh.uv1[i]);
+            world_.colours.push_back(mesh.colours.empty() ? 0xffffffffu : packed(mesh.colours[i]));
+            world_.instances.push_back(instance);
+        }
+    }
+
+    /// A mirrored instance turns its triangles round, so that winding and normals agree on the front.
+    void add_triangles(const Mesh& mesh, std::uint32_t first_vertex, bool mirrored) {
+        const auto count = static_cast<std::uint32_t>(mesh.indices.size() / 3);
+        const auto first = static_cast<std::uint32_t>(world_.triangles());
+        for (std::size_t t = 0; t < count; ++t) {
+            const auto* corner = &mesh.indices[3 * t];
+            world_.indices.push_back(first_vertex + corner[0]);
+            world_.indices.push_back(first_vertex + corner[mirrored ? 2 : 1]);
+            world_.indices.push_back(first_vertex + corner[mirrored ? 1 : 2]);
+        }
+        world_.triangle_materials.resize(first + count, static_cast<std::uint32_t>(mesh.material));
+        if (!is_masked(scene_, mesh.material)) world_.opaque_triangles += count;
+        if (world_.ranges.empty() || world_.ranges.back().material != mesh.material)
+            world_.ranges.push_back({mesh.material, first, 0});
+        world_.ranges.back().triangle_count += count;
+    }
+
+    const Scene& scene_;
+    World& world_;
+};
+
+/// Throws where a transform took a position beyond the range of a float.
+Bounds bounds_of_triangles(const World& world, const std::string& name) {
+    if (world.indices.empty()) return {};
+    Bounds bounds{world.positions[world.indices[0]], world.positions[world.indices[0]]};
+    float check = 0;
+    for (const auto index : world.indices) {
+        const auto p = world.positions[index];
+        bounds.min = glm::min(bounds.min, p);
+        bounds.max = glm::max(bounds.max, p);
+        check += 0 * (p.x + p.y + p.z);  // NaN as soon as one of them is not finite
+    }
+    if (std::isnan(check) || !std::isfinite(bounds.radius()))
+        throw InputError(name, "nodes",
+                         "a transform takes positions beyond the range of a float; scale it down");
+    return bounds;
+}
+
+}  // namespace
+
+World flatten(const Scene& scene, double time, double previous_time) {
+    World world;
+    const auto current = world_matrices(scene, time);
+    const auto previous = world_matrices(scene, previous_time);
+    const auto instances = sorted_instances(scene);
+    Flattener flattener(scene, world);
+    flattener.reserve(instances);
+    for (const auto& instance : instances)
+        flattener.add(scene.meshes[instance.mesh], current[instance.node], previous[instance.node]);
+    world.bounds = bounds_of_triangles(world, scene.name);
+    build_opacity(scene, world);
+    for (const auto& light : scene.lights)
+        world.lights.push_back(light.node >= 0 ? placed(light, current[light.node]) : light);
+    for (const auto& camera : scene.cameras)
+        world.cameras.push_back(camera.node >= 0 ? placed(camera, current[camera.node]) : camera);
+    return world;
+}
+
+}  // namespace ir::scene
