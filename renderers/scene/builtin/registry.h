@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "renderers/scene/scene.h"
+
+/// Procedural scenes: builtin:NAME[@VERSION][?key=value&key=value].
+namespace ir::scene::builtin {
+
+/// A numeric option; values outside [min, max] are refused.
+struct Option {
+    std::string key;
+    double value;  ///< default
+    double min, max;
+    std::string unit, doc;
+};
+
+/// Complete values by option key.
+using Values = std::map<std::string, double>;
+
+struct Description {
+    std::string name;
+    int version = 1;
+    std::string doc;  ///< one line
+    std::vector<Option> options;
+    Scene (*make)(const Values& values) = nullptr;
+};
+
+/// All scenes in the order of their listing.
+const std::vector<Description>& descriptions();
+
+// One per file.
+Description cornell();
+Description furnace();
+Description plane();
+Description corner();
+Description crevice();
+
+}  // namespace ir::scene::builtin
