@@ -37,7 +37,7 @@ glm::dvec4 scale_to(const glm::dvec3& axis, const Interval& interval, double beg
 
 MapFrame fit_frame(const glm::dvec3& direction, const scene::Bounds& bounds, int resolution) {
     // At least what float resolves at that distance from the origin.
-    const double diagonal = std::max({2.0 * bounds.radius(), 1e-3 * glm::length(bounds.centre()), 1e-6});
+    const double diagonal = std::max({2.0 * bounds.radius(), 0.1 * glm::length(bounds.centre()), 1e-6});
     // Each side of the projected box is parallel to a projected axis, and a smallest enclosing rectangle has
     // a side along one of the hull's. [Freeman75]
     glm::dvec3 axis_u{}, axis_v{};
