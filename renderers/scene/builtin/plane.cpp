@@ -14,8 +14,15 @@ void add_cover(Scene& scene, float half, float height) {
     MeshBuilder b;
     b.quad({-half, height, -half}, {half, height, -half}, {half, height, half}, {-half, height, half});
     add_mesh(scene, b.take("cover", add_material(scene, "cover", {0.6f, 0.65f, 0.75f})));
-    // Between the planes, looking straight down: sees 2.8 times the height to each side.
-    add_camera(scene, "under", {0, 0.5f * height, 0}, {0, 0, 0}, 160, {0, 0, -1});
+    // Between the planes, straight down: the middle half of the lower plane, a quarter of its side from the
+    // border. Nothing behind the eye is seen.
+    Camera under;
+    under.name = "under";
+    under.eye = {0, 0.5f * height, 0};
+    under.up = {0, 0, -1};
+    under.orthographic = true;
+    under.height = half;
+    scene.cameras.push_back(under);
 }
 
 Scene make(const Values& values) {
