@@ -44,7 +44,8 @@ struct DeviceInfo {
 /// unpack alignment are 1.
 class Context {
   public:
-    /// Throws Error with one line that says what was tried and what would mend it.
+    /// The new context is current on the calling thread. Throws Error with one line that says what was tried
+    /// and what would mend it.
     static std::unique_ptr<Context> create(Backend backend, const ContextOptions& options = {});
     /// EGL on a hardware device, any EGL device, surfaceless EGL, OSMesa: the first that works.
     static std::unique_ptr<Context> create_best(const ContextOptions& options = {});

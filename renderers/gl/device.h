@@ -12,22 +12,9 @@
 
 namespace ir::gl {
 
-/// Formats that graph images may have. srgba8 holds sRGB-encoded RGB that samplers decode; no shader can write
-/// it as a storage image.
-enum class Format {
-    r8,
-    rgba8,
-    r16f,
-    rg16f,
-    rgba16f,
-    r32f,
-    rg32f,
-    rgba32f,
-    r32ui,
-    rg32ui,
-    depth32f,
-    srgba8
-};
+/// Formats that graph images may have. srgba8 holds sRGB-encoded RGB that samplers decode; no shader can
+/// write it as a storage image.
+enum class Format { r8, rgba8, r16f, rg16f, rgba16f, r32f, rg32f, rgba32f, r32ui, rg32ui, depth32f, srgba8 };
 struct FormatInfo {
     const char* name;
     GLenum internal, format, type;

@@ -13,9 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string line_directive(int line, std::size_t file) {
-    return "#line " + std::to_string(line) + " " + std::to_string(file) + "\n";
-}
+struct Line {
+    std::string text;
+    StageSource::Place place;
+};
 
 /// Whether a block comment is open after `line`, which starts inside one or not.
 bool ends_in_comment(const std::string& line, bool inside) {
@@ -37,70 +38,65 @@ class Preprocessor {
   public:
     Preprocessor(const fs::path& folder, FileStamps& seen) : folder_(folder), seen_(seen) {}
 
-    void add_entry(const std::string& entry, StageSource& out) {
+    void read_entry(const std::string& entry) {
         const fs::path path = (folder_ / entry).lexically_normal();
         if (!look_at(path))
             throw Error(entry + ": no such shader in " + folder_.string() +
                         "; check the program's file names");
-        out.files = {entry, "generated code"};
+        files_ = {entry, "generated code"};
         done_.insert(path);
-        add_file(path, 0, out);
+        read(path, 0);
     }
 
-    const std::string& extensions() const { return extensions_; }
-    const std::string& body() const { return body_; }
+    const std::vector<std::string>& files() const { return files_; }
+    const std::vector<Line>& extensions() const { return extensions_; }
+    const std::vector<Line>& body() const { return body_; }
 
   private:
     bool look_at(const fs::path& path) { return (seen_[path] = stamp_of(path)).has_value(); }
 
-    void add_file(const fs::path& path, std::size_t number, StageSource& out) {
+    void read(const fs::path& path, std::size_t file) {
         open_.push_back(path);
-        body_ += line_directive(1, number);
         std::ifstream in(path);
         bool in_comment = false;
-        int line_number = 0;
-        for (std::string line; std::getline(in, line);) {
-            ++line_number;
-            if (!line.empty() && line.back() == '\r') line.pop_back();
-            if (in_comment || !add_directive(line, line_number, path, number, out)) body_ += line + "\n";
-            in_comment = ends_in_comment(line, in_comment);
+        int number = 0;
+        for (std::string text; std::getline(in, text);) {
+            if (!text.empty() && text.back() == '\r') text.pop_back();
+            const Line line{text, {file, ++number}};
+            if (in_comment || !is_directive(line, path)) body_.push_back(line);
+            in_comment = ends_in_comment(text, in_comment);
         }
-        if (in.bad()) throw Error(out.files[number] + ": cannot be read");
+        if (in.bad()) throw Error(files_[file] + ": cannot be read");
         open_.pop_back();
     }
 
     /// Handles #include, #extension and #version; false for any other line.
-    bool add_directive(const std::string& line, int line_number, const fs::path& path, std::size_t number,
-                       StageSource& out) {
+    bool is_directive(const Line& line, const fs::path& path) {
         static const std::regex directive(R"(^\s*#\s*(include|extension|version)\b\s*(.*)$)");
         std::smatch match;
-        if (line.find('#') == std::string::npos || !std::regex_match(line, match, directive)) return false;
-        const std::string place = out.files[number] + ":" + std::to_string(line_number) + ": ";
+        if (line.text.find('#') == std::string::npos || !std::regex_match(line.text, match, directive))
+            return false;
+        const std::string place = files_[line.place.file] + ":" + std::to_string(line.place.line) + ": ";
         if (match[1] == "version")
             throw Error(place + "#version is set by the program library; remove the line");
-        if (match[1] == "extension") {
-            extensions_ += line_directive(line_number, number) + line + "\n";
-            body_ += "\n";
-        } else {
-            include(match[2], place, path, out);
-            body_ += line_directive(line_number + 1, number);
-        }
+        if (match[1] == "extension")
+            extensions_.push_back(line);
+        else
+            include(match[2], place, path);
         return true;
     }
 
-    void include(const std::string& argument, const std::string& place, const fs::path& from,
-                 StageSource& out) {
+    void include(const std::string& argument, const std::string& place, const fs::path& from) {
         static const std::regex quoted(R"re("([^"]+)"\s*(//.*|/\*.*\*/\s*)?)re");
         std::smatch match;
         if (!std::regex_match(argument, match, quoted))
             throw Error(place + "write the include as #include \"folder/file.glsl\"");
-        const std::string name = match[1];
-        const fs::path path = resolve(name, place, from);
+        const fs::path path = resolve(match[1], place, from);
         if (const auto begin = std::find(open_.begin(), open_.end(), path); begin != open_.end())
             throw Error(place + "circular include: " + cycle(begin) + display_name(path));
         if (!done_.insert(path).second) return;
-        out.files.push_back(display_name(path));
-        add_file(path, out.files.size() - 1, out);
+        files_.push_back(display_name(path));
+        read(path, files_.size() - 1);
     }
 
     fs::path resolve(const std::string& name, const std::string& place, const fs::path& from) {
@@ -126,8 +122,15 @@ class Preprocessor {
     FileStamps& seen_;
     std::vector<fs::path> open_;  ///< from the entry to the file being read
     std::set<fs::path> done_;
-    std::string extensions_, body_;
+    std::vector<std::string> files_;
+    std::vector<Line> extensions_, body_;
 };
+
+void add_generated(StageSource& stage, const std::string& text) {
+    std::istringstream lines(text);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) stage.add(line, {1, ++number});
+}
 
 }  // namespace
 
@@ -140,17 +143,30 @@ std::optional<FileStamp> stamp_of(const fs::path& file) {
     return error ? std::nullopt : std::optional(stamp);
 }
 
+std::string StageSource::place_of(std::size_t line) const {
+    if (line == 0 || line > places.size()) return {};
+    const Place& place = places[line - 1];
+    return files.at(place.file) + ":" + std::to_string(place.line);
+}
+
+void StageSource::add(const std::string& line, Place place) {
+    text += line + "\n";
+    places.push_back(place);
+}
+
 StageSource preprocess(const fs::path& folder, const std::string& entry,
                        const std::map<std::string, std::string>& defines, const std::string& preamble,
                        FileStamps& seen) {
-    StageSource stage;
     Preprocessor preprocessor(folder, seen);
-    preprocessor.add_entry(entry, stage);
-    stage.text = "#version 450 core\n" + preprocessor.extensions() + line_directive(1, 1);
-    for (const auto& [name, value] : defines) stage.text += "#define " + name + " " + value + "\n";
-    stage.text += preamble;
-    if (!stage.text.ends_with('\n')) stage.text += '\n';
-    stage.text += preprocessor.body();
+    preprocessor.read_entry(entry);
+    StageSource stage;
+    stage.files = preprocessor.files();
+    add_generated(stage, "#version 450 core");
+    for (const auto& line : preprocessor.extensions()) stage.add(line.text, line.place);
+    std::string generated;
+    for (const auto& [name, value] : defines) generated += "#define " + name + " " + value + "\n";
+    add_generated(stage, generated + preamble);
+    for (const auto& line : preprocessor.body()) stage.add(line.text, line.place);
     return stage;
 }
 

@@ -18,11 +18,21 @@ struct FileStamp {
 using FileStamps = std::map<std::filesystem::path, std::optional<FileStamp>>;
 std::optional<FileStamp> stamp_of(const std::filesystem::path& file);
 
-/// One shader stage as the compiler gets it.
+/// One shader stage as the compiler gets it. Places are kept here and not in #line directives, because Mesa
+/// forgets their string numbers in most of its messages.
 struct StageSource {
+    struct Place {
+        std::size_t file = 0;
+        int line = 0;
+    };
     std::string text;
-    /// Names by the string number in #line and in compiler messages: 0 is the entry file, 1 the preamble.
-    std::vector<std::string> files;
+    std::vector<Place> places;       ///< of each line of the text
+    std::vector<std::string> files;  ///< relative to the shader folder; 0 is the entry, 1 generated code
+
+    /// "lib/random.glsl:12" for a line of the text, counted from 1; empty beyond the text.
+    std::string place_of(std::size_t line) const;
+    /// Adds a line of a file.
+    void add(const std::string& line, Place place);
 };
 
 /// Makes one source of an entry file, all it includes and what the library puts before it: #version, the

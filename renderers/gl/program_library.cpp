@@ -69,13 +69,12 @@ std::string log_of(const Handle& object) {
     return log;
 }
 
-[[noreturn]] void fail(const Handle& object, const std::string& label,
-                       const std::vector<std::string>& files) {
-    auto errors = shader_errors(log_of(object), files);
+[[noreturn]] void fail(const Handle& object, const std::string& label, const StageSource& stage) {
+    auto errors = shader_errors(log_of(object), [&](std::size_t line) { return stage.place_of(line); });
     if (errors.empty()) errors.push_back("the driver refuses it without a reason");
     // what has no place of its own gets at least the program's name
     for (auto& error : errors) {
-        const bool placed = std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+        const bool placed = std::any_of(stage.files.begin(), stage.files.end(), [&](const std::string& file) {
             return error.starts_with(file + ":");
         });
         if (!placed) error = label + ": " + error;
@@ -90,7 +89,7 @@ void compile_stage(const Api& api, const Handle& program, const std::string& fil
     api.CompileShader(shader.name);
     GLint compiled = 0;
     api.GetShaderiv(shader.name, GL_COMPILE_STATUS, &compiled);
-    if (!compiled) fail(shader, file, stage.files);
+    if (!compiled) fail(shader, file, stage);
     api.AttachShader(program.name, shader.name);
 }
 

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace ir::gl {
 
-/// The errors of a compiler's or linker's log, each in one line; where the log gives a place it is translated
-/// with `files` (by string number) to "file:line: message". Warnings are left out. Understands Mesa
-/// ("0:12(3): error: …"), NVIDIA ("0(12) : error C1008: …") and the reference compiler ("ERROR: 0:12: …");
-/// lines of other forms are kept as they are. Never empty for a log that is not.
-std::vector<std::string> shader_errors(const std::string& log, const std::vector<std::string>& files);
+/// The errors of a compiler's or linker's log, each in one line. Where the log names a line of the source,
+/// `place_of` turns it into "file:line"; the result reads "file:line: message". Errors without a place
+/// follow; warnings are left out, unless there is nothing else. Understands Mesa ("0:12(3): error: …"),
+/// NVIDIA
+/// ("0(12) : error C1008: …") and the reference compiler ("ERROR: 0:12: …").
+std::vector<std::string> shader_errors(const std::string& log,
+                                       const std::function<std::string(std::size_t line)>& place_of);
 
 }  // namespace ir::gl

@@ -1,0 +1,287 @@
+#include "context_fixture.h"
+#include "renderers/core/error.h"
+#include "renderers/gl/device.h"
+#include "renderers/gl/program.h"
+
+namespace ir::gl {
+namespace {
+
+constexpr const char* writes_answer =
+    "#include \"lib/answer.glsl\"\n"
+    "layout(local_size_x = 1) in;\n"
+    "layout(std430, binding = 0) buffer Result { float result[]; };\n"
+    "void main() { result[0] = answer(); }\n";
+
+class ProgramTest : public ContextTest {
+  protected:
+    void SetUp() override {
+        ContextTest::SetUp();
+        device = make_gl_device(*context);
+        library = std::make_unique<ProgramLibrary>(*context, folder.path());
+    }
+    void TearDown() override {
+        library.reset();
+        device.reset();
+        ContextTest::TearDown();
+    }
+
+    /// The first float that a compute program writes to binding 0.
+    float run(const Program& program) {
+        const Name buffer = device->create_buffer(16, "result");
+        device->clear_buffer(buffer, 0, 16);
+        program.use();
+        api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer);
+        program.dispatch(1);
+        device->barrier();
+        float result = 0;
+        device->read_buffer(buffer, 0, std::as_writable_bytes(std::span(&result, 1)));
+        device->destroy_buffer(buffer);
+        return result;
+    }
+
+    std::string error_of(const ProgramSource& source) {
+        try {
+            library->get(source);
+        } catch (const ShaderError& error) {
+            EXPECT_STREQ(error.what(), error.messages.at(0).text.c_str());
+            EXPECT_EQ(error.messages[0].source, "shader");
+            return error.what();
+        }
+        return "no error";
+    }
+
+    ShaderFolder folder;
+    std::unique_ptr<Device> device;
+    std::unique_ptr<ProgramLibrary> library;
+};
+INSTANTIATE_ON_BOTH_BACKENDS(ProgramTest);
+
+TEST_P(ProgramTest, IncludesOncePerStage) {
+    folder.write("a/main.comp", "#include \"lib/answer.glsl\"\n" +
+                                    std::string("#include \"beside.glsl\" // twice\n") + writes_answer);
+    folder.write("a/beside.glsl", "#include \"../lib/answer.glsl\"\nconst float more = 2;\n");
+    folder.write("lib/answer.glsl", "float answer() { return 42.0; }\n");
+    EXPECT_EQ(run(library->get({{"a/main.comp"}})), 42);
+}
+
+TEST_P(ProgramTest, PrefersTheIncludingFilesFolder) {
+    folder.write("a/main.comp", writes_answer);
+    folder.write("lib/answer.glsl", "float answer() { return 1.0; }\n");
+    folder.write("a/lib/answer.glsl", "float answer() { return 2.0; }\n");
+    EXPECT_EQ(run(library->get({{"a/main.comp"}})), 2);
+}
+
+TEST_P(ProgramTest, IgnoresDirectivesInComments) {
+    folder.write(
+        "main.comp",
+        std::string("// #include \"nothing.glsl\"\n/* \n#include \"nothing.glsl\"\n#version 110\n*/\n") +
+            writes_answer);
+    folder.write("lib/answer.glsl", "float answer() { return 3.0; }\n");
+    EXPECT_EQ(run(library->get({{"main.comp"}})), 3);
+}
+
+TEST_P(ProgramTest, NamesFileAndLineOfTheEntry) {
+    folder.write("a/main.comp", std::string(writes_answer) + "\nfloat wrong() { return undeclared; }\n");
+    folder.write("lib/answer.glsl", "float answer()\n{\n    return 1.0;\n}\n");
+    const std::string text = error_of({{"a/main.comp"}, {{"A", "1"}, {"B", "2"}}, "const int c = 3;\n"});
+    EXPECT_TRUE(text.starts_with("a/main.comp:6: ")) << text;
+    EXPECT_NE(text.find("undeclared"), std::string::npos) << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+}
+
+TEST_P(ProgramTest, NamesFileAndLineOfAnInclude) {
+    folder.write("a/main.comp", writes_answer);
+    folder.write("lib/answer.glsl", "#include \"deep.glsl\"\n\nfloat answer() { return deep(); }\n");
+    folder.write("lib/deep.glsl", "float deep() {\n    // no such type\n    return vec5(1.0).x;\n}\n");
+    const std::string text = error_of({{"a/main.comp"}});
+    EXPECT_TRUE(text.starts_with("lib/deep.glsl:3: ")) << text;
+}
+
+TEST_P(ProgramTest, NamesTheLineAfterAnInclude) {
+    folder.write("main.comp", "#include \"lib/answer.glsl\"\nundeclared_type x;\n");
+    folder.write("lib/answer.glsl", "float answer() {\n return 1.0;\n}\n");
+    EXPECT_TRUE(error_of({{"main.comp"}}).starts_with("main.comp:2: ")) << error_of({{"main.comp"}});
+}
+
+TEST_P(ProgramTest, NamesThePlaceOfPreprocessorErrors) {
+    folder.write("main.comp", "\n#error this is wanted\n");
+    const std::string text = error_of({{"main.comp"}});
+    EXPECT_TRUE(text.starts_with("main.comp:2: ")) << text;
+    EXPECT_NE(text.find("this is wanted"), std::string::npos) << text;
+}
+
+TEST_P(ProgramTest, GivesAllErrorsButSaysTheFirst) {
+    folder.write(
+        "main.comp",
+        "layout(local_size_x = 1) in;\nvoid main() {\n    float a = first;\n    float b = second;\n}\n");
+    try {
+        library->get({{"main.comp"}});
+        FAIL();
+    } catch (const ShaderError& error) {
+        ASSERT_GE(error.messages.size(), 2u);
+        EXPECT_TRUE(error.messages[0].text.starts_with("main.comp:3: ")) << error.messages[0].text;
+        EXPECT_TRUE(error.messages[1].text.starts_with("main.comp:4: ")) << error.messages[1].text;
+    }
+}
+
+TEST_P(ProgramTest, NamesTheProgramInLinkErrors) {
+    folder.write("a.vert", "float missing();\nvoid main() { gl_Position = vec4(missing()); }\n");
+    folder.write("a.frag", "out vec4 c;\nvoid main() { c = vec4(1); }\n");
+    const std::string text = error_of({{"a.vert", "a.frag"}});
+    EXPECT_TRUE(text.starts_with("a.vert, a.frag: ")) << text;
+    EXPECT_NE(text.find("missing"), std::string::npos) << text;
+}
+
+TEST_P(ProgramTest, ReportsMissingFiles) {
+    EXPECT_TRUE(error_of({{"nothing.comp"}}).starts_with("nothing.comp: no such shader"));
+    folder.write("main.comp", "\n\n#include \"nothing.glsl\"\n");
+    EXPECT_TRUE(
+        error_of({{"main.comp"}}).starts_with("main.comp:3: include file \"nothing.glsl\" does not exist"));
+    folder.write("main.txt", "");
+    EXPECT_TRUE(error_of({{"main.txt"}}).starts_with("main.txt: a program's files end in"));
+    folder.write("angle.comp", "#include <lib/answer.glsl>\n");
+    EXPECT_TRUE(error_of({{"angle.comp"}}).starts_with("angle.comp:1: write the include as"));
+    folder.write("version.comp", "#version 450\n");
+    EXPECT_TRUE(error_of({{"version.comp"}}).starts_with("version.comp:1: #version is set"));
+}
+
+TEST_P(ProgramTest, ReportsIncludeCycles) {
+    folder.write("main.comp", "#include \"a.glsl\"\n");
+    folder.write("a.glsl", "// one\n#include \"b.glsl\"\n");
+    folder.write("b.glsl", "#include \"a.glsl\"\n");
+    EXPECT_EQ(error_of({{"main.comp"}}), "b.glsl:1: circular include: a.glsl → b.glsl → a.glsl");
+}
+
+TEST_P(ProgramTest, MovesExtensionsToTheFront) {
+    folder.write("main.comp", writes_answer);
+    folder.write("lib/answer.glsl",
+                 "#extension GL_ARB_shader_draw_parameters : enable\nfloat answer() { return value; }\n");
+    EXPECT_EQ(run(library->get({{"main.comp"}, {}, "const float value = 5.0;\n"})), 5);
+}
+
+TEST_P(ProgramTest, CompilesEachSetOfDefinesOnce) {
+    folder.write("main.comp", writes_answer);
+    folder.write("lib/answer.glsl", "float answer() { return VALUE; }\n");
+    std::vector<std::string> compiled;
+    library->on_compile = [&](const std::string& files) { compiled.push_back(files); };
+    const auto& one = library->get({{"main.comp"}, {{"VALUE", "1.0"}}});
+    const auto& two = library->get({{"main.comp"}, {{"VALUE", "2.0"}}});
+    EXPECT_EQ(&library->get({{"main.comp"}, {{"VALUE", "1.0"}}}), &one);
+    EXPECT_EQ(run(one), 1);
+    EXPECT_EQ(run(two), 2);
+    EXPECT_EQ(compiled, (std::vector<std::string>{"main.comp", "main.comp"}));
+}
+
+TEST_P(ProgramTest, ReloadsChangedFilesAndKeepsTheLastGoodProgram) {
+    folder.write("main.comp", writes_answer);
+    folder.write("lib/answer.glsl", "float answer() { return 1.0; }\n");
+    const auto& program = library->get({{"main.comp"}});
+    bool changed = true;
+    EXPECT_TRUE(library->reload_changed(&changed).empty());
+    EXPECT_FALSE(changed);
+
+    folder.write("lib/answer.glsl", "float answer() { return nothing; }\n");
+    const auto messages = library->reload_changed(&changed);
+    ASSERT_FALSE(messages.empty());
+    EXPECT_TRUE(messages[0].text.starts_with("lib/answer.glsl:1: ")) << messages[0].text;
+    EXPECT_FALSE(changed);
+    EXPECT_TRUE(library->reload_changed().empty()) << "told once per change";
+    EXPECT_EQ(run(library->get({{"main.comp"}})), 1);
+
+    folder.write("lib/answer.glsl", "float answer() { return 22.0; }\n");
+    EXPECT_TRUE(library->reload_changed(&changed).empty());
+    EXPECT_TRUE(changed);
+    EXPECT_EQ(run(program), 22) << "references stay valid";
+}
+
+TEST_P(ProgramTest, RecoversFromAMissingInclude) {
+    folder.write("main.comp", writes_answer);
+    int compilations = 0;
+    library->on_compile = [&](const std::string&) { ++compilations; };
+    EXPECT_TRUE(error_of({{"main.comp"}}).starts_with("main.comp:1: "));
+    EXPECT_TRUE(error_of({{"main.comp"}}).starts_with("main.comp:1: "));
+    EXPECT_EQ(compilations, 1) << "nothing changed in between";
+    folder.write("lib/answer.glsl", "float answer() { return 7.0; }\n");
+    EXPECT_EQ(run(library->get({{"main.comp"}})), 7);
+}
+
+TEST_P(ProgramTest, SetsUniformsOfEveryType) {
+    folder.write("main.comp", R"(
+layout(local_size_x = 1) in;
+layout(std430, binding = 0) buffer Result { float result[]; };
+uniform int i; uniform uint u; uniform float f; uniform bool b;
+uniform vec2 v2; uniform vec3 v3; uniform vec4 v4; uniform ivec2 i2; uniform mat4 m; uniform float list[3];
+void main() {
+    result[0] = float(i) + float(u) + f + (b ? 1.0 : 0.0) + v2.y + v3.z + v4.w + float(i2.y) + m[3][0] + list[2];
+}
+)");
+    const auto& program = library->get({{"main.comp"}});
+    program.set("i", -1);
+    program.set("u", 20u);
+    program.set("f", 0.5f);
+    program.set("b", true);
+    program.set("v2", glm::vec2(0, 100));
+    program.set("v3", glm::vec3(0, 0, 1000));
+    program.set("v4", glm::vec4(0, 0, 0, 10000));
+    program.set("i2", glm::ivec2(0, 100000));
+    glm::mat4 matrix(1);
+    matrix[3][0] = 0.25f;
+    program.set("m", matrix);
+    program.set("list[2]", 200000.0f);
+    EXPECT_EQ(run(program), 311120.75f);
+}
+
+TEST_P(ProgramTest, KnowsRemovedUniformsFromThoseThatNeverWere) {
+    folder.write("main.comp",
+                 "uniform float unused;\nuniform sampler2D image;\n" + std::string(writes_answer));
+    folder.write("lib/answer.glsl", "float answer() { return texelFetch(image, ivec2(0), 0).x; }\n");
+    const auto& program = library->get({{"main.comp"}});
+    EXPECT_NO_THROW(program.set("unused", 1.0f));
+    EXPECT_NO_THROW(program.set("image", 2));
+    EXPECT_THROW(program.set("image", 2.0f), Error);
+    try {
+        program.set("imgae", 2);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "main.comp: the source has no uniform 'imgae'; check its name");
+    }
+}
+
+TEST_P(ProgramTest, RefusesTooManyGroups) {
+    folder.write("main.comp", writes_answer);
+    folder.write("lib/answer.glsl", "float answer() { return 1.0; }\n");
+    const auto& program = library->get({{"main.comp"}});
+    program.use();
+    GLint most = 0;
+    api().GetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 1, &most);
+    EXPECT_THROW(program.dispatch(1, static_cast<std::int64_t>(most) + 1), Error);
+    EXPECT_THROW(program.dispatch(-1), Error);
+}
+
+TEST_P(ProgramTest, CapturesTransformFeedback) {
+    folder.write("points.vert",
+                 "out float twice;\nout vec2 pair;\n"
+                 "void main() { twice = 2.0 * gl_VertexID; pair = vec2(gl_VertexID, 1); }\n");
+    const auto& program = library->get({{"points.vert"}, {}, {}, {"twice", "pair"}});
+    const Name buffer = device->create_buffer(4 * 3 * 4, "feedback");
+    GLuint vertices = 0, framebuffer = 0;
+    api().CreateVertexArrays(1, &vertices);
+    api().CreateFramebuffers(1, &framebuffer);
+    api().NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, 1);
+    api().NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, 1);
+    api().BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    api().BindVertexArray(vertices);
+    program.use();
+    api().BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+    api().Enable(GL_RASTERIZER_DISCARD);
+    api().BeginTransformFeedback(GL_POINTS);
+    api().DrawArrays(GL_POINTS, 0, 4);
+    api().EndTransformFeedback();
+    std::vector<float> values(12);
+    device->read_buffer(buffer, 0, std::as_writable_bytes(std::span(values)));
+    EXPECT_EQ(values, (std::vector<float>{0, 0, 1, 2, 1, 1, 4, 2, 1, 6, 3, 1}));
+    device->destroy_buffer(buffer);
+}
+
+}  // namespace
+}  // namespace ir::gl
