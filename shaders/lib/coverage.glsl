@@ -10,11 +10,28 @@ struct OpacityBitmap {
 layout(std430, binding = COVERAGE_OPACITY) readonly buffer Opacity { OpacityBitmap opacity[]; };
 layout(std430, binding = COVERAGE_OPACITY_WORDS) readonly buffer OpacityWords { uint opacity_words[]; };
 
-int wrapped_texel(float coordinate, int size, uint wrap) {
-    return 0;
+/// Index of the nearest texel along one axis, in the arithmetic of scene::is_covered.
+int nearest_texel(float coordinate, int size, uint wrap) {
+    if (isnan(coordinate) || isinf(coordinate)) return 0;
+    precise float folded = coordinate;
+    if (wrap != 2u) {
+        float whole = floor(coordinate);
+        precise float fraction = coordinate - whole;
+        // every float beyond 2^24 is even
+        bool turned = wrap == 1u && abs(whole) < 16777216.0 && (int(whole) & 1) != 0;
+        folded = turned ? 1.0 - fraction : fraction;
+    }
+    precise float texel = floor(folded * float(size));
+    return int(clamp(texel, 0.0, float(size - 1)));
 }
 
 /// `uv` are the base colour's coordinates after its texture transform.
 bool is_covered(uint material, vec2 uv) {
-    return true;
+    OpacityBitmap bitmap = opacity[material];
+    if (bitmap.width == 0) return true;
+    uint x = uint(nearest_texel(uv.x, bitmap.width, bitmap.wraps & 15u));
+    uint y = uint(nearest_texel(uv.y, bitmap.height, bitmap.wraps >> 4));
+    uint words_per_row = (uint(bitmap.width) + 31u) / 32u;
+    uint word = opacity_words[bitmap.first_word + y * words_per_row + x / 32u];
+    return (word >> (x % 32u) & 1u) != 0u;
 }

@@ -18,7 +18,9 @@ struct Light {
     float cos_inner;    // of the spot's half-angles
     vec2 size;          // m
     float cos_outer;
-    int shadow_layer;  // the first of "shadow.maps", or -1
+    int shadow_layer;   // the first of "shadow.maps", or -1
+    int shadow_layers;  // 0, 1, or 6: the faces of a cube
+    int unused0, unused1, unused2;
 };
 
 bool is_punctual(Light light) {
@@ -56,5 +58,6 @@ Arrival arrival(Light light, vec3 position_ws) {
     vec3 direction_ws = offset / distance;
     float profile =
         light.type == LIGHT_SPOT ? spot_profile(light, -dot(direction_ws, light.direction_ws)) : 1.0;
-    return Arrival(direction_ws, distance, light.intensity * (profile * range_window(light.range, distance) / squared));
+    float part = profile * range_window(light.range, distance) / squared;
+    return Arrival(direction_ws, distance, part * light.intensity);
 }

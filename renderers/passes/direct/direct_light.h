@@ -7,16 +7,18 @@ namespace ir::passes {
 
 /// Direct light of the scene's point, spot and directional lights with shadow maps.
 struct DirectLight {
-    graph::ImageRef radiance;     ///< "direct.radiance" rgba16f→rgba32f: reflected radiance towards the eye
-    graph::ImageRef shadow_maps;  ///< "shadow.maps" depth32f stack: one layer per spot or directional light,
-                                  ///< six per point light
+    graph::ImageRef radiance;     ///< "direct.radiance" rgba32f: reflected towards the eye, no emission;
+                                  ///< unlit materials show their base colour
+    graph::ImageRef shadow_maps;  ///< "shadow.maps" depth32f stack: one layer per directional light or spot,
+                                  ///< six per point light and per spot wider than 70 degrees about its axis
 };
 
 struct DirectLightOptions {
-    int shadow_resolution = 1024;
+    int shadow_resolution = 1024;  ///< texels along each side of a layer
+    int shadow_filter_radius = 0;  ///< averages (2 r + 1)² texels; 0: hard edges
 };
 
-/// Declares the passes "shadow maps" and "direct light".
+/// Declares the passes "shadow maps" and "direct light". Notes how many lights with extent are left out.
 DirectLight direct_light(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
                          const DirectLightOptions& options = {});
 

@@ -1,0 +1,79 @@
+#include "renderers/passes/direct/direct_light.h"
+
+#include <algorithm>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/passes/scene/light_data.h"
+#include "renderers/passes/shadow/shadow_maps.h"
+
+namespace ir::passes {
+namespace {
+
+using graph::GraphBuilder;
+using graph::PassContext;
+
+struct Inputs {
+    SceneBuffers scene;
+    GBuffer gbuffer;
+    ShadowMaps shadow;
+    int filter_radius;
+};
+
+void note_skipped_lights(GraphBuilder& builder) {
+    const auto& lights = builder.inputs().world->lights;
+    const auto skipped = std::count_if(lights.begin(), lights.end(), [](const scene::Light& light) {
+        return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
+    });
+    if (skipped == 0) return;
+    builder.note("direct light leaves out " + std::to_string(skipped) + " rectangle or disk light" +
+                 (skipped == 1 ? "" : "s") + ": shadow maps need lights without extent");
+}
+
+void bind(const PassContext& p, const Inputs& in) {
+    p.bind_buffer(0, in.scene.materials);
+    p.bind_buffer(1, in.scene.lights);
+    p.bind_buffer(2, in.shadow.views);
+    p.bind_texture(0, in.gbuffer.position);
+    p.bind_texture(1, in.gbuffer.normal);
+    p.bind_texture(2, in.gbuffer.geometric_normal);
+    p.bind_texture(3, in.gbuffer.albedo);
+    p.bind_texture(4, in.gbuffer.material);
+    p.bind_texture(5, in.shadow.maps);
+}
+
+void light(const PassContext& p, const Inputs& in, graph::ImageRef radiance) {
+    const auto& view = p.inputs().view;
+    const bool orthographic = view.clip_from_view[3][3] != 0;
+    const auto axis = -glm::vec3(glm::transpose(view.view_from_world)[2]);
+    p.bind_framebuffer({{radiance}});
+    const auto& program = p.program({{"lib/full_screen.vert", "passes/direct/direct_light.frag"}});
+    program.use();
+    program.set("light_count", static_cast<int>(p.inputs().world->lights.size()));
+    program.set("shadow_filter_radius", in.filter_radius);
+    program.set("eye_ws", view.eye_ws);
+    program.set("view_axis_ws", orthographic ? axis : glm::vec3(0));
+    bind(p, in);
+    p.draw_full_screen();
+}
+
+}  // namespace
+
+DirectLight direct_light(GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
+                         const DirectLightOptions& options) {
+    note_skipped_lights(builder);
+    const auto shadow = shadow_maps(builder, scene, options.shadow_resolution);
+    graph::ImageDesc desc;
+    desc.text = {"direct.radiance",  "Direct light", "Reflected towards the eye; emission is left out",
+                 Semantic::radiance, "W/(m² sr)",    {}};
+    desc.format = gl::Format::rgba32f;
+    const DirectLight result{builder.image(desc), shadow.maps};
+    const Inputs in{scene, gbuffer, shadow, options.shadow_filter_radius};
+    builder.pass("direct light")
+        .reads(scene.materials, scene.lights, shadow.views, shadow.maps, gbuffer.position, gbuffer.normal,
+               gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material)
+        .writes(result.radiance)
+        .execute([=](PassContext& p) { light(p, in, result.radiance); });
+    return result;
+}
+
+}  // namespace ir::passes

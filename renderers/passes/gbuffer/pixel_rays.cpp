@@ -1,0 +1,43 @@
+#include "renderers/passes/gbuffer/pixel_rays.h"
+
+namespace ir::passes {
+
+PixelRays pixel_rays(const scene::View& view) {
+    const glm::dmat4 projection(view.clip_from_view), world(glm::inverse(glm::dmat4(view.view_from_world)));
+    const bool orthographic = projection[3][3] != 0;
+    // view-space xy, at depth 1 for a perspective view, of the upper left corner and one pixel's steps
+    const glm::dvec2 scale(projection[0][0], projection[1][1]);
+    const glm::dvec2 centre = orthographic ? -glm::dvec2(projection[3]) : glm::dvec2(projection[2]);
+    const glm::dvec2 corner = (glm::dvec2(-1, 1) + centre) / scale;
+    const glm::dvec2 step = glm::dvec2(2.0 / view.width, -2.0 / view.height) / scale;
+
+    const auto to_world = [&](double x, double y, double z) {
+        return glm::vec3(world * glm::dvec4(x, y, z, 0));
+    };
+    const glm::dvec3 eye(world[3]);
+    PixelRays rays;
+    if (orthographic) {
+        rays.origin = glm::vec3(eye + glm::dvec3(world * glm::dvec4(corner, 0, 0)));
+        rays.origin_dx = to_world(step.x, 0, 0);
+        rays.origin_dy = to_world(0, step.y, 0);
+        rays.direction = to_world(0, 0, -1);
+    } else {
+        rays.origin = glm::vec3(eye);
+        rays.direction = to_world(corner.x, corner.y, -1);
+        rays.direction_dx = to_world(step.x, 0, 0);
+        rays.direction_dy = to_world(0, step.y, 0);
+    }
+    return rays;
+}
+
+void set_pixel_rays(const gl::Program& program, const scene::View& view) {
+    const auto rays = pixel_rays(view);
+    program.set("ray_origin_ws", rays.origin);
+    program.set("ray_origin_dx", rays.origin_dx);
+    program.set("ray_origin_dy", rays.origin_dy);
+    program.set("ray_direction_ws", rays.direction);
+    program.set("ray_direction_dx", rays.direction_dx);
+    program.set("ray_direction_dy", rays.direction_dy);
+}
+
+}  // namespace ir::passes

@@ -1,0 +1,99 @@
+#include "renderers/passes/scene/material_data.h"
+
+#include <cmath>
+
+namespace ir::passes {
+namespace {
+
+using graph::Field;
+using graph::FieldType;
+
+constexpr std::uint32_t unlit = 1, double_sided = 2, masked = 4;
+
+TextureSlotData slot_data(const scene::TextureSlot& slot) {
+    return {slot.offset,  slot.scale, std::sin(slot.rotation), std::cos(slot.rotation),
+            slot.texture, slot.uv_set};
+}
+
+void add_slot_fields(std::vector<Field>& fields, const std::string& name) {
+    fields.push_back({name + ".offset", FieldType::f32, 2});
+    fields.push_back({name + ".scale", FieldType::f32, 2});
+    fields.push_back({name + ".sine"});
+    fields.push_back({name + ".cosine"});
+    fields.push_back({name + ".texture", FieldType::i32});
+    fields.push_back({name + ".uv_set", FieldType::i32});
+}
+
+MaterialData data_of(const scene::Material& m) {
+    MaterialData data{};
+    data.base_colour = m.base_colour;
+    data.emission = m.emission;
+    data.metallic = m.metallic;
+    data.roughness = m.roughness;
+    data.normal_scale = m.normal_scale;
+    data.alpha_cutoff = m.alpha_cutoff;
+    data.ior = m.ior;
+    data.transmission = m.transmission;
+    data.thickness = m.thickness;
+    data.attenuation_distance = m.attenuation_distance;
+    data.flags = (m.unlit ? unlit : 0) | (m.double_sided ? double_sided : 0) |
+                 (m.alpha_mode == scene::AlphaMode::mask ? masked : 0);
+    data.attenuation_colour = m.attenuation_colour;
+    data.base_colour_slot = slot_data(m.base_colour_texture);
+    data.metallic_roughness_slot = slot_data(m.metallic_roughness_texture);
+    data.normal_slot = slot_data(m.normal_texture);
+    data.emission_slot = slot_data(m.emission_texture);
+    data.transmission_slot = slot_data(m.transmission_texture);
+    return data;
+}
+
+}  // namespace
+
+std::vector<Field> material_fields() {
+    std::vector<Field> fields{{"base_colour", FieldType::f32, 4},
+                              {"emission", FieldType::f32, 3},
+                              {"metallic"},
+                              {"roughness"},
+                              {"normal_scale"},
+                              {"alpha_cutoff"},
+                              {"ior"},
+                              {"transmission"},
+                              {"thickness"},
+                              {"attenuation_distance"},
+                              {"flags", FieldType::u32},
+                              {"attenuation_colour", FieldType::f32, 3},
+                              {"unused"}};
+    for (const auto* name : {"base_colour", "metallic_roughness", "normal", "emission", "transmission"})
+        add_slot_fields(fields, std::string(name) + "_slot");
+    return fields;
+}
+
+std::vector<Field> opacity_fields() {
+    return {{"width", FieldType::i32},
+            {"height", FieldType::i32},
+            {"first_word", FieldType::u32},
+            {"wraps", FieldType::u32}};
+}
+
+std::vector<MaterialData> material_data(const scene::Scene& scene) {
+    std::vector<MaterialData> data;
+    data.reserve(scene.materials.size());
+    for (const auto& material : scene.materials) data.push_back(data_of(material));
+    return data;
+}
+
+std::vector<OpacityData> opacity_data(const scene::Scene& scene, const scene::World& world) {
+    std::vector<OpacityData> data(scene.materials.size(), OpacityData{});
+    for (const auto& bitmap : world.opacity) {
+        const auto index = static_cast<std::size_t>(bitmap.material);
+        const int texture = scene.materials.at(index).base_colour_texture.texture;
+        const auto sampler =
+            texture >= 0 ? scene.textures.at(static_cast<std::size_t>(texture)).sampler : scene::Sampler{};
+        data[index] = {
+            bitmap.width, bitmap.height, bitmap.first_word,
+            static_cast<std::uint32_t>(sampler.wrap_s) | (static_cast<std::uint32_t>(sampler.wrap_t) << 4)};
+    }
+    return data;
+}
+
+}  // namespace ir::passes

@@ -1,0 +1,136 @@
+#include "renderers/passes/scene/scene_buffers.h"
+
+#include <bit>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/passes/scene/light_data.h"
+#include "renderers/passes/scene/material_data.h"
+
+namespace ir::passes {
+namespace {
+
+using graph::BufferDesc;
+using graph::BufferRef;
+using graph::Field;
+using graph::FieldType;
+using graph::GraphBuilder;
+using graph::ImageRef;
+using graph::PassContext;
+
+static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::mat4) == 64,
+              "world arrays are uploaded as they lie in memory");
+static_assert(sizeof(TextureSlotData) == 32 && sizeof(MaterialData) == 240 && sizeof(LightData) == 80 &&
+                  sizeof(OpacityData) == 16,
+              "structs equal their std430 twins");
+
+template <class T>
+std::span<const std::byte> bytes_of(const std::vector<T>& data) {
+    return std::as_bytes(std::span(data));
+}
+
+BufferRef declare(GraphBuilder& builder, const std::string& part, const std::string& label,
+                  std::vector<Field> fields, std::size_t elements, const std::string& unit = {}) {
+    BufferDesc desc;
+    desc.text = {.key = "scene." + part, .label = label, .unit = unit};
+    desc.fields = std::move(fields);
+    desc.elements = elements;
+    desc.fingerprint = builder.inputs().world_fingerprint;
+    return builder.buffer(std::move(desc));
+}
+
+SceneBuffers declare_buffers(GraphBuilder& builder) {
+    const auto& scene = *builder.inputs().scene;
+    const auto& world = *builder.inputs().world;
+    const auto vertices = world.positions.size();
+    const Field number{"index", FieldType::u32};
+    SceneBuffers b;
+    b.positions =
+        declare(builder, "positions", "Vertex positions", {{"position", FieldType::f32, 3}}, vertices, "m");
+    b.normals = declare(builder, "normals", "Vertex normals", {{"normal", FieldType::f32, 3}}, vertices);
+    b.tangents = declare(builder, "tangents", "Vertex tangents", {{"tangent", FieldType::f32, 4}}, vertices);
+    b.uv0 = declare(builder, "uv0", "Texture coordinates 0", {{"uv", FieldType::f32, 2}}, vertices);
+    b.uv1 = declare(builder, "uv1", "Texture coordinates 1", {{"uv", FieldType::f32, 2}}, vertices);
+    b.colours = declare(builder, "colours", "Vertex colours", {{"rgba8", FieldType::u32}}, vertices);
+    b.instances = declare(builder, "instances", "Instance of each vertex", {number}, vertices);
+    b.indices = declare(builder, "indices", "Triangles", {{"vertex", FieldType::u32, 3}}, world.triangles());
+    b.triangle_materials =
+        declare(builder, "triangle_materials", "Material of each triangle", {number}, world.triangles());
+    b.motion = declare(builder, "motion", "Previous from current position of each instance",
+                       {{"matrix", FieldType::f32, 16}}, world.motion.size());
+    b.materials = declare(builder, "materials", "Materials", material_fields(), scene.materials.size());
+    b.lights = declare(builder, "lights", "Lights", light_fields(), world.lights.size());
+    b.opacity =
+        declare(builder, "opacity", "Alpha mask of each material", opacity_fields(), scene.materials.size());
+    b.opacity_words = declare(builder, "opacity_words", "Alpha masks, one bit a texel",
+                              {{"bits", FieldType::u32}}, world.opacity_words.size());
+    return b;
+}
+
+void upload_world(const PassContext& p, const SceneBuffers& b) {
+    const auto& scene = *p.inputs().scene;
+    const auto& world = *p.inputs().world;
+    p.upload(b.positions, bytes_of(world.positions));
+    p.upload(b.normals, bytes_of(world.normals));
+    p.upload(b.tangents, bytes_of(world.tangents));
+    p.upload(b.uv0, bytes_of(world.uv0));
+    p.upload(b.uv1, bytes_of(world.uv1));
+    p.upload(b.colours, bytes_of(world.colours));
+    p.upload(b.instances, bytes_of(world.instances));
+    p.upload(b.indices, bytes_of(world.indices));
+    p.upload(b.triangle_materials, bytes_of(world.triangle_materials));
+    p.upload(b.motion, bytes_of(world.motion));
+    p.upload(b.materials, bytes_of(material_data(scene)));
+    p.upload(b.lights, bytes_of(light_data(world.lights)));
+    p.upload(b.opacity, bytes_of(opacity_data(scene, world)));
+    p.upload(b.opacity_words, bytes_of(world.opacity_words));
+}
+
+int level_count(const scene::Texture& texture) {
+    if (!texture.sampler.mipmaps) return 1;
+    return std::bit_width(static_cast<unsigned>(std::max(texture.width, texture.height)));
+}
+
+std::vector<ImageRef> declare_textures(GraphBuilder& builder) {
+    const auto& scene = *builder.inputs().scene;
+    std::vector<ImageRef> refs;
+    for (const auto& texture : scene.textures) {
+        const auto number = std::to_string(refs.size());
+        graph::ImageDesc desc;
+        desc.text = {.key = "scene.texture." + number,
+                     .label = texture.name.empty() ? "Texture " + number : "Texture " + texture.name};
+        desc.format = texture.srgb ? gl::Format::srgba8 : gl::Format::rgba8;
+        desc.extent = graph::Extent::fixed(texture.width, texture.height);
+        desc.levels = level_count(texture);
+        // the textures of an animated scene stay while its world changes
+        desc.fingerprint = scene.content_hash.empty() ? "" : scene.content_hash + " texture " + number;
+        refs.push_back(builder.image(std::move(desc)));
+    }
+    return refs;
+}
+
+void upload_textures(const PassContext& p, const std::vector<ImageRef>& refs) {
+    const auto& textures = p.inputs().scene->textures;
+    for (std::size_t i = 0; i < refs.size(); ++i) {
+        p.upload(refs[i], std::as_bytes(std::span(textures[i].rgba)));
+        if (p.shape(refs[i]).levels > 1) p.api().GenerateTextureMipmap(p.image(refs[i]));
+    }
+}
+
+}  // namespace
+
+SceneBuffers upload_scene(GraphBuilder& builder) {
+    auto buffers = declare_buffers(builder);
+    buffers.textures = declare_textures(builder);
+    builder.pass("upload scene")
+        .writes(buffers.positions, buffers.normals, buffers.tangents, buffers.uv0, buffers.uv1,
+                buffers.colours, buffers.instances, buffers.indices, buffers.triangle_materials,
+                buffers.motion, buffers.materials, buffers.lights, buffers.opacity, buffers.opacity_words)
+        .execute([buffers](PassContext& p) { upload_world(p, buffers); });
+    if (buffers.textures.empty()) return buffers;
+    auto textures = builder.pass("upload textures");
+    for (const auto texture : buffers.textures) textures.writes(texture);
+    textures.execute([refs = buffers.textures](PassContext& p) { upload_textures(p, refs); });
+    return buffers;
+}
+
+}  // namespace ir::passes

@@ -1,0 +1,5 @@
+// The vertex stage of PassContext::draw_full_screen: one triangle that covers the viewport.
+void main() {
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    gl_Position = vec4(4.0 * corner - 1.0, 0.5, 1.0);
+}

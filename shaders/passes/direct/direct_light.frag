@@ -1,0 +1,52 @@
+// Direct light of every light without extent at the pixel's surface, reflected to the eye.
+
+#define SHADOW_VIEWS 2
+#define SHADOW_MAPS 5
+#include "lib/brdf.glsl"
+#include "lib/material.glsl"
+#include "passes/shadow/shadow.glsl"
+
+layout(std430, binding = 0) readonly buffer Materials { Material materials[]; };
+layout(std430, binding = 1) readonly buffer Lights { Light lights[]; };
+
+layout(binding = 0) uniform sampler2D position_image;
+layout(binding = 1) uniform sampler2D normal_image;
+layout(binding = 2) uniform sampler2D geometric_normal_image;
+layout(binding = 3) uniform sampler2D albedo_image;
+layout(binding = 4) uniform sampler2D material_image;
+
+uniform int light_count, shadow_filter_radius;
+uniform vec3 eye_ws;
+uniform vec3 view_axis_ws;  // of an orthographic view; 0 for a perspective one
+
+layout(location = 0) out vec4 radiance;
+
+vec3 reflected(Light light, Surface surface, vec3 position_ws, vec3 n, vec3 geometric_n, vec3 v) {
+    Arrival light_in = arrival(light, position_ws);
+    float cosine = dot(n, light_in.direction_ws);
+    if (cosine <= 0.0 || dot(geometric_n, light_in.direction_ws) <= 0.0 || light_in.irradiance == vec3(0))
+        return vec3(0);
+    float visible = shadow_visibility(light, position_ws, geometric_n, light_in.direction_ws, shadow_filter_radius);
+    if (visible == 0.0) return vec3(0);
+    return gltf_brdf(surface, n, light_in.direction_ws, v) * light_in.irradiance * (cosine * visible);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 position = texelFetch(position_image, pixel, 0);
+    radiance = vec4(0);
+    if (position.w == 0.0) return;
+    vec4 albedo = texelFetch(albedo_image, pixel, 0);
+    vec4 material = texelFetch(material_image, pixel, 0);
+    if (material.z > 0.5) {  // an unlit material is its colour  [KHR_materials_unlit]
+        radiance = vec4(albedo.rgb, 0);
+        return;
+    }
+    vec3 n = normalize(texelFetch(normal_image, pixel, 0).xyz);
+    vec3 geometric_n = texelFetch(geometric_normal_image, pixel, 0).xyz;
+    vec3 v = view_axis_ws == vec3(0) ? (eye_ws - position.xyz) / position.w : -view_axis_ws;
+    Surface surface = Surface(albedo.rgb, material.x, material.y, materials[int(material.w + 0.5)].ior);
+    for (int i = 0; i < light_count; ++i)
+        if (is_punctual(lights[i]))
+            radiance.rgb += reflected(lights[i], surface, position.xyz, n, geometric_n, v);
+}

@@ -1,0 +1,130 @@
+// Writes what is visible at the pixel's centre.
+
+#define SCENE_MOTION 8
+#define COVERAGE_OPACITY 9
+#define COVERAGE_OPACITY_WORDS 10
+#include "passes/scene/scene.glsl"
+#include "lib/coverage.glsl"
+#include "lib/material.glsl"
+#include "lib/pixel_rays.glsl"
+
+layout(std430, binding = 11) readonly buffer Materials { Material materials[]; };
+
+layout(binding = 0) uniform sampler2D base_colour_texture;
+layout(binding = 1) uniform sampler2D metallic_roughness_texture;
+layout(binding = 2) uniform sampler2D normal_texture;
+layout(binding = 3) uniform sampler2D emission_texture;
+layout(binding = 4) uniform sampler2D transmission_texture;
+
+uniform int material_index;
+uniform int normal_maps;  // 0: interpolated vertex normals only
+uniform vec3 eye_ws;
+uniform vec2 size_px;
+uniform mat4 previous_clip_from_world;
+
+layout(location = 0) in vec3 normal_ws;
+layout(location = 1) in vec4 tangent_ws;
+layout(location = 2) in vec4 uv01;
+layout(location = 3) in vec4 colour;
+layout(location = 4) flat in vec3 plane_normal_ws;
+layout(location = 5) flat in vec3 plane_anchor_ws;
+layout(location = 6) flat in vec2 depth_range;
+layout(location = 7) flat in uint instance;
+
+layout(location = 0) out vec4 out_position;
+layout(location = 1) out vec4 out_normal;
+layout(location = 2) out vec4 out_geometric_normal;
+layout(location = 3) out vec4 out_albedo;
+layout(location = 4) out vec4 out_material;
+layout(location = 5) out vec4 out_emission;
+layout(location = 6) out vec2 out_velocity;
+layout(location = 7) out float out_valid;
+
+/// Where the pixel's ray meets the triangle's plane. Edge-on the quotient is ill-conditioned, but never leaves
+/// the depths of the corners.
+vec3 position_on_plane(vec3 direction) {
+    vec3 origin = pixel_ray_origin(gl_FragCoord.xy);
+    float depth =
+        dot(plane_normal_ws, plane_anchor_ws - origin) / dot(plane_normal_ws, direction);
+    return origin + clamp(depth, depth_range.x, depth_range.y) * direction;
+}
+
+vec2 slot_uv(TextureSlot slot) {
+    return transformed_uv(slot, uv01.xy, uv01.zw);
+}
+
+/// The tangent frame is used as interpolated, neither normalised nor made orthogonal, as bakers assume.
+/// [MikkTSpace; glTF 2.0 §3.7.2.1: bitangent = cross(normal, tangent.xyz) tangent.w]
+vec3 mapped_normal(Material material) {
+    if (normal_maps == 0 || material.normal_slot.texture < 0) return normal_ws;
+    vec3 n_ts = texture(normal_texture, slot_uv(material.normal_slot)).xyz * 2.0 - 1.0;
+    n_ts.xy *= material.normal_scale;
+    vec3 bitangent_ws = cross(normal_ws, tangent_ws.xyz) * tangent_ws.w;
+    return n_ts.x * tangent_ws.xyz + n_ts.y * bitangent_ws + n_ts.z * normal_ws;
+}
+
+/// Turned to the side of the geometric normal by its vertex normal, so that a back face shows the front's
+/// relief from behind.
+vec3 shading_normal(Material material, vec3 geometric_normal_ws) {
+    vec3 n = mapped_normal(material);
+    float size = length(n);
+    if (size == 0.0) return geometric_normal_ws;
+    return n * ((dot(normal_ws, geometric_normal_ws) < 0.0 ? -1.0 : 1.0) / size);
+}
+
+vec4 base_colour(Material material) {
+    vec4 result = material.base_colour * colour;
+    if (material.base_colour_slot.texture >= 0)
+        result *= texture(base_colour_texture, slot_uv(material.base_colour_slot));
+    return result;
+}
+
+vec2 metallic_roughness(Material material) {
+    vec2 result = vec2(material.metallic, material.roughness);
+    if (material.metallic_roughness_slot.texture >= 0)
+        result *= texture(metallic_roughness_texture, slot_uv(material.metallic_roughness_slot)).bg;
+    return result;
+}
+
+vec3 emission(Material material) {
+    vec3 result = material.emission;
+    if (material.emission_slot.texture >= 0)
+        result *= texture(emission_texture, slot_uv(material.emission_slot)).rgb;
+    return result;
+}
+
+float transmission(Material material) {
+    float result = material.transmission;
+    if (material.transmission_slot.texture >= 0)
+        result *= texture(transmission_texture, slot_uv(material.transmission_slot)).r;
+    return result;
+}
+
+/// Pixels that the point moved since the previous frame; 0 where it was behind the camera.
+vec2 velocity_px(vec3 position_ws) {
+    vec4 before = previous_clip_from_world * (scene_motion[instance] * vec4(position_ws, 1));
+    if (before.w <= 0.0) return vec2(0);
+    vec2 before_px = (before.xy / before.w * vec2(0.5, -0.5) + 0.5) * size_px;
+    return gl_FragCoord.xy - before_px;
+}
+
+void main() {
+    Material material = materials[material_index];
+    vec3 direction = pixel_ray_direction(gl_FragCoord.xy);
+    vec3 geometric_normal_ws = dot(plane_normal_ws, direction) > 0.0 ? -plane_normal_ws : plane_normal_ws;
+    vec3 position_ws = position_on_plane(direction);
+    float glass = transmission(material);
+    bool unlit = (material.flags & MATERIAL_UNLIT) != 0u;
+
+    out_position = vec4(position_ws, distance(position_ws, eye_ws));
+    out_normal = vec4(shading_normal(material, geometric_normal_ws), 0);
+    out_geometric_normal = vec4(geometric_normal_ws, 0);
+    out_albedo = vec4(base_colour(material).rgb, glass);
+    out_material = vec4(metallic_roughness(material), unlit ? 1 : 0, material_index);
+    out_emission = vec4(emission(material), 0);
+    out_velocity = velocity_px(position_ws);
+    out_valid = glass > 0.5 ? 0.0 : 1.0;
+
+    // last, so that the texture look-ups above have all neighbours
+    if (!is_covered(uint(material_index), slot_uv(material.base_colour_slot))) discard;
+}

@@ -1,0 +1,43 @@
+// Fetches one corner of a triangle; every corner also brings the triangle's plane.
+
+#define SCENE_POSITIONS 0
+#define SCENE_NORMALS 1
+#define SCENE_TANGENTS 2
+#define SCENE_UV0 3
+#define SCENE_UV1 4
+#define SCENE_COLOURS 5
+#define SCENE_INSTANCES 6
+#define SCENE_INDICES 7
+#include "passes/scene/scene.glsl"
+#include "lib/triangle_plane.glsl"
+
+uniform mat4 clip_from_world;
+uniform vec3 eye_ws, view_axis_ws;
+
+layout(location = 0) out vec3 normal_ws;
+layout(location = 1) out vec4 tangent_ws;
+layout(location = 2) out vec4 uv01;
+layout(location = 3) out vec4 colour;
+layout(location = 4) flat out vec3 plane_normal_ws;
+layout(location = 5) flat out vec3 plane_anchor_ws;
+layout(location = 6) flat out vec2 depth_range;  // nearest and farthest corner along the view axis, m
+layout(location = 7) flat out uint instance;
+
+void main() {
+    uvec3 corners = scene_triangle(uint(gl_VertexID) / 3u);
+    vec3 a = scene_position_ws(corners.x), b = scene_position_ws(corners.y), c = scene_position_ws(corners.z);
+    TrianglePlane plane = triangle_plane(a, b, c);
+    plane_normal_ws = plane.normal;
+    plane_anchor_ws = plane.anchor;
+    vec3 depths = vec3(dot(a - eye_ws, view_axis_ws), dot(b - eye_ws, view_axis_ws), dot(c - eye_ws, view_axis_ws));
+    depth_range = vec2(min(depths.x, min(depths.y, depths.z)), max(depths.x, max(depths.y, depths.z)));
+
+    uint corner = uint(gl_VertexID) % 3u;
+    uint vertex = corners[corner];
+    normal_ws = scene_normal_ws(vertex);
+    tangent_ws = scene_tangents[vertex];
+    uv01 = vec4(scene_uv0[vertex], scene_uv1[vertex]);
+    colour = scene_colour(vertex);
+    instance = scene_instances[vertex];
+    gl_Position = clip_from_world * vec4(corner == 0u ? a : corner == 1u ? b : c, 1);
+}

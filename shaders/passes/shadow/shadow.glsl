@@ -1,0 +1,84 @@
+// Looking up "shadow.maps". Before including it, choose the binding point SHADOW_VIEWS
+// and the texture unit SHADOW_MAPS.
+
+#include "lib/light.glsl"
+
+/// See renderers/passes/shadow/shadow_views.h.
+struct ShadowView {
+    mat4 clip_from_world;
+    vec3 origin_ws;
+    float perspective;
+    vec3 right_ws;
+    float far;
+    vec3 up_ws;
+    int light;
+    vec3 forward_ws;
+    float near;
+};
+layout(std430, binding = SHADOW_VIEWS) readonly buffer ShadowViews { ShadowView shadow_views[]; };
+layout(binding = SHADOW_MAPS) uniform sampler2DArray shadow_maps;
+
+/// The receiver is lifted along its normal by this many texels times the sine of the light's angle, which
+/// covers what its tangent plane misses of curved and folded surfaces.  [Holbert11, normal offset]
+const float NORMAL_OFFSET = 0.5;
+/// Slope beyond which the receiver's plane is not followed within a texel.  [King04, slope-scaled bias]
+const float STEEPEST_SLOPE = 16.0;
+/// Rounding of depths and positions, as a part of the map's far distance.
+const float ROUNDING = 4e-6;
+
+/// The layer that sees a point: lights with a cube of maps choose by the largest component.
+int shadow_layer_of(Light light, vec3 position_ws) {
+    if (light.shadow_layers != 6) return light.shadow_layer;
+    vec3 offset = position_ws - light.position_ws, size = abs(offset);
+    int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    return light.shadow_layer + 2 * axis + (offset[axis] < 0.0 ? 1 : 0);
+}
+
+/// Depth along the map's axis at which the ray through a texel's centre meets the receiver's tangent plane,
+/// near `depth`: what the map holds there if nothing blocks.  [Isidoro06, receiver plane depth bias]
+float receiver_depth(ShadowView view, vec2 ndc, vec3 position_ws, vec3 normal_ws, float depth, float limit) {
+    vec3 lateral = ndc.x * view.right_ws + ndc.y * view.up_ws;
+    bool perspective = view.perspective != 0.0;
+    vec3 origin = perspective ? view.origin_ws : view.origin_ws + lateral;
+    vec3 direction = perspective ? view.forward_ws + lateral : view.forward_ws;
+    float slope = dot(normal_ws, direction);
+    if (slope >= 0.0) return depth - limit;
+    return clamp(dot(normal_ws, position_ws - origin) / slope, depth - limit, depth + limit);
+}
+
+/// Fraction of (2 radius + 1)² texels about the point from which the light is seen; 1 without a map.
+/// `normal_ws` is the geometric normal, turned to the light, `to_light_ws` of unit length.
+float shadow_visibility(Light light, vec3 position_ws, vec3 normal_ws, vec3 to_light_ws, int radius) {
+    if (light.shadow_layers == 0) return 1.0;
+    int layer = shadow_layer_of(light, position_ws);
+    ShadowView view = shadow_views[layer];
+    int resolution = textureSize(shadow_maps, 0).x;
+    bool perspective = view.perspective != 0.0;
+
+    float cosine = clamp(dot(normal_ws, to_light_ws), 0.0, 1.0);
+    float sine = sqrt(1.0 - cosine * cosine);
+    float reach = perspective ? dot(position_ws - view.origin_ws, view.forward_ws) : 1.0;
+    float texel_m = 2.0 * max(length(view.right_ws), length(view.up_ws)) * reach / float(resolution);
+    vec3 receiver_ws = position_ws + NORMAL_OFFSET * texel_m * sine * normal_ws;
+
+    vec3 offset = receiver_ws - view.origin_ws;
+    float depth = dot(offset, view.forward_ws);
+    float scale = perspective ? 1.0 / depth : 1.0;
+    vec2 ndc = scale * vec2(dot(offset, view.right_ws) / dot(view.right_ws, view.right_ws),
+                            dot(offset, view.up_ws) / dot(view.up_ws, view.up_ws));
+    ivec2 centre = ivec2(floor((ndc * vec2(0.5, -0.5) + 0.5) * float(resolution)));
+    float limit = STEEPEST_SLOPE * (float(radius) + 1.0) * texel_m;
+
+    float lit = 0.0;
+    for (int y = -radius; y <= radius; ++y) {
+        for (int x = -radius; x <= radius; ++x) {
+            ivec2 texel = clamp(centre + ivec2(x, y), ivec2(0), ivec2(resolution - 1));
+            vec2 texel_ndc = ((vec2(texel) + 0.5) / float(resolution) * 2.0 - 1.0) * vec2(1, -1);
+            float expected = receiver_depth(view, texel_ndc, receiver_ws, normal_ws, depth, limit);
+            float stored = texelFetch(shadow_maps, ivec3(texel, layer), 0).r * view.far;
+            if (stored >= expected - ROUNDING * view.far) lit += 1.0;
+        }
+    }
+    float width = float(2 * radius + 1);
+    return lit / (width * width);
+}

@@ -1,0 +1,29 @@
+#define SCENE_POSITIONS 0
+#define SCENE_INDICES 1
+#define SCENE_UV0 2
+#define SCENE_UV1 3
+#define SCENE_TRIANGLE_MATERIALS 4
+#include "passes/scene/scene.glsl"
+#include "lib/material.glsl"
+
+layout(std430, binding = 5) readonly buffer Materials { Material materials[]; };
+
+uniform mat4 clip_from_world;
+uniform vec3 origin_ws, depth_axis_ws;
+
+layout(location = 0) out float depth;  // along the map's axis, 1 at its far distance
+#if MASKED
+layout(location = 1) out vec2 uv;
+layout(location = 2) flat out uint material;
+#endif
+
+void main() {
+    uint vertex = scene_indices[gl_VertexID];
+    vec3 position_ws = scene_position_ws(vertex);
+    gl_Position = clip_from_world * vec4(position_ws, 1);
+    depth = dot(position_ws - origin_ws, depth_axis_ws);
+#if MASKED
+    material = scene_triangle_materials[gl_VertexID / 3];
+    uv = transformed_uv(materials[material].base_colour_slot, scene_uv0[vertex], scene_uv1[vertex]);
+#endif
+}
