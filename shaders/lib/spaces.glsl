@@ -1,6 +1,6 @@
 // Frames about a direction and packings of unit vectors. Vectors named `n` are of unit length.
 
-// Columns: tangent, bitangent, n. Continuous everywhere but at n.z = 0 from below. [Duff17 listing 3]
+// Columns: tangent, bitangent, n; right-handed. Discontinuous only across n.z = 0. [Duff17 listing 3]
 mat3 frame_of(vec3 n) {
     float s = n.z >= 0.0 ? 1.0 : -1.0;
     float a = -1.0 / (s + n.z);
@@ -30,7 +30,7 @@ vec3 direction_from_octahedral(vec2 p) {
 
 // Octahedral packing in 2 × 16 bits; the angular error is below 0.005 degrees.
 uint packed_direction(vec3 n) { return packSnorm2x16(octahedral_from_direction(n)); }
-vec3 unpacked_direction(uint packed) { return direction_from_octahedral(unpackSnorm2x16(packed)); }
+vec3 unpacked_direction(uint bits) { return direction_from_octahedral(unpackSnorm2x16(bits)); }
 
 // Stereographic projection from the pole -z: [-1, 1]² for directions with n.z >= 0, undefined at n = -z.
 // [Cigolle14 "stereo"]
