@@ -97,7 +97,8 @@ struct Preset {
     std::optional<glm::ivec2> size;
     std::optional<int> frames;
     Settings values;
-    Json extra_values = Json::object();  ///< values that are no plain boolean, number or text
+    Json extra_values = Json::object();     ///< values that are no plain boolean, number or text
+    Json extra_transport = Json::object();  ///< as Experiment::extra_transport
     Json extra = Json::object();
     bool operator==(const Preset&) const = default;
 };

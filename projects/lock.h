@@ -33,6 +33,8 @@ class Lock {
     void release();  ///< removes the file if it is still ours
 
     bool is_held() const { return held_; }
+    /// Looks at the file again: somebody may have broken the lock.
+    bool is_still_ours() const;
     /// Why not: one line for the banner, "open for writing by process 12 on host a since …".
     const std::string& reason() const { return reason_; }
     const std::optional<LockHolder>& holder() const { return holder_; }

@@ -21,7 +21,11 @@ class OpenProject {
     /// Opens for editing, or read-only when another process holds the lock or the folder cannot be written.
     OpenProject(const std::filesystem::path& given, const Registry& registry,
                 FileSystem& files = real_file_system());
+    /// Gives the lock back. Without close() before, an autosave stays behind and is offered as a recovery.
     ~OpenProject();
+    /// The user is done with the project, unsaved changes included: removes the autosave, gives back the
+    /// lock.
+    void close();
 
     const Project& project() const { return project_; }
     const Registry& registry() const { return registry_; }
@@ -45,7 +49,8 @@ class OpenProject {
 
     /// Throws Error (one line) and loses nothing on failure. `overwrite` also when the file on disk changed.
     void save(bool overwrite = false);
-    /// Into another folder, whose lock is taken; relative sources are rewritten to stay valid.
+    /// Into another folder, whose lock is taken; kept results are copied; relative sources are rewritten to
+    /// stay valid (then undo begins anew, because older states would point to the wrong place).
     void save_as(const std::filesystem::path& given);
     /// To be called now and then (a timer): writes an autosave when there are unsaved changes.
     void autosave();
@@ -61,12 +66,18 @@ class OpenProject {
 
   private:
     void load();
+    void require_writable() const;
+    void write(const std::string& expected_hash);
+    void drop_autosave();
+    bool move_sources(const std::filesystem::path& to);
     const Registry& registry_;
     FileSystem& files_;
     std::filesystem::path folder_;
     Lock lock_;
     bool read_only_ = false, kept_since_save_ = false, recovered_ = false;
-    LoadedProject read_info_;
+    bool has_autosave_ = false;
+    int schema_in_file_ = schema_version;
+    std::vector<Message> reading_messages_;
     Project project_;
     UndoStack undo_;
     std::vector<Message> messages_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ class UndoStack {
     void clear();  ///< forgets all steps; the present state is clean
 
   private:
+    bool merged_into_newest(const Edit& edit);
+    void drop_oldest();
     std::vector<EditPtr> edits_;
     std::size_t position_ = 0, limit_;
     std::optional<std::size_t> clean_ = 0;

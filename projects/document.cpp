@@ -1,0 +1,83 @@
+#include "projects/document.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace ir::projects {
+namespace {
+
+glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double t) {
+    return a + t * (b - a);
+}
+
+Motion::Key pose_at(const std::vector<Motion::Key>& keys, double time) {
+    if (time <= keys.front().time) return keys.front();
+    if (time >= keys.back().time) return keys.back();
+    const auto after = std::upper_bound(keys.begin(), keys.end(), time,
+                                        [](double t, const Motion::Key& key) { return t < key.time; });
+    const auto& before = *std::prev(after);
+    const double t = (time - before.time) / (after->time - before.time);
+    Motion::Key pose;
+    pose.time = time;
+    pose.eye = mixed(before.eye, after->eye, t);
+    pose.target = mixed(before.target, after->target, t);
+    pose.up = mixed(before.up, after->up, t);
+    return pose;
+}
+
+}  // namespace
+
+Experiment effective(const Experiment& experiment) {
+    Experiment result = experiment;
+    result.presets.clear();
+    result.active_preset.clear();
+    const auto found = experiment.presets.find(experiment.active_preset);
+    if (found == experiment.presets.end()) return result;
+    const Preset& preset = found->second;
+    if (preset.size) result.size = *preset.size;
+    if (preset.frames) result.frames = *preset.frames;
+    for (const auto& [key, value] : preset.values) result.values[key] = value;
+    return result;
+}
+
+Camera camera_at(const Project& project, const Camera& camera, double time) {
+    Camera result = camera;
+    if (!camera.scene_camera.empty()) return result;
+    for (const auto& motion : project.motion) {
+        if (motion.camera != camera.id || motion.keys.empty()) continue;
+        const auto pose = pose_at(motion.keys, time);
+        result.eye = pose.eye;
+        result.target = pose.target;
+        result.up = pose.up;
+    }
+    return result;
+}
+
+bool is_valid_id(const std::string& id) {
+    const auto allowed = [](unsigned char c) {
+        return c < 0x80 && (std::isalnum(c) || c == '-' || c == '_' || c == '.');
+    };
+    return !id.empty() && id.size() <= 100 && id.front() != '.' && std::all_of(id.begin(), id.end(), allowed);
+}
+
+std::string free_id(const std::string& name, const std::vector<std::string>& taken) {
+    std::string base;
+    for (const char c : name.substr(0, 60)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80 && std::isalnum(byte))
+            base += static_cast<char>(std::tolower(byte));
+        else if (!base.empty() && base.back() != '-')
+            base += '-';
+    }
+    while (!base.empty() && base.back() == '-') base.pop_back();
+    // "scene" stands for the scene's own lights and is never given away.
+    if (base.empty() || base == scene_lights) base = base.empty() ? "item" : base + "-1";
+    const auto is_taken = [&](const std::string& id) {
+        return std::find(taken.begin(), taken.end(), id) != taken.end();
+    };
+    std::string id = base;
+    for (int i = 2; is_taken(id); ++i) id = base + "-" + std::to_string(i);
+    return id;
+}
+
+}  // namespace ir::projects

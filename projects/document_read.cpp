@@ -1,0 +1,247 @@
+#include <algorithm>
+#include <set>
+
+#include "projects/document_json.h"
+#include "projects/migrations.h"
+#include "projects/object_reader.h"
+#include "projects/text.h"
+#include "projects/value_reader.h"
+#include "renderers/core/error.h"
+
+namespace ir::projects {
+namespace {
+
+/// "notes" and the like may be empty; names default to the id.
+template <class Item>
+void read_head(ObjectReader& reader, Item& item) {
+    item.id = reader.required_id("id");
+    item.name = reader.text("name", item.id);
+}
+
+std::optional<std::array<double, 16>> read_transform(ObjectReader& reader) {
+    const auto* json = reader.take("transform");
+    if (!json) return std::nullopt;
+    const bool good = json->is_array() && json->size() == 16 &&
+                      std::all_of(json->begin(), json->end(), [](const Json& n) { return n.is_number(); });
+    if (!good) reader.fail("transform", "must be an array of 16 numbers, column by column");
+    return json->get<std::array<double, 16>>();
+}
+
+Scene read_scene(ObjectReader& reader) {
+    Scene scene;
+    read_head(reader, scene);
+    reader.each("parts", [&](const Json& json, const std::string& pointer) {
+        ObjectReader inner(json, reader.file(), pointer);
+        ScenePart part;
+        part.source = inner.required_text("source");
+        part.content_hash = inner.text("content_hash");
+        part.transform = read_transform(inner);
+        part.extra = inner.rest();
+        scene.parts.push_back(std::move(part));
+    });
+    if (scene.parts.empty()) reader.fail("parts", "is missing or empty; give at least one {\"source\": …}");
+    return scene;
+}
+
+Camera read_camera(ObjectReader& reader) {
+    Camera camera;
+    read_head(reader, camera);
+    camera.scene_camera = reader.text("scene_camera");
+    if (!camera.scene_camera.empty()) return camera;
+    camera.eye = reader.vec3("eye", camera.eye);
+    camera.target = reader.vec3("target", camera.target);
+    camera.up = reader.vec3("up", camera.up);
+    camera.fov_y_degrees = reader.number("fov_y_degrees", camera.fov_y_degrees, 0.001, 179.999);
+    camera.orthographic = reader.flag("orthographic", false);
+    camera.height = reader.number("height", camera.height, 1e-9, 1e9);
+    if (camera.eye == camera.target) reader.fail("target", "must differ from eye");
+    if (camera.up == glm::dvec3(0)) reader.fail("up", "must not be 0, 0, 0");
+    return camera;
+}
+
+LightSpec::Type read_light_type(ObjectReader& reader) {
+    using Type = LightSpec::Type;
+    const auto name = reader.required_text("type");
+    for (const auto type : {Type::point, Type::spot, Type::directional, Type::rect, Type::disk})
+        if (to_string(type) == name) return type;
+    reader.fail("type",
+                "'" + printable(name, 60) + "' is no light; give point, spot, directional, rect or disk");
+}
+
+void read_strength(ObjectReader& reader, LightSpec& light) {
+    int given = 0;
+    const auto allowed = allowed_quantities(light.type);
+    for (const auto quantity : allowed) {
+        if (!reader.has(to_string(quantity))) continue;
+        light.quantity = quantity;
+        light.amount = reader.number(to_string(quantity), 0);
+        ++given;
+    }
+    if (given == 1) return;
+    reader.fail(to_string(allowed.front()), given == 0 ? "is missing; give the light's strength"
+                                                       : "stands beside flux; give one of them");
+}
+
+LightSpec read_light(ObjectReader& reader) {
+    using Type = LightSpec::Type;
+    LightSpec light;
+    light.type = read_light_type(reader);
+    read_strength(reader, light);
+    light.color = reader.vec3("color", light.color);
+    if (light.type != Type::directional) light.position = reader.vec3("position", light.position);
+    if (light.type != Type::directional && light.type != Type::point)
+        light.target = reader.optional_vec3("target");
+    if (light.type != Type::point) light.direction = reader.optional_vec3("direction");
+    if (light.type == Type::spot) {
+        light.outer = reader.number("outer", light.outer);
+        light.inner = reader.number("inner", light.inner);
+    }
+    if (light.type == Type::rect || light.type == Type::disk)
+        light.size = reader.optional_vec2("size").value_or(light.size);
+    try {
+        validate(light);
+    } catch (const UsageError& error) {
+        throw InputError(reader.file(), reader.pointer(), error.what());
+    }
+    return light;
+}
+
+Environment read_environment(ObjectReader& reader) {
+    Environment environment;
+    const auto* json = reader.take("environment");
+    if (!json || *json == "scene") return environment;
+    if (json->is_array()) {
+        environment.kind = Environment::Kind::constant;
+        environment.constant = reader.vec3("environment", {});
+        if (glm::any(glm::lessThan(environment.constant, glm::dvec3(0))))
+            reader.fail("environment", "must not be negative");
+        return environment;
+    }
+    if (!json->is_object()) reader.fail("environment", "must be \"scene\", [r, g, b] or {\"source\": FILE}");
+    ObjectReader inner(*json, reader.file(), reader.pointer_to_member("environment"));
+    environment.kind = Environment::Kind::map;
+    environment.source = inner.required_text("source");
+    environment.content_hash = inner.text("content_hash");
+    environment.extra = inner.rest();
+    return environment;
+}
+
+LightSet read_light_set(ObjectReader& reader) {
+    LightSet set;
+    read_head(reader, set);
+    if (set.id == scene_lights)
+        reader.fail("id", "'scene' stands for the scene's own lights; take another id");
+    if (const auto* lights = reader.take("lights"); lights && lights->is_string()) {
+        if (*lights != scene_lights) reader.fail("lights", "must be \"scene\" or an array of lights");
+        set.use_scene_lights = true;
+    } else {
+        reader.each("lights", [&](const Json& json, const std::string& pointer) {
+            ObjectReader inner(json, reader.file(), pointer);
+            set.lights.push_back(read_light(inner));
+            set.light_extras.push_back(inner.rest());
+        });
+    }
+    set.environment = read_environment(reader);
+    return set;
+}
+
+Motion read_motion(ObjectReader& reader) {
+    Motion motion;
+    read_head(reader, motion);
+    motion.camera = reader.text("camera");
+    reader.each("keys", [&](const Json& json, const std::string& pointer) {
+        ObjectReader inner(json, reader.file(), pointer);
+        Motion::Key key;
+        key.time = inner.number("time", key.time);
+        key.eye = inner.vec3("eye", key.eye);
+        key.target = inner.vec3("target", key.target);
+        key.up = inner.vec3("up", key.up);
+        key.extra = inner.rest();
+        if (!motion.keys.empty() && !(key.time > motion.keys.back().time))
+            inner.fail("time", "must be later than that of the key before");
+        motion.keys.push_back(std::move(key));
+    });
+    return motion;
+}
+
+ForeignImage read_image(ObjectReader& reader) {
+    ForeignImage image;
+    read_head(reader, image);
+    image.source = reader.required_text("source");
+    image.content_hash = reader.text("content_hash");
+    image.notes = reader.text("notes");
+    return image;
+}
+
+Comparison read_comparison(ObjectReader& reader) {
+    Comparison comparison;
+    read_head(reader, comparison);
+    comparison.a = reader.text("a");
+    comparison.b = reader.text("b");
+    comparison.output = reader.text("output");
+    comparison.mode = reader.text("mode", comparison.mode);
+    comparison.range = reader.optional_vec2("range");
+    comparison.notes = reader.text("notes");
+    return comparison;
+}
+
+Sweep read_sweep(ObjectReader& reader) {
+    Sweep sweep;
+    read_head(reader, sweep);
+    sweep.experiment = reader.text("experiment");
+    reader.each("axes", [&](const Json& json, const std::string& pointer) {
+        ObjectReader inner(json, reader.file(), pointer);
+        Sweep::Axis axis;
+        axis.key = inner.required_text("key");
+        inner.each("values", [&](const Json& value, const std::string&) { axis.values.push_back(value); });
+        axis.extra = inner.rest();
+        sweep.axes.push_back(std::move(axis));
+    });
+    return sweep;
+}
+
+/// A list of items with unique ids; keeps what nobody took of each.
+template <class Item, class Read>
+std::vector<Item> read_list(ObjectReader& reader, const std::string& key, Read read) {
+    std::vector<Item> items;
+    std::set<std::string> ids;
+    reader.each(key, [&](const Json& json, const std::string& pointer) {
+        ObjectReader inner(json, reader.file(), pointer);
+        Item item = read(inner);
+        if (!ids.insert(item.id).second)
+            inner.fail("id", "'" + item.id + "' stands twice in " + key + "; give another id");
+        item.extra = inner.rest();
+        items.push_back(std::move(item));
+    });
+    return items;
+}
+
+}  // namespace
+
+ReadProject read_project(const std::string& text, const std::string& file, const Registry& registry) {
+    ReadProject result;
+    Json json = parse_json(text, file);
+    if (!json.is_object())
+        throw InputError(file, "", "is no project; a project is an object {…} with a schema");
+    result.schema_in_file = migrate(json, file, result.messages);
+
+    ObjectReader reader(json, file, "");
+    Project& project = result.project;
+    reader.take("schema");
+    project.name = reader.text("name");
+    project.notes = reader.text("notes");
+    project.scenes = read_list<Scene>(reader, "scenes", read_scene);
+    project.cameras = read_list<Camera>(reader, "cameras", read_camera);
+    project.lights = read_list<LightSet>(reader, "lights", read_light_set);
+    project.motion = read_list<Motion>(reader, "motion", read_motion);
+    project.images = read_list<ForeignImage>(reader, "images", read_image);
+    project.experiments = read_list<Experiment>(reader, "experiments", [&](ObjectReader& inner) {
+        return read_experiment(inner, registry, result.messages);
+    });
+    project.comparisons = read_list<Comparison>(reader, "comparisons", read_comparison);
+    project.sweeps = read_list<Sweep>(reader, "sweeps", read_sweep);
+    project.extra = reader.rest();
+    return result;
+}
+
+}  // namespace ir::projects

@@ -1,0 +1,202 @@
+#include "projects/document_json.h"
+#include "renderers/core/transport.h"
+
+namespace ir::projects {
+namespace {
+
+/// Known members stand first, in a fixed order; those that this build does not know follow as they were.
+Json with_extra(Json json, const Json& extra) {
+    for (auto it = extra.begin(); it != extra.end(); ++it)
+        if (!json.contains(it.key())) json[it.key()] = *it;
+    return json;
+}
+
+Json array(const glm::dvec3& v) {
+    return Json::array({v.x, v.y, v.z});
+}
+Json array(const glm::dvec2& v) {
+    return Json::array({v.x, v.y});
+}
+Json array(const glm::ivec2& v) {
+    return Json::array({v.x, v.y});
+}
+
+Json to_json(const Value& value) {
+    return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+void put_unless_empty(Json& json, const char* key, const std::string& text) {
+    if (!text.empty()) json[key] = text;
+}
+
+template <class Item, class Write>
+Json list(const std::vector<Item>& items, Write write) {
+    Json result = Json::array();
+    for (const auto& item : items) result.push_back(write(item));
+    return result;
+}
+
+Json write_part(const ScenePart& part) {
+    Json json = Json::object({{"source", part.source}});
+    put_unless_empty(json, "content_hash", part.content_hash);
+    if (part.transform) json["transform"] = *part.transform;
+    return with_extra(json, part.extra);
+}
+
+Json write_scene(const Scene& scene) {
+    Json json = Json::object({{"id", scene.id}, {"name", scene.name}});
+    json["parts"] = list(scene.parts, write_part);
+    return with_extra(json, scene.extra);
+}
+
+Json write_camera(const Camera& camera) {
+    Json json = Json::object({{"id", camera.id}, {"name", camera.name}});
+    if (!camera.scene_camera.empty()) {
+        json["scene_camera"] = camera.scene_camera;
+        return with_extra(json, camera.extra);
+    }
+    json["eye"] = array(camera.eye);
+    json["target"] = array(camera.target);
+    json["up"] = array(camera.up);
+    json["fov_y_degrees"] = camera.fov_y_degrees;
+    if (camera.orthographic) json["orthographic"] = true;
+    if (camera.orthographic || camera.height != Camera{}.height) json["height"] = camera.height;
+    return with_extra(json, camera.extra);
+}
+
+Json write_environment(const Environment& environment) {
+    if (environment.kind == Environment::Kind::scene) return "scene";
+    if (environment.kind == Environment::Kind::constant) return array(environment.constant);
+    Json json = Json::object({{"source", environment.source}});
+    put_unless_empty(json, "content_hash", environment.content_hash);
+    return with_extra(json, environment.extra);
+}
+
+Json write_light_set(const LightSet& set) {
+    Json json = Json::object({{"id", set.id}, {"name", set.name}});
+    if (set.use_scene_lights) {
+        json["lights"] = scene_lights;
+    } else {
+        json["lights"] = Json::array();
+        for (std::size_t i = 0; i < set.lights.size(); ++i) {
+            const Json none = Json::object();
+            const auto& extra = i < set.light_extras.size() ? set.light_extras[i] : none;
+            json["lights"].push_back(with_extra(to_json(set.lights[i]), extra));
+        }
+    }
+    json["environment"] = write_environment(set.environment);
+    return with_extra(json, set.extra);
+}
+
+Json write_motion(const Motion& motion) {
+    Json json = Json::object({{"id", motion.id}, {"name", motion.name}, {"camera", motion.camera}});
+    json["keys"] = list(motion.keys, [](const Motion::Key& key) {
+        Json pose = Json::object({{"time", key.time}});
+        pose["eye"] = array(key.eye);
+        pose["target"] = array(key.target);
+        pose["up"] = array(key.up);
+        return with_extra(pose, key.extra);
+    });
+    return with_extra(json, motion.extra);
+}
+
+Json write_image(const ForeignImage& image) {
+    Json json = Json::object({{"id", image.id}, {"name", image.name}, {"source", image.source}});
+    put_unless_empty(json, "content_hash", image.content_hash);
+    put_unless_empty(json, "notes", image.notes);
+    return with_extra(json, image.extra);
+}
+
+/// The groups "transport" and "values".
+void put_values(Json& json, const Settings& values, const Json& extra_values, const Json& extra_transport) {
+    Json transport = Json::object(), own = Json::object();
+    for (const auto& [key, value] : values) (is_transport_key(key) ? transport : own)[key] = to_json(value);
+    for (auto it = extra_values.begin(); it != extra_values.end(); ++it)
+        (is_transport_key(it.key()) ? transport : own)[it.key()] = *it;
+    json["transport"] = with_extra(transport, extra_transport);
+    json["values"] = own;
+}
+
+Json write_preset(const Preset& preset) {
+    Json json = Json::object();
+    if (preset.size) json["size"] = array(*preset.size);
+    if (preset.frames) json["frames"] = *preset.frames;
+    put_values(json, preset.values, preset.extra_values, preset.extra_transport);
+    if (json["transport"].empty()) json.erase("transport");
+    if (json["values"].empty()) json.erase("values");
+    return with_extra(json, preset.extra);
+}
+
+Json write_experiment(const Experiment& e) {
+    Json json = Json::object({{"id", e.id}, {"name", e.name}});
+    put_unless_empty(json, "notes", e.notes);
+    json["scene"] = e.scene;
+    json["camera"] = e.camera;
+    json["lights"] = e.lights;
+    json["method"] = e.method;
+    json["method_version"] = e.method_version;
+    put_values(json, e.values, e.extra_values, e.extra_transport);
+    json["size"] = array(e.size);
+    json["seed"] = e.seed;
+    json["frames"] = e.frames;
+    json["time"] = e.time;
+    put_unless_empty(json, "reference", e.reference);
+    put_unless_empty(json, "active_preset", e.active_preset);
+    for (const auto& [name, preset] : e.presets) json["presets"][name] = write_preset(preset);
+    put_unless_empty(json, "last_kept_key", e.last_kept_key);
+    return with_extra(json, e.extra);
+}
+
+Json write_comparison(const Comparison& c) {
+    Json json = Json::object({{"id", c.id}, {"name", c.name}, {"a", c.a}, {"b", c.b}});
+    put_unless_empty(json, "output", c.output);
+    json["mode"] = c.mode;
+    if (c.range) json["range"] = array(*c.range);
+    put_unless_empty(json, "notes", c.notes);
+    return with_extra(json, c.extra);
+}
+
+Json write_sweep(const Sweep& sweep) {
+    Json json = Json::object({{"id", sweep.id}, {"name", sweep.name}, {"experiment", sweep.experiment}});
+    json["axes"] = list(sweep.axes, [](const Sweep::Axis& axis) {
+        return with_extra(Json::object({{"key", axis.key}, {"values", axis.values}}), axis.extra);
+    });
+    return with_extra(json, sweep.extra);
+}
+
+}  // namespace
+
+Json to_json(const LightSpec& light) {
+    Json json = Json::object({{"type", to_string(light.type)}});
+    if (light.type != LightSpec::Type::directional) json["position"] = array(light.position);
+    if (light.target) json["target"] = array(*light.target);
+    if (light.direction) json["direction"] = array(*light.direction);
+    json[to_string(light.quantity)] = light.amount;
+    json["color"] = array(light.color);
+    if (light.type == LightSpec::Type::spot) {
+        json["outer"] = light.outer;
+        json["inner"] = light.inner;
+    }
+    if (light.type == LightSpec::Type::rect || light.type == LightSpec::Type::disk)
+        json["size"] = array(light.size);
+    return json;
+}
+
+Json to_json(const Project& project) {
+    Json json = Json::object({{"schema", project.schema}, {"name", project.name}, {"notes", project.notes}});
+    json["scenes"] = list(project.scenes, write_scene);
+    json["cameras"] = list(project.cameras, write_camera);
+    json["lights"] = list(project.lights, write_light_set);
+    json["motion"] = list(project.motion, write_motion);
+    json["images"] = list(project.images, write_image);
+    json["experiments"] = list(project.experiments, write_experiment);
+    json["comparisons"] = list(project.comparisons, write_comparison);
+    json["sweeps"] = list(project.sweeps, write_sweep);
+    return with_extra(json, project.extra);
+}
+
+std::string write_project(const Project& project) {
+    return pretty_json(to_json(project));
+}
+
+}  // namespace ir::projects

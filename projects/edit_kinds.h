@@ -1,0 +1,227 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "projects/edits.h"
+#include "renderers/core/error.h"
+
+/// The few kinds of edits that all makers in edits.h are built from.
+namespace ir::projects::edits {
+
+/// The list that holds items of a type, and what people call such an item.
+template <class Item>
+struct ListOf;
+template <>
+struct ListOf<Scene> {
+    static constexpr auto member = &Project::scenes;
+    static constexpr const char* word = "scene";
+};
+template <>
+struct ListOf<Camera> {
+    static constexpr auto member = &Project::cameras;
+    static constexpr const char* word = "camera";
+};
+template <>
+struct ListOf<LightSet> {
+    static constexpr auto member = &Project::lights;
+    static constexpr const char* word = "set of lights";
+};
+template <>
+struct ListOf<Motion> {
+    static constexpr auto member = &Project::motion;
+    static constexpr const char* word = "motion";
+};
+template <>
+struct ListOf<ForeignImage> {
+    static constexpr auto member = &Project::images;
+    static constexpr const char* word = "image";
+};
+template <>
+struct ListOf<Experiment> {
+    static constexpr auto member = &Project::experiments;
+    static constexpr const char* word = "experiment";
+};
+template <>
+struct ListOf<Comparison> {
+    static constexpr auto member = &Project::comparisons;
+    static constexpr const char* word = "comparison";
+};
+template <>
+struct ListOf<Sweep> {
+    static constexpr auto member = &Project::sweeps;
+    static constexpr const char* word = "sweep";
+};
+
+template <class Item>
+const std::vector<Item>& list_of(const Project& project) {
+    return project.*ListOf<Item>::member;
+}
+template <class Item>
+std::vector<Item>& list_of(Project& project) {
+    return project.*ListOf<Item>::member;
+}
+
+/// Throws UsageError for an unknown id.
+template <class Item>
+const Item& item_of(const Project& project, const std::string& id) {
+    if (const auto* item = find_item(list_of<Item>(project), id)) return *item;
+    throw UsageError(std::string("there is no ") + ListOf<Item>::word + " '" + id + "' in the project");
+}
+
+template <class Item>
+std::size_t index_of(const Project& project, const std::string& id) {
+    return static_cast<std::size_t>(&item_of<Item>(project, id) - list_of<Item>(project).data());
+}
+
+/// What a replacement must not take back: kept results are no matter of undo.
+template <class Item>
+void keep_facts(Item&, const Item&) {}
+inline void keep_facts(Experiment& replacement, const Experiment& present) {
+    replacement.last_kept_key = present.last_kept_key;
+}
+
+/// One item becomes another with the same id.
+template <class Item>
+class Replace final : public Edit {
+  public:
+    Replace(std::string label, std::string merge_key, Item before, Item after)
+        : Edit(std::move(label), std::move(merge_key)),
+          before_(std::move(before)),
+          after_(std::move(after)) {}
+    void apply(Project& project) override { put(project, after_); }
+    void revert(Project& project) override { put(project, before_); }
+    bool absorb(const Edit& later) override {
+        const auto* other = dynamic_cast<const Replace*>(&later);
+        if (!other || other->after_.id != after_.id) return false;
+        after_ = other->after_;
+        return true;
+    }
+    bool changes_nothing() const override { return before_ == after_; }
+
+  private:
+    static void put(Project& project, const Item& item) {
+        auto* present = find_item(list_of<Item>(project), item.id);
+        if (!present) throw Error("undo: item '" + item.id + "' is missing");
+        Item replacement = item;
+        keep_facts(replacement, *present);
+        *present = std::move(replacement);
+    }
+    Item before_, after_;
+};
+
+template <class Item>
+class Insert final : public Edit {
+  public:
+    Insert(std::string label, std::size_t position, Item item)
+        : Edit(std::move(label), ""), position_(position), item_(std::move(item)) {}
+    void apply(Project& project) override {
+        auto& list = list_of<Item>(project);
+        list.insert(list.begin() + static_cast<std::ptrdiff_t>(position_), item_);
+    }
+    void revert(Project& project) override {
+        auto& list = list_of<Item>(project);
+        item_ = list[position_];
+        list.erase(list.begin() + static_cast<std::ptrdiff_t>(position_));
+    }
+    bool absorb(const Edit&) override { return false; }
+    bool changes_nothing() const override { return false; }
+
+  private:
+    std::size_t position_;
+    Item item_;
+};
+
+template <class Item>
+class Remove final : public Edit {
+  public:
+    Remove(std::string label, std::size_t position, Item item)
+        : Edit(std::move(label), ""), position_(position), item_(std::move(item)) {}
+    void apply(Project& project) override {
+        auto& list = list_of<Item>(project);
+        item_ = list[position_];
+        list.erase(list.begin() + static_cast<std::ptrdiff_t>(position_));
+    }
+    void revert(Project& project) override {
+        auto& list = list_of<Item>(project);
+        list.insert(list.begin() + static_cast<std::ptrdiff_t>(position_), item_);
+    }
+    bool absorb(const Edit&) override { return false; }
+    bool changes_nothing() const override { return false; }
+
+  private:
+    std::size_t position_;
+    Item item_;
+};
+
+template <class Item>
+class Move final : public Edit {
+  public:
+    Move(std::string label, std::size_t from, std::size_t to)
+        : Edit(std::move(label), ""), from_(from), to_(to) {}
+    void apply(Project& project) override { shift(list_of<Item>(project), from_, to_); }
+    void revert(Project& project) override { shift(list_of<Item>(project), to_, from_); }
+    bool absorb(const Edit&) override { return false; }
+    bool changes_nothing() const override { return from_ == to_; }
+
+  private:
+    static void shift(std::vector<Item>& list, std::size_t from, std::size_t to) {
+        Item item = std::move(list[from]);
+        list.erase(list.begin() + static_cast<std::ptrdiff_t>(from));
+        list.insert(list.begin() + static_cast<std::ptrdiff_t>(to), std::move(item));
+    }
+    std::size_t from_, to_;
+};
+
+/// A text of the project itself.
+class SetText final : public Edit {
+  public:
+    SetText(std::string label, std::string merge_key, std::string Project::*member, std::string before,
+            std::string after)
+        : Edit(std::move(label), std::move(merge_key)),
+          member_(member),
+          before_(std::move(before)),
+          after_(std::move(after)) {}
+    void apply(Project& project) override { project.*member_ = after_; }
+    void revert(Project& project) override { project.*member_ = before_; }
+    bool absorb(const Edit& later) override {
+        const auto* other = dynamic_cast<const SetText*>(&later);
+        if (!other || other->member_ != member_) return false;
+        after_ = other->after_;
+        return true;
+    }
+    bool changes_nothing() const override { return before_ == after_; }
+
+  private:
+    std::string Project::*member_;
+    std::string before_, after_;
+};
+
+class Group final : public Edit {
+  public:
+    Group(std::string label, std::vector<EditPtr> edits)
+        : Edit(std::move(label), ""), edits_(std::move(edits)) {}
+    void apply(Project& project) override {
+        for (auto& edit : edits_) edit->apply(project);
+    }
+    void revert(Project& project) override {
+        for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit) (*edit)->revert(project);
+    }
+    bool absorb(const Edit&) override { return false; }
+    bool changes_nothing() const override {
+        return std::all_of(edits_.begin(), edits_.end(), [](const auto& e) { return e->changes_nothing(); });
+    }
+
+  private:
+    std::vector<EditPtr> edits_;
+};
+
+/// The replacement of an item that is in the project.
+template <class Item>
+EditPtr replace(const Project& project, const Item& after, std::string label, std::string merge_key) {
+    return std::make_unique<Replace<Item>>(std::move(label), std::move(merge_key),
+                                           item_of<Item>(project, after.id), after);
+}
+
+}  // namespace ir::projects::edits

@@ -1,0 +1,228 @@
+#include <cmath>
+
+#include "projects/edit_kinds.h"
+#include "projects/edits.h"
+#include "projects/text.h"
+#include "projects/validate.h"
+#include "renderers/core/transport.h"
+
+namespace ir::projects::edits {
+namespace {
+
+const Experiment& experiment_of(const Project& project, const std::string& id) {
+    return item_of<Experiment>(project, id);
+}
+
+EditPtr changed(const Project& project, const Experiment& after, const std::string& label,
+                const std::string& what) {
+    return replace(project, after, label, what.empty() ? "" : what + ":" + after.id);
+}
+
+Preset* active_preset(Experiment& experiment) {
+    const auto found = experiment.presets.find(experiment.active_preset);
+    return found == experiment.presets.end() ? nullptr : &found->second;
+}
+
+/// Where the value that the user sees is kept.
+void put_value(Experiment& experiment, const std::string& key, const Value& value) {
+    auto* preset = active_preset(experiment);
+    Settings& home = preset && preset->values.count(key) != 0 ? preset->values : experiment.values;
+    home[key] = value;
+    experiment.extra_values.erase(key);
+}
+
+const ParameterDescription& parameter_of(const MethodDescription& method, const std::string& key) {
+    if (const auto* parameter = find(method.parameters, key)) return *parameter;
+    std::vector<std::string> keys;
+    for (const auto& known : method.parameters) keys.push_back(known.key);
+    throw UsageError("unknown parameter '" + printable(key) + "'; known are " + listed(keys));
+}
+
+std::string label_of(const MethodDescription& method, const Settings& values) {
+    if (values.size() != 1) return "Change " + std::to_string(values.size()) + " values";
+    return "Change " + parameter_of(method, values.begin()->first).label;
+}
+
+/// What of `values` the method knows and allows.
+Settings allowed_values(const MethodDescription& method, const Settings& values) {
+    Settings result;
+    for (const auto& [key, value] : values) {
+        const auto* parameter = find(method.parameters, key);
+        if (!parameter) continue;
+        try {
+            result[key] = parameter->checked(value);
+        } catch (const UsageError&) {
+            // Not allowed there: the method's default stays.
+        }
+    }
+    return result;
+}
+
+template <class Item>
+void require_item(const Project& project, const std::string& id, const std::string& none) {
+    if (id != none) item_of<Item>(project, id);
+}
+
+}  // namespace
+
+EditPtr set_values(const Project& project, const Registry& registry, const std::string& experiment,
+                   const Settings& values) {
+    Experiment after = experiment_of(project, experiment);
+    const auto& method = registry.at(after.method);
+    std::string keys;
+    for (const auto& [key, value] : values) {
+        put_value(after, key, parameter_of(method, key).checked(value));
+        keys += "," + key;
+    }
+    return changed(project, after, label_of(method, values), "values" + keys);
+}
+
+EditPtr reset_value(const Project& project, const Registry& registry, const std::string& experiment,
+                    const std::string& key) {
+    Experiment after = experiment_of(project, experiment);
+    const auto& parameter = parameter_of(registry.at(after.method), key);
+    put_value(after, key, parameter.default_value);
+    return changed(project, after, "Reset " + parameter.label, "");
+}
+
+EditPtr set_method(const Project& project, const Registry& registry, const std::string& experiment,
+                   const std::string& method) {
+    Experiment after = experiment_of(project, experiment);
+    const auto& description = registry.at(method);
+    if (after.method == method) return changed(project, after, "Change method", "");
+    after.method = description.id;
+    after.method_version = description.version;
+    after.values = completed(description.parameters, allowed_values(description, after.values));
+    after.extra_values = Json::object();
+    for (auto& [name, preset] : after.presets) {
+        preset.values = allowed_values(description, preset.values);
+        preset.extra_values = Json::object();
+    }
+    return changed(project, after, "Change method to " + description.title, "");
+}
+
+EditPtr copy_transport(const Project& project, const Registry& registry, const std::string& from,
+                       const std::string& to) {
+    Experiment after = experiment_of(project, to);
+    const auto& method = registry.at(after.method);
+    Settings transport;
+    for (const auto& [key, value] : effective(experiment_of(project, from)).values)
+        if (is_transport_key(key)) transport[key] = value;
+    for (const auto& [key, value] : allowed_values(method, transport)) put_value(after, key, value);
+    return changed(project, after, "Copy transport from '" + from + "'", "");
+}
+
+EditPtr set_scene_of(const Project& project, const std::string& experiment, const std::string& scene) {
+    Experiment after = experiment_of(project, experiment);
+    require_item<Scene>(project, scene, "");
+    after.scene = scene;
+    return changed(project, after, "Change scene", "");
+}
+
+EditPtr set_camera_of(const Project& project, const std::string& experiment, const std::string& camera) {
+    Experiment after = experiment_of(project, experiment);
+    require_item<Camera>(project, camera, "");
+    after.camera = camera;
+    return changed(project, after, "Change camera", "");
+}
+
+EditPtr set_lights_of(const Project& project, const std::string& experiment, const std::string& lights) {
+    Experiment after = experiment_of(project, experiment);
+    require_item<LightSet>(project, lights, scene_lights);
+    after.lights = lights;
+    return changed(project, after, "Change lights", "");
+}
+
+EditPtr set_size(const Project& project, const std::string& experiment, glm::ivec2 size) {
+    Experiment after = experiment_of(project, experiment);
+    validate_size(size);
+    auto* preset = active_preset(after);
+    if (preset && preset->size)
+        preset->size = size;
+    else
+        after.size = size;
+    return changed(project, after, "Change size", "size");
+}
+
+EditPtr set_seed(const Project& project, const std::string& experiment, std::uint64_t seed) {
+    Experiment after = experiment_of(project, experiment);
+    after.seed = seed;
+    return changed(project, after, "Change seed", "seed");
+}
+
+EditPtr set_frames(const Project& project, const std::string& experiment, int frames) {
+    Experiment after = experiment_of(project, experiment);
+    validate_frames(frames);
+    auto* preset = active_preset(after);
+    if (preset && preset->frames)
+        preset->frames = frames;
+    else
+        after.frames = frames;
+    return changed(project, after, "Change frames", "frames");
+}
+
+EditPtr set_time(const Project& project, const std::string& experiment, double seconds) {
+    Experiment after = experiment_of(project, experiment);
+    if (!std::isfinite(seconds)) throw UsageError("time: must be a number (seconds)");
+    after.time = seconds;
+    return changed(project, after, "Change time", "time");
+}
+
+EditPtr set_experiment_notes(const Project& project, const std::string& experiment,
+                             const std::string& notes) {
+    Experiment after = experiment_of(project, experiment);
+    after.notes = notes;
+    return changed(project, after, "Change notes", "notes");
+}
+
+EditPtr set_reference(const Project& project, const std::string& experiment, const std::string& reference) {
+    Experiment after = experiment_of(project, experiment);
+    require_item<Experiment>(project, reference, "");
+    if (reference == experiment) throw UsageError("an experiment cannot be its own reference");
+    after.reference = reference;
+    return changed(project, after, "Change reference", "");
+}
+
+EditPtr set_active_preset(const Project& project, const std::string& experiment, const std::string& preset) {
+    Experiment after = experiment_of(project, experiment);
+    if (!preset.empty() && after.presets.count(preset) == 0)
+        throw UsageError("experiment '" + experiment + "' has no preset '" + printable(preset) + "'");
+    after.active_preset = preset;
+    return changed(project, after, preset.empty() ? "Use no preset" : "Use preset '" + preset + "'", "");
+}
+
+EditPtr set_preset(const Project& project, const Registry& registry, const std::string& experiment,
+                   const std::string& name, const Preset& preset) {
+    Experiment after = experiment_of(project, experiment);
+    if (name.empty()) throw UsageError("a preset needs a name");
+    Preset checked = preset;
+    if (const auto* method = registry.find(after.method))
+        for (auto& [key, value] : checked.values) value = parameter_of(*method, key).checked(value);
+    after.presets[name] = std::move(checked);
+    validate(after);
+    return changed(project, after, "Change preset '" + printable(name, 40) + "'", "preset:" + name);
+}
+
+EditPtr remove_preset(const Project& project, const std::string& experiment, const std::string& name) {
+    Experiment after = experiment_of(project, experiment);
+    if (after.presets.erase(name) == 0)
+        throw UsageError("experiment '" + experiment + "' has no preset '" + printable(name) + "'");
+    if (after.active_preset == name) after.active_preset.clear();
+    return changed(project, after, "Remove preset '" + printable(name, 40) + "'", "");
+}
+
+Experiment new_experiment(const Project& project, const Registry& registry, const std::string& method,
+                          const std::string& name, const std::string& scene, const std::string& camera) {
+    const auto& description = registry.at(method);
+    Experiment experiment;
+    experiment.id = free_id_in(project.experiments, name);
+    experiment.name = name.empty() ? experiment.id : name;
+    experiment.scene = scene;
+    experiment.camera = camera;
+    experiment.method = description.id;
+    experiment.method_version = description.version;
+    experiment.values = defaults(description.parameters);
+    return experiment;
+}
+
+}  // namespace ir::projects::edits

@@ -1,0 +1,134 @@
+#include "projects/edit_kinds.h"
+#include "projects/edits.h"
+#include "projects/text.h"
+#include "projects/validate.h"
+
+namespace ir::projects::edits {
+namespace {
+
+template <class Item, class Refers>
+void collect(std::vector<std::string>& users, const Project& project, Refers refers) {
+    for (const auto& item : list_of<Item>(project))
+        if (refers(item)) users.push_back(std::string(ListOf<Item>::word) + " '" + item.id + "'");
+}
+
+/// Who would be left with a reference to nothing.
+std::vector<std::string> users_of(const Project& project, const Scene& scene) {
+    std::vector<std::string> users;
+    collect<Experiment>(users, project, [&](const auto& e) { return e.scene == scene.id; });
+    return users;
+}
+
+std::vector<std::string> users_of(const Project& project, const Camera& camera) {
+    std::vector<std::string> users;
+    collect<Experiment>(users, project, [&](const auto& e) { return e.camera == camera.id; });
+    collect<Motion>(users, project, [&](const auto& m) { return m.camera == camera.id; });
+    return users;
+}
+
+std::vector<std::string> users_of(const Project& project, const LightSet& set) {
+    std::vector<std::string> users;
+    collect<Experiment>(users, project, [&](const auto& e) { return e.lights == set.id; });
+    return users;
+}
+
+std::vector<std::string> users_of(const Project& project, const Experiment& experiment) {
+    const auto& id = experiment.id;
+    std::vector<std::string> users;
+    collect<Comparison>(users, project, [&](const auto& c) { return c.a == id || c.b == id; });
+    collect<Sweep>(users, project, [&](const auto& s) { return s.experiment == id; });
+    collect<Experiment>(users, project, [&](const auto& e) { return e.id != id && e.reference == id; });
+    return users;
+}
+
+std::vector<std::string> users_of(const Project& project, const ForeignImage& image) {
+    std::vector<std::string> users;
+    collect<Comparison>(users, project, [&](const auto& c) { return c.a == image.id || c.b == image.id; });
+    return users;
+}
+
+template <class Item>
+std::vector<std::string> users_of(const Project&, const Item&) {
+    return {};
+}
+
+std::string in_quotes(const std::string& name) {
+    return "'" + printable(name, 40) + "'";
+}
+
+/// What a copy does not share with its original.
+template <class Item>
+void make_fresh(Item&) {}
+void make_fresh(Experiment& copy) {
+    copy.last_kept_key.clear();
+}
+
+}  // namespace
+
+template <class Item>
+EditPtr add(const Project& project, const Item& item, std::optional<std::size_t> position) {
+    const std::string word = ListOf<Item>::word;
+    const auto& list = list_of<Item>(project);
+    validate(item);
+    if (find_item(list, item.id))
+        throw UsageError(word + " '" + item.id + "' exists already; take another id");
+    const auto index = std::min(position.value_or(list.size()), list.size());
+    return std::make_unique<Insert<Item>>("Add " + word + " " + in_quotes(item.name), index, item);
+}
+
+template <class Item>
+EditPtr remove(const Project& project, const std::string& id) {
+    const auto& item = item_of<Item>(project, id);
+    const auto users = users_of(project, item);
+    if (!users.empty())
+        throw UsageError(std::string(ListOf<Item>::word) + " '" + id + "' is used by " + listed(users) +
+                         "; change or remove them first");
+    return std::make_unique<Remove<Item>>(
+        std::string("Remove ") + ListOf<Item>::word + " " + in_quotes(item.name), index_of<Item>(project, id),
+        item);
+}
+
+template <class Item>
+EditPtr duplicate(const Project& project, const std::string& id) {
+    const auto index = index_of<Item>(project, id);
+    Item copy = item_of<Item>(project, id);
+    const std::string label = std::string("Duplicate ") + ListOf<Item>::word + " " + in_quotes(copy.name);
+    copy.name += " copy";
+    copy.id = free_id_in(list_of<Item>(project), copy.id);
+    make_fresh(copy);
+    return std::make_unique<Insert<Item>>(label, index + 1, std::move(copy));
+}
+
+template <class Item>
+EditPtr rename(const Project& project, const std::string& id, const std::string& name) {
+    Item item = item_of<Item>(project, id);
+    if (name.empty()) throw UsageError(std::string(ListOf<Item>::word) + " '" + id + "' needs a name");
+    item.name = name;
+    return replace(project, item, std::string("Rename ") + ListOf<Item>::word, "");
+}
+
+template <class Item>
+EditPtr move(const Project& project, const std::string& id, std::size_t position) {
+    const auto from = index_of<Item>(project, id);
+    const auto last = list_of<Item>(project).size() - 1;
+    return std::make_unique<Move<Item>>(std::string("Move ") + ListOf<Item>::word, from,
+                                        std::min(position, last));
+}
+
+#define IR_LIST_EDITS(Item)                                                                \
+    template EditPtr add<Item>(const Project&, const Item&, std::optional<std::size_t>);   \
+    template EditPtr remove<Item>(const Project&, const std::string&);                     \
+    template EditPtr duplicate<Item>(const Project&, const std::string&);                  \
+    template EditPtr rename<Item>(const Project&, const std::string&, const std::string&); \
+    template EditPtr move<Item>(const Project&, const std::string&, std::size_t);
+IR_LIST_EDITS(Scene)
+IR_LIST_EDITS(Camera)
+IR_LIST_EDITS(LightSet)
+IR_LIST_EDITS(Motion)
+IR_LIST_EDITS(ForeignImage)
+IR_LIST_EDITS(Experiment)
+IR_LIST_EDITS(Comparison)
+IR_LIST_EDITS(Sweep)
+#undef IR_LIST_EDITS
+
+}  // namespace ir::projects::edits

@@ -1,0 +1,109 @@
+#include "projects/gltf_references.h"
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+
+#include "projects/json.h"
+
+namespace ir::projects {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Keeps the value of every "uri" three levels down, {"buffers": [{"uri": …}]}, without building a tree: the
+/// files may hold large embedded data.
+class UriCollector final : public nlohmann::json_sax<Json> {
+  public:
+    std::vector<std::string> uris;
+
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool string(string_t& text) override {
+        if (depth_ == 3 && is_list_ && key_ == "uri") uris.push_back(text);
+        return true;
+    }
+    bool key(string_t& key) override {
+        if (depth_ == 1) is_list_ = key == "buffers" || key == "images";
+        key_ = key;
+        return true;
+    }
+    bool start_object(std::size_t) override { return ++depth_ > 0; }
+    bool end_object() override { return depth_-- > 0; }
+    bool start_array(std::size_t) override { return ++depth_ > 0; }
+    bool end_array() override { return depth_-- > 0; }
+    bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
+
+  private:
+    int depth_ = 0;
+    bool is_list_ = false;
+    std::string key_;
+};
+
+std::uint32_t read_u32(std::istream& stream) {
+    std::array<unsigned char, 4> b{};
+    stream.read(reinterpret_cast<char*>(b.data()), 4);
+    return b[0] | std::uint32_t{b[1]} << 8 | std::uint32_t{b[2]} << 16 | std::uint32_t{b[3]} << 24;
+}
+
+/// The JSON text; of a .glb that of its first chunk. [glTF 2.0 §4.4]
+std::string json_text(const fs::path& file) {
+    std::error_code error;
+    const auto size = fs::file_size(file, error);
+    std::ifstream stream(file, std::ios::binary);
+    if (error || !stream) return {};
+    std::uintmax_t length = size;
+    if (file.extension() == ".glb" || file.extension() == ".GLB") {
+        const bool is_glb = read_u32(stream) == 0x46546C67;
+        read_u32(stream);  // version
+        read_u32(stream);  // length of the file
+        length = read_u32(stream);
+        if (!is_glb || read_u32(stream) != 0x4E4F534A || length > size) return {};
+    }
+    std::string text(length, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(length));
+    return stream ? text : std::string{};
+}
+
+int digit(char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return -1;
+}
+
+std::string percent_decoded(const std::string& uri) {
+    std::string result;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const bool is_code =
+            uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
+        result += is_code ? static_cast<char>(digit(uri[i + 1]) * 16 + digit(uri[i + 2])) : uri[i];
+        if (is_code) i += 2;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<std::string> gltf_references(const fs::path& file) {
+    auto extension = file.extension().string();
+    for (auto& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    std::error_code ignored;
+    if ((extension != ".gltf" && extension != ".glb") || !fs::is_regular_file(file, ignored)) return {};
+    UriCollector collector;
+    if (!Json::sax_parse(json_text(file), &collector)) return {};
+    std::vector<std::string> references;
+    for (const auto& uri : collector.uris) {
+        const auto path = percent_decoded(uri);
+        const bool is_embedded = uri.rfind("data:", 0) == 0 || uri.find("://") != std::string::npos;
+        if (!is_embedded && !path.empty() && path.find('\0') == std::string::npos && path.front() != '/')
+            references.push_back(path);
+    }
+    return references;
+}
+
+}  // namespace ir::projects

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "projects/json.h"
+
+namespace ir::projects {
+
+/// Takes members out of a JSON object one by one. Wrong types and ranges throw InputError with the file and
+/// the JSON pointer; what nobody took is left in rest().
+class ObjectReader {
+  public:
+    /// Throws InputError when `object` is no object.
+    ObjectReader(const Json& object, const std::string& file, std::string pointer);
+
+    const std::string& file() const { return file_; }
+    const std::string& pointer() const { return pointer_; }
+    std::string pointer_to_member(const std::string& key) const;
+
+    bool has(const std::string& key) const { return object_.contains(key); }
+    /// The member, now known, or null.
+    const Json* take(const std::string& key);
+
+    std::string text(const std::string& key, std::string otherwise = {});
+    std::string required_text(const std::string& key);
+    /// A valid id, see document.h.
+    std::string required_id(const std::string& key);
+    bool flag(const std::string& key, bool otherwise);
+    double number(const std::string& key, double otherwise, double min = -std::numeric_limits<double>::max(),
+                  double max = std::numeric_limits<double>::max());
+    std::int64_t integer(const std::string& key, std::int64_t otherwise, std::int64_t min, std::int64_t max);
+    std::uint64_t natural(const std::string& key, std::uint64_t otherwise);
+    glm::dvec3 vec3(const std::string& key, const glm::dvec3& otherwise);
+    std::optional<glm::dvec3> optional_vec3(const std::string& key);
+    std::optional<glm::dvec2> optional_vec2(const std::string& key);
+    std::optional<glm::ivec2> optional_size(const std::string& key);
+
+    /// Calls `read(item, pointer)` for every item of the array; an absent member is empty.
+    void each(const std::string& key, const std::function<void(const Json&, const std::string&)>& read);
+
+    /// Members that were not taken, in their order.
+    Json rest() const;
+
+    [[noreturn]] void fail(const std::string& key, const std::string& problem) const;
+
+  private:
+    void numbers(const std::string& key, const Json& array, double* out, std::size_t count) const;
+
+    const Json& object_;
+    const std::string& file_;
+    std::string pointer_;
+    std::set<std::string> known_;
+};
+
+}  // namespace ir::projects

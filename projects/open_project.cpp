@@ -1,0 +1,220 @@
+#include "projects/open_project.h"
+
+#include "projects/check.h"
+#include "projects/hash.h"
+#include "projects/scene_files.h"
+#include "projects/text.h"
+#include "renderers/core/error.h"
+
+namespace ir::projects {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What belongs to the project beside its document.
+void copy_companions(const fs::path& from, const fs::path& to) {
+    const auto options = fs::copy_options::recursive | fs::copy_options::overwrite_existing;
+    for (const char* name : {"results", "thumbnails", "session.json"}) {
+        std::error_code error;
+        if (!fs::exists(from / name, error)) continue;
+        fs::copy(from / name, to / name, options, error);
+        if (error) throw Error((to / name).string() + ": cannot be copied: " + error.message());
+    }
+}
+
+}  // namespace
+
+OpenProject::OpenProject(const Registry& registry, FileSystem& files)
+    : registry_(registry), files_(files), autosave_(files) {
+    project_.name = "Untitled";
+}
+
+OpenProject::OpenProject(const fs::path& given, const Registry& registry, FileSystem& files)
+    : registry_(registry),
+      files_(files),
+      folder_(project_folder(given)),
+      lock_(Lock::acquire(folder_)),
+      autosave_(files) {
+    load();
+}
+
+OpenProject::~OpenProject() = default;
+
+void OpenProject::close() {
+    if (has_autosave_) drop_autosave();
+    lock_.release();
+    read_only_ = true;
+}
+
+void OpenProject::load() {
+    read_only_ = !lock_.is_held();
+    auto loaded = load_project(folder_, registry_, files_);
+    schema_in_file_ = loaded.schema_in_file;
+    reading_messages_ = std::move(loaded.messages);
+    file_hash_ = loaded.file_hash;
+    project_ = std::move(loaded.project);
+    undo_.clear();
+    kept_since_save_ = recovered_ = false;
+    recovery_.reset();
+    // While another process edits, the autosave is that one's.
+    if (!read_only_) recovery_ = find_recovery(folder_, registry_, files_);
+    check_again();
+}
+
+void OpenProject::check_again() {
+    messages_ = check({project_, schema_in_file_, reading_messages_}, folder_, registry_);
+}
+
+void OpenProject::require_writable() const {
+    if (read_only_) throw UsageError(lock_.reason().empty() ? "the project is closed" : lock_.reason());
+}
+
+bool OpenProject::edit(EditPtr edit) {
+    require_writable();
+    const bool changed = undo_.push(project_, std::move(edit));
+    if (changed) ++revision_;
+    return changed;
+}
+
+void OpenProject::undo() {
+    undo_.undo(project_);
+    ++revision_;
+}
+
+void OpenProject::redo() {
+    undo_.redo(project_);
+    ++revision_;
+}
+
+void OpenProject::mark_kept(const std::string& experiment, const std::string& key) {
+    require_writable();
+    auto* found = find_item(project_.experiments, experiment);
+    if (!found) throw UsageError("there is no experiment '" + printable(experiment, 60) + "' in the project");
+    if (found->last_kept_key == key) return;
+    found->last_kept_key = key;
+    kept_since_save_ = true;
+    ++revision_;
+}
+
+void OpenProject::write(const std::string& expected_hash) {
+    try {
+        file_hash_ = save_project(project_, folder_, expected_hash, files_);
+    } catch (const Error&) {
+        // The last step may have failed after the new version was in place: then that is what we know.
+        const auto file = folder_ / project_file_name;
+        const auto written = hash_bytes(write_project(project_));
+        if (files_.exists(file) && hash_bytes(files_.read(file, JsonLimits{}.bytes)) == written)
+            file_hash_ = written;
+        throw;
+    }
+    undo_.set_clean();
+    kept_since_save_ = recovered_ = false;
+    schema_in_file_ = schema_version;
+    reading_messages_.clear();
+    drop_autosave();
+}
+
+void OpenProject::drop_autosave() {
+    recovery_.reset();
+    has_autosave_ = false;
+    try {
+        autosave_.discard(folder_);
+    } catch (const Error&) {
+        // It is older than what was saved just now and will not be offered.
+    }
+}
+
+void OpenProject::save(bool overwrite) {
+    require_writable();
+    if (folder_.empty()) throw UsageError("the project has no folder yet; use save as");
+    if (!lock_.is_still_ours())
+        throw Error(folder_.string() + ": somebody else took the lock; save under another name");
+    write(overwrite ? "" : file_hash_);
+}
+
+bool OpenProject::move_sources(const fs::path& to) {
+    bool moved = false;
+    const auto move = [&](std::string& source) {
+        if (source.empty() || is_builtin(source)) return;
+        // A project that was never saved holds paths as they were given; a saved one keeps absolute ones.
+        if (!folder_.empty() && fs::path(source).is_absolute()) return;
+        const auto base = folder_.empty() ? fs::current_path() : folder_;
+        const auto rewritten = relative_source(resolve(source, base), to);
+        moved = moved || rewritten != source;
+        source = rewritten;
+    };
+    for (auto& scene : project_.scenes)
+        for (auto& part : scene.parts) move(part.source);
+    for (auto& set : project_.lights) move(set.environment.source);
+    for (auto& image : project_.images) move(image.source);
+    return moved;
+}
+
+void OpenProject::save_as(const fs::path& given) {
+    const auto target = fs::absolute(folder_with_suffix(given)).lexically_normal();
+    std::error_code ignored;
+    if (!folder_.empty() && fs::equivalent(target, folder_, ignored)) return save(true);
+    files_.create_directories(target);
+    auto lock = Lock::acquire(target);
+    if (!lock.is_held()) throw Error(target.string() + ": cannot be saved there: " + lock.reason());
+
+    const Project before = project_;
+    const auto folder_before = folder_;
+    const bool moved = move_sources(target);
+    if (folder_.empty() && (project_.name.empty() || project_.name == "Untitled"))
+        project_.name = target.stem().string();
+    try {
+        if (!folder_.empty()) copy_companions(folder_, target);
+        folder_ = target;
+        write("");
+    } catch (...) {
+        project_ = before;
+        folder_ = folder_before;
+        throw;
+    }
+    if (!folder_before.empty() && !read_only_) {
+        // The old folder's autosave holds what is saved here now.
+        try {
+            remove_autosave(folder_before, files_);
+        } catch (const Error&) {
+        }
+    }
+    lock_ = std::move(lock);
+    read_only_ = false;
+    if (moved) undo_.clear();
+    check_again();
+}
+
+void OpenProject::autosave() {
+    if (read_only_ || folder_.empty() || recovery_) return;  // an undecided recovery is not overwritten
+    if (!is_dirty()) {
+        if (has_autosave_) drop_autosave();
+        return;
+    }
+    if (has_autosave_ && autosaved_revision_ == revision_) return;
+    autosave_.request(project_, folder_, file_hash_);
+    autosaved_revision_ = revision_;
+    has_autosave_ = true;
+}
+
+void OpenProject::take_recovery() {
+    if (!recovery_) return;
+    project_ = std::move(recovery_->project);
+    recovery_.reset();
+    undo_.clear();
+    recovered_ = true;
+    has_autosave_ = true;
+    autosaved_revision_ = revision_;
+    check_again();
+}
+
+void OpenProject::discard_recovery() {
+    drop_autosave();
+}
+
+void OpenProject::break_lock() {
+    lock_ = Lock::break_and_acquire(folder_);
+    load();
+}
+
+}  // namespace ir::projects

@@ -1,0 +1,135 @@
+#include "projects/results.h"
+
+#include <algorithm>
+
+#include "projects/document_json.h"
+#include "projects/hash.h"
+#include "projects/settings.h"
+
+namespace ir::projects {
+namespace {
+
+Json content_of(const std::string& source, const std::string& content_hash) {
+    // A file whose hash is not known yet is at least told apart by its path.
+    return content_hash.empty() ? Json("source " + source) : Json(content_hash);
+}
+
+Json scene_inputs(const Project& project, const std::string& id) {
+    const auto* scene = find_item(project.scenes, id);
+    if (!scene) return "missing " + id;
+    Json parts = Json::array();
+    for (const auto& part : scene->parts) {
+        Json json = Json::object({{"content", content_of(part.source, part.content_hash)}});
+        if (part.transform) json["transform"] = *part.transform;
+        parts.push_back(std::move(json));
+    }
+    return parts;
+}
+
+Json vector_of(const glm::dvec3& v) {
+    return Json::array({v.x, v.y, v.z});
+}
+
+Json camera_inputs(const Project& project, const Experiment& experiment) {
+    if (experiment.camera.empty()) return "first of the scene";
+    const auto* camera = find_item(project.cameras, experiment.camera);
+    if (!camera) return "missing " + experiment.camera;
+    if (!camera->scene_camera.empty()) return Json::object({{"scene_camera", camera->scene_camera}});
+    const auto pose = camera_at(project, *camera, experiment.time);
+    Json json = Json::object({{"eye", vector_of(pose.eye)}});
+    json["target"] = vector_of(pose.target);
+    json["up"] = vector_of(pose.up);
+    if (pose.orthographic)
+        json["height"] = pose.height;
+    else
+        json["fov_y_degrees"] = pose.fov_y_degrees;
+    return json;
+}
+
+Json environment_inputs(const Environment& environment) {
+    switch (environment.kind) {
+        case Environment::Kind::scene:
+            return "scene";
+        case Environment::Kind::constant:
+            return vector_of(environment.constant);
+        case Environment::Kind::map:
+            return content_of(environment.source, environment.content_hash);
+    }
+    return nullptr;
+}
+
+void put_lighting(Json& inputs, const Project& project, const std::string& id) {
+    const auto* set = find_item(project.lights, id);
+    if (id == scene_lights || !set) {
+        inputs["lights"] = set || id == scene_lights ? id : "missing " + id;
+        inputs["environment"] = "scene";
+        return;
+    }
+    inputs["lights"] = set->use_scene_lights ? Json(scene_lights) : Json::array();
+    for (const auto& light : set->lights) inputs["lights"].push_back(to_json(light));
+    inputs["environment"] = environment_inputs(set->environment);
+}
+
+void put_method(Json& inputs, const Experiment& run, const Registry& registry) {
+    const auto* method = registry.find(run.method);
+    inputs["method"] = run.method;
+    inputs["method_version"] = method ? method->version : run.method_version;
+    Json values = Json::object();
+    // A known method never sees the keys that it does not know: they are no inputs.
+    for (const auto& [key, value] : method ? runnable_settings(run, *method) : run.values)
+        values[key] = std::visit([](const auto& v) { return Json(v); }, value);
+    inputs["values"] = std::move(values);
+}
+
+std::string shown(const Json& json) {
+    return json.is_string() ? json.get<std::string>() : canonical_json(json);
+}
+
+void compare(const std::string& path, const Json& before, const Json& now, std::vector<std::string>& out) {
+    if (!before.is_object() || !now.is_object()) {
+        if (before != now) out.push_back(path + ": " + shown(before) + " → " + shown(now));
+        return;
+    }
+    const auto inner = [&](const std::string& key) { return path.empty() ? key : path + "." + key; };
+    for (auto it = before.begin(); it != before.end(); ++it) {
+        if (now.contains(it.key()))
+            compare(inner(it.key()), *it, now.at(it.key()), out);
+        else
+            out.push_back(inner(it.key()) + ": " + shown(*it) + " → nothing");
+    }
+    for (auto it = now.begin(); it != now.end(); ++it)
+        if (!before.contains(it.key())) out.push_back(inner(it.key()) + ": nothing → " + shown(*it));
+}
+
+}  // namespace
+
+Json picture_inputs(const Project& project, const Experiment& experiment, const Registry& registry) {
+    const Experiment run = effective(experiment);
+    Json inputs = Json::object({{"scene", scene_inputs(project, run.scene)}});
+    inputs["camera"] = camera_inputs(project, run);
+    put_lighting(inputs, project, run.lights);
+    put_method(inputs, run, registry);
+    inputs["size"] = Json::array({run.size.x, run.size.y});
+    inputs["seed"] = run.seed;
+    inputs["frames"] = run.frames;
+    inputs["time"] = run.time;
+    return inputs;
+}
+
+std::string result_key(const Project& project, const Experiment& experiment, const Registry& registry) {
+    return hash_json(picture_inputs(project, experiment, registry));
+}
+
+ResultState result_state(const Project& project, const Experiment& experiment, const Registry& registry) {
+    if (experiment.last_kept_key.empty()) return ResultState::none;
+    return experiment.last_kept_key == result_key(project, experiment, registry) ? ResultState::current
+                                                                                 : ResultState::stale;
+}
+
+std::vector<std::string> differences(const Json& inputs_before, const Json& inputs_now) {
+    std::vector<std::string> result;
+    compare("", inputs_before, inputs_now, result);
+    return result;
+}
+
+}  // namespace ir::projects

@@ -1,0 +1,104 @@
+#include "projects/store.h"
+
+#include "projects/hash.h"
+#include "projects/lock.h"
+#include "renderers/core/error.h"
+
+namespace ir::projects {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_bytes(const fs::path& file, FileSystem& files) {
+    return files.read(file, JsonLimits{}.bytes);
+}
+
+/// The version on disk stays as project.json.previous. A copy and not a link: works on every file system.
+void keep_previous(const fs::path& folder, const std::string& bytes, FileSystem& files) {
+    write_atomically(files, folder / previous_file_name, bytes);
+}
+
+}  // namespace
+
+fs::path folder_with_suffix(const fs::path& given) {
+    auto path = given;
+    if (path.filename().empty()) path = path.parent_path();
+    return path.extension() == folder_suffix ? path : fs::path(path.string() + folder_suffix);
+}
+
+fs::path project_folder(const fs::path& given) {
+    std::error_code ignored;
+    const bool is_file = given.filename() == project_file_name && !fs::is_directory(given, ignored);
+    fs::path folder = is_file ? given.parent_path() : given;
+    if (folder.empty()) folder = ".";
+    if (!fs::is_directory(folder, ignored))
+        throw InputError(given.string(), "",
+                         "is no project; give a folder NAME.interreflect or the project.json inside it");
+    if (!fs::exists(folder / project_file_name, ignored)) {
+        const bool has_previous = fs::exists(folder / previous_file_name, ignored);
+        throw InputError(folder.string(), "",
+                         std::string("holds no project.json") +
+                             (has_previous ? "; rename its project.json.previous to restore it"
+                                           : "; give the folder of a project"));
+    }
+    return folder;
+}
+
+LoadedProject load_project(const fs::path& given, const Registry& registry, FileSystem& files) {
+    LoadedProject loaded;
+    // The check of the folder looks at the machine's own files; other file systems are given a folder.
+    loaded.folder = &files == &real_file_system() ? project_folder(given) : given;
+    const auto file = loaded.folder / project_file_name;
+    const std::string bytes = read_bytes(file, files);
+    try {
+        static_cast<ReadProject&>(loaded) = read_project(bytes, file.string(), registry);
+    } catch (const InputError& error) {
+        if (!files.exists(loaded.folder / previous_file_name)) throw;
+        throw InputError(std::string(error.what()), "",
+                         std::string("the version before is in ") + previous_file_name);
+    }
+    loaded.file_hash = hash_bytes(bytes);
+    return loaded;
+}
+
+std::string save_project(const Project& project, const fs::path& folder, const std::string& expected_hash,
+                         FileSystem& files) {
+    const std::string text = write_project(project);
+    if (text.size() > JsonLimits{}.bytes)
+        throw Error(folder.string() + ": the project has grown beyond " + std::to_string(JsonLimits{}.bytes) +
+                    " bytes; shorten its notes or split it");
+    const auto file = folder / project_file_name;
+    parse_json(text, file.string());  // what could not be read again is never written
+    const auto new_hash = hash_bytes(text);
+    files.create_directories(folder);
+    if (files.exists(file)) {
+        const std::string on_disk = read_bytes(file, files);
+        const auto disk_hash = hash_bytes(on_disk);
+        if (disk_hash == new_hash) return new_hash;
+        if (!expected_hash.empty() && disk_hash != expected_hash)
+            throw Error(file.string() + ": was changed by somebody else since it was opened; save under " +
+                        "another name, or overwrite it");
+        keep_previous(folder, on_disk, files);
+    }
+    write_atomically(files, file, text);
+    return new_hash;
+}
+
+std::vector<Message> upgrade_project(const fs::path& given, const Registry& registry, FileSystem& files) {
+    const auto lock = Lock::acquire(project_folder(given));
+    if (!lock.is_held()) throw Error(given.string() + ": cannot be upgraded: " + lock.reason());
+    auto loaded = load_project(given, registry, files);
+    for (auto& experiment : loaded.project.experiments) {
+        const auto* method = registry.find(experiment.method);
+        if (!method || method->version <= experiment.method_version) continue;
+        loaded.messages.push_back({Severity::note, "project",
+                                   "experiment '" + experiment.id + "': " + method->id + " from version " +
+                                       std::to_string(experiment.method_version) + " to " +
+                                       std::to_string(method->version)});
+        experiment.method_version = method->version;
+    }
+    save_project(loaded.project, loaded.folder, loaded.file_hash, files);
+    return loaded.messages;
+}
+
+}  // namespace ir::projects

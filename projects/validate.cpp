@@ -1,0 +1,130 @@
+#include "projects/validate.h"
+
+#include <cmath>
+
+#include "projects/text.h"
+#include "renderers/core/error.h"
+
+namespace ir::projects {
+namespace {
+
+void refuse_unless(bool good, const std::string& what) {
+    if (!good) throw UsageError(what);
+}
+
+void check_id(const std::string& id, const std::string& word) {
+    refuse_unless(is_valid_id(id), word + " '" + printable(id, 60) +
+                                       "': no valid id; use up to 100 letters, digits, '-', '_' and '.', not "
+                                       "beginning with '.'");
+}
+
+bool is_finite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool is_finite(const Settings& values) {
+    for (const auto& [key, value] : values)
+        if (const auto* number = std::get_if<double>(&value); number && !std::isfinite(*number)) return false;
+    return true;
+}
+
+}  // namespace
+
+void validate(const Scene& scene) {
+    check_id(scene.id, "scene");
+    const std::string where = "scene '" + scene.id + "': ";
+    refuse_unless(!scene.parts.empty(), where + "needs at least one file");
+    for (const auto& part : scene.parts) {
+        refuse_unless(!part.source.empty(), where + "a part has no file; give one");
+        if (!part.transform) continue;
+        for (const double number : *part.transform)
+            refuse_unless(std::isfinite(number), where + "a transform must hold finite numbers");
+    }
+}
+
+void validate(const Camera& camera) {
+    check_id(camera.id, "camera");
+    const std::string where = "camera '" + camera.id + "': ";
+    refuse_unless(is_finite(camera.eye) && is_finite(camera.target) && is_finite(camera.up),
+                  where + "eye, target and up must be finite");
+    refuse_unless(camera.eye != camera.target, where + "target must differ from eye");
+    refuse_unless(camera.up != glm::dvec3(0), where + "up must not be 0,0,0");
+    refuse_unless(camera.fov_y_degrees >= 0.001 && camera.fov_y_degrees <= 179.999,
+                  where + "the field of view must lie between 0.001 and 179.999 degrees");
+    refuse_unless(camera.height >= 1e-9 && camera.height <= 1e9, where + "height must be above 0 metres");
+}
+
+void validate(const LightSet& lights) {
+    check_id(lights.id, "set of lights");
+    const std::string where = "set of lights '" + lights.id + "': ";
+    refuse_unless(lights.id != scene_lights, where + "this id stands for the scene's own; take another");
+    refuse_unless(!lights.use_scene_lights || lights.lights.empty(),
+                  where + "uses either the scene's lights or its own");
+    for (const auto& light : lights.lights) validate(light);
+    const auto& environment = lights.environment;
+    refuse_unless(is_finite(environment.constant) &&
+                      glm::all(glm::greaterThanEqual(environment.constant, glm::dvec3(0))),
+                  where + "the environment's radiance must be three numbers of at least 0");
+    refuse_unless(environment.kind != Environment::Kind::map || !environment.source.empty(),
+                  where + "the environment map's file is missing; give one");
+}
+
+void validate(const Motion& motion) {
+    check_id(motion.id, "motion");
+    const std::string where = "motion '" + motion.id + "': ";
+    for (std::size_t i = 0; i < motion.keys.size(); ++i) {
+        const auto& key = motion.keys[i];
+        refuse_unless(
+            std::isfinite(key.time) && is_finite(key.eye) && is_finite(key.target) && is_finite(key.up),
+            where + "its keys must hold finite numbers");
+        refuse_unless(i == 0 || key.time > motion.keys[i - 1].time,
+                      where + "the times of its keys must ascend");
+    }
+}
+
+void validate(const ForeignImage& image) {
+    check_id(image.id, "image");
+    refuse_unless(!image.source.empty(), "image '" + image.id + "': its file is missing; give one");
+}
+
+void validate(const Experiment& experiment) {
+    check_id(experiment.id, "experiment");
+    const std::string where = "experiment '" + experiment.id + "': ";
+    refuse_unless(!experiment.method.empty(), where + "its method is missing; give one");
+    refuse_unless(experiment.method_version >= 1 && experiment.method_version <= 1'000'000,
+                  where + "the method's version must be at least 1");
+    validate_size(experiment.size);
+    validate_frames(experiment.frames);
+    refuse_unless(std::isfinite(experiment.time), where + "time must be a number (seconds)");
+    refuse_unless(is_finite(experiment.values), where + "values must be finite");
+    for (const auto& [name, preset] : experiment.presets) {
+        if (preset.size) validate_size(*preset.size);
+        if (preset.frames) validate_frames(*preset.frames);
+        refuse_unless(is_finite(preset.values), where + "values must be finite");
+    }
+    refuse_unless(experiment.active_preset.empty() || experiment.presets.count(experiment.active_preset) != 0,
+                  where + "has no preset '" + printable(experiment.active_preset, 60) + "'");
+}
+
+void validate(const Comparison& comparison) {
+    check_id(comparison.id, "comparison");
+    refuse_unless(!comparison.range || std::isfinite(comparison.range->x + comparison.range->y),
+                  "comparison '" + comparison.id + "': its range must be finite");
+}
+
+void validate(const Sweep& sweep) {
+    check_id(sweep.id, "sweep");
+    for (const auto& axis : sweep.axes)
+        refuse_unless(!axis.key.empty(), "sweep '" + sweep.id + "': an axis has no key; give one");
+}
+
+void validate_size(glm::ivec2 size) {
+    refuse_unless(size.x >= 1 && size.y >= 1 && size.x <= 65536 && size.y <= 65536,
+                  "size: both sides must lie between 1 and 65536 pixels");
+}
+
+void validate_frames(int frames) {
+    refuse_unless(frames >= 1 && frames <= 1'000'000'000, "frames: must lie between 1 and 1000000000");
+}
+
+}  // namespace ir::projects

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "projects/document.h"
+#include "projects/object_reader.h"
+#include "renderers/core/method.h"
+#include "renderers/core/report.h"
+
+namespace ir::projects {
+
+/// An experiment with its values checked and completed against its method's description; those of an unknown
+/// method are kept as they are.
+Experiment read_experiment(ObjectReader& reader, const Registry& registry, std::vector<Message>& messages);
+
+/// A plain boolean, number or text; nothing for what no parameter can hold.
+std::optional<Value> to_value(const Json& json);
+
+}  // namespace ir::projects
