@@ -1,0 +1,38 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "renderers/core/progress.h"
+
+namespace ir::cli {
+
+/// The contract with scripts.
+enum ExitStatus { done = 0, failed = 1, wrong_usage = 2, bad_input = 3, limit_exceeded = 4 };
+
+/// Set by Ctrl-C; long work looks at it between slices.
+CancelToken& interruption();
+
+/// Each adds its subcommand; the chosen one's callback stores what main runs after parsing.
+using Run = std::function<int()>;
+void add_info(CLI::App& app, Run& run);
+void add_list(CLI::App& app, Run& run);
+void add_describe(CLI::App& app, Run& run);
+void add_scene(CLI::App& app, Run& run);
+void add_render(CLI::App& app, Run& run);
+void add_compare(CLI::App& app, Run& run);
+void add_project(CLI::App& app, Run& run);
+void add_bench(CLI::App& app, Run& run);
+
+/// Options that choose the machine, shared by commands that render.
+struct MachineFlags {
+    std::string backend, device, memory;
+    int threads = 0;
+    bool debug = false;
+};
+void add_machine_flags(CLI::App& command, MachineFlags& flags);
+/// "2GB", "500MB", "1.5 GiB" or bytes; 0 when empty. Throws UsageError.
+std::uint64_t parse_bytes(const std::string& text);
+
+}  // namespace ir::cli

@@ -1,0 +1,62 @@
+#include <csignal>
+#include <iostream>
+
+#include "app/cli/command.h"
+#include "app/engine/version.h"
+#include "renderers/core/error.h"
+
+namespace ir::cli {
+
+CancelToken& interruption() {
+    static CancelToken token;
+    return token;
+}
+
+}  // namespace ir::cli
+
+namespace {
+
+int fail(const std::string& line, int status) {
+    std::cerr << "interreflect-cli: " << line << "\n";
+    return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace ir::cli;
+    interruption();
+    std::signal(SIGINT, [](int) { interruption().cancel(); });
+
+    CLI::App app{
+        "Interreflect on the command line: renders, compares and checks experiments without a window."};
+    app.set_version_flag("--version", "interreflect-cli " + ir::engine::version());
+    app.require_subcommand(1);
+    Run run;
+    add_info(app, run);
+    add_list(app, run);
+    add_describe(app, run);
+    add_scene(app, run);
+    add_render(app, run);
+    add_compare(app, run);
+    add_project(app, run);
+    add_bench(app, run);
+    try {
+        app.parse(argc, argv);
+        return run();
+    } catch (const CLI::Success& shown) {
+        return app.exit(shown);
+    } catch (const CLI::ParseError& error) {
+        return fail(std::string(error.what()) + " (--help lists what is allowed)", wrong_usage);
+    } catch (const ir::InputError& error) {
+        return fail(error.what(), bad_input);
+    } catch (const ir::UsageError& error) {
+        return fail(error.what(), wrong_usage);
+    } catch (const ir::Cancelled&) {
+        return fail("cancelled", failed);
+    } catch (const std::bad_alloc&) {
+        return fail("out of memory; lower the image size or the method's sizes", failed);
+    } catch (const std::exception& error) {
+        return fail(error.what(), failed);
+    }
+}

@@ -1,0 +1,167 @@
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/run_frames.h"
+#include "app/engine/from_project.h"
+#include "projects/check.h"
+#include "projects/results.h"
+#include "projects/store.h"
+#include "renderers/core/error.h"
+#include "renderers/image/metrics.h"
+
+namespace ir::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Flags {
+    MachineFlags machine;
+    std::string project;
+    bool check = false, upgrade = false, verify = false, prune = false, json = false;
+};
+
+const char* word(Severity severity) {
+    return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "note";
+}
+
+const char* word(projects::ResultState state) {
+    return state == projects::ResultState::none    ? "none"
+           : state == projects::ResultState::stale ? "stale"
+                                                   : "current";
+}
+
+Json to_json(const std::vector<Message>& messages) {
+    Json list = Json::array();
+    for (const auto& message : messages)
+        list.push_back(
+            {{"severity", word(message.severity)}, {"source", message.source}, {"text", message.text}});
+    return list;
+}
+
+void print(const std::vector<Message>& messages) {
+    for (const auto& message : messages) std::cout << word(message.severity) << ": " << message.text << "\n";
+}
+
+Json summary(const projects::LoadedProject& loaded) {
+    const auto& project = loaded.project;
+    Json json{{"name", project.name}, {"schema", project.schema}, {"folder", loaded.folder.string()}};
+    json["scenes"] = Json::array();
+    for (const auto& scene : project.scenes)
+        json["scenes"].push_back(
+            {{"id", scene.id}, {"name", scene.name}, {"source", scene.parts.front().source}});
+    json["experiments"] = Json::array();
+    for (const auto& experiment : project.experiments)
+        json["experiments"].push_back(
+            {{"id", experiment.id},
+             {"name", experiment.name},
+             {"method", experiment.method},
+             {"scene", experiment.scene},
+             {"preset", experiment.active_preset},
+             {"runnable",
+              projects::why_not_runnable(project, experiment, engine::registry(), loaded.folder).empty()},
+             {"result", word(projects::result_state(project, experiment, engine::registry()))}});
+    return json;
+}
+
+/// Renders a kept result's experiment again and reports how far the pictures are apart and what changed.
+Json verify(engine::Machine& machine, const projects::LoadedProject& loaded,
+            const projects::Experiment& experiment, const projects::KeptResult& kept) {
+    Json row{{"experiment", experiment.id}, {"key", kept.key}};
+    const auto inputs = projects::picture_inputs(loaded.project, experiment, engine::registry());
+    row["changed"] = projects::differences(kept.inputs, inputs);
+    engine::Execution execution(machine, engine::from_project(loaded.project, experiment, loaded.folder));
+    const auto report = run_frames(execution, {});
+    if (report.backend != kept.provenance.backend || report.device != kept.provenance.driver)
+        row["changed"].push_back("device: " + kept.provenance.driver + " → " + report.device);
+    for (const auto& file : kept.files) {
+        if (file.role != "main") continue;
+        const auto before = read_image(loaded.folder / "results" / file.path);
+        const auto now = execution.main_result();
+        const auto metrics = compute_metrics(now, before, {"rmse", "mae"});
+        row["rmse"] = metrics.values.at("rmse");
+        row["mae"] = metrics.values.at("mae");
+        row["identical"] = now.pixels == before.pixels;
+    }
+    return row;
+}
+
+Json verify_all(const Flags& flags, const projects::LoadedProject& loaded) {
+    engine::Machine machine(machine_options(flags.machine));
+    const auto index = projects::ResultIndex::load(loaded.folder);
+    Json rows = Json::array();
+    for (const auto& experiment : loaded.project.experiments)
+        if (const auto* kept = index.find(experiment.last_kept_key))
+            rows.push_back(verify(machine, loaded, experiment, *kept));
+    return rows;
+}
+
+int run_project(const Flags& flags) {
+    const auto& registry = engine::registry();
+    if (flags.upgrade) {
+        const auto changes = projects::upgrade_project(flags.project, registry);
+        flags.json ? void(std::cout << Json{{"changes", to_json(changes)}}.dump(2) << "\n") : print(changes);
+        return done;
+    }
+    const auto loaded = projects::load_project(flags.project, registry);
+    if (flags.prune) {
+        const auto pruned = projects::prune_results(loaded.project, registry, loaded.folder);
+        if (flags.json)
+            std::cout << Json{{"keys", pruned.keys}, {"files", pruned.files}}.dump(2) << "\n";
+        else
+            std::cout << pruned.keys.size() << " results and " << pruned.files.size() << " files removed\n";
+        return done;
+    }
+    if (flags.verify) {
+        const auto rows = verify_all(flags, loaded);
+        if (flags.json) {
+            std::cout << rows.dump(2) << "\n";
+            return done;
+        }
+        if (rows.empty()) std::cout << "no experiment has a kept result\n";
+        for (const auto& row : rows) {
+            std::cout << row["experiment"].get<std::string>() << "  "
+                      << (row.value("identical", false) ? std::string("identical")
+                                                        : "rmse " + row.value("rmse", Json("?")).dump());
+            for (const auto& change : row["changed"]) std::cout << "  [" << change.get<std::string>() << "]";
+            std::cout << "\n";
+        }
+        return done;
+    }
+    auto json = summary(loaded);
+    std::vector<Message> messages = loaded.messages;
+    if (flags.check) messages = projects::check(loaded, loaded.folder, registry);
+    json["messages"] = to_json(messages);
+    if (flags.json) {
+        std::cout << json.dump(2) << "\n";
+    } else {
+        std::cout << json["name"].get<std::string>() << " (schema " << json["schema"] << ")\n";
+        for (const auto& experiment : json["experiments"])
+            std::cout << "  " << experiment["id"].get<std::string>() << "  "
+                      << experiment["method"].get<std::string>()
+                      << "  result: " << experiment["result"].get<std::string>() << "\n";
+        print(messages);
+    }
+    for (const auto& message : messages)
+        if (flags.check && message.severity == Severity::error) return bad_input;
+    return done;
+}
+
+}  // namespace
+
+void add_project(CLI::App& app, Run& run) {
+    auto flags = std::make_shared<Flags>();
+    auto* command = app.add_subcommand("project", "What a project holds; checks and mends it");
+    command->add_option("PROJECT", flags->project, "Project folder or its project.json")->required();
+    auto* actions = command->add_option_group("action");
+    actions->add_flag("--check", flags->check, "Look for missing or changed files, unknown keys and methods");
+    actions->add_flag("--upgrade", flags->upgrade, "Rewrite with the newest schema");
+    actions->add_flag("--verify", flags->verify, "Render kept results again and compare");
+    actions->add_flag("--prune", flags->prune, "Remove results that no experiment needs");
+    actions->require_option(0, 1);
+    command->add_flag("--json", flags->json, "Print one JSON object");
+    add_machine_flags(*command, flags->machine);
+    command->callback([flags, &run] { run = [flags] { return run_project(*flags); }; });
+}
+
+}  // namespace ir::cli

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "app/cli/command.h"
+#include "app/cli/render_project.h"
+#include "app/cli/run_frames.h"
+#include "app/engine/execution.h"
+#include "app/engine/from_project.h"
+#include "renderers/core/error.h"
+
+namespace ir::cli {
+namespace {
+
+struct Flags {
+    MachineFlags machine;
+    std::string project, scene, method, eye, target, up, camera, environment, out, json;
+    std::vector<std::string> experiments, sets, lights, dumps;
+    std::string size;
+    double fov_y = 45, time = 0, initial_capacity = 1;
+    std::uint64_t seed = 0;
+    int frames = 1;
+    bool keep = false, quiet = false;
+};
+
+scene::Environment parse_environment(const std::string& text) {
+    if (text.find(',') != std::string::npos && !std::filesystem::exists(text))
+        return {glm::vec3(projects::parse_vec3(text, "--env")), nullptr};
+    return {glm::vec3(0), std::make_shared<Image>(read_image(text))};
+}
+
+Settings parse_settings(const MethodDescription& method, const std::vector<std::string>& sets) {
+    Settings settings;
+    for (const auto& text : sets) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos)
+            throw UsageError("--set '" + text + "' is not of the form key=value");
+        const auto key = text.substr(0, equals);
+        const auto* parameter = find(method.parameters, key);
+        if (!parameter)
+            completed(method.parameters, {{key, Value{false}}});  // throws, listing the known keys
+        settings[key] = parameter->parse(text.substr(equals + 1));
+    }
+    return settings;
+}
+
+engine::Experiment to_experiment(const Flags& flags) {
+    engine::Experiment e;
+    e.scene = flags.scene;
+    e.method = flags.method;
+    e.settings = parse_settings(engine::registry().at(flags.method), flags.sets);
+    if (!flags.eye.empty() || !flags.target.empty()) {
+        if (!flags.camera.empty()) throw UsageError("give --camera or --eye and --target, not both");
+        if (flags.eye.empty() || flags.target.empty()) throw UsageError("--eye and --target belong together");
+        scene::Camera camera;
+        camera.eye = projects::parse_vec3(flags.eye, "--eye");
+        camera.target = projects::parse_vec3(flags.target, "--target");
+        camera.up = flags.up.empty() ? glm::vec3(0, 1, 0) : glm::vec3(projects::parse_vec3(flags.up, "--up"));
+        camera.fov_y = static_cast<float>(glm::radians(flags.fov_y));
+        if (glm::length(camera.target - camera.eye) < 1e-9f)
+            throw UsageError("--eye and --target are the same point");
+        if (glm::length(glm::cross(camera.target - camera.eye, camera.up)) < 1e-9f)
+            throw UsageError("--up points along the view; give another direction");
+        e.camera = camera;
+    }
+    e.camera_name = flags.camera;
+    for (const auto& light : flags.lights) {
+        e.replace_lights = true;
+        e.lights.push_back(engine::to_scene_light(projects::parse_light(light),
+                                                  "light " + std::to_string(e.lights.size() + 1)));
+    }
+    if (!flags.environment.empty()) e.environment = parse_environment(flags.environment);
+    const auto size = flags.size.empty() ? glm::ivec2(800, 600) : projects::parse_size(flags.size, "--size");
+    e.width = size.x;
+    e.height = size.y;
+    e.seed = flags.seed;
+    e.frames = flags.frames;
+    e.time = flags.time;
+    return e;
+}
+
+int render_scene(const Flags& flags) {
+    const auto experiment = to_experiment(flags);
+    if (std::filesystem::path(flags.out).extension() != ".exr")
+        throw UsageError("--out '" + flags.out + "' must end in .exr");
+    engine::Machine machine(machine_options(flags.machine));
+    engine::Execution execution(machine, experiment);
+    const auto options = frame_options(flags.machine, flags.dumps, flags.initial_capacity, !flags.quiet);
+    const auto report = run_frames(execution, options);
+    warn_of_unmatched(flags.dumps, report);
+    write_exr(flags.out, execution.layers(flags.dumps), execution.attributes());
+    print_messages(execution, report);
+    if (flags.json == "-")
+        std::cout << engine::statistics_json(report) << "\n";
+    else if (!flags.json.empty())
+        write_text(flags.json, engine::statistics_json(report) + "\n");
+    return done;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Run& run) {
+    auto flags = std::make_shared<Flags>();
+    auto* command =
+        app.add_subcommand("render", "Render a project's experiments, or one scene by one method");
+    command->add_option("PROJECT", flags->project,
+                        "Project folder; or leave out and give --scene and --method");
+    command->add_option("--experiment", flags->experiments, "Id of an experiment to render (default: all)");
+    command->add_option("--scene", flags->scene, "A .gltf or .glb file, or builtin:NAME");
+    command->add_option("--method", flags->method, "Id, as `list` prints it");
+    command->add_option("--eye", flags->eye, "Camera position x,y,z in metres");
+    command->add_option("--target", flags->target, "Point that the camera looks at, x,y,z");
+    command->add_option("--up", flags->up, "Upward direction x,y,z (default 0,1,0)");
+    command->add_option("--fov-y", flags->fov_y, "Vertical field of view in degrees")
+        ->check(CLI::Range(0.1, 179.0));
+    command->add_option("--camera", flags->camera, "Name of one of the scene's cameras");
+    command->add_option("--size", flags->size, "Picture size WxH (default 800x600)");
+    command->add_option("--set", flags->sets, "Parameter key=value; repeat for more");
+    command->add_option("--light", flags->lights,
+                        "Light that replaces the scene's, such as point:position=0,2,0;flux=40");
+    command->add_option("--env", flags->environment, "Environment: an image file, or radiance r,g,b");
+    command->add_option("--seed", flags->seed, "Seed of everything random");
+    command->add_option("--frames", flags->frames, "Frames to run from empty history")
+        ->check(CLI::Range(1, 1000000));
+    command->add_option("--time", flags->time, "Time of the first frame in seconds");
+    command->add_option("--dump", flags->dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");
+    command->add_option("--out", flags->out, "File.exr; for a project a folder")->required();
+    command->add_option("--json", flags->json, "File for the statistics; - or nothing: standard output")
+        ->expected(0, 1)
+        ->default_str("-");
+    command
+        ->add_option("--initial-capacity", flags->initial_capacity,
+                     "Factor on the first size of growing buffers (to test growth)")
+        ->check(CLI::Range(1e-9, 1e3));
+    command->add_flag("--keep", flags->keep, "Keep the results in the project");
+    command->add_flag("--quiet", flags->quiet, "No progress on standard error");
+    add_machine_flags(*command, flags->machine);
+    command->callback([flags, command, &run] {
+        if (command->count("--json") && flags->json.empty()) flags->json = "-";
+        run = [flags] {
+            if (!flags->project.empty()) {
+                if (!flags->scene.empty() || !flags->method.empty())
+                    throw UsageError("give a PROJECT, or --scene and --method, not both");
+                return render_project({flags->machine, flags->project, flags->out, flags->experiments,
+                                       flags->dumps, flags->keep, !flags->quiet});
+            }
+            if (flags->scene.empty() || flags->method.empty())
+                throw UsageError("give a PROJECT, or --scene and --method");
+            return render_scene(*flags);
+        };
+    });
+}
+
+}  // namespace ir::cli

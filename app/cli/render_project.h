@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+
+namespace ir::cli {
+
+struct ProjectRender {
+    MachineFlags machine;
+    std::string project, out;
+    std::vector<std::string> experiments, dumps;
+    bool keep = false, show_progress = true;
+};
+
+/// Renders the chosen experiments (all when none is named) to OUT/ID.exr and OUT/ID.json, and a preview
+/// OUT/ID.png.
+int render_project(const ProjectRender& job);
+
+}  // namespace ir::cli

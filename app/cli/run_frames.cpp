@@ -1,0 +1,82 @@
+#include "app/cli/run_frames.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+#include "renderers/core/error.h"
+
+namespace ir::cli {
+
+engine::MachineOptions machine_options(const MachineFlags& flags) {
+    return {flags.backend, flags.device, flags.debug, flags.threads};
+}
+
+graph::FrameOptions frame_options(const MachineFlags& flags, const std::vector<std::string>& wanted,
+                                  double initial_capacity, bool show_progress) {
+    graph::FrameOptions options;
+    options.wanted = wanted;
+    options.memory_budget = parse_bytes(flags.memory);
+    options.initial_capacity = initial_capacity;
+    options.cancel = &interruption();
+    if (show_progress && isatty(STDERR_FILENO))
+        options.progress = [](const std::string& what, double fraction) {
+            std::fprintf(stderr, "\r\033[K%3.0f %% %s", 100 * fraction, what.c_str());
+            if (fraction >= 1) std::fprintf(stderr, "\r\033[K");
+        };
+    return options;
+}
+
+FrameReport run_frames(engine::Execution& execution, const graph::FrameOptions& options) {
+    FrameReport last;
+    std::vector<Message> messages;
+    double wall_ms = 0, growths = 0;
+    while (execution.committed_frames() < execution.experiment().frames) {
+        last = execution.run_frame(options);
+        wall_ms += last.wall_ms;
+        growths += last.counters["growth"];
+        for (const auto& message : last.messages) {
+            const auto same = [&](const Message& known) { return known.text == message.text; };
+            if (std::none_of(messages.begin(), messages.end(), same)) messages.push_back(message);
+        }
+    }
+    last.wall_ms = wall_ms;
+    last.counters["growth"] = growths;
+    last.messages = std::move(messages);
+    return last;
+}
+
+void print_messages(const engine::Execution& execution, const FrameReport& report) {
+    for (const auto& warning : execution.scene().warnings) std::cerr << "warning: " << warning.text << "\n";
+    for (const auto& message : report.messages)
+        std::cerr << (message.severity == Severity::note ? "note: " : "warning: ") << message.text << "\n";
+}
+
+void warn_of_unmatched(const std::vector<std::string>& patterns, const FrameReport& report) {
+    for (const auto& pattern : patterns) {
+        const bool matched =
+            std::any_of(report.resources.begin(), report.resources.end(),
+                        [&](const auto& resource) { return graph::matches(pattern, resource.key); });
+        if (matched) continue;
+        std::string known;
+        for (const auto& resource : report.resources) known += (known.empty() ? "" : ", ") + resource.key;
+        throw UsageError("--dump '" + pattern + "' matches no buffer; there are " + known);
+    }
+}
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+    auto temporary = file;
+    temporary += ".part";
+    std::ofstream stream(temporary, std::ios::binary);
+    stream << text;
+    stream.close();
+    std::error_code error;
+    if (stream) std::filesystem::rename(temporary, file, error);
+    if (!stream || error)
+        throw Error(file.string() + ": cannot be written; check that the folder exists and has room");
+}
+
+}  // namespace ir::cli

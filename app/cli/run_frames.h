@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "app/engine/execution.h"
+
+namespace ir::cli {
+
+engine::MachineOptions machine_options(const MachineFlags& flags);
+graph::FrameOptions frame_options(const MachineFlags& flags, const std::vector<std::string>& wanted,
+                                  double initial_capacity, bool show_progress);
+
+/// All frames of the experiment; the report of the last, with the messages of all and wall_ms summed.
+FrameReport run_frames(engine::Execution& execution, const graph::FrameOptions& options);
+
+/// Loader warnings and frame messages, one line each, to standard error.
+void print_messages(const engine::Execution& execution, const FrameReport& report);
+/// Says which --dump patterns matched nothing.
+void warn_of_unmatched(const std::vector<std::string>& patterns, const FrameReport& report);
+
+/// Written to a temporary, then renamed. Throws Error.
+void write_text(const std::filesystem::path& file, const std::string& text);
+
+}  // namespace ir::cli
