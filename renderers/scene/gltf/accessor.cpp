@@ -85,15 +85,14 @@ bool Accessor::is_unsigned() const {
 const std::uint8_t* Accessor::bytes_of(int view, std::size_t offset) const {
     const auto& fields = document_.model.bufferViews[view];
     const auto& buffer = document_.buffers[fields.buffer];
-    if (!buffer.present)
-        fail("lies in " + element("buffers", fields.buffer) + ", which has no data; export the file again");
-    return buffer.bytes.data() + fields.byteOffset + offset;
+    return buffer.present ? buffer.bytes.data() + fields.byteOffset + offset : nullptr;
 }
 
 void Accessor::read_sparse(const tinygltf::Accessor& accessor) {
     const auto& sparse = accessor.sparse;
     const auto* indices = bytes_of(sparse.indices.bufferView, sparse.indices.byteOffset);
     const auto* values = bytes_of(sparse.values.bufferView, sparse.values.byteOffset);
+    if (!indices || !values) return;
     const auto step = [&](int view, int tight) {
         const auto stride = document_.model.bufferViews[view].byteStride;
         return stride > 0 ? stride : static_cast<std::size_t>(tight);

@@ -13,11 +13,13 @@ namespace ir::scene::gltf {
 /// Elements of one accessor, whatever its storage: tight, interleaved, sparse or all zeros.
 class Accessor {
   public:
-    /// `place` names the user in errors. Throws InputError where the accessor has no data.
+    /// `place` names the user in errors. Throws InputError where the accessor's type is unknown.
     Accessor(const Document& document, int index, std::string place);
 
     std::size_t count() const { return count_; }
     int components() const { return components_; }
+    /// False where all elements are zero for want of a buffer [glTF 2.0, 3.6.2].
+    bool has_data() const { return base_ || !sparse_.empty(); }
     bool is_float() const;
     bool is_unsigned() const;
     /// Unsigned integer accessors only.
@@ -31,6 +33,7 @@ class Accessor {
     [[noreturn]] void fail(const std::string& problem) const;
 
   private:
+    /// Null where the buffer has no data.
     const std::uint8_t* bytes_of(int view, std::size_t offset) const;
     const std::uint8_t* bytes_at(std::size_t element) const;
     void read_sparse(const tinygltf::Accessor& accessor);

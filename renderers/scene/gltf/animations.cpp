@@ -74,6 +74,10 @@ class AnimationReader {
 
     void read(const tinygltf::AnimationSampler& sampler, int node, AnimatedPath path,
               const std::string& place) {
+        if (!Accessor(document_, sampler.input, place + ".input").has_data()) {
+            document_.warnings.add("an animation without data was ignored");
+            return;
+        }
         spend(document_.model.accessors[sampler.input].count, place);
         AnimationChannel channel;
         channel.node = node;

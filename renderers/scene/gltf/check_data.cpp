@@ -78,7 +78,8 @@ void check_buffer_views(Checking& checking) {
             view.required(view.index("buffer", checking.count("buffers"), "buffers"), "buffer");
         const auto offset = view.integer("byteOffset", 0, max_bytes).value_or(0);
         const auto length = view.required(view.integer("byteLength", 1, max_bytes), "byteLength");
-        view.integer("byteStride", 1, 255);
+        if (view.integer("byteStride", 4, 252).value_or(4) % 4 != 0)
+            view.fail("byteStride", "must be a multiple of 4; export the file again");
         CheckedObject owner(checking.file, element("buffers", buffer), checking.source["buffers"][buffer]);
         const auto total = owner.required(owner.integer("byteLength", 1, max_bytes), "byteLength");
         if (offset + length > total)

@@ -83,6 +83,7 @@ void load_buffers(Document& document, Checking& checking, Container& container, 
         } else if (i == 0 && container.has_binary) {
             data.bytes = std::move(container.binary);
         } else {
+            document.warnings.add(buffer.place() + " has no data; it reads as zeros");
             continue;
         }
         data.present = true;
@@ -149,7 +150,7 @@ void parse_model(Document& document, const Checking& checking) {
 
 Document read_document(const std::string& file) {
     Document document;
-    document.file = one_line(file) == file ? file : one_line(file);
+    document.file = one_line(file, 4096);
     const auto bytes = read_file(file);
     document.total_bytes = bytes.size();
     Hasher hasher;

@@ -27,7 +27,6 @@ Scene load_gltf(const std::string& file) {
     const auto meshes = gltf::load_meshes(document, scene, default_material);
     const auto nodes = gltf::load_nodes(document, scene, meshes);
     gltf::load_animations(document, scene, nodes);
-    gltf::apply_rest_pose(document, scene, nodes);
     gltf::load_cameras(document, scene, nodes);
     gltf::load_lights(document, scene, nodes);
     const auto bounds = bounds_of(scene, 0);

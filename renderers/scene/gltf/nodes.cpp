@@ -71,6 +71,8 @@ std::vector<int> load_nodes(Document& document, Scene& scene, const std::vector<
         result[index] = static_cast<int>(scene.nodes.size());
         auto node = node_of(document, source, parent);
         if (source.mesh >= 0) node.meshes = meshes[source.mesh];
+        if (source.mesh >= 0 && source.skin >= 0)
+            document.warnings.add("skins are ignored; meshes keep the rest pose of their vertices");
         scene.nodes.push_back(std::move(node));
         for (const int child : source.children) queue.emplace_back(child, result[index]);
     }

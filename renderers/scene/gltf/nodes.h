@@ -18,7 +18,4 @@ void load_animations(Document& document, Scene& scene, const std::vector<int>& n
 void load_cameras(Document& document, Scene& scene, const std::vector<int>& nodes);
 void load_lights(Document& document, Scene& scene, const std::vector<int>& nodes);
 
-/// Moves skinned meshes to the rest pose of their joints. Throws InputError.
-void apply_rest_pose(Document& document, Scene& scene, const std::vector<int>& nodes);
-
 }  // namespace ir::scene::gltf

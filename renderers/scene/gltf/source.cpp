@@ -58,8 +58,7 @@ std::array<int, 256> base64_table() {
 
 }  // namespace
 
-std::string one_line(std::string_view text) {
-    constexpr std::size_t max_length = 120;
+std::string one_line(std::string_view text, std::size_t max_length) {
     std::string result;
     for (const char c : text.substr(0, max_length)) {
         const auto byte = static_cast<unsigned char>(c);
@@ -71,8 +70,8 @@ std::string one_line(std::string_view text) {
 
 Bytes read_file(const std::filesystem::path& file, const std::string& owner, const std::string& place) {
     const auto fail = [&](const std::string& problem) {
-        if (owner.empty()) throw InputError(one_line(file.string()), "", problem);
-        throw InputError(owner, place, one_line(file.string()) + ": " + problem);
+        if (owner.empty()) throw InputError(one_line(file.string(), 4096), "", problem);
+        throw InputError(owner, place, one_line(file.string(), 4096) + ": " + problem);
     };
     std::error_code failure;
     const auto status = std::filesystem::status(file, failure);
@@ -131,8 +130,12 @@ bool is_data_uri(std::string_view uri) {
 Bytes decode_data_uri(const std::string& file, const std::string& place, std::string_view uri) {
     static const auto table = base64_table();
     const auto comma = uri.find(',');
-    if (comma == std::string_view::npos || uri.substr(0, comma).find(";base64") == std::string_view::npos)
-        throw InputError(file, place, "a data URI without ;base64, data; export the file again");
+    if (comma == std::string_view::npos)
+        throw InputError(file, place, "a data URI without data; export the file again");
+    if (uri.substr(0, comma).find(";base64") == std::string_view::npos) {
+        const auto text = percent_decoded(std::string(uri.substr(comma + 1)));
+        return Bytes(text.begin(), text.end());
+    }
     Bytes bytes;
     bytes.reserve((uri.size() - comma) / 4 * 3);
     std::uint32_t pending = 0;

@@ -11,8 +11,9 @@ namespace ir::scene::gltf {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Text from a file as it may stand in a message: one line, no control characters, at most 120 bytes.
-std::string one_line(std::string_view text);
+/// Text from a file as it may stand in a message: one line, no control characters, at most `max_length`
+/// bytes.
+std::string one_line(std::string_view text, std::size_t max_length = 120);
 
 /// The whole of a regular file of at most 2 GiB. Throws InputError naming `owner` and `place` when given
 /// (a file that `owner` refers to), else `file` itself.
@@ -32,7 +33,7 @@ Container open_container(const std::string& file, const Bytes& bytes);
 
 bool is_data_uri(std::string_view uri);
 
-/// Bytes of a base64 data URI. Throws InputError.
+/// Bytes of a data URI, base64 or percent-encoded [RFC 2397]. Throws InputError.
 Bytes decode_data_uri(const std::string& file, const std::string& place, std::string_view uri);
 
 /// The file that a relative URI means, percent-decoded. Throws InputError for a scheme such as http:.

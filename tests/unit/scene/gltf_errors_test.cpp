@@ -1,0 +1,180 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "renderers/core/error.h"
+#include "tests/unit/scene/gltf_builder.h"
+
+// What is wrong with a file is said in one line that names the file and the place in it.
+
+namespace {
+
+using namespace ir;
+using test::GltfBuilder;
+using test::Json;
+using test::TemporaryFolder;
+using test::write_file;
+
+std::string refusal_of(const std::string& file) {
+    try {
+        scene::load_scene(file);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "loaded";
+}
+
+void expect_refusal(const std::string& contents, const std::string& place, const std::string& problem) {
+    const TemporaryFolder folder;
+    const auto file = write_file(folder, "bad.gltf", contents);
+    const auto refusal = refusal_of(file);
+    EXPECT_EQ(refusal.rfind(file + ": " + place, 0), 0u) << refusal;
+    EXPECT_NE(refusal.find(problem), std::string::npos) << refusal;
+    EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
+}
+
+GltfBuilder triangle() {
+    GltfBuilder builder;
+    builder.draw({{"POSITION", builder.triangle_positions()}});
+    return builder;
+}
+
+TEST(GltfErrors, MissingFile) {
+    EXPECT_NE(refusal_of("no/such/file.gltf").find("no/such/file.gltf: no such file"), std::string::npos);
+}
+
+TEST(GltfErrors, NotJson) {
+    expect_refusal("{\"asset\": ", "byte ", "not valid JSON");
+}
+
+TEST(GltfErrors, DeeplyNestedJson) {
+    expect_refusal("{\"asset\":{\"version\":\"2.0\"},\"extras\":" + std::string(100000, '[') +
+                       std::string(100000, ']') + "}",
+                   "byte ", "nested deeper");
+}
+
+TEST(GltfErrors, OldVersion) {
+    expect_refusal(R"({"asset":{"version":"1.0"}})", "asset.version", "only glTF 2");
+}
+
+TEST(GltfErrors, RequiredExtension) {
+    auto builder = triangle();
+    builder.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+    expect_refusal(builder.embedded_text(), "extensionsRequired",
+                   "KHR_draco_mesh_compression is not supported");
+}
+
+TEST(GltfErrors, MissingBuffer) {
+    auto builder = triangle();
+    builder.json["buffers"] = {{{"byteLength", 36}, {"uri", "absent.bin"}}};
+    expect_refusal(builder.json.dump(), "buffers[0].uri", "absent.bin: no such file");
+}
+
+TEST(GltfErrors, NetworkUri) {
+    auto builder = triangle();
+    builder.json["buffers"] = {{{"byteLength", 36}, {"uri", "https://example.com/a.bin"}}};
+    expect_refusal(builder.json.dump(), "buffers[0].uri", "scheme");
+}
+
+TEST(GltfErrors, AccessorBeyondItsView) {
+    auto builder = triangle();
+    builder.json["accessors"][0]["count"] = 4;
+    expect_refusal(builder.embedded_text(), "accessors[0].bufferView", "reaches to 48");
+    builder.json["accessors"][0]["count"] = 2147483647;
+    expect_refusal(builder.embedded_text(), "accessors[0].bufferView", "reaches to 25769803764");
+}
+
+TEST(GltfErrors, ViewBeyondItsBuffer) {
+    auto builder = triangle();
+    builder.json["bufferViews"][0]["byteOffset"] = 4;
+    expect_refusal(builder.embedded_text(), "bufferViews[0].byteLength", "reaches to byte 40");
+}
+
+TEST(GltfErrors, ReferencesOutOfRange) {
+    auto builder = triangle();
+    builder.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 7;
+    expect_refusal(builder.embedded_text(), "meshes[0].primitives[0].attributes.POSITION", "accessors[7]");
+    builder = triangle();
+    builder.json["nodes"][0]["mesh"] = -1;
+    expect_refusal(builder.embedded_text(), "nodes[0].mesh", "must lie in");
+}
+
+TEST(GltfErrors, IndexBeyondTheVertices) {
+    GltfBuilder builder;
+    const int indices =
+        builder.accessor(builder.view(std::vector<std::uint8_t>{0, 1, 3}), test::type_ubyte, "SCALAR", 3);
+    builder.draw({{"POSITION", builder.triangle_positions()}}, indices);
+    expect_refusal(builder.embedded_text(), "meshes[0].primitives[0].indices", "index 3 at 2");
+}
+
+TEST(GltfErrors, NotANumberInPositions) {
+    GltfBuilder builder;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    builder.draw({{"POSITION", builder.floats({0, 0, 0, 1, nan, 0, 0, 1, 0}, "VEC3")}});
+    expect_refusal(builder.embedded_text(), "meshes[0].primitives[0].attributes.POSITION",
+                   "element 1 is not a finite");
+}
+
+TEST(GltfErrors, SparseIndexBeyondTheCount) {
+    auto builder = triangle();
+    const int indices = builder.view(std::vector<std::uint8_t>{3});
+    builder.json["accessors"][0]["sparse"] = {
+        {"count", 1},
+        {"indices", {{"bufferView", indices}, {"componentType", test::type_ubyte}}},
+        {"values", {{"bufferView", builder.view(std::vector<float>{0, 0, 0})}}}};
+    expect_refusal(builder.embedded_text(), "meshes[0].primitives[0].attributes.POSITION", "sparse index");
+}
+
+TEST(GltfErrors, NodeThatIsItsOwnAncestor) {
+    auto builder = triangle();
+    builder.json["nodes"] = {{{"children", {1}}}, {{"children", {0}}}};
+    expect_refusal(builder.embedded_text(), "nodes", "ancestors");
+}
+
+TEST(GltfErrors, FilesThatExpandBeyondReasonAreRefused) {
+    GltfBuilder builder;
+    const int nothing = builder.accessor(-1, test::type_float, "VEC3", 1000000000);
+    builder.draw({{"POSITION", nothing}});
+    expect_refusal(builder.embedded_text(), "meshes[0].primitives[0]", "far more geometry");
+}
+
+TEST(GltfErrors, MissingAndDamagedImagesMatterOnlyWhereUsed) {
+    auto builder = triangle();
+    builder.append("images", {{"uri", "absent.png"}});
+    builder.append("images", {{"uri", "data:image/png;base64,AAAA"}});
+    EXPECT_EQ(test::load(builder).textures.size(), 0u);
+    builder.append("textures", {{"source", 0}});
+    builder.append("materials", {{"emissiveTexture", {{"index", 0}}}});
+    expect_refusal(builder.embedded_text(), "images[0].uri", "absent.png: no such file");
+    builder.json["textures"][0]["source"] = 1;
+    expect_refusal(builder.embedded_text(), "images[1]", "neither a PNG nor a JPEG");
+}
+
+TEST(GltfErrors, GiantImageIsRefusedByItsHeader) {
+    auto builder = triangle();
+    std::vector<std::uint8_t> png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13,
+                                  'I',  'H', 'D', 'R', 0,    1,    0,    0,    0, 1, 0, 0,
+                                  8,    6,   0,   0,   0,    0,    0,    0,    0, 0, 0, 0};
+    builder.append("images", {{"uri", "data:image/png;base64," + GltfBuilder::base64(png)}});
+    builder.append("textures", {{"source", 0}});
+    builder.append("materials", {{"normalTexture", {{"index", 0}}}});
+    expect_refusal(builder.embedded_text(), "images[0]", "65536x65536");
+}
+
+TEST(GltfErrors, TruncatedGlb) {
+    const auto whole = triangle().glb_bytes();
+    const TemporaryFolder folder;
+    EXPECT_EQ(refusal_of(write_file(folder, "whole.glb", whole)), "loaded");
+    for (const std::size_t size : {std::size_t{5}, std::size_t{19}, whole.size() / 2, whole.size() - 1}) {
+        const auto refusal = refusal_of(write_file(folder, "cut.glb", whole.substr(0, size)));
+        EXPECT_NE(refusal.find("cut.glb: GLB header"), std::string::npos) << refusal;
+    }
+}
+
+TEST(GltfErrors, NamesCannotBreakTheLine) {
+    auto builder = triangle();
+    builder.json["extensionsRequired"] = {"EVIL\nNAME\x1b[31m"};
+    expect_refusal(builder.embedded_text(), "extensionsRequired", "EVIL?NAME?[31m");
+}
+
+}  // namespace
