@@ -211,10 +211,12 @@ std::uint64_t Bvh::bytes() const {
 }
 
 graph::ObjectRef bvh(graph::GraphBuilder& builder) {
-    const auto result = builder.object({.text = {.key = "raytracing.bvh",
-                                                 .label = "Bounding volume hierarchy",
-                                                 .doc = "Embree's acceleration structure over the world."},
-                                        .fingerprint = builder.inputs().world_fingerprint});
+    graph::ObjectDesc desc;
+    desc.text.key = "raytracing.bvh";
+    desc.text.label = "Bounding volume hierarchy";
+    desc.text.doc = "Embree's acceleration structure over the world.";
+    desc.fingerprint = builder.inputs().world_fingerprint;
+    const auto result = builder.object(desc);
     builder.pass("BVH", graph::Queue::cpu).writes(result).execute([result](graph::PassContext& context) {
         const auto& inputs = context.inputs();
         const auto made = std::make_shared<Bvh>(*inputs.scene, *inputs.world, inputs.threads);

@@ -1,0 +1,308 @@
+#include <cmath>
+
+#include "renderers/passes/gbuffer/pixel_rays.h"
+#include "tests/unit/passes/pass_fixture.h"
+#include "tests/unit/passes/small_world.h"
+
+namespace ir::test {
+namespace {
+
+using scene::Camera;
+using scene::Scene;
+
+constexpr int width = 48, height = 32;
+
+Camera looking(glm::vec3 eye, glm::vec3 target, glm::vec3 up = {0, 1, 0}) {
+    Camera camera;
+    camera.eye = eye;
+    camera.target = target;
+    camera.up = up;
+    return camera;
+}
+
+class GBufferTest : public PassTest {};
+
+TEST_F(GBufferTest, PositionIsWhereThePixelsRayMeetsThePlane) {
+    const Shot shot("builtin:plane", "above", width, height);
+    run_gbuffer(shot);
+    const auto position = read("gbuffer.position"), valid = read("valid"), depth = read("gbuffer.depth");
+    const auto normal = read("gbuffer.normal"), geometric = read("gbuffer.geometric_normal");
+    int hits = 0, misses = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const auto ray = scene::pixel_ray(shot.view, {x + 0.5f, y + 0.5f});
+            const float t = -ray.origin_ws.y / ray.direction_ws.y;
+            const auto expected = ray.origin_ws + t * ray.direction_ws;
+            const float outside = std::max(std::abs(expected.x), std::abs(expected.z)) - 5;
+            if (std::abs(outside) < 1e-3f) continue;
+            const bool hit = t > 0 && outside < 0;
+            (hit ? hits : misses)++;
+            ASSERT_EQ(valid.at(x, y), hit ? 1 : 0) << x << ' ' << y;
+            if (!hit) {
+                EXPECT_EQ(rgb(position, x, y), glm::vec3(0));
+                EXPECT_EQ(position.at(x, y, 3), 0);
+                EXPECT_EQ(depth.at(x, y), 1);
+                continue;
+            }
+            EXPECT_LT(glm::distance(rgb(position, x, y), expected), 1e-4f);
+            EXPECT_NEAR(rgb(position, x, y).y, 0, 1e-5f);
+            EXPECT_NEAR(position.at(x, y, 3), t, 1e-4f);
+            EXPECT_LT(glm::distance(rgb(normal, x, y), {0, 1, 0}), 1e-3f);
+            EXPECT_LT(glm::distance(rgb(geometric, x, y), {0, 1, 0}), 1e-6f);
+            EXPECT_EQ(geometric.at(x, y, 3), 0);
+            const auto clip = shot.view.clip_from_world() * glm::vec4(expected, 1);
+            EXPECT_NEAR(depth.at(x, y), clip.z / clip.w, 1e-5f);
+        }
+    EXPECT_GT(hits, 100);
+    EXPECT_GT(misses, 100);
+}
+
+TEST_F(GBufferTest, RaysOfTheShadersAreThoseOfTheScene) {
+    auto camera = looking({3, 2, 5}, {-1, 0.5f, 0}, {0.2f, 1, 0});
+    const scene::Bounds bounds{{-5, -5, -5}, {5, 5, 5}};
+    for (const bool orthographic : {false, true}) {
+        camera.orthographic = orthographic;
+        const auto view = scene::make_view(camera, 37, 21, bounds);
+        const auto rays = passes::pixel_rays(view);
+        for (const glm::vec2 p : {glm::vec2(0), glm::vec2(37, 0), glm::vec2(0, 21), glm::vec2(11.5f, 7.5f)}) {
+            const auto expected = scene::pixel_ray(view, p);
+            const auto origin = rays.origin + p.x * rays.origin_dx + p.y * rays.origin_dy;
+            const auto direction = rays.direction + p.x * rays.direction_dx + p.y * rays.direction_dy;
+            EXPECT_LT(glm::distance(origin, expected.origin_ws), 1e-5f);
+            EXPECT_LT(glm::distance(glm::normalize(direction), expected.direction_ws), 1e-6f);
+            EXPECT_NEAR((view.view_from_world * glm::vec4(direction, 0)).z, -1, 1e-6f);
+        }
+    }
+}
+
+TEST_F(GBufferTest, PositionsAreExactInAnOrthographicView) {
+    auto camera = looking({0, 4, 0}, {0, 0, 0}, {0, 0, -1});
+    camera.orthographic = true;
+    camera.height = 8;
+    const Shot shot(scene::load_scene("builtin:plane"), camera, width, height);
+    run_gbuffer(shot);
+    const auto position = read("gbuffer.position");
+    for (int y = 0; y < height; ++y)
+        for (int x = 8; x < width - 8; ++x) {
+            const auto ray = scene::pixel_ray(shot.view, {x + 0.5f, y + 0.5f});
+            EXPECT_LT(glm::distance(rgb(position, x, y), {ray.origin_ws.x, 0, ray.origin_ws.z}), 1e-5f);
+        }
+}
+
+TEST_F(GBufferTest, RowZeroIsTheTopRow) {
+    SmallWorld small;
+    small.square({0, 2, 0}, {0, 0, 1}, 0.5f);  // above the eye's level
+    const Shot shot(small.scene(), looking({0, 0, 6}, {0, 0, 0}), 33, 33);
+    run_gbuffer(shot);
+    const auto valid = read("valid");
+    double sum = 0, rows = 0;
+    for (int y = 0; y < 33; ++y)
+        for (int x = 0; x < 33; ++x) {
+            sum += valid.at(x, y);
+            rows += y * valid.at(x, y);
+        }
+    ASSERT_GT(sum, 4);
+    EXPECT_LT(rows / sum, 10);
+}
+
+TEST_F(GBufferTest, NormalsTurnToTheViewerOnBackFacesToo) {
+    const Shot shot("builtin:cornell", "", width, height);
+    run_gbuffer(shot);
+    const auto position = read("gbuffer.position"), valid = read("valid");
+    const auto normal = read("gbuffer.normal"), geometric = read("gbuffer.geometric_normal");
+    int checked = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            if (valid.at(x, y) == 0) continue;
+            const auto v = glm::normalize(shot.view.eye_ws - rgb(position, x, y));
+            EXPECT_NEAR(glm::length(rgb(normal, x, y)), 1, 2e-3f);
+            EXPECT_NEAR(glm::length(rgb(geometric, x, y)), 1, 1e-5f);
+            EXPECT_GE(glm::dot(rgb(geometric, x, y), v), 0);
+            EXPECT_GT(glm::dot(rgb(normal, x, y), rgb(geometric, x, y)), 0);
+            ++checked;
+        }
+    EXPECT_GT(checked, 200);
+
+    for (const float side : {1.0f, -1.0f}) {
+        SmallWorld small;
+        small.square({0, 0, 0}, {0, 0, 1}, 1);
+        const Shot back(small.scene(), looking({0.3f, 0.2f, 4 * side}, {0, 0, 0}), 9, 9);
+        run_gbuffer(back);
+        EXPECT_LT(glm::distance(rgb(read("gbuffer.normal"), 4, 4), {0, 0, side}), 1e-3f);
+        EXPECT_LT(glm::distance(rgb(read("gbuffer.geometric_normal"), 4, 4), {0, 0, side}), 1e-6f);
+    }
+}
+
+TEST_F(GBufferTest, TheGeometricNormalOfASliverIsThatOfItsPlane) {
+    SmallWorld small;
+    scene::Mesh mesh;  // 2 m long, 1/1000 m wide, in a tilted plane far from the origin
+    const glm::vec3 origin(100, 50, -30), along = glm::normalize(glm::vec3(1, 2, 3));
+    const auto across = glm::normalize(glm::cross(along, glm::vec3(0, 1, 0)));
+    const auto expected = glm::normalize(glm::cross(along, across));
+    mesh.positions = {origin - along, origin + along, origin + 0.02f * across};
+    mesh.normals.assign(3, expected);
+    mesh.uv0.assign(3, {0, 0});
+    mesh.indices = {0, 1, 2};
+    small.add(std::move(mesh));
+    const auto middle = origin + 0.005f * across;
+    const Shot shot(small.scene(), looking(middle + expected, middle), 65, 65);
+    run_gbuffer(shot);
+    const auto geometric = rgb(read("gbuffer.geometric_normal"), 32, 32);
+    EXPECT_GT(glm::dot(geometric, expected), 1 - 1e-6f);
+}
+
+TEST_F(GBufferTest, AlphaMasksCutHolesAtTheTexelsOfTheBitmap) {
+    SmallWorld small;
+    small.quad({-1, 1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, SmallWorld::masked);
+    auto camera = looking({0, 0, 3}, {0, 0, 0});
+    camera.orthographic = true;
+    camera.height = 2;
+    const Shot shot(small.scene(), camera, 16, 16);
+    run_gbuffer(shot);
+    const auto valid = read("valid");
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) EXPECT_EQ(valid.at(x, y), x < 8 && y < 8 ? 0 : 1) << x << ' ' << y;
+}
+
+TEST_F(GBufferTest, CoverageAgreesWithTheSceneForEveryWrapAndTransform) {
+    using scene::Wrap;
+    for (const auto wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
+        SmallWorld small;
+        small.quad({-1, 1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, SmallWorld::masked);
+        auto scene = small.scene();
+        auto& texture = scene.textures[0];
+        texture.width = 37;  // two words a row
+        texture.height = 5;
+        texture.rgba.resize(37 * 5 * 4);
+        for (std::size_t i = 0; i < 37 * 5; ++i) texture.rgba[4 * i + 3] = i * 7919 % 5 < 2 ? 255 : 0;
+        texture.sampler.wrap_s = texture.sampler.wrap_t = wrap;
+        auto& slot = scene.materials[SmallWorld::masked].base_colour_texture;
+        slot.offset = {-1.3f, 0.37f};
+        slot.scale = {2.7f, -3.1f};
+        slot.rotation = 0.4f;
+        auto camera = looking({0, 0, 3}, {0, 0, 0});
+        camera.orthographic = true;
+        camera.height = 2;
+        const Shot shot(scene, camera, 64, 64);
+        run_gbuffer(shot);
+        const auto valid = read("valid");
+        int covered = 0;
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const glm::vec2 uv((x + 0.5f) / 64, (y + 0.5f) / 64);
+                const bool expected = scene::is_covered(shot.world, shot.world.opacity.at(0), texture.sampler,
+                                                        scene::transformed_uv(slot, uv));
+                EXPECT_EQ(valid.at(x, y), expected ? 1 : 0) << x << ' ' << y;
+                covered += expected;
+            }
+        EXPECT_GT(covered, 400);
+        EXPECT_LT(covered, 3700);
+    }
+}
+
+/// A square in z = 0 with a normal map that leans everything towards +u by 45 degrees.
+Scene leaning_square() {
+    SmallWorld small;
+    small.quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+    auto scene = small.scene();
+    scene.meshes[0].tangents.assign(4, {1, 0, 0, 1});
+    scene::Texture texture;
+    texture.width = texture.height = 1;
+    texture.rgba = {218, 128, 218, 255};  // (0.71, 0, 0.71)
+    scene.textures.push_back(texture);
+    scene.materials[0].normal_texture.texture = 1;
+    return scene;
+}
+
+TEST_F(GBufferTest, NormalMapsLeanTheShadingNormalOnly) {
+    const Shot shot(leaning_square(), looking({0, 0, 4}, {0, 0, 0}), 9, 9);
+    run_gbuffer(shot);
+    const float half = std::sqrt(0.5f);
+    EXPECT_LT(glm::distance(rgb(read("gbuffer.normal"), 4, 4), {half, 0, half}), 0.01f);
+    EXPECT_LT(glm::distance(rgb(read("gbuffer.geometric_normal"), 4, 4), {0, 0, 1}), 1e-6f);
+    run_gbuffer(shot, {.normal_maps = false});
+    EXPECT_LT(glm::distance(rgb(read("gbuffer.normal"), 4, 4), {0, 0, 1}), 1e-3f);
+}
+
+TEST_F(GBufferTest, ReliefOfABackFaceIsTheFrontsFromBehind) {
+    const Shot shot(leaning_square(), looking({0, 0, -4}, {0, 0, 0}), 9, 9);
+    run_gbuffer(shot);
+    const float half = std::sqrt(0.5f);
+    EXPECT_LT(glm::distance(rgb(read("gbuffer.normal"), 4, 4), {-half, 0, -half}), 0.01f);
+}
+
+TEST_F(GBufferTest, MirroredInstancesMirrorTheirRelief) {
+    auto scene = leaning_square();
+    scene.nodes[0].scale = {-1, 1, 1};
+    const Shot shot(scene, looking({0, 0, 4}, {0, 0, 0}), 9, 9);
+    run_gbuffer(shot);
+    const float half = std::sqrt(0.5f);
+    EXPECT_LT(glm::distance(rgb(read("gbuffer.normal"), 4, 4), {-half, 0, half}), 0.01f);
+    EXPECT_LT(glm::distance(rgb(read("gbuffer.geometric_normal"), 4, 4), {0, 0, 1}), 1e-6f);
+}
+
+TEST_F(GBufferTest, VelocityIsTheDifferenceOfProjections) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 0, 1}, 2);
+    auto scene = small.scene();
+    scene::AnimationChannel slide;
+    slide.times = {0, 1};
+    slide.values = {glm::vec4(0), glm::vec4(0.2f, 0.1f, 0.3f, 0)};
+    scene.animation.push_back(slide);
+    Shot shot(scene, looking({0, 0, 5}, {0, 0, 0}), width, height, 1, 0);
+    shot.previous_view =
+        scene::make_view(looking({0.1f, 0, 5}, {0, 0.05f, 0}), width, height, shot.world.bounds);
+    run_gbuffer(shot);
+    const auto velocity = read("gbuffer.velocity"), position = read("gbuffer.position");
+    for (const auto& [x, y] : {std::pair{24, 16}, std::pair{20, 10}, std::pair{30, 20}}) {
+        const auto before_ws = rgb(position, x, y) - glm::vec3(0.2f, 0.1f, 0.3f);
+        const auto clip = shot.previous_view.clip_from_world() * glm::vec4(before_ws, 1);
+        const glm::vec2 before_px((clip.x / clip.w * 0.5f + 0.5f) * width,
+                                  (0.5f - clip.y / clip.w * 0.5f) * height);
+        const auto expected = glm::vec2(x + 0.5f, y + 0.5f) - before_px;
+        EXPECT_GT(glm::length(expected), 0.5f);
+        EXPECT_NEAR(velocity.at(x, y, 0), expected.x, 1e-2f);
+        EXPECT_NEAR(velocity.at(x, y, 1), expected.y, 1e-2f);
+    }
+}
+
+TEST_F(GBufferTest, MaterialsReachTheBuffers) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 0, 1}, 1);
+    auto scene = small.scene();
+    auto& material = scene.materials[0];
+    material.base_colour = {0.5f, 0.25f, 0.125f, 1};
+    material.metallic = 0.25f;
+    material.roughness = 0.75f;
+    material.emission = {3, 2, 1};
+    material.transmission = 1;
+    scene.meshes[0].colours.assign(4, {0.2f, 0.4f, 1, 1});
+    const Shot shot(scene, looking({0, 0, 4}, {0, 0, 0}), 9, 9);
+    run_gbuffer(shot);
+    EXPECT_LT(glm::distance(rgb(read("gbuffer.albedo"), 4, 4), {0.1f, 0.1f, 0.125f}), 1e-3f);
+    EXPECT_EQ(read("gbuffer.albedo").at(4, 4, 3), 1);
+    EXPECT_EQ(rgb(read("gbuffer.material"), 4, 4), glm::vec3(0.25f, 0.75f, 0));
+    EXPECT_EQ(rgb(read("gbuffer.emission"), 4, 4), glm::vec3(3, 2, 1));
+    EXPECT_EQ(read("valid").at(4, 4), 0) << "glass does not count";
+    EXPECT_GT(read("gbuffer.position").at(4, 4, 3), 0) << "but it is seen";
+}
+
+TEST_F(GBufferTest, SrgbTexturesAreDecodedAndOthersNot) {
+    for (const bool srgb : {true, false}) {
+        SmallWorld small;
+        small.square({0, 0, 0}, {0, 0, 1}, 1);
+        auto scene = small.scene();
+        scene::Texture texture;
+        texture.width = texture.height = 1;
+        texture.rgba = {128, 128, 128, 255};
+        texture.srgb = srgb;
+        scene.textures.push_back(texture);
+        scene.materials[0].base_colour_texture.texture = 1;
+        const Shot shot(scene, looking({0, 0, 4}, {0, 0, 0}), 9, 9);
+        run_gbuffer(shot);
+        EXPECT_NEAR(read("gbuffer.albedo").at(4, 4), srgb ? 0.21586f : 0.50196f, 2e-3f);
+    }
+}
+
+}  // namespace
+}  // namespace ir::test
