@@ -22,7 +22,8 @@ Backend parse_backend(const std::string& text);
 
 struct ContextOptions {
     bool debug = false;  ///< KHR_debug output, synchronous
-    std::string device;  ///< part of an EGL device's renderer or extension string; empty: the best
+    std::string
+        device;  ///< part of an EGL device's renderer or extension string, or "surfaceless"; empty: the best
     std::string osmesa_library = {};  ///< file to load instead of the system's libOSMesa
 };
 

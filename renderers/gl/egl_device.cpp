@@ -57,7 +57,7 @@ std::vector<EglCandidate> egl_candidates() {
     if (can_enumerate && has_word(extensions, "EGL_EXT_platform_device"))
         candidates = device_candidates(get_display);
     if (has_word(extensions, "EGL_MESA_platform_surfaceless")) {
-        EglCandidate candidate{"surfaceless", "surfaceless", ""};
+        EglCandidate candidate{"surfaceless", "surfaceless", "surfaceless"};
         // EGL_DEFAULT_DISPLAY is a plain 0 of the native display type
         candidate.display = get_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
         candidates.push_back(std::move(candidate));

@@ -11,7 +11,7 @@ namespace ir::gl {
 struct EglCandidate {
     std::string name;      ///< "device 0", "surfaceless"
     std::string platform;  ///< "device" or "surfaceless"
-    std::string text;      ///< the device's extensions and what it tells of itself
+    std::string text;      ///< what a device is asked for by: its extensions and name, "surfaceless"
     EGLDisplay display = EGL_NO_DISPLAY;
     bool software = false;
 };

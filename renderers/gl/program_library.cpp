@@ -166,6 +166,7 @@ std::vector<Message> ProgramLibrary::reload_changed(bool* changed) {
 }
 
 void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
+    if (source.files.empty()) throw Error("a program needs at least one shader file");
     const std::string label = joined(source.files);
     if (on_compile) on_compile(label);
     const Api& api = context_.api();

@@ -162,6 +162,8 @@ TEST(Contexts, FilterByDevice) {
     ContextOptions options;
     options.device = Context::create(Backend::egl)->info().renderer.substr(0, 4);
     EXPECT_NO_THROW(Context::create(Backend::egl, options));
+    options.device = "surfaceless";
+    EXPECT_EQ(Context::create(Backend::egl, options)->info().platform, "surfaceless");
     options.device = "a device that nobody has";
     const std::string text = message_of(Backend::egl, options);
     EXPECT_NE(text.find("is not 'a device that nobody has'"), std::string::npos) << text;

@@ -111,11 +111,12 @@ TEST_P(GlDeviceTest, BuffersKeepAndClearRanges) {
     device->destroy_buffer(buffer);
 }
 
-TEST_P(GlDeviceTest, TakesEmptyBuffers) {
-    const Name buffer = device->create_buffer(0, "empty");
+TEST_P(GlDeviceTest, TakesEmptyBuffersAndLongNames) {
+    const Name buffer = device->create_buffer(0, "");
     EXPECT_NE(buffer, 0u);
     device->clear_buffer(buffer, 0, 0);
     device->destroy_buffer(buffer);
+    device->destroy_buffer(device->create_buffer(4, std::string(1000, 'x')));
 }
 
 TEST_P(GlDeviceTest, RefusesWhatTheDeviceCannotHold) {

@@ -137,6 +137,7 @@ TEST_P(ProgramTest, ReportsMissingFiles) {
     folder.write("main.comp", "\n\n#include \"nothing.glsl\"\n");
     EXPECT_TRUE(
         error_of({{"main.comp"}}).starts_with("main.comp:3: include file \"nothing.glsl\" does not exist"));
+    EXPECT_THROW(library->get({}), Error);
     folder.write("main.txt", "");
     EXPECT_TRUE(error_of({{"main.txt"}}).starts_with("main.txt: a program's files end in"));
     folder.write("angle.comp", "#include <lib/answer.glsl>\n");
