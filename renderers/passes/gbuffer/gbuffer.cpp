@@ -68,20 +68,27 @@ void bind_buffers(const PassContext& p, const SceneBuffers& s) {
     p.bind_buffer(11, s.materials);
 }
 
-void bind_texture(const PassContext& p, const SceneBuffers& s, int unit, const scene::TextureSlot& slot) {
-    if (slot.texture < 0) return;
-    const auto index = static_cast<std::size_t>(slot.texture);
-    p.bind_texture(unit, s.textures.at(index), p.inputs().scene->textures.at(index).sampler);
+/// Binds the textures that the material has to units 0, 1, …; a bit for each.
+int bind_textures(const PassContext& p, const SceneBuffers& s, const scene::Material& material) {
+    const scene::TextureSlot* slots[] = {&material.base_colour_texture, &material.metallic_roughness_texture,
+                                         &material.normal_texture, &material.emission_texture,
+                                         &material.transmission_texture};
+    int unit = 0, bound = 0;
+    for (const auto* slot : slots) {
+        if (slot->texture >= 0) {
+            const auto index = static_cast<std::size_t>(slot->texture);
+            p.bind_texture(unit, s.textures.at(index), p.inputs().scene->textures.at(index).sampler);
+            bound |= 1 << unit;
+        }
+        ++unit;
+    }
+    return bound;
 }
 
 void draw_ranges(const PassContext& p, const SceneBuffers& s, const gl::Program& program) {
     for (const auto& range : p.inputs().world->ranges) {
         const auto& material = p.inputs().scene->materials.at(static_cast<std::size_t>(range.material));
-        bind_texture(p, s, 0, material.base_colour_texture);
-        bind_texture(p, s, 1, material.metallic_roughness_texture);
-        bind_texture(p, s, 2, material.normal_texture);
-        bind_texture(p, s, 3, material.emission_texture);
-        bind_texture(p, s, 4, material.transmission_texture);
+        program.set("textures", bind_textures(p, s, material));
         program.set("material_index", range.material);
         p.api().DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first_triangle),
                            static_cast<GLsizei>(3 * range.triangle_count));

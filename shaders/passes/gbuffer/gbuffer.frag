@@ -18,6 +18,7 @@ layout(binding = 4) uniform sampler2D transmission_texture;
 
 uniform int material_index;
 uniform int normal_maps;  // 0: interpolated vertex normals only
+uniform int textures;     // bit i: the texture of unit i is there
 uniform vec3 eye_ws;
 uniform vec2 size_px;
 uniform mat4 previous_clip_from_world;
@@ -30,6 +31,11 @@ layout(location = 4) flat in vec3 plane_normal_ws;
 layout(location = 5) flat in vec3 plane_anchor_ws;
 layout(location = 6) flat in vec2 depth_range;
 layout(location = 7) flat in uint instance;
+layout(location = 8) in vec2 base_colour_uv;
+layout(location = 9) in vec2 metallic_roughness_uv;
+layout(location = 10) in vec2 normal_uv;
+layout(location = 11) in vec2 emission_uv;
+layout(location = 12) in vec2 transmission_uv;
 
 layout(location = 0) out vec4 out_position;
 layout(location = 1) out vec4 out_normal;
@@ -49,15 +55,15 @@ vec3 position_on_plane(vec3 direction) {
     return origin + clamp(depth, depth_range.x, depth_range.y) * direction;
 }
 
-vec2 slot_uv(TextureSlot slot) {
-    return transformed_uv(slot, uv01.xy, uv01.zw);
+bool has_texture(int unit) {
+    return (textures >> unit & 1) != 0;
 }
 
 /// The tangent frame is used as interpolated, neither normalised nor made orthogonal, as bakers assume.
 /// [MikkTSpace; glTF 2.0 §3.7.2.1: bitangent = cross(normal, tangent.xyz) tangent.w]
 vec3 mapped_normal(Material material) {
-    if (normal_maps == 0 || material.normal_slot.texture < 0) return normal_ws;
-    vec3 n_ts = texture(normal_texture, slot_uv(material.normal_slot)).xyz * 2.0 - 1.0;
+    if (normal_maps == 0 || !has_texture(2)) return normal_ws;
+    vec3 n_ts = texture(normal_texture, normal_uv).xyz * 2.0 - 1.0;
     n_ts.xy *= material.normal_scale;
     vec3 bitangent_ws = cross(normal_ws, tangent_ws.xyz) * tangent_ws.w;
     return n_ts.x * tangent_ws.xyz + n_ts.y * bitangent_ws + n_ts.z * normal_ws;
@@ -74,29 +80,25 @@ vec3 shading_normal(Material material, vec3 geometric_normal_ws) {
 
 vec4 base_colour(Material material) {
     vec4 result = material.base_colour * colour;
-    if (material.base_colour_slot.texture >= 0)
-        result *= texture(base_colour_texture, slot_uv(material.base_colour_slot));
+    if (has_texture(0)) result *= texture(base_colour_texture, base_colour_uv);
     return result;
 }
 
 vec2 metallic_roughness(Material material) {
     vec2 result = vec2(material.metallic, material.roughness);
-    if (material.metallic_roughness_slot.texture >= 0)
-        result *= texture(metallic_roughness_texture, slot_uv(material.metallic_roughness_slot)).bg;
+    if (has_texture(1)) result *= texture(metallic_roughness_texture, metallic_roughness_uv).bg;
     return result;
 }
 
 vec3 emission(Material material) {
     vec3 result = material.emission;
-    if (material.emission_slot.texture >= 0)
-        result *= texture(emission_texture, slot_uv(material.emission_slot)).rgb;
+    if (has_texture(3)) result *= texture(emission_texture, emission_uv).rgb;
     return result;
 }
 
 float transmission(Material material) {
     float result = material.transmission;
-    if (material.transmission_slot.texture >= 0)
-        result *= texture(transmission_texture, slot_uv(material.transmission_slot)).r;
+    if (has_texture(4)) result *= texture(transmission_texture, transmission_uv).r;
     return result;
 }
 
@@ -126,5 +128,6 @@ void main() {
     out_valid = glass > 0.5 ? 0.0 : 1.0;
 
     // last, so that the texture look-ups above have all neighbours
-    if (!is_covered(uint(material_index), slot_uv(material.base_colour_slot))) discard;
+    vec2 mask_uv = transformed_uv(material.base_colour_slot, uv01.xy, uv01.zw);
+    if (!is_covered(uint(material_index), mask_uv)) discard;
 }

@@ -9,8 +9,12 @@
 #define SCENE_INSTANCES 6
 #define SCENE_INDICES 7
 #include "passes/scene/scene.glsl"
+#include "lib/material.glsl"
 #include "lib/triangle_plane.glsl"
 
+layout(std430, binding = 11) readonly buffer Materials { Material materials[]; };
+
+uniform int material_index;
 uniform mat4 clip_from_world;
 uniform vec3 eye_ws, view_axis_ws;
 
@@ -22,6 +26,17 @@ layout(location = 4) flat out vec3 plane_normal_ws;
 layout(location = 5) flat out vec3 plane_anchor_ws;
 layout(location = 6) flat out vec2 depth_range;  // nearest and farthest corner along the view axis, m
 layout(location = 7) flat out uint instance;
+// Coordinates of the texture slots. They are made here because pixels beside the triangle, from which the
+// differences between neighbours come, may not be able to read buffers.
+layout(location = 8) out vec2 base_colour_uv;
+layout(location = 9) out vec2 metallic_roughness_uv;
+layout(location = 10) out vec2 normal_uv;
+layout(location = 11) out vec2 emission_uv;
+layout(location = 12) out vec2 transmission_uv;
+
+vec2 slot_uv(TextureSlot slot) {
+    return slot.texture < 0 ? vec2(0) : transformed_uv(slot, uv01.xy, uv01.zw);
+}
 
 void main() {
     uvec3 corners = scene_triangle(uint(gl_VertexID) / 3u);
@@ -37,6 +52,12 @@ void main() {
     normal_ws = scene_normal_ws(vertex);
     tangent_ws = scene_tangents[vertex];
     uv01 = vec4(scene_uv0[vertex], scene_uv1[vertex]);
+    Material material = materials[material_index];
+    base_colour_uv = slot_uv(material.base_colour_slot);
+    metallic_roughness_uv = slot_uv(material.metallic_roughness_slot);
+    normal_uv = slot_uv(material.normal_slot);
+    emission_uv = slot_uv(material.emission_slot);
+    transmission_uv = slot_uv(material.transmission_slot);
     colour = scene_colour(vertex);
     instance = scene_instances[vertex];
     gl_Position = clip_from_world * vec4(corner == 0u ? a : corner == 1u ? b : c, 1);

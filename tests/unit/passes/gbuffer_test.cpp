@@ -304,5 +304,33 @@ TEST_F(GBufferTest, SrgbTexturesAreDecodedAndOthersNot) {
     }
 }
 
+/// The border pixels of a triangle take differences from neighbours beside it.
+TEST_F(GBufferTest, MipLevelsAreTheSameAtBordersOfTriangles) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 0, 1}, 1);
+    auto scene = small.scene();
+    scene::Texture texture;  // a white square in a black one: coarse levels are grey
+    texture.width = texture.height = 64;
+    texture.rgba.assign(64 * 64 * 4, 0);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            if (x >= 16 && y >= 16 && x < 48 && y < 48)
+                std::fill_n(texture.rgba.begin() + 4 * (y * 64 + x), 4, std::uint8_t{255});
+    scene.textures.push_back(texture);
+    scene.materials[0].base_colour_texture.texture = 1;
+    auto camera = looking({0, 0, 3}, {0, 0, 0});
+    camera.orthographic = true;
+    camera.height = 2;
+    const Shot shot(scene, camera, 64, 64);
+    run_gbuffer(shot);
+    const auto albedo = read("gbuffer.albedo");
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const int inside = std::min(std::min(x, 63 - x), std::min(y, 63 - y)) - 16;
+            if (inside >= 2) EXPECT_EQ(albedo.at(x, y), 1) << x << ' ' << y;
+            if (inside <= -3) EXPECT_EQ(albedo.at(x, y), 0) << x << ' ' << y;
+        }
+}
+
 }  // namespace
 }  // namespace ir::test
