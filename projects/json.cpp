@@ -100,8 +100,8 @@ void append_members(std::string& out, const Json& json, std::size_t indent) {
     const std::string margin(indent + 2, ' ');
     const char* separator = "\n";
     for (auto it = json.begin(); it != json.end(); ++it) {
-        out += separator + margin;
-        if (json.is_object()) out += scalar_text(Json(it.key())) + ": ";
+        out.append(separator).append(margin);
+        if (json.is_object()) out.append(scalar_text(Json(it.key()))).append(": ");
         append_pretty(out, *it, indent + 2);
         separator = ",\n";
     }
@@ -114,7 +114,8 @@ void append_pretty(std::string& out, const Json& json, std::size_t indent) {
     } else if (json.empty()) {
         out += json.is_array() ? "[]" : "{}";
     } else if (json.is_array() && fits_one_line(json)) {
-        for (std::size_t i = 0; i < json.size(); ++i) out += (i == 0 ? "[" : ", ") + scalar_text(json[i]);
+        for (std::size_t i = 0; i < json.size(); ++i)
+            out.append(i == 0 ? "[" : ", ").append(scalar_text(json[i]));
         out += "]";
     } else {
         out += json.is_array() ? '[' : '{';
@@ -131,7 +132,7 @@ void append_canonical(std::string& out, const Json& json) {
                   [](const auto& a, const auto& b) { return a.key() < b.key(); });
         out += '{';
         for (std::size_t i = 0; i < members.size(); ++i) {
-            out += (i == 0 ? "" : ",") + scalar_text(Json(members[i].key())) + ":";
+            out.append(i == 0 ? "" : ",").append(scalar_text(Json(members[i].key()))).append(":");
             append_canonical(out, *members[i]);
         }
         out += '}';

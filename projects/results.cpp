@@ -4,7 +4,6 @@
 
 #include "projects/document_json.h"
 #include "projects/hash.h"
-#include "projects/settings.h"
 
 namespace ir::projects {
 namespace {
@@ -76,8 +75,11 @@ void put_method(Json& inputs, const Experiment& run, const Registry& registry) {
     inputs["method_version"] = method ? method->version : run.method_version;
     Json values = Json::object();
     // A known method never sees the keys that it does not know: they are no inputs.
-    for (const auto& [key, value] : method ? runnable_settings(run, *method) : run.values)
+    Settings inputs_of_method = method ? defaults(method->parameters) : run.values;
+    for (auto& [key, value] : inputs_of_method) {
+        if (const auto given = run.values.find(key); given != run.values.end()) value = given->second;
         values[key] = std::visit([](const auto& v) { return Json(v); }, value);
+    }
     inputs["values"] = std::move(values);
 }
 

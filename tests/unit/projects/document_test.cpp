@@ -1,0 +1,196 @@
+#include "projects/document.h"
+
+#include <gtest/gtest.h>
+
+#include "projects/settings.h"
+#include "renderers/core/error.h"
+#include "tests/unit/projects/sample.h"
+
+namespace ir::projects {
+namespace {
+
+using testing::read;
+using testing::sample_project;
+
+std::string refusal(const Json& json) {
+    try {
+        read(pretty_json(json));
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+/// The sample with one member replaced.
+std::string refusal_with(const std::string& pointer, const Json& value) {
+    Json json = to_json(sample_project());
+    json[Json::json_pointer(pointer)] = value;
+    return refusal(json);
+}
+
+TEST(Document, RoundTripIsStableToTheByte) {
+    const auto project = sample_project();
+    const auto text = write_project(project);
+    const auto back = read(text);
+    EXPECT_EQ(back.project, project);
+    EXPECT_EQ(write_project(back.project), text);
+    EXPECT_TRUE(back.messages.empty());
+}
+
+TEST(Document, MatchesTheFrozenFileOfSchema2) {
+    const auto text = testing::read_text(TEST_DATA "/projects/schema-2.json");
+    EXPECT_EQ(write_project(read(text).project), text);
+    EXPECT_EQ(read(text).project, sample_project());
+}
+
+/// Every object of the tree, by pointer.
+void collect_objects(const Json& json, const std::string& pointer, std::vector<std::string>& out) {
+    if (json.is_object()) out.push_back(pointer);
+    if (!json.is_structured()) return;
+    const auto flat = json.items();
+    for (const auto& item : flat) collect_objects(item.value(), pointer + "/" + item.key(), out);
+}
+
+TEST(Document, UnknownKeysSurviveAtEveryLevelAndAreListed) {
+    Json json = to_json(sample_project());
+    std::vector<std::string> places;
+    collect_objects(json, "", places);
+    std::vector<std::string> planted;
+    for (const auto& place : places) {
+        if (place.ends_with("/presets")) continue;  // its members are presets by name
+        json[Json::json_pointer(place)]["from_the_future"] = {{"deep", {1, 2.5, "x", nullptr}}};
+        planted.push_back(place + "/from_the_future");
+    }
+    ASSERT_GT(planted.size(), 20u);
+    const auto once = read(pretty_json(json));
+    const auto text = write_project(once.project);
+    const Json written = parse_json(text, "f");
+    for (const auto& place : planted)
+        EXPECT_EQ(written.at(Json::json_pointer(place)), json.at(Json::json_pointer(place))) << place;
+    EXPECT_EQ(write_project(read(text).project), text);
+
+    auto listed = unknown_keys(once.project, testing::registry());
+    std::sort(listed.begin(), listed.end());
+    std::sort(planted.begin(), planted.end());
+    EXPECT_EQ(listed, planted);
+}
+
+TEST(Document, UnknownMethodsAreKeptWithAllTheirValues) {
+    Json json = to_json(sample_project());
+    json["experiments"][0]["method"] = "teleport";
+    json["experiments"][0]["values"] = {{"whole", 4}, {"real", 4.0}, {"flag", true}, {"list", {1, 2}}};
+    const auto text = pretty_json(json);
+    const auto back = read(text);
+    EXPECT_EQ(back.project.experiments.at(0).method, "teleport");
+    const Json written = parse_json(write_project(back.project), "f");
+    for (const char* key : {"whole", "real", "flag", "list"}) {
+        const auto& value = written.at("experiments").at(0).at("values").at(key);
+        EXPECT_EQ(value, json["experiments"][0]["values"][key]) << key;
+        EXPECT_EQ(value.is_number_float(), std::string(key) == "real") << key;
+    }
+    EXPECT_TRUE(unknown_keys(back.project, testing::registry()).empty());
+}
+
+TEST(Document, WrongValuesNameFilePointerAndMend) {
+    const std::string samples = "/experiments/0/values/samples";
+    EXPECT_EQ(refusal_with(samples, 5000),
+              "test.json: /experiments/0/values/samples: parameter 'samples': '5000' is not allowed; give an "
+              "integer from 1 to 4096");
+    EXPECT_NE(refusal_with(samples, "many").find(samples), std::string::npos);
+    EXPECT_NE(refusal_with(samples, 1.5).find(samples), std::string::npos);
+    EXPECT_NE(refusal_with(samples, Json::array({1})).find("must be a plain value"), std::string::npos);
+    EXPECT_NE(refusal_with("/experiments/0/transport/paths", "full").find("ao, direct"), std::string::npos);
+    EXPECT_NE(refusal_with("/experiments/0/presets/paper/values/samples", 0).find("/presets/paper"),
+              std::string::npos);
+}
+
+TEST(Document, WrongStructureNamesThePlace) {
+    EXPECT_NE(refusal_with("/scenes", "x").find("test.json: /scenes: must be an array"), std::string::npos);
+    EXPECT_NE(refusal_with("/scenes/0", 3).find("/scenes/0: must be an object"), std::string::npos);
+    EXPECT_NE(refusal_with("/scenes/0/id", "../evil").find("is no id"), std::string::npos);
+    EXPECT_NE(refusal_with("/scenes/1/id", "church").find("stands twice"), std::string::npos);
+    EXPECT_NE(refusal_with("/scenes/0/parts", Json::array()).find("at least one"), std::string::npos);
+    EXPECT_NE(refusal_with("/cameras/0/fov_y_degrees", 180).find("0.001 to 179.999"), std::string::npos);
+    EXPECT_NE(refusal_with("/cameras/0/eye", {1, 2}).find("array of 3 numbers"), std::string::npos);
+    EXPECT_NE(refusal_with("/lights/0/id", "scene").find("stands for the scene's own"), std::string::npos);
+    EXPECT_NE(refusal_with("/lights/0/lights/1/inner", 60).find("/lights/0/lights/1: spot light: inner"),
+              std::string::npos);
+    EXPECT_NE(refusal_with("/lights/0/environment", true).find("must be \"scene\""), std::string::npos);
+    EXPECT_NE(refusal_with("/experiments/0/size", {0, 5}).find("[width, height]"), std::string::npos);
+    EXPECT_NE(refusal_with("/experiments/0/size", {1e300, 5}).find("[width, height]"), std::string::npos);
+    EXPECT_NE(refusal_with("/experiments/0/seed", -1).find("at least 0"), std::string::npos);
+    EXPECT_NE(refusal_with("/experiments/0/frames", 0).find("from 1"), std::string::npos);
+    EXPECT_NE(refusal_with("/experiments/0/active_preset", "none").find("not among the presets"),
+              std::string::npos);
+    EXPECT_NE(refusal_with("/motion/0/keys/1/time", 0).find("later than"), std::string::npos);
+    EXPECT_NE(refusal(Json::array()).find("is no project"), std::string::npos);
+}
+
+TEST(Document, ValuesOfNewerParametersComeFromTheirDescription) {
+    Json json = to_json(sample_project());
+    json["experiments"][0]["values"].erase("late");
+    json["experiments"][0]["method_version"] = 2;
+    auto older = read(pretty_json(json));
+    EXPECT_EQ(older.project.experiments[0].values.at("late"), Value{0.0});  // as before version 3
+    ASSERT_EQ(older.messages.size(), 1u);
+    EXPECT_NE(older.messages[0].text.find("as before version 3"), std::string::npos);
+
+    json["experiments"][0]["method_version"] = 3;
+    json["experiments"][0]["values"].erase("samples");
+    auto removed = read(pretty_json(json));
+    EXPECT_EQ(removed.project.experiments[0].values.at("late"), Value{0.5});  // the default
+    EXPECT_EQ(removed.project.experiments[0].values.at("samples"), Value{std::int64_t{16}});
+    EXPECT_EQ(removed.messages.size(), 2u);
+}
+
+TEST(Document, ValuesMayStandInEitherGroupButNotInBoth) {
+    Json json = to_json(sample_project());
+    json["experiments"][0]["values"]["max_distance"] = 3;
+    EXPECT_NE(refusal(json).find("stands in both"), std::string::npos);
+    json["experiments"][0]["transport"].erase("max_distance");
+    const auto back = read(pretty_json(json));
+    EXPECT_EQ(back.project.experiments[0].values.at("max_distance"), Value{3.0});
+    EXPECT_TRUE(to_json(back.project)["experiments"][0]["transport"].contains("max_distance"));
+}
+
+TEST(Document, PresetsOverrideWhatTheyName) {
+    auto e = sample_project().experiments[0];
+    EXPECT_EQ(effective(e).size, glm::ivec2(1024, 1024));
+    EXPECT_EQ(effective(e).values.at("samples"), Value{std::int64_t{256}});
+    EXPECT_EQ(effective(e).frames, 4);
+    e.active_preset = "preview";
+    EXPECT_EQ(effective(e).frames, 1);
+    EXPECT_EQ(effective(e).values.at("samples"), Value{std::int64_t{16}});
+    e.active_preset.clear();
+    EXPECT_EQ(effective(e).size, glm::ivec2(640, 480));
+}
+
+TEST(Document, RunnableSettingsLeaveOutUnknownKeys) {
+    auto e = sample_project().experiments[0];
+    e.values["gone"] = 1.0;
+    e.values.erase("density");
+    const auto settings = runnable_settings(e, testing::registry().at("fog"));
+    EXPECT_EQ(settings.count("gone"), 0u);
+    EXPECT_EQ(settings.at("density"), Value{0.25});
+    EXPECT_EQ(settings.at("samples"), Value{std::int64_t{256}});  // of the active preset
+}
+
+TEST(Document, CamerasFollowTheirMotion) {
+    const auto project = sample_project();
+    const auto& orbit = project.cameras[0];
+    EXPECT_EQ(camera_at(project, orbit, -1).eye, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(camera_at(project, orbit, 0.5).eye, glm::dvec3(1.5, 2, 2.5));
+    EXPECT_EQ(camera_at(project, orbit, 9).eye, glm::dvec3(3, 2, 1));
+    EXPECT_EQ(camera_at(project, project.cameras[1], 1), project.cameras[1]);
+}
+
+TEST(Document, FreeIdsAreValidAndFree) {
+    EXPECT_EQ(free_id("Nave, paper view!", {}), "nave-paper-view");
+    EXPECT_EQ(free_id("a", {"a", "a-2"}), "a-3");
+    EXPECT_EQ(free_id("../..", {}), "item");
+    EXPECT_NE(free_id("Scene", {}), scene_lights);
+    for (const char* bad : {"", ".hidden", "a/b", "a b", "ä", ".."}) EXPECT_FALSE(is_valid_id(bad)) << bad;
+}
+
+}  // namespace
+}  // namespace ir::projects

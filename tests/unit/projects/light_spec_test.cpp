@@ -1,0 +1,88 @@
+#include "projects/light_spec.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "renderers/core/error.h"
+
+namespace ir::projects {
+namespace {
+
+std::string refusal(const std::string& spec) {
+    try {
+        parse_light(spec);
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(LightSpec, ParsesEveryType) {
+    const auto point = parse_light("point:position=1,2,3;flux=40;color=1,0.5,0");
+    EXPECT_EQ(point.type, LightSpec::Type::point);
+    EXPECT_EQ(point.position, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(point.color, glm::dvec3(1, 0.5, 0));
+    EXPECT_DOUBLE_EQ(point.intensity(), 40 / (4 * std::numbers::pi));
+    const auto spot = parse_light("spot:position=0,3,0;target=0,0,0;intensity=10;outer=30;inner=30");
+    EXPECT_EQ(spot.travel(), glm::dvec3(0, -1, 0));
+    EXPECT_EQ(spot.inner, spot.outer);
+    EXPECT_EQ(spot.intensity(), 10);
+    const auto sun = parse_light("directional:direction=0,0,-2;irradiance=3");
+    EXPECT_EQ(sun.travel(), glm::dvec3(0, 0, -1));
+    const auto rect = parse_light("rect:position=0,3,0;target=0,0,0;size=1,2;radiance=5");
+    EXPECT_EQ(rect.size, glm::dvec2(1, 2));
+    EXPECT_EQ(parse_light("disk:position=0,3,0;target=0,0,0;size=1,1;radiance=5").type,
+              LightSpec::Type::disk);
+}
+
+TEST(LightSpec, PrintsWhatItParses) {
+    for (const char* spec :
+         {"point:position=1,2,3;flux=0.1", "point:position=0,0,0;intensity=1e-07;color=1,0.5,0",
+          "spot:position=0,3,0;target=0,0,0;outer=30;inner=20;intensity=10",
+          "directional:direction=0,-1,0.25;irradiance=3",
+          "rect:position=0,3,0;direction=0,-1,0;size=1,2;radiance=5",
+          "disk:position=0,3,0;target=1,0,0;size=0.5,0.5;radiance=5"}) {
+        EXPECT_EQ(to_string(parse_light(spec)), spec);
+        EXPECT_EQ(parse_light(to_string(parse_light(spec))), parse_light(spec));
+    }
+}
+
+TEST(LightSpec, RefusalsNameFieldAndWhatIsAllowed) {
+    EXPECT_NE(refusal("lamp:position=0,0,0").find("point, spot, directional, rect or disk"),
+              std::string::npos);
+    EXPECT_NE(refusal("point:position=0,0,0;power=3").find("unknown field 'power'; allowed are position"),
+              std::string::npos);
+    EXPECT_NE(refusal("point:flux=3").find("field 'position' is missing"), std::string::npos);
+    EXPECT_NE(refusal("point:position=0,0,0").find("give intensity or flux"), std::string::npos);
+    EXPECT_NE(refusal("point:position=0,0,0;flux=1;intensity=1").find("twice"), std::string::npos);
+    EXPECT_NE(refusal("point:position=0,0;flux=1").find("three numbers x,y,z"), std::string::npos);
+    EXPECT_NE(refusal("point:position=0,0,nan;flux=1").find("position"), std::string::npos);
+    EXPECT_NE(refusal("point:position=0,0,0;flux=-1").find("at least 0"), std::string::npos);
+    EXPECT_NE(refusal("point:position=0,0,0;flux=1;flux=1").find("'flux' stands twice"), std::string::npos);
+    EXPECT_NE(refusal("spot:position=0,1,0;target=0,0,0;intensity=1").find("'outer' is missing"),
+              std::string::npos);
+    EXPECT_NE(refusal("spot:position=0,1,0;target=0,0,0;intensity=1;outer=20;inner=30").find("inner"),
+              std::string::npos);
+    EXPECT_NE(refusal("spot:position=0,1,0;target=0,1,0;intensity=1;outer=20").find("differ from position"),
+              std::string::npos);
+    EXPECT_NE(refusal("spot:position=0,1,0;intensity=1;outer=20").find("target or direction"),
+              std::string::npos);
+    EXPECT_NE(refusal("directional:direction=0,0,0;irradiance=1").find("not 0,0,0"), std::string::npos);
+    EXPECT_NE(refusal("rect:position=0,1,0;target=0,0,0;size=0,1;radiance=1").find("size"),
+              std::string::npos);
+    EXPECT_NE(refusal("").find("unknown type"), std::string::npos);
+    EXPECT_EQ(refusal("point:position=0,0,0;flu\nx=1").find('\n'), std::string::npos);
+}
+
+TEST(Vectors, ParseWholeTextOnly) {
+    EXPECT_EQ(parse_vec3("1,-2.5,3e2", "--eye"), glm::dvec3(1, -2.5, 300));
+    for (const char* bad : {"1,2", "1,2,3,4", "1,2,x", "1,2,3 ", "", "1,,3", "1,2,inf"})
+        EXPECT_THROW(parse_vec3(bad, "--eye"), UsageError) << bad;
+    EXPECT_EQ(parse_size("800x600", "--size"), glm::ivec2(800, 600));
+    for (const char* bad : {"800", "800x", "0x5", "x", "65537x1", "8x6x2", "-8x6", "8 x6"})
+        EXPECT_THROW(parse_size(bad, "--size"), UsageError) << bad;
+}
+
+}  // namespace
+}  // namespace ir::projects

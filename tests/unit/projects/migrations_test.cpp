@@ -1,0 +1,93 @@
+#include "projects/migrations.h"
+
+#include <gtest/gtest.h>
+
+#include "projects/document_json.h"
+#include "renderers/core/error.h"
+#include "tests/unit/projects/sample.h"
+
+namespace ir::projects {
+namespace {
+
+using testing::read;
+
+TEST(Migrations, StandInOrderWithoutGaps) {
+    ASSERT_EQ(migrations().size(), static_cast<std::size_t>(schema_version - 1));
+    for (std::size_t i = 0; i < migrations().size(); ++i)
+        EXPECT_EQ(migrations()[i].from, static_cast<int>(i) + 1);
+}
+
+TEST(Migrations, FrozenFileOfSchema1Opens) {
+    const auto old = read(testing::read_text(TEST_DATA "/projects/schema-1.json"));
+    const Project& project = old.project;
+    EXPECT_EQ(old.schema_in_file, 1);
+    EXPECT_EQ(project.schema, schema_version);
+
+    ASSERT_EQ(project.scenes.size(), 2u);
+    ASSERT_EQ(project.scenes[0].parts.size(), 1u);
+    EXPECT_EQ(project.scenes[0].parts[0].source, "../scenes/church.glb");
+    EXPECT_EQ(project.scenes[0].parts[0].content_hash, "0123456789abcdef");
+    EXPECT_EQ(project.scenes[0].extra, Json::object({{"licence", "CC0"}}));
+    EXPECT_DOUBLE_EQ(project.cameras.at(0).fov_y_degrees, 45);
+    EXPECT_TRUE(project.cameras.at(0).extra.empty());
+    EXPECT_EQ(project.cameras.at(1).scene_camera, "nave");
+    ASSERT_EQ(project.lights.at(0).lights.size(), 2u);
+    EXPECT_EQ(project.lights[0].lights[0], parse_light("point:position=0,2,0;flux=40"));
+    EXPECT_EQ(project.lights[0].lights[1].inner, 30);
+
+    const Experiment& fog = project.experiments.at(0);
+    EXPECT_EQ(fog.size, glm::ivec2(320, 240));
+    EXPECT_EQ(fog.seed, 11u);
+    EXPECT_EQ(fog.values.at("falloff"), Value{std::string("smooth")});
+    EXPECT_EQ(fog.values.at("density"), Value{0.5});
+    EXPECT_EQ(fog.values.at("late"), Value{0.0});  // new in version 3 of the method
+    EXPECT_EQ(fog.values.at("forgotten"), Value{std::int64_t{3}});
+    const Experiment& lost = project.experiments.at(1);
+    EXPECT_EQ(lost.method, "teleport");
+    EXPECT_EQ(lost.values.at("magic"), Value{1.5});
+    EXPECT_EQ(project.extra, Json::object({{"mood", "curious"}}));
+
+    const auto unknown = unknown_keys(project, testing::registry());
+    EXPECT_EQ(unknown,
+              (std::vector<std::string>{"/scenes/0/licence", "/experiments/0/values/forgotten", "/mood"}));
+}
+
+TEST(Migrations, UpgradedTextIsStableAndNotes) {
+    const auto old = read(testing::read_text(TEST_DATA "/projects/schema-1.json"));
+    const auto text = write_project(old.project);
+    const auto back = read(text);
+    EXPECT_EQ(back.schema_in_file, schema_version);
+    EXPECT_EQ(back.project, old.project);
+    EXPECT_EQ(write_project(back.project), text);
+    ASSERT_FALSE(old.messages.empty());
+    EXPECT_EQ(old.messages[0].text.rfind("upgraded from schema 1 to 2", 0), 0u);
+}
+
+TEST(Migrations, WrongSchemasAreRefused) {
+    for (const char* text : {"{}", R"({"schema": "2"})", R"({"schema": 0})", R"({"schema": -1})",
+                             R"({"schema": 3})", R"({"schema": 1.5})", R"({"schema": 18446744073709551615})"})
+        EXPECT_THROW(read(text), InputError) << text;
+}
+
+TEST(Migrations, WhatCannotBeUpgradedIsRefusedAtItsPlace) {
+    const auto refusal = [](const std::string& text) -> std::string {
+        try {
+            read(text);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    EXPECT_NE(refusal(R"({"schema": 1, "lights": [{"id": "a", "lights": ["lamp:x=1"]}]})")
+                  .find("/lights/0/lights/0"),
+              std::string::npos);
+    EXPECT_NE(refusal(R"({"schema": 1, "experiments": [{"id": "a", "method": "fog", "resolution": "big"}]})")
+                  .find("/experiments/0/size"),
+              std::string::npos);
+    EXPECT_NE(
+        refusal(R"({"schema": 1, "scenes": [{"id": "a", "file": 3}]})").find("/scenes/0/parts/0/source"),
+        std::string::npos);
+}
+
+}  // namespace
+}  // namespace ir::projects

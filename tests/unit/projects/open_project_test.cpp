@@ -1,0 +1,245 @@
+#include "projects/open_project.h"
+
+#include <gtest/gtest.h>
+
+#include "projects/check.h"
+#include "projects/hash.h"
+#include "projects/results.h"
+#include "projects/scene_files.h"
+#include "projects/sweep.h"
+#include "renderers/core/error.h"
+#include "tests/unit/projects/sample.h"
+
+namespace ir::projects {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::registry;
+using testing::sample_project;
+using testing::TemporaryFolder;
+
+/// The sample saved in a folder, with its scene files present and their hashes recorded.
+class OpenProjectTest : public ::testing::Test {
+  protected:
+    OpenProjectTest() {
+        for (const char* file : {"scenes/church.glb", "scenes/organ.glb", "sky.exr", "photo.exr"})
+            testing::write_text(folder / file, std::string("content of ") + file);
+        auto project = sample_project();
+        for (auto& scene : project.scenes) scene = with_current_hashes(scene, folder);
+        project.lights[1].environment.content_hash = hash_file(folder / "sky.exr");
+        save_project(project, folder, "");
+    }
+    EditPtr density(const OpenProject& open, double value) {
+        return edits::set_values(open.project(), registry(), "fog-nave", {{"density", value}});
+    }
+    bool mentions(const std::vector<Message>& messages, const std::string& text) {
+        for (const auto& message : messages)
+            if (message.text.find(text) != std::string::npos) return true;
+        return false;
+    }
+    TemporaryFolder temporary;
+    fs::path folder = temporary.path() / "a.interreflect";
+};
+
+TEST_F(OpenProjectTest, EditsSavesAndOpensAgain) {
+    {
+        OpenProject open(folder / "project.json", registry());
+        EXPECT_FALSE(open.is_read_only());
+        EXPECT_FALSE(open.is_dirty());
+        EXPECT_TRUE(open.edit(density(open, 0.7)));
+        EXPECT_TRUE(open.is_dirty());
+        open.save();
+        EXPECT_FALSE(open.is_dirty());
+        open.undo();
+        EXPECT_TRUE(open.is_dirty());
+        open.redo();
+        EXPECT_FALSE(open.is_dirty());
+        open.mark_kept("fog-nave", "key");
+        EXPECT_TRUE(open.is_dirty());
+        open.save();
+    }
+    OpenProject again(folder, registry());
+    EXPECT_EQ(again.project().experiments[0].values.at("density"), Value{0.7});
+    EXPECT_EQ(again.project().experiments[0].last_kept_key, "key");
+    EXPECT_TRUE(mentions(again.messages(), "stale"));
+}
+
+TEST_F(OpenProjectTest, TheSecondOpensReadOnly) {
+    OpenProject first(folder, registry());
+    OpenProject second(folder, registry());
+    EXPECT_TRUE(second.is_read_only());
+    EXPECT_NE(second.read_only_reason(), "");
+    EXPECT_THROW(second.edit(density(second, 1)), UsageError);
+    EXPECT_THROW(second.save(), UsageError);
+    second.save_as(temporary.path() / "b");
+    EXPECT_FALSE(second.is_read_only());
+    EXPECT_TRUE(second.edit(density(second, 1)));
+    EXPECT_FALSE(first.is_read_only());
+}
+
+TEST_F(OpenProjectTest, ABrokenLockStopsTheFirstFromSaving) {
+    OpenProject first(folder, registry());
+    first.edit(density(first, 0.9));
+    OpenProject second(folder, registry());
+    testing::write_text(folder / ".lock", "{\"host\": \"elsewhere\", \"pid\": 3}");
+    EXPECT_THROW(first.save(), Error);
+    second.break_lock();
+    EXPECT_FALSE(second.is_read_only());
+}
+
+TEST_F(OpenProjectTest, CrashedSessionsAreRecovered) {
+    {
+        OpenProject crashed(folder, registry());
+        crashed.edit(density(crashed, 0.9));
+        crashed.autosave();
+        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        while (!fs::exists(folder / autosave_file_name) && std::chrono::steady_clock::now() < deadline)
+            std::this_thread::yield();
+    }  // without close(): as after a crash
+    {
+        OpenProject open(folder, registry());
+        ASSERT_TRUE(open.recovery());
+        EXPECT_EQ(open.project().experiments[0].values.at("density"), Value{0.1});
+        open.take_recovery();
+        EXPECT_EQ(open.project().experiments[0].values.at("density"), Value{0.9});
+        EXPECT_TRUE(open.is_dirty());
+        open.save();
+    }
+    OpenProject after(folder, registry());
+    EXPECT_FALSE(after.recovery());
+    EXPECT_EQ(after.project().experiments[0].values.at("density"), Value{0.9});
+    after.edit(density(after, 0.2));
+    after.autosave();
+    after.close();
+    EXPECT_FALSE(fs::exists(folder / autosave_file_name));
+    EXPECT_FALSE(fs::exists(folder / ".lock"));
+}
+
+TEST_F(OpenProjectTest, SaveAsMovesSourcesAndCopiesResults) {
+    testing::write_text(folder / "results/k/main.exr", "pixels");
+    OpenProject open(folder, registry());
+    open.save_as(temporary.path() / "deep/er/copy");
+    const auto target = temporary.path() / "deep/er/copy.interreflect";
+    EXPECT_EQ(open.folder(), target);
+    EXPECT_EQ(open.project().scenes[0].parts[0].source, "../../../a.interreflect/scenes/church.glb");
+    EXPECT_EQ(open.project().scenes[1].parts[0].source, "builtin:room@1?side=4");
+    EXPECT_FALSE(mentions(open.messages(), "missing"));
+    EXPECT_EQ(testing::read_text(target / "results/k/main.exr"), "pixels");
+    EXPECT_TRUE(Lock::acquire(folder).is_held());  // the old folder is free again
+}
+
+TEST_F(OpenProjectTest, NewProjectsGetTheirFolderLater) {
+    OpenProject open(registry());
+    EXPECT_TRUE(open.edit(edits::set_notes(open.project(), "n")));
+    EXPECT_THROW(open.save(), UsageError);
+    open.autosave();
+    open.save_as(temporary.path() / "fresh");
+    EXPECT_EQ(load_project(temporary.path() / "fresh.interreflect", registry()).project.name, "fresh");
+}
+
+TEST_F(OpenProjectTest, MissingAndChangedScenesOpenWithMessages) {
+    fs::remove(folder / "scenes/church.glb");
+    testing::write_text(folder / "scenes/organ.glb", "another organ");
+    testing::write_text(folder / "moved.glb", "content of scenes/church.glb");
+    OpenProject open(folder, registry());
+    EXPECT_TRUE(mentions(open.messages(), "'scenes/church.glb' is missing"));
+    EXPECT_EQ(open.messages()[0].severity, Severity::error);
+    EXPECT_TRUE(mentions(open.messages(), "'scenes/organ.glb' is not the file that was recorded"));
+    EXPECT_NE(why_not_runnable(open.project(), open.project().experiments[0], registry(), folder), "");
+    EXPECT_EQ(why_not_runnable(open.project(), open.project().experiments[1], registry(), folder), "");
+
+    const auto found = located(open.project().scenes[0], 0, folder / "moved.glb", folder);
+    EXPECT_EQ(found.parts[0].source, "moved.glb");
+    open.edit(edits::change_scene(open.project(), found));
+    open.edit(edits::change_scene(open.project(), with_current_hashes(found, folder)));
+    open.check_again();
+    EXPECT_FALSE(mentions(open.messages(), "missing"));
+    EXPECT_FALSE(mentions(open.messages(), "not the file"));
+    EXPECT_EQ(why_not_runnable(open.project(), open.project().experiments[0], registry(), folder), "");
+}
+
+TEST_F(OpenProjectTest, CheckReportsUnknownThings) {
+    auto project = load_project(folder, registry()).project;
+    project.extra["mood"] = 1;
+    project.experiments[0].method = "teleport";
+    project.experiments[1].camera = "gone";
+    project.comparisons[1].b = "nobody";
+    save_project(project, folder, "");
+    OpenProject open(folder, registry());
+    EXPECT_TRUE(mentions(open.messages(), "unknown key /mood"));
+    EXPECT_TRUE(mentions(open.messages(), "method 'teleport' is unknown"));
+    EXPECT_TRUE(mentions(open.messages(), "there is no camera 'gone'"));
+    EXPECT_TRUE(mentions(open.messages(), "there is no experiment or image 'nobody'"));
+    EXPECT_NE(why_not_runnable(open.project(), open.project().experiments[0], registry(), folder), "");
+}
+
+TEST(SceneFiles, HashesCoverWhatGltfRefersTo) {
+    TemporaryFolder temporary;
+    const auto file = temporary.path() / "a.gltf";
+    testing::write_text(file, R"({"buffers": [{"uri": "a%20b.bin"}, {"uri": "data:xyz"}],
+                                  "images": [{"uri": "t.png"}], "extras": {"uri": "no.bin"}})");
+    testing::write_text(temporary.path() / "a b.bin", "1");
+    testing::write_text(temporary.path() / "t.png", "2");
+    EXPECT_EQ(files_of(file),
+              (std::vector<fs::path>{file, temporary.path() / "a b.bin", temporary.path() / "t.png"}));
+    const auto before = scene_hash("a.gltf", temporary.path());
+    EXPECT_EQ(scene_hash(file.string(), "/"), before);
+    testing::write_text(temporary.path() / "a b.bin", "3");
+    EXPECT_NE(scene_hash("a.gltf", temporary.path()), before);
+    fs::remove(temporary.path() / "a b.bin");
+    EXPECT_NE(scene_hash("a.gltf", temporary.path()), before);
+    EXPECT_THROW(scene_hash("none.glb", temporary.path()), InputError);
+    EXPECT_THROW(hash_file("/dev/zero"), InputError);
+    EXPECT_TRUE(files_of("/none.gltf").size() == 1);
+}
+
+TEST(SceneFiles, BuiltinScenesHashByNameVersionAndOptions) {
+    EXPECT_EQ(scene_hash("builtin:a@1?x=1&y=2", ""), scene_hash("builtin:a@1?y=2&x=1", ""));
+    EXPECT_NE(scene_hash("builtin:a@1", ""), scene_hash("builtin:a@2", ""));
+    EXPECT_NE(scene_hash("builtin:a@1", ""), scene_hash("builtin:a@1?x=1", ""));
+    EXPECT_EQ(loadable_source("builtin:a@1", "/x"), "builtin:a@1");
+    EXPECT_EQ(loadable_source("../s/a.glb", "/x/p"), "/x/s/a.glb");
+    EXPECT_EQ(relative_source("/x/s/a.glb", "/x/p"), "../s/a.glb");
+}
+
+TEST(Sweeps, AreTheProductOfTheirAxes) {
+    const auto project = sample_project();
+    const auto points = sweep_points(project, project.sweeps[0], registry());
+    ASSERT_EQ(points.size(), 6u);
+    EXPECT_EQ(points[0].coordinates, Json({{"samples", 1}, {"seed", 1}}));
+    EXPECT_EQ(points[1].coordinates, Json({{"samples", 1}, {"seed", 2}}));
+    EXPECT_EQ(points[4].experiment.values.at("samples"), Value{std::int64_t{16}});
+    EXPECT_EQ(points[5].experiment.seed, 2u);
+    EXPECT_EQ(points[5].experiment.id, "fog-nave-0006");
+    EXPECT_EQ(points[5].experiment.size, glm::ivec2(1024, 1024));  // the active preset's
+
+    std::vector<std::string> ids;
+    for (int i = 1; i <= 4; ++i)
+        for (const auto& point : shard(points, i, 4)) ids.push_back(point.experiment.id);
+    std::sort(ids.begin(), ids.end());
+    EXPECT_EQ(ids.size(), 6u);
+    EXPECT_EQ(std::unique(ids.begin(), ids.end()), ids.end());
+    EXPECT_THROW(shard(points, 0, 4), UsageError);
+    EXPECT_THROW(shard(points, 5, 4), UsageError);
+}
+
+TEST(Sweeps, RefuseWhatCannotRun) {
+    const auto project = sample_project();
+    const auto refused = [&](const Sweep::Axis& axis) {
+        Sweep sweep = project.sweeps[0];
+        sweep.axes.push_back(axis);
+        EXPECT_THROW(sweep_points(project, sweep, registry()), UsageError) << axis.key;
+    };
+    refused({"smaples", {1}});
+    refused({"density", {-1}});
+    refused({"density", {Json::array()}});
+    refused({"density", {}});
+    refused({"camera", {"gone"}});
+    refused({"size", {{0, 1}}});
+    refused({"seed", {-1}});
+    refused({"frames", {0}});
+    refused({"time", std::vector<Json>(99999, 0.5)});
+}
+
+}  // namespace
+}  // namespace ir::projects
