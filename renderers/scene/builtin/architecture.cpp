@@ -15,7 +15,9 @@ struct ProfilePoint {
     float distance;  ///< along the profile
 };
 
-glm::vec2 right_of(glm::vec2 way) { return glm::normalize(glm::vec2(way.y, -way.x)); }
+glm::vec2 right_of(glm::vec2 way) {
+    return glm::normalize(glm::vec2(way.y, -way.x));
+}
 
 /// Splits a profile at its creases.
 std::vector<std::vector<ProfilePoint>> smooth_runs(const Profile& p) {
@@ -34,7 +36,9 @@ std::vector<std::vector<ProfilePoint>> smooth_runs(const Profile& p) {
     return runs;
 }
 
-glm::vec3 point_in(const Frame& frame, glm::vec2 p) { return frame.origin + p.x * frame.x + p.y * frame.y; }
+glm::vec3 point_in(const Frame& frame, glm::vec2 p) {
+    return frame.origin + p.x * frame.x + p.y * frame.y;
+}
 
 }  // namespace
 
@@ -53,7 +57,8 @@ void sweep(MeshBuilder& b, const Profile& profile, std::vector<Frame> frames) {
     if (glm::dot(glm::cross(along, first.y), first.x) < 0) std::reverse(frames.begin(), frames.end());
     std::vector<float> lengths(frames.size(), 0);
     for (std::size_t i = 1; i < frames.size(); ++i)
-        lengths[i] = lengths[i - 1] + glm::distance(point_in(frames[i], middle), point_in(frames[i - 1], middle));
+        lengths[i] =
+            lengths[i - 1] + glm::distance(point_in(frames[i], middle), point_in(frames[i - 1], middle));
     const int columns = static_cast<int>(frames.size()) - 1;
     for (const auto& run : smooth_runs(profile)) {
         const int rows = static_cast<int>(run.size()) - 1;
@@ -61,13 +66,15 @@ void sweep(MeshBuilder& b, const Profile& profile, std::vector<Frame> frames) {
             const int i = static_cast<int>(std::lround(u * columns));
             const auto& p = run[std::lround(v * rows)];
             const Frame& frame = frames[i];
-            return Vertex{point_in(frame, p.position), p.normal.x * frame.x + p.normal.y * frame.y,
+            return Vertex{point_in(frame, p.position),
+                          p.normal.x * frame.x + p.normal.y * frame.y,
                           {lengths[i], p.distance}};
         });
     }
 }
 
-std::vector<Frame> arc_frames(glm::vec3 centre, glm::vec3 x, glm::vec3 y, float from, float to, int segments) {
+std::vector<Frame> arc_frames(glm::vec3 centre, glm::vec3 x, glm::vec3 y, float from, float to,
+                              int segments) {
     const glm::vec3 z = glm::cross(x, y);
     std::vector<Frame> frames;
     for (int i = 0; i <= segments; ++i) {
@@ -80,7 +87,10 @@ std::vector<Frame> arc_frames(glm::vec3 centre, glm::vec3 x, glm::vec3 y, float 
 void lathe(MeshBuilder& b, glm::vec3 centre, const Profile& profile, int segments) {
     auto frames = arc_frames(centre, {1, 0, 0}, {0, 1, 0}, 0, -360, segments);
     frames.back() = frames.front();  // closed to the last bit
-    sweep(b, profile, frames);
+    Profile clean = profile;
+    for (auto& p : clean)
+        if (p.x < 1e-6f) p.x = 0;  // arcs that end on the axis
+    sweep(b, clean, frames);
 }
 
 void ring(MeshBuilder& b, const Ring& r) {
@@ -132,12 +142,12 @@ void rib(MeshBuilder& b, float span, float spring, float rise, float width, floa
     };
     const float w = width / 2;
     b.grid(segments, 1, [&](float u, float v) {
-        const float x = v < 0.5f ? -w : w;
+        const float x = v < 0.5f ? w : -w;
         return Vertex{at(u, depth, x), down(u), {u * span * 1.3f, x}};
     });
     for (const float side : {-1.0f, 1.0f})
         b.grid(segments, 1, [&](float u, float v) {
-            const bool is_inner = (v < 0.5f) == (side > 0);
+            const bool is_inner = (v < 0.5f) == (side < 0);
             return Vertex{at(u, is_inner ? depth : 0, side * w), {side, 0, 0}, {u * span * 1.3f, v * depth}};
         });
 }

@@ -43,12 +43,15 @@ void add_shaft(MeshBuilder& b, const Column& c, float bottom, float top, int seg
             const float fade = std::clamp(8 * std::min(v, 1 - v), 0.0f, 1.0f);
             radius *= 1 - 0.07f * fade * std::abs(std::sin(0.5f * c.flutes * angle));
         }
-        return c.foot + glm::vec3(radius * std::cos(angle), bottom + (top - bottom) * v, radius * std::sin(angle));
+        return c.foot +
+               glm::vec3(radius * std::cos(angle), bottom + (top - bottom) * v, radius * std::sin(angle));
     };
     b.surface(around, rows, position, {2 * pi * c.radius, top - bottom});
 }
 
-float bell_radius(float v) { return neck + 0.36f * v * v * v; }
+float bell_radius(float v) {
+    return neck + 0.36f * v * v * v;
+}
 
 /// One leaf that rises along the bell and curls over at its tip.
 void add_leaf(MeshBuilder& b, const Column& c, float bottom, float angle, float height, float width,
@@ -56,15 +59,15 @@ void add_leaf(MeshBuilder& b, const Column& c, float bottom, float angle, float 
     const auto position = [&](float u, float v) {
         const float curl = std::max(0.0f, v - 0.55f) / 0.45f;
         const float across = (u - 0.5f) * width * std::sqrt(std::max(0.05f, 1 - v * v));
-        const float ruffle = 0.03f * std::cos(6 * pi * (u - 0.5f)) * v;
+        const float ruffle = 0.04f * v * (1 + std::cos(4 * pi * (u - 0.5f)));
         const float up = height * (v - 0.28f * curl * curl * curl);
-        const float out = bell_radius(up / capital_height) + 0.05f + 0.3f * curl * curl + ruffle -
-                          0.25f * across * across;
+        const float out =
+            bell_radius(up / capital_height) + 0.09f + 0.32f * curl * curl + ruffle - 0.2f * across * across;
         const float turn = angle + across / out;
         return c.foot + glm::vec3(0, bottom, 0) +
                c.radius * glm::vec3(out * std::cos(turn), up, -out * std::sin(turn));
     };
-    b.surface(std::max(2, segments / 6), std::max(3, segments / 4), position, {0.1f, 0.2f});
+    b.surface(std::max(2, segments / 5), std::max(3, segments / 3), position, {0.1f, 0.2f});
 }
 
 void add_capital(MeshBuilder& b, const Column& c, float bottom, int segments) {
@@ -77,7 +80,7 @@ void add_capital(MeshBuilder& b, const Column& c, float bottom, int segments) {
     add_arc(p, {1.1f, bell - 0.06f}, 0.06f, -60, 90, 3);
     for (auto& q : p) q *= r;
     lathe(b, c.foot + glm::vec3(0, bottom, 0), p, segments);
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 8 && segments > 8; ++i) {
         add_leaf(b, c, bottom + 0.1f * r, 2 * pi * i / 8, 0.85f, 0.62f, segments);
         add_leaf(b, c, bottom + 0.1f * r, 2 * pi * (i + 0.5f) / 8, 1.4f, 0.55f, segments);
     }
@@ -90,7 +93,9 @@ void add_capital(MeshBuilder& b, const Column& c, float bottom, int segments) {
 
 }  // namespace
 
-float plinth_half(const Column& column) { return 1.38f * column.radius; }
+float plinth_half(const Column& column) {
+    return 1.38f * column.radius;
+}
 
 void column(MeshBuilder& b, const Column& c, int segments) {
     const float bottom = (plinth_height + base_height) * c.radius;
@@ -108,8 +113,8 @@ void baluster(MeshBuilder& b, glm::vec3 foot, float height, int segments, int ro
     for (int i = 0; i <= rows; ++i) {
         const float t = float(i) / rows;
         const float belly = 0.05f * std::exp(-28 * (t - 0.3f) * (t - 0.3f));
-        const float rings = 0.022f * std::exp(-900 * (t - 0.82f) * (t - 0.82f)) + 0.03f * std::exp(-500 * t * t) +
-                            0.03f * std::exp(-500 * (t - 1) * (t - 1));
+        const float rings = 0.022f * std::exp(-900 * (t - 0.82f) * (t - 0.82f)) +
+                            0.03f * std::exp(-500 * t * t) + 0.03f * std::exp(-500 * (t - 1) * (t - 1));
         p.push_back({0.026f + belly + rings, height * (0.08f + 0.84f * t)});
     }
     lathe(b, foot, p, segments);

@@ -33,6 +33,7 @@ const std::vector<Description>& descriptions();
 
 // One per file.
 Description cornell();
+Description atrium();
 Description furnace();
 Description plane();
 Description corner();
