@@ -1,0 +1,82 @@
+// Normals as the camera sees them: x to the right, y up, z to the viewer. The smallest whole method; copy
+// this folder and shaders/methods/view-normals to begin another.
+
+#include "renderers/graph/method.h"
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/passes/gbuffer/gbuffer.h"
+
+namespace ir::methods::view_normals {
+namespace {
+
+// 1. The parameters. The initialisers here are the only place for defaults.
+enum class Source { shading, geometric };
+struct Parameters {
+    Source source = Source::shading;
+    bool as_colour = false;
+};
+
+// 2. What people, files and shaders need to know about them.
+ParameterTable<Parameters> parameters() {
+    return ParameterTable<Parameters>()
+        .add(&Parameters::source,
+             {.key = "source",
+              .label = "Source",
+              .doc = "Which normal is shown.",
+              .choices = {{"shading", "Shading", "Interpolated between vertices, with normal maps."},
+                          {"geometric", "Geometric", "Of the triangle's plane."}}})
+        .add(&Parameters::as_colour,
+             {.key = "as_colour",
+              .label = "As colour",
+              .doc = "Takes each component from [-1, 1] to [0, 1], as normal maps are stored."});
+}
+
+// 3. What the method is, and what it shows of itself. The first output is the main result.
+MethodDescription description() {
+    return {.id = "view-normals",
+            .title = "Normals in view space",
+            .summary =
+                "Shows the G-buffer's normals relative to the camera. It computes no light: it is the "
+                "example that other methods are begun from.",
+            .outputs = {{.key = "normal",
+                         .label = "Normal",
+                         .semantic = Semantic::normal,
+                         .doc = "Unit length; x to the right, y up, z to the viewer. Background is 0."}}};
+}
+
+// 4. One frame: resources and passes. Nothing runs here; passes run later, in this order. The resource whose
+// key equals the output's is the output.
+void setup(graph::GraphBuilder& builder, const Parameters& p) {
+    const auto scene = passes::upload_scene(builder);
+    const auto gbuffer = passes::gbuffer(builder, scene);
+    const auto source = p.source == Source::shading ? gbuffer.normal : gbuffer.geometric_normal;
+
+    graph::ImageDesc desc;
+    desc.text = {.key = "normal", .label = "Normal", .semantic = Semantic::normal};
+    desc.format = gl::Format::rgba16f;
+    const auto normal = builder.image(desc);
+
+    builder.pass("view normals")
+        .reads(source, gbuffer.valid)
+        .writes(normal)
+        .execute([=](graph::PassContext& pass) {
+            pass.bind_framebuffer({{normal}});
+            const auto& program =
+                pass.method_program({{"lib/full_screen.vert", "methods/view-normals/view_normals.frag"}});
+            program.use();
+            program.set("view_from_world", pass.inputs().view.view_from_world);
+            pass.bind_texture(0, source);
+            pass.bind_texture(1, gbuffer.valid);
+            pass.draw_full_screen();
+        });
+}
+
+}  // namespace
+
+// 5. The one name that the generated registry asks for.
+const graph::Method& method() {
+    static const auto method = graph::make_method<Parameters>(description(), parameters(), setup);
+    return method;
+}
+
+}  // namespace ir::methods::view_normals
