@@ -116,6 +116,14 @@ TEST(Store, KilledAtAnyStepLeavesTheOldOrTheNewVersion) {
     EXPECT_GT(new_versions, 0);
 }
 
+TEST(Store, WhatIsSavedSurvivesThePowerCut) {
+    MemoryFileSystem files = with_first_version();
+    save_project(second_version(), folder, "", files);
+    files.lose_unsynced(false);
+    EXPECT_EQ(load_project(folder, registry(), files).project, second_version());
+    EXPECT_EQ(files.read(folder / previous_file_name, 1 << 20), write_project(sample_project()));
+}
+
 /// A saver that forgets to sync must fail the same ordeal: the ordeal can tell.
 TEST(Store, TheOrdealDetectsAMissingSync) {
     MemoryFileSystem files = with_first_version();

@@ -1,0 +1,166 @@
+#include "projects/pack.h"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+
+#include "projects/results.h"
+#include "projects/scene_files.h"
+#include "projects/store.h"
+#include "projects/tar.h"
+#include "projects/text.h"
+#include "renderers/core/error.h"
+
+namespace ir::projects {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The deepest folder that holds all files.
+fs::path common_folder(const std::vector<fs::path>& files) {
+    fs::path common = files.front().parent_path();
+    for (const auto& file : files) {
+        while (common.has_relative_path()) {
+            const auto inside = file.lexically_relative(common);
+            if (!inside.empty() && *inside.begin() != "..") break;
+            common = common.parent_path();
+        }
+    }
+    return common;
+}
+
+class Packer {
+  public:
+    Packer(const LoadedProject& loaded, TarWriter& tar)
+        : folder_(loaded.folder),
+          project_(loaded.project),
+          root_(fs::absolute(loaded.folder).lexically_normal().stem().string() + folder_suffix + "/"),
+          tar_(tar) {}
+
+    std::vector<Message> run() {
+        for (auto& scene : project_.scenes)
+            for (auto& part : scene.parts) add_source(part.source);
+        for (auto& set : project_.lights)
+            if (set.environment.kind == Environment::Kind::map) add_source(set.environment.source);
+        for (auto& image : project_.images) add_source(image.source);
+        tar_.add_text(root_ + project_file_name, write_project(project_));
+        add_results();
+        return std::move(messages_);
+    }
+
+  private:
+    void miss(const std::string& source) {
+        messages_.push_back(
+            {Severity::warning, "project", "'" + printable(source) + "' is missing and was not packed"});
+    }
+
+    /// Every source gets a folder of its own, in which its files keep their places relative to each other.
+    void add_source(std::string& source) {
+        if (is_builtin(source)) return;
+        const auto file = resolve(source, folder_);
+        std::error_code ignored;
+        if (!fs::is_regular_file(file, ignored)) return miss(source);
+        const auto files = files_of(file);
+        const auto base = common_folder(files);
+        const auto home = "files/" + std::to_string(++sources_) + "/";
+        for (const auto& one : files) {
+            if (fs::is_regular_file(one, ignored))
+                tar_.add_file(root_ + home + one.lexically_relative(base).generic_string(), one);
+            else
+                miss(one.lexically_relative(base).generic_string());
+        }
+        source = home + file.lexically_relative(base).generic_string();
+    }
+
+    void add_results() {
+        const auto index = ResultIndex::load(folder_);
+        if (index.entries().empty()) return;
+        tar_.add_file(root_ + "results/index.json", folder_ / "results/index.json");
+        std::vector<std::string> done;
+        for (const auto& entry : index.entries()) {
+            for (const auto& file : entry.files) {
+                const auto name = "results/" + fs::path(file.path).lexically_normal().generic_string();
+                if (std::find(done.begin(), done.end(), name) != done.end()) continue;
+                done.push_back(name);
+                std::error_code ignored;
+                if (fs::is_regular_file(folder_ / name, ignored))
+                    tar_.add_file(root_ + name, folder_ / name);
+                else
+                    miss(name);
+            }
+        }
+    }
+
+    const fs::path& folder_;
+    Project project_;
+    std::string root_;
+    TarWriter& tar_;
+    int sources_ = 0;
+    std::vector<Message> messages_;
+};
+
+/// Copies one file of an archive to disk.
+void extract(std::istream& content, std::uint64_t size, const fs::path& target) {
+    std::error_code error;
+    fs::create_directories(target.parent_path(), error);
+    std::ofstream out(target, std::ios::binary);
+    std::vector<char> buffer(1u << 20);
+    for (std::uint64_t left = size; left > 0 && out && content;) {
+        const auto count = static_cast<std::streamsize>(std::min<std::uint64_t>(left, buffer.size()));
+        content.read(buffer.data(), count);
+        out.write(buffer.data(), content.gcount());
+        left -= static_cast<std::uint64_t>(content.gcount());
+    }
+    out.close();
+    if (!out || !content) throw Error(target.string() + ": cannot be written; free some space and try again");
+}
+
+}  // namespace
+
+std::vector<Message> pack_project(const fs::path& given, const fs::path& file, const Registry& registry) {
+    const auto loaded = load_project(given, registry);
+    const fs::path temporary = file.string() + ".tmp";
+    std::error_code ignored;
+    try {
+        TarWriter tar(temporary);
+        auto messages = Packer(loaded, tar).run();
+        tar.finish();
+        real_file_system().sync(temporary);
+        real_file_system().rename(temporary, file);
+        return messages;
+    } catch (...) {
+        fs::remove(temporary, ignored);
+        throw;
+    }
+}
+
+fs::path unpack_project(const fs::path& file, const fs::path& parent) {
+    std::optional<fs::path> root;
+    std::error_code ignored;
+    try {
+        read_tar(file, [&](const std::string& name, std::istream& content, std::uint64_t size) {
+            const auto path = fs::path(name).lexically_normal();
+            const auto top = parent / *path.begin();
+            if (!root) {
+                if (fs::path(*path.begin()).extension() != folder_suffix)
+                    throw InputError(file.string(), printable(name),
+                                     "is not inside a NAME.interreflect folder");
+                if (fs::exists(top, ignored))
+                    throw Error(top.string() + ": exists already; unpack elsewhere or rename it");
+                root = top;
+            }
+            if (top != *root || path == *path.begin())
+                throw InputError(file.string(), printable(name), "is outside the project's folder");
+            extract(content, size, parent / path);
+        });
+        if (!root) throw InputError(file.string(), "", "is empty; ask for another copy");
+        if (!fs::is_regular_file(*root / project_file_name, ignored))
+            throw InputError(file.string(), "", "holds no project.json; ask for another copy");
+    } catch (...) {
+        if (root) fs::remove_all(*root, ignored);
+        throw;
+    }
+    return *root;
+}
+
+}  // namespace ir::projects

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <istream>
+#include <string>
+
+namespace ir::projects {
+
+/// Writes a POSIX ustar archive of plain files. Equal contents give equal bytes: no dates, no owners.
+class TarWriter {
+  public:
+    /// Throws Error when `file` cannot be created.
+    explicit TarWriter(const std::filesystem::path& file);
+    void add_text(const std::string& name, const std::string& text);
+    /// Throws Error when `source` cannot be read or its size changes meanwhile.
+    void add_file(const std::string& name, const std::filesystem::path& source);
+    /// Writes the end and closes; throws Error when anything could not be written.
+    void finish();
+
+  private:
+    void header(const std::string& name, std::uint64_t size);
+    void pad(std::uint64_t size);
+    std::filesystem::path file_;
+    std::ofstream stream_;
+};
+
+/// Calls `read(name, content, size)` for every plain file, which may read up to `size` bytes of `content`.
+/// Throws InputError for what is no such archive, for links and for names that leave the archive's folder.
+void read_tar(
+    const std::filesystem::path& file,
+    const std::function<void(const std::string& name, std::istream& content, std::uint64_t size)>& read);
+
+}  // namespace ir::projects

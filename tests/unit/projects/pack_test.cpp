@@ -1,0 +1,117 @@
+#include "projects/pack.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "projects/hash.h"
+#include "projects/results.h"
+#include "projects/scene_files.h"
+#include "projects/store.h"
+#include "projects/tar.h"
+#include "renderers/core/error.h"
+#include "tests/unit/projects/sample.h"
+
+namespace ir::projects {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::registry;
+using testing::sample_project;
+using testing::TemporaryFolder;
+
+/// A project whose scene is a glTF file beside the project, with a texture in a third folder.
+fs::path make_project(const fs::path& parent) {
+    const auto folder = parent / "a.interreflect";
+    testing::write_text(
+        parent / "scenes/church.gltf",
+        R"({"buffers": [{"uri": "church.bin"}], "images": [{"uri": "../textures/stone.png"}]})");
+    testing::write_text(parent / "scenes/church.bin", std::string(1000, 'b'));
+    testing::write_text(parent / "textures/stone.png", std::string(512, 't'));
+    testing::write_text(folder / "sky.exr", "sky");
+    auto project = sample_project();
+    project.scenes[0].parts = {{"../scenes/church.gltf", "", {}}};
+    project.scenes[0] = with_current_hashes(project.scenes[0], folder);
+    save_project(project, folder, "");
+    testing::write_text(folder / "results/k/main.exr", "pixels");
+    ResultIndex index;
+    KeptResult kept;
+    kept.key = "k";
+    kept.files = {{"main", "k/main.exr", hash_bytes("pixels")}};
+    index.put(kept);
+    index.save(folder);
+    return folder;
+}
+
+TEST(Pack, RoundTripsToAnotherPlace) {
+    TemporaryFolder here, there;
+    const auto folder = make_project(here.path());
+    const auto messages = pack_project(folder, here.path() / "a.tar", registry());
+    ASSERT_EQ(messages.size(), 1u);  // the photograph does not exist
+    EXPECT_NE(messages[0].text.find("photo.exr"), std::string::npos);
+
+    const auto unpacked = unpack_project(here.path() / "a.tar", there.path());
+    EXPECT_EQ(unpacked, there.path() / "a.interreflect");
+    const auto loaded = load_project(unpacked, registry());
+    EXPECT_EQ(loaded.project.experiments, sample_project().experiments);
+    const auto& part = loaded.project.scenes[0].parts[0];
+    EXPECT_EQ(status(part, unpacked).state, FileState::ok);  // the very same scene, textures included
+    EXPECT_EQ(part.source, "files/1/scenes/church.gltf");
+    EXPECT_TRUE(check_results(ResultIndex::load(unpacked), unpacked).empty());
+    EXPECT_THROW(unpack_project(here.path() / "a.tar", there.path()), Error);  // exists already
+    EXPECT_EQ(load_project(unpacked, registry()).project, loaded.project);
+
+    pack_project(folder, here.path() / "b.tar", registry());
+    EXPECT_EQ(hash_file(here.path() / "a.tar"), hash_file(here.path() / "b.tar"));
+}
+
+TEST(Pack, OrdinaryTarReadsIt) {
+    if (std::system("tar --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "needs the tar program";
+    TemporaryFolder here;
+    const std::string long_name = "d/" + std::string(90, 'x') + "/" + std::string(90, 'y') + ".bin";
+    TarWriter tar(here.path() / "a.tar");
+    tar.add_text(long_name, std::string(700, 'z'));
+    tar.add_text("d/empty", "");
+    tar.finish();
+    const std::string in = "cd " + here.path().string() + " && ";
+    ASSERT_EQ(std::system((in + "tar xf a.tar").c_str()), 0);
+    EXPECT_EQ(testing::read_text(here.path() / long_name), std::string(700, 'z'));
+    EXPECT_TRUE(fs::exists(here.path() / "d/empty"));
+}
+
+TEST(Pack, DamagedArchivesLeaveNothingBehind) {
+    TemporaryFolder here, there;
+    const auto folder = make_project(here.path());
+    pack_project(folder, here.path() / "a.tar", registry());
+    const auto good = testing::read_text(here.path() / "a.tar");
+    const auto refused = [&](const std::string& bytes) {
+        testing::write_text(here.path() / "bad.tar", bytes);
+        EXPECT_THROW(unpack_project(here.path() / "bad.tar", there.path()), Error);
+        EXPECT_TRUE(fs::is_empty(there.path()));
+    };
+    refused("");
+    refused("not a tar");
+    refused(good.substr(0, good.size() / 2));
+    auto flipped = good;
+    flipped[3] ^= 1;
+    refused(flipped);
+    EXPECT_THROW(unpack_project(here.path() / "none.tar", there.path()), InputError);
+}
+
+TEST(Pack, NamesCannotLeaveTheProject) {
+    TemporaryFolder here, there;
+    fs::create_directories(there.path() / "inside");
+    for (const char* name : {"../evil", "/evil", "a.interreflect/../../evil", "a.interreflect",
+                             "b/project.json", "c.interreflect/project.json"}) {
+        TarWriter tar(here.path() / "bad.tar");
+        tar.add_text("a.interreflect/project.json", "{}");
+        tar.add_text(name, "x");
+        tar.finish();
+        EXPECT_THROW(unpack_project(here.path() / "bad.tar", there.path() / "inside"), InputError) << name;
+        EXPECT_TRUE(fs::is_empty(there.path() / "inside")) << name;
+        EXPECT_FALSE(fs::exists(there.path() / "evil"));
+    }
+}
+
+}  // namespace
+}  // namespace ir::projects
