@@ -1,0 +1,240 @@
+#include "renderers/passes/ldm/builder.h"
+
+#include <algorithm>
+
+#include "renderers/passes/ldm/rasterisers.h"
+
+namespace ir::passes::ldm {
+namespace {
+
+using graph::FieldType;
+
+/// Bounds the scratch buffers of a chunk.
+constexpr std::uint64_t chunk_texels = 32 * 200 * 200;
+constexpr int most_chunk_maps = 32;  ///< bits of a word in rasterise.comp
+
+Layout make_layout(graph::GraphBuilder& builder, const Options& options) {
+    Layout layout;
+    layout.resolution = options.resolution;
+    layout.maps = options.directions;
+    const int batches = builder.batches(options.directions);
+    layout.batch_maps = (options.directions + batches - 1) / batches;
+    const auto fitting = static_cast<int>(std::max<std::uint64_t>(1, chunk_texels / layout.map_texels()));
+    layout.chunk_maps = std::min({most_chunk_maps, fitting, layout.batch_maps});
+    return layout;
+}
+
+std::vector<graph::Field> frame_fields() {
+    return {{"u", FieldType::f32, 4},      {"v", FieldType::f32, 4},      {"depth", FieldType::f32, 4},
+            {"step_u", FieldType::f32, 4}, {"step_v", FieldType::f32, 4}, {"direction", FieldType::f32, 4}};
+}
+
+void declare_list(graph::GraphBuilder& builder, Maps& maps) {
+    const std::uint64_t texels = maps.layout.chunk_maps * maps.layout.map_texels();
+    maps.list.state = builder.buffer({.text = {.key = "ldm.state",
+                                               .label = "State of building",
+                                               .doc = "What the steps of building tell each other."},
+                                      .fields = {{"word", FieldType::u32}},
+                                      .elements = state_words});
+    if (maps.inserts_directly()) return;
+    maps.list.fragments = builder.buffer(
+        {.text = {.key = "ldm.fragment_list",
+                  .label = "Fragments of a chunk",
+                  .doc = "Texel, and order of arrival << 16 | depth in quanta, of the chunk of "
+                         "maps that was built last."},
+         .fields = {{"texel", FieldType::u32}, {"arrival_depth", FieldType::u32}},
+         .elements = texels * expected_layers,
+         .growable = true,
+         .lower = "directions or resolution"});
+    maps.fragments_asked = builder.counter({.key = "ldm.chunk_fragments",
+                                            .label = "Fragments of the largest chunk",
+                                            .growth_of = maps.list.fragments});
+    if (maps.storage->needs_arrivals())
+        maps.list.counts =
+            builder.buffer({.text = {.key = "ldm.counts",
+                                     .label = "Counts of a chunk",
+                                     .doc = "Per texel of the chunk that was built last: first "
+                                            "its fragments, then where they begin.",
+                                     .semantic = Semantic::count},
+                            .fields = {{"count", FieldType::u32}},
+                            .elements = texels + 1});
+    if (maps.options.builder != BuilderKind::compute) return;
+    maps.large = builder.buffer({.text = {.key = "ldm.large_triangles",
+                                          .label = "Strips of large triangles",
+                                          .doc = "Triangle, and map | strip << 8, of the chunk of maps that "
+                                                 "was built last."},
+                                 .fields = {{"triangle", FieldType::u32}, {"map_strip", FieldType::u32}},
+                                 .elements = 1 << 16,
+                                 .growable = true,
+                                 .lower = "directions or resolution"});
+    maps.large_asked = builder.counter(
+        {.key = "ldm.chunk_strips", .label = "Strips of the largest chunk", .growth_of = maps.large});
+}
+
+void declare_counters(graph::GraphBuilder& builder, Maps& maps) {
+    maps.generated = builder.counter({.key = "ldm.fragments",
+                                      .label = "Fragments",
+                                      .doc = "Made by rasterising the scene into all maps."});
+    maps.kept = builder.counter({.key = "ldm.nodes", .label = "Nodes", .doc = "Depths in all maps."});
+    maps.dropped = builder.counter(
+        {.key = "ldm.dropped", .label = "Dropped fragments", .doc = "Beyond 60,000 layers at one texel."});
+    maps.texels = builder.counter({.key = "ldm.texels", .label = "Texels", .doc = "Of all maps."});
+    maps.bytes = builder.counter({.key = "ldm.bytes",
+                                  .label = "Memory of maps",
+                                  .doc = "Bytes that all maps take, without spare and scratch space."});
+}
+
+/// Builds the maps from items: each is one triangle in all maps of one chunk.
+class BatchBuild {
+  public:
+    BatchBuild(const SceneBuffers& scene, std::shared_ptr<const Maps> maps, int batch)
+        : scene_(scene), maps_(std::move(maps)), batch_(batch) {}
+
+    std::int64_t chunks() const {
+        return (maps_->batch_maps(batch_) + maps_->layout.chunk_maps - 1) / maps_->layout.chunk_maps;
+    }
+
+    void run(const graph::PassContext& context, const graph::Slice& slice) const {
+        const auto triangles = static_cast<std::int64_t>(context.inputs().world->triangles());
+        if (slice.first) {
+            context.clear(maps_->list.state);
+            maps_->storage->begin_batch(context);
+            context.add(maps_->texels,
+                        static_cast<std::uint32_t>(maps_->batch_maps(batch_) * maps_->layout.map_texels()));
+            context.add(maps_->bytes, static_cast<std::uint32_t>(maps_->storage->table_bytes(context)));
+        }
+        for (std::int64_t begin = slice.begin; begin < slice.end;) {
+            const std::int64_t chunk = begin / triangles;
+            const std::int64_t end = std::min(slice.end, (chunk + 1) * triangles);
+            rasterise(context, chunk_at(chunk), begin - chunk * triangles, end - chunk * triangles);
+            if (end == (chunk + 1) * triangles) finish(context, chunk_at(chunk));
+            begin = end;
+        }
+    }
+
+  private:
+    Chunk chunk_at(std::int64_t index) const {
+        const int first = static_cast<int>(index) * maps_->layout.chunk_maps;
+        return {first, std::min(maps_->layout.chunk_maps, maps_->batch_maps(batch_) - first)};
+    }
+
+    void rasterise(const graph::PassContext& context, const Chunk& chunk, std::int64_t first,
+                   std::int64_t end) const {
+        if (first == 0 && maps_->list.counts.index >= 0) context.clear(maps_->list.counts);
+        bind_rasteriser(context, scene_, *maps_);
+        const int first_map = maps_->first_map(batch_) + chunk.first_map;
+        if (maps_->options.builder == BuilderKind::raster)
+            draw_triangles(context, scene_, *maps_, chunk, first_map, first, end);
+        else
+            dispatch_triangles(context, *maps_, chunk, first_map, first, end);
+        context.barrier();
+    }
+
+    void finish(const graph::PassContext& context, const Chunk& chunk) const {
+        const int first_map = maps_->first_map(batch_) + chunk.first_map;
+        bind_rasteriser(context, scene_, *maps_);
+        if (maps_->options.builder == BuilderKind::compute) {
+            prepare(context, "PREPARE_LARGE");
+            bind_rasteriser(context, scene_, *maps_);
+            dispatch_large_triangles(context, *maps_, first_map);
+            context.barrier();
+        }
+        prepare(context, "PREPARE_STORE");
+        maps_->storage->store(context, maps_->list, chunk);
+        prepare(context, "FINISH");
+    }
+
+    void prepare(const graph::PassContext& context, const char* step) const {
+        gl::ProgramSource source{{"passes/ldm/prepare.comp"}, {{step, "1"}}};
+        if (maps_->inserts_directly())
+            source.defines["DIRECT"] = "1";
+        else
+            context.bind_counter(8, maps_->fragments_asked);
+        if (maps_->large.index >= 0) context.bind_counter(9, maps_->large_asked);
+        context.bind_counter(10, maps_->generated);
+        context.bind_counter(11, maps_->dropped);
+        context.bind_counter(12, maps_->kept);
+        context.bind_counter(13, maps_->bytes);
+        const auto& program = context.program(source);
+        program.use();
+        if (maps_->large.index >= 0)
+            program.set("large_capacity", static_cast<unsigned>(context.capacity(maps_->large)));
+        program.set("fragment_bytes", static_cast<unsigned>(maps_->storage->fragment_bytes()));
+        program.dispatch(1);
+        context.barrier();
+    }
+
+    SceneBuffers scene_;
+    std::shared_ptr<const Maps> maps_;
+    int batch_;
+};
+
+}  // namespace
+
+std::string Maps::batch_name(int batch) const {
+    if (layout.batches() == 1) return {};
+    return " " + std::to_string(batch + 1) + " of " + std::to_string(layout.batches());
+}
+
+std::shared_ptr<const Maps> declare_maps(graph::GraphBuilder& builder, const Options& options) {
+    auto maps = std::make_shared<Maps>();
+    maps->options = options;
+    maps->layout = make_layout(builder, options);
+    maps->directions = leopardi_directions(options.directions);
+    maps->storage = make_storage(builder, options.storage, maps->layout);
+    declare_list(builder, *maps);
+    declare_counters(builder, *maps);
+    maps->frame_buffer = builder.buffer({.text = {.key = "ldm.frames",
+                                                  .label = "Views of maps",
+                                                  .doc = "Orthographic view of each map: texel coordinates "
+                                                         "and depth of a point, one texel's steps, direction "
+                                                         "and metres per quantum of depth."},
+                                         .fields = frame_fields(),
+                                         .elements = static_cast<std::uint64_t>(options.directions)});
+    builder.pass("map frames").writes(maps->frame_buffer).execute([maps](graph::PassContext& context) {
+        const auto frames = fit_frames(maps->directions, maps->options.rotation,
+                                       context.inputs().world->bounds, maps->options.resolution);
+        context.upload(maps->frame_buffer, std::as_bytes(std::span(frames)));
+    });
+    if (maps->layout.batches() > 1)
+        builder.note("the maps are built and traced in " + std::to_string(maps->layout.batches()) +
+                     " batches of " + std::to_string(maps->layout.batch_maps) +
+                     " to stay within the memory budget");
+    return maps;
+}
+
+void build_maps(graph::GraphBuilder& builder, const SceneBuffers& scene, std::shared_ptr<const Maps> maps,
+                int batch) {
+    auto pass = builder.pass("build maps" + maps->batch_name(batch));
+    pass.reads(maps->frame_buffer, scene.positions, scene.indices, scene.triangle_materials, scene.uv0,
+               scene.uv1, scene.materials, scene.opacity, scene.opacity_words);
+    for (const auto buffer : maps->storage->buffers()) pass.writes(buffer);
+    for (const auto buffer : maps->storage->scratch()) pass.writes(buffer);
+    for (const auto buffer : {maps->list.state, maps->list.fragments, maps->list.counts, maps->large})
+        if (buffer.index >= 0) pass.writes(buffer);
+    for (const auto counter : maps->storage->counters()) pass.counts(counter);
+    for (const auto counter : {maps->fragments_asked, maps->large_asked, maps->generated, maps->kept,
+                               maps->dropped, maps->texels, maps->bytes})
+        if (counter.index >= 0) pass.counts(counter);
+    const auto triangles = static_cast<std::int64_t>(builder.inputs().world->triangles());
+    const auto build = std::make_shared<BatchBuild>(scene, maps, batch);
+    pass.execute_sliced(
+        build->chunks() * triangles,
+        [build](graph::PassContext& context, graph::Slice slice) { build->run(context, slice); });
+}
+
+void reads_maps(graph::PassBuilder& pass, const Maps& maps) {
+    pass.reads(maps.frame_buffer);
+    for (const auto buffer : maps.storage->buffers()) pass.reads(buffer);
+}
+
+std::map<std::string, std::string> bind_maps(const graph::PassContext& context, const Maps& maps,
+                                             int frame_binding, int storage_binding) {
+    context.bind_buffer(frame_binding, maps.frame_buffer);
+    maps.storage->bind(context, storage_binding);
+    auto defines = maps.storage->defines(context, storage_binding);
+    defines["LDM_FRAMES"] = std::to_string(frame_binding);
+    return defines;
+}
+
+}  // namespace ir::passes::ldm

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <algorithm>
+#include <glm/glm.hpp>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderers/graph/builder.h"
+#include "renderers/passes/ldm/maps.h"
+#include "renderers/passes/ldm/storage.h"
+#include "renderers/passes/scene/scene_buffers.h"
+
+namespace ir::passes::ldm {
+
+/// Counts from 0 in the order of the choices of parameter "builder".
+enum class BuilderKind { raster, compute };
+
+struct Options {
+    int directions = 128;
+    int resolution = 200;
+    StorageKind storage = StorageKind::arrays;
+    BuilderKind builder = BuilderKind::compute;
+    glm::dmat3 rotation{1};  ///< of the whole set of directions
+};
+
+/// The layered depth maps of a frame: what their passes share. Declare once, then for each batch in turn
+/// declare its building (build_maps) and whatever queries it.
+struct Maps {
+    Options options;
+    Layout layout;
+    std::vector<Direction> directions;
+    std::shared_ptr<const Storage> storage;
+    graph::BufferRef frame_buffer;  ///< "ldm.frames"
+    FragmentList list;
+    graph::BufferRef large;  ///< strips of large triangles (compute builder)
+    graph::CounterRef fragments_asked, large_asked, generated, kept, dropped, texels, bytes;
+
+    int first_map(int batch) const { return batch * layout.batch_maps; }
+    int batch_maps(int batch) const { return std::min(layout.batch_maps, layout.maps - first_map(batch)); }
+    /// Fragments go into linked lists as they are drawn, in one pass over the scene, as published.
+    bool inserts_directly() const {
+        return options.builder == BuilderKind::raster && options.storage == StorageKind::linked_lists;
+    }
+    /// " 2 of 4" for names of passes, empty where there is one batch.
+    std::string batch_name(int batch) const;
+};
+
+/// Declares resources and the pass "map frames". Uses GraphBuilder::batches for the memory budget.
+std::shared_ptr<const Maps> declare_maps(graph::GraphBuilder& builder, const Options& options);
+
+/// Declares the pass "build maps" of one batch. [Aalund15 §3]
+void build_maps(graph::GraphBuilder& builder, const SceneBuffers& scene, std::shared_ptr<const Maps> maps,
+                int batch);
+
+/// Declares that a pass queries the maps.
+void reads_maps(graph::PassBuilder& pass, const Maps& maps);
+
+/// Binding points: frames at `frame_binding`, the storage's buffers from `storage_binding` on. Returns the
+/// defines for programs that include passes/ldm/frames.glsl and passes/ldm/storage.glsl.
+std::map<std::string, std::string> bind_maps(const graph::PassContext& context, const Maps& maps,
+                                             int frame_binding, int storage_binding);
+
+}  // namespace ir::passes::ldm

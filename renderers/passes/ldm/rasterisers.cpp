@@ -1,0 +1,96 @@
+#include "renderers/passes/ldm/rasterisers.h"
+
+#include <functional>
+
+namespace ir::passes::ldm {
+namespace {
+
+gl::ProgramSource source_for(const Maps& maps, std::vector<std::string> files, bool masked) {
+    gl::ProgramSource source{std::move(files)};
+    if (masked) source.defines["MASKED"] = "1";
+    if (maps.storage->needs_arrivals()) source.defines["LDM_ARRIVALS"] = "1";
+    return source;
+}
+
+/// Calls `run(first, end, masked)` for the opaque and for the masked part of a range of triangles.
+void for_both_kinds(const graph::PassContext& context, std::int64_t first, std::int64_t end,
+                    const std::function<void(std::int64_t, std::int64_t, bool)>& run) {
+    const std::int64_t opaque = context.inputs().world->opaque_triangles;
+    if (first < opaque) run(first, std::min(end, opaque), false);
+    if (end > opaque) run(std::max(first, opaque), end, true);
+}
+
+}  // namespace
+
+void bind_rasteriser(const graph::PassContext& context, const SceneBuffers& scene, const Maps& maps) {
+    context.bind_buffer(0, scene.positions);
+    context.bind_buffer(1, scene.indices);
+    context.bind_buffer(2, maps.frame_buffer);
+    context.bind_buffer(3, maps.list.state);
+    if (maps.list.fragments.index >= 0) context.bind_buffer(4, maps.list.fragments);
+    if (maps.list.counts.index >= 0) context.bind_buffer(5, maps.list.counts);
+    if (maps.large.index >= 0) context.bind_buffer(6, maps.large);
+    context.bind_buffer(7, scene.triangle_materials);
+    context.bind_buffer(8, scene.uv0);
+    context.bind_buffer(9, scene.uv1);
+    context.bind_buffer(10, scene.materials);
+    context.bind_buffer(11, scene.opacity);
+    context.bind_buffer(12, scene.opacity_words);
+    if (maps.inserts_directly()) maps.storage->bind(context, 13);
+}
+
+void draw_triangles(const graph::PassContext& context, const SceneBuffers& scene, const Maps& maps,
+                    const Chunk& chunk, int first_map, std::int64_t first, std::int64_t end) {
+    const auto& gl = context.api();
+    context.bind_empty_framebuffer(maps.layout.resolution, maps.layout.resolution);
+    context.bind_empty_vertex_array();
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, context.buffer(scene.indices));
+    for_both_kinds(context, first, end, [&](std::int64_t begin, std::int64_t stop, bool masked) {
+        auto source = source_for(maps, {"passes/ldm/rasterise.vert", "passes/ldm/rasterise.frag"}, masked);
+        if (maps.inserts_directly()) source.defines["DIRECT"] = "1";
+        const auto& program = context.program(source);
+        program.use();
+        program.set("first_map", static_cast<unsigned>(first_map));
+        program.set("first_instance", 0u);
+        program.set("first_triangle", static_cast<unsigned>(begin));
+        program.set("resolution", maps.layout.resolution);
+        if (maps.inserts_directly())
+            program.set("batch_texel", static_cast<unsigned>(chunk.first_map * maps.layout.map_texels()));
+        gl.DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * (stop - begin)), GL_UNSIGNED_INT,
+                                 reinterpret_cast<const void*>(begin * 12), chunk.maps);
+    });
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+}
+
+void dispatch_triangles(const graph::PassContext& context, const Maps& maps, const Chunk& chunk,
+                        int first_map, std::int64_t first, std::int64_t end) {
+    for_both_kinds(context, first, end, [&](std::int64_t begin, std::int64_t stop, bool masked) {
+        const auto& program = context.program(source_for(maps, {"passes/ldm/rasterise.comp"}, masked));
+        program.use();
+        program.set("first_map", static_cast<unsigned>(first_map));
+        program.set("map_count", static_cast<unsigned>(chunk.maps));
+        program.set("resolution", maps.layout.resolution);
+        constexpr std::int64_t most = 1 << 21;  // invocations of one dispatch
+        for (std::int64_t at = begin; at < stop; at += most) {
+            const auto last = std::min(stop, at + most);
+            program.set("first_triangle", static_cast<unsigned>(at));
+            program.set("end_triangle", static_cast<unsigned>(last));
+            program.dispatch(last - at);
+        }
+    });
+}
+
+void dispatch_large_triangles(const graph::PassContext& context, const Maps& maps, int first_map) {
+    const auto& world = *context.inputs().world;
+    for (const bool masked : {false, true}) {
+        if (masked && world.opaque_triangles == world.triangles()) continue;
+        const auto& program = context.program(source_for(maps, {"passes/ldm/rasterise_large.comp"}, masked));
+        program.use();
+        program.set("first_map", static_cast<unsigned>(first_map));
+        program.set("resolution", maps.layout.resolution);
+        program.set("opaque_triangles", world.opaque_triangles);
+        dispatch_indirect(context, maps.list.state, large_groups_word);
+    }
+}
+
+}  // namespace ir::passes::ldm

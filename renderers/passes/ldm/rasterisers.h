@@ -1,0 +1,23 @@
+#pragma once
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/passes/ldm/builder.h"
+
+namespace ir::passes::ldm {
+
+/// Binds what passes/ldm/builder.glsl names.
+void bind_rasteriser(const graph::PassContext& context, const SceneBuffers& scene, const Maps& maps);
+
+/// Raster builder: draws triangles first … end - 1 into all maps of a chunk at once. `first_map` counts among
+/// all frames.
+void draw_triangles(const graph::PassContext& context, const SceneBuffers& scene, const Maps& maps,
+                    const Chunk& chunk, int first_map, std::int64_t first, std::int64_t end);
+
+/// Compute builder: the same in a compute shader; large triangles are only listed.
+void dispatch_triangles(const graph::PassContext& context, const Maps& maps, const Chunk& chunk,
+                        int first_map, std::int64_t first, std::int64_t end);
+
+/// Rasterises the listed large triangles of a chunk.
+void dispatch_large_triangles(const graph::PassContext& context, const Maps& maps, int first_map);
+
+}  // namespace ir::passes::ldm

@@ -1,0 +1,32 @@
+#include "renderers/passes/ldm/storage.h"
+
+#include <stdexcept>
+
+#include "renderers/passes/ldm/array_storage.h"
+#include "renderers/passes/ldm/list_storage.h"
+
+namespace ir::passes::ldm {
+
+void Storage::bind(const graph::PassContext& context, int first_binding) const {
+    for (const auto buffer : buffers()) context.bind_buffer(first_binding++, buffer);
+}
+
+std::shared_ptr<const Storage> make_storage(graph::GraphBuilder& builder, StorageKind kind,
+                                            const Layout& layout) {
+    switch (kind) {
+        case StorageKind::linked_lists:
+            return std::make_shared<ListStorage>(builder, layout);
+        case StorageKind::arrays:
+            return std::make_shared<ArrayStorage>(builder, layout);
+    }
+    throw std::logic_error("unknown storage of layered depth maps");
+}
+
+void dispatch_indirect(const graph::PassContext& context, graph::BufferRef state, int word) {
+    const auto& gl = context.api();
+    gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, context.buffer(state));
+    gl.DispatchComputeIndirect(word * 4);
+    gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
+}
+
+}  // namespace ir::passes::ldm

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderers/graph/builder.h"
+#include "renderers/graph/pass_context.h"
+
+namespace ir::passes::ldm {
+
+/// Counts from 0 in the order of the choices of parameter "storage".
+enum class StorageKind { linked_lists, arrays };
+
+/// How the maps of one direction set are divided. Maps are built in chunks (one after another, with the same
+/// scratch buffers) and, where memory is short, traced in batches that share the storage's buffers too.
+struct Layout {
+    int resolution = 0;
+    int maps = 0;        ///< all
+    int batch_maps = 0;  ///< of a batch; the last one may have fewer
+    int chunk_maps = 0;  ///< of a chunk, at most 32
+
+    int batches() const { return (maps + batch_maps - 1) / batch_maps; }
+    std::uint64_t map_texels() const { return static_cast<std::uint64_t>(resolution) * resolution; }
+};
+
+/// Consecutive maps of a batch.
+struct Chunk {
+    int first_map = 0;  ///< counted from the batch's first
+    int maps = 0;
+};
+
+/// The list of fragments that a chunk was rasterised to, and what is known of it.
+struct FragmentList {
+    graph::BufferRef state;      ///< shaders/passes/ldm/state.glsl
+    graph::BufferRef fragments;  ///< invalid where fragments go into the storage directly
+    graph::BufferRef counts;     ///< per texel of the chunk; invalid where the storage does not ask for it
+};
+
+/// Where the sorted depths of a batch's maps are kept. Its GLSL side is shaders/passes/ldm/storage.glsl; a
+/// further storage adds a class here, a file there and a choice.
+class Storage {
+  public:
+    virtual ~Storage() = default;
+
+    /// Chooses this storage's part of storage.glsl, which then uses binding points from `first_binding` on.
+    virtual std::map<std::string, std::string> defines(const graph::PassContext& context,
+                                                       int first_binding) const = 0;
+    /// What queries read, in the order of their binding points.
+    virtual std::vector<graph::BufferRef> buffers() const = 0;
+    /// What is only used while building.
+    virtual std::vector<graph::BufferRef> scratch() const { return {}; }
+    virtual std::vector<graph::CounterRef> counters() const = 0;
+
+    /// Whether the list must hold the order of arrival at each texel (define LDM_ARRIVALS).
+    virtual bool needs_arrivals() const { return false; }
+    /// Empties the maps of a batch.
+    virtual void begin_batch(const graph::PassContext& context) const = 0;
+    /// Stores the fragments of a chunk, whose list is bound (see Builder).
+    virtual void store(const graph::PassContext& context, const FragmentList& list,
+                       const Chunk& chunk) const = 0;
+    /// Bytes that the maps of one batch take: texel tables, and per fragment.
+    virtual std::uint64_t table_bytes(const graph::PassContext& context) const = 0;
+    virtual double fragment_bytes() const = 0;
+
+    void bind(const graph::PassContext& context, int first_binding) const;
+};
+
+/// Declares the storage's resources.
+std::shared_ptr<const Storage> make_storage(graph::GraphBuilder& builder, StorageKind kind,
+                                            const Layout& layout);
+
+/// Elements that are reserved per texel before the scene is known; more makes the buffers grow.
+inline constexpr int expected_layers = 4;
+
+/// Dispatches over a list whose group counts stand at word `word` of the state.
+void dispatch_indirect(const graph::PassContext& context, graph::BufferRef state, int word);
+/// Words of state.glsl.
+inline constexpr int state_words = 20, fragment_groups_word = 8, large_groups_word = 12,
+                     deep_groups_word = 16;
+
+}  // namespace ir::passes::ldm

@@ -1,0 +1,45 @@
+// Arrays, second step: where each row begins. One work group scans the sums of all rows of the chunk.
+layout(local_size_x = 256) in;
+#include "passes/ldm/array_builder.glsl"
+
+layout(std430, binding = 9) buffer DepthsAsked { uint depth_words_asked; };
+layout(std430, binding = 10) buffer OffsetsAsked { uint offset_words_asked; };
+layout(std430, binding = 11) buffer UnsortedAsked { uint unsorted_asked; };
+layout(std430, binding = 12) buffer MostLayers { uint all_most_layers; };
+
+uniform uint packed_words, wide_words;  // size of the batch's offsets in 16 and in 32 bits
+
+shared uint sums[256];
+shared uint widest[256];
+
+void main() {
+    uint me = gl_LocalInvocationID.x, share = (row_count + 255u) / 256u;
+    uint begin = min(me * share, row_count), end = min(begin + share, row_count);
+    uint sum = 0u, wide = 0u;
+    for (uint row = begin; row < end; ++row) {
+        sum += rows[first_row + row];
+        wide = max(wide, rows[first_row + row]);
+    }
+    sums[me] = sum;
+    widest[me] = wide;
+    barrier();
+    for (uint step = 1u; step < 256u; step <<= 1) {
+        uint left = me >= step ? sums[me - step] : 0u, left_widest = me >= step ? widest[me - step] : 0u;
+        barrier();
+        sums[me] += left;
+        widest[me] = max(widest[me], left_widest);
+        barrier();
+    }
+    uint base = stored + (me > 0u ? sums[me - 1u] : 0u);
+    for (uint row = begin; row < end; ++row) {
+        uint count = rows[first_row + row];
+        rows[first_row + row] = base;
+        base += count;
+    }
+    if (me != 255u) return;
+    chunk_total = sums[255];
+    atomicMax(depth_words_asked, (asked + fragment_count + 1u) / 2u);
+    atomicMax(offset_words_asked, widest[255] > 65535u ? wide_words : packed_words);
+    atomicMax(unsorted_asked, fragment_count);
+    atomicMax(all_most_layers, most_layers);
+}

@@ -1,0 +1,16 @@
+// Arrays, first step: one invocation counts the fragments of one row of texels.
+layout(local_size_x = 64) in;
+#include "passes/ldm/array_builder.glsl"
+
+void main() {
+    uint row = gl_GlobalInvocationID.x;
+    if (row >= row_count) return;
+    uint sum = 0u, most = 0u;
+    for (uint x = 0u; x < resolution; ++x) {
+        uint count = min(counts[row * resolution + x], MOST_LAYERS);
+        sum += count;
+        most = max(most, count);
+    }
+    rows[first_row + row] = sum;
+    atomicMax(most_layers, most);
+}

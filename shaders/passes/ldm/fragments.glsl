@@ -1,0 +1,29 @@
+// The list that both builders append fragments to: what is known of a fragment is its texel (counted through
+// the chunk's maps) and its depth in quanta. Before including, choose the binding points LDM_STATE,
+// LDM_FRAGMENTS and LDM_COUNTS.
+#include "passes/ldm/state.glsl"
+
+/// x: texel, y: order of arrival at the texel (where LDM_ARRIVALS is defined) << 16 | depth.
+layout(std430, binding = LDM_FRAGMENTS) buffer LdmFragments { uvec2 fragments[]; };
+#ifdef LDM_ARRIVALS
+layout(std430, binding = LDM_COUNTS) coherent buffer LdmCounts { uint counts[]; };
+#endif
+
+/// Takes the next `count` places; those beyond the capacity are only counted.
+uint reserve_fragments(uint count) {
+    return atomicAdd(fragment_count, count);
+}
+
+void put_fragment(uint place, uint texel, uint depth) {
+    if (place >= uint(fragments.length())) return;
+    uint arrival = 0u;
+#ifdef LDM_ARRIVALS
+    arrival = min(atomicAdd(counts[texel], 1u), 65535u);
+#endif
+    fragments[place] = uvec2(texel, arrival << 16 | depth);
+}
+
+/// Depths are rounded here and nowhere else, so that all storages hold the same numbers.
+uint quantised(float depth) {
+    return uint(clamp(floor(depth + 0.5), 1.0, 65534.0));
+}

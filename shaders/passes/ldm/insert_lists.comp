@@ -1,0 +1,19 @@
+// Linked lists: one invocation inserts one fragment of the chunk.
+layout(local_size_x = 64) in;
+#include "passes/ldm/builder.glsl"
+#include "passes/ldm/fragments.glsl"
+#include "passes/ldm/list_index.glsl"
+#define LDM_WRITES
+#define LDM_STORAGE 13
+#include "passes/ldm/lists.glsl"
+
+uniform uint batch_texel;  // first texel of the chunk, in the batch
+
+void main() {
+    uint index = list_index();
+    if (index >= min(fragment_count, uint(fragments.length()))) return;
+    uvec2 fragment = fragments[index];
+    uint node = stored + index;
+    if (node >= uint(nodes.length()) / 2u) return;
+    insert_sorted(batch_texel + fragment.x, node, fragment.y & 0xffffu);
+}

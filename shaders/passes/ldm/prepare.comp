@@ -1,0 +1,54 @@
+// After the first step of rasterising (PREPARE_LARGE), after the second, and when a chunk is stored (FINISH):
+// the sizes of the indirect dispatches that follow, and what the report and the growth of buffers need.
+layout(local_size_x = 1) in;
+#include "passes/ldm/builder.glsl"
+#include "passes/ldm/fragments.glsl"
+
+layout(std430, binding = 8) buffer FragmentsAsked { uint fragments_asked; };
+layout(std430, binding = 9) buffer LargeAsked { uint large_asked; };
+layout(std430, binding = 10) buffer Generated { uint generated; };
+layout(std430, binding = 11) buffer Dropped { uint all_dropped; };
+layout(std430, binding = 12) buffer Kept { uint kept; };
+layout(std430, binding = 13) buffer Bytes { uint bytes; };
+
+uniform uint large_capacity;
+uniform uint fragment_bytes;
+
+const uint GROUP = 64u, MOST_GROUPS = 32768u;
+
+uvec2 groups_for(uint invocations) {
+    uint groups = (invocations + GROUP - 1u) / GROUP;
+    return uvec2(min(groups, MOST_GROUPS), (groups + MOST_GROUPS - 1u) / MOST_GROUPS);
+}
+
+void main() {
+#if defined(PREPARE_LARGE)
+    uvec2 groups = groups_for(min(large_count, large_capacity));
+    large_groups[0] = groups.x;
+    large_groups[1] = groups.y;
+    large_groups[2] = 1u;
+    atomicMax(large_asked, large_count);
+#elif defined(FINISH)
+    atomicAdd(generated, fragment_count);
+    atomicAdd(all_dropped, dropped);
+    atomicAdd(kept, chunk_total);
+    atomicAdd(bytes, chunk_total * fragment_bytes);
+    asked += fragment_count;
+    stored += chunk_total;
+    dropped = 0u;
+    fragment_count = 0u;
+    large_count = 0u;
+#else
+    chunk_total = fragment_count;
+#ifndef DIRECT
+    uvec2 groups = groups_for(min(fragment_count, uint(fragments.length())));
+    fragment_groups[0] = groups.x;
+    fragment_groups[1] = groups.y;
+    fragment_groups[2] = 1u;
+    atomicMax(fragments_asked, fragment_count);
+    deep_groups[0] = 0u;
+    deep_groups[1] = 1u;
+    deep_groups[2] = 1u;
+#endif
+#endif
+}

@@ -1,0 +1,19 @@
+// What the steps of building one chunk of maps tell each other. Before including, choose the binding point
+// LDM_STATE.
+layout(std430, binding = LDM_STATE) coherent buffer LdmState {
+    uint fragment_count;      // fragments of the chunk, also those beyond the list's capacity
+    uint large_count;         // strips of large triangles, also those beyond capacity
+    uint stored;              // fragments that the batch's earlier chunks keep
+    uint asked;               // fragments that they would keep if every buffer were large enough
+    uint chunk_total;         // fragments of the chunk that are kept
+    uint most_layers;         // of any texel so far
+    uint dropped;             // fragments left out because their texel is deeper than MOST_LAYERS
+    uint unused;
+    uint fragment_groups[4];  // for indirect dispatches over fragments,
+    uint large_groups[4];     // strips of large triangles,
+    uint deep_groups[4];      // and fragments if any texel is too deep for one invocation to sort
+};
+
+/// A texel's fragments beyond this one are left out and counted: a loop over them would be cut short by
+/// drivers that limit loops to 65,535 turns.
+const uint MOST_LAYERS = 60000u;

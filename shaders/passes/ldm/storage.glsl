@@ -1,0 +1,28 @@
+// Questions to the maps, the same for every storage. Each texel holds a sorted sequence of depths in quanta.
+// Before including, define LDM_STORAGE, the first of its binding points, and one of LDM_LINKED_LISTS,
+// LDM_ARRAYS (renderers/passes/ldm/storage.h does).
+
+/// The depths around a given one: the last below it, and the first that is not.
+struct LdmNeighbours {
+    int before, behind;
+};
+const int LDM_NONE_BEFORE = -1000000, LDM_NONE_BEHIND = 1000000;
+
+/// A place in a texel's sequence:
+///   for (LdmCursor c = ldm_first(map, texel, resolution); ldm_valid(c); c = ldm_next(c)) … ldm_depth(c) …
+struct LdmCursor {
+    uint at, end;
+};
+
+// Each storage defines, `map` counting from the batch's first one:
+//   LdmNeighbours ldm_neighbours(uint map, ivec2 texel, int resolution, int depth)
+//   LdmNeighbours ldm_any(uint map, ivec2 texel, int resolution, int depth, bool behind)
+//     Whether there is anything on the asked side, as any of its entries, for the least work. Where there is
+//     none, the other side's nearest entry is given.
+//   LdmCursor ldm_first(uint map, ivec2 texel, int resolution), ldm_next(LdmCursor)
+//   bool ldm_valid(LdmCursor); int ldm_depth(LdmCursor)
+#if defined(LDM_LINKED_LISTS)
+#include "passes/ldm/lists.glsl"
+#elif defined(LDM_ARRAYS)
+#include "passes/ldm/arrays.glsl"
+#endif

@@ -1,0 +1,30 @@
+// Triangles in maps: projection, snapping and the rule that says which texel centres a triangle covers. Before
+// including, define SCENE_POSITIONS and SCENE_INDICES, LDM_FRAMES, and for MASKED programs the bindings
+// that mask.glsl asks for.
+#include "passes/ldm/frames.glsl"
+#include "passes/scene/scene.glsl"
+
+const float SUBTEXELS = 256.0;
+
+/// Corners in subtexels, whole numbers below 2^24, so that all builders cover the same texels; depths in
+/// quanta.
+struct MapTriangle {
+    vec2 a, b, c;
+    vec3 depth;
+};
+
+vec2 snapped(vec3 position, vec4 u, vec4 v) {
+    return floor(vec2(dot(position, u.xyz) + u.w, dot(position, v.xyz) + v.w) * SUBTEXELS + 0.5);
+}
+
+MapTriangle projected(vec3 a, vec3 b, vec3 c, MapFrame frame) {
+    vec3 depth = vec3(dot(a, frame.depth.xyz), dot(b, frame.depth.xyz), dot(c, frame.depth.xyz));
+    return MapTriangle(snapped(a, frame.u, frame.v), snapped(b, frame.u, frame.v),
+                       snapped(c, frame.u, frame.v), depth + frame.depth.w);
+}
+
+/// Texels whose centres are inside the triangle's bounding box: low.x … high.x, low.y … high.y.
+void texel_box(vec2 a, vec2 b, vec2 c, out vec2 low, out vec2 high) {
+    low = ceil(min(min(a, b), c) * (1.0 / SUBTEXELS) - 0.5);
+    high = floor(max(max(a, b), c) * (1.0 / SUBTEXELS) - 0.5);
+}
