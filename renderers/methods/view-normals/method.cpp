@@ -33,15 +33,17 @@ ParameterTable<Parameters> parameters() {
 
 // 3. What the method is, and what it shows of itself. The first output is the main result.
 MethodDescription description() {
-    return {.id = "view-normals",
-            .title = "Normals in view space",
-            .summary =
-                "Shows the G-buffer's normals relative to the camera. It computes no light: it is the "
-                "example that other methods are begun from.",
-            .outputs = {{.key = "normal",
-                         .label = "Normal",
-                         .semantic = Semantic::normal,
-                         .doc = "Unit length; x to the right, y up, z to the viewer. Background is 0."}}};
+    MethodDescription d;
+    d.id = "view-normals";
+    d.title = "Normals in view space";
+    d.summary =
+        "Shows the G-buffer's normals relative to the camera. It computes no light: it is the example that "
+        "other methods are begun from.";
+    d.outputs = {{.key = "normal",
+                  .label = "Normal",
+                  .semantic = Semantic::normal,
+                  .doc = "Unit length; x to the right, y up, z to the viewer. Background is 0."}};
+    return d;
 }
 
 // 4. One frame: resources and passes. Nothing runs here; passes run later, in this order. The resource whose

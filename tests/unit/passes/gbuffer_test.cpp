@@ -327,8 +327,8 @@ TEST_F(GBufferTest, MipLevelsAreTheSameAtBordersOfTriangles) {
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x) {
             const int inside = std::min(std::min(x, 63 - x), std::min(y, 63 - y)) - 16;
-            if (inside >= 2) EXPECT_EQ(albedo.at(x, y), 1) << x << ' ' << y;
-            if (inside <= -3) EXPECT_EQ(albedo.at(x, y), 0) << x << ' ' << y;
+            if (inside > -3 && inside < 2) continue;
+            EXPECT_EQ(albedo.at(x, y), inside > 0 ? 1 : 0) << x << ' ' << y;
         }
 }
 
