@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/engine/render_thread.h"
+
+namespace ir::gui {
+
+/// Where pictures come from, as the window's thread sees it: every call returns at once, every answer is a
+/// signal on the window's thread.
+class Renderer : public QObject {
+    Q_OBJECT
+  public:
+    using QObject::QObject;
+    virtual std::uint64_t request(engine::LiveRequest request) = 0;
+    virtual void load_scene(const std::string& name) = 0;
+    virtual void cancel(const std::string& tag) = 0;
+    virtual void reload_shaders() = 0;
+
+  signals:
+    void result_arrived(std::shared_ptr<const ir::engine::LiveResult> result);
+    void progressed(const std::string& tag, const std::string& what, double fraction);
+    void failed(const std::string& tag, const std::string& error, bool cancelled);
+    void scene_arrived(const ir::engine::SceneSummary& scene);
+    void messages_arrived(const std::vector<ir::Message>& messages);
+    void ready(const std::string& backend, const std::string& device);
+    void no_device(const std::string& error);
+};
+
+/// The real one: posts the render thread's callbacks to the window's thread. Results that the window had no
+/// time for are replaced by newer ones.
+std::unique_ptr<Renderer> make_thread_renderer(const engine::Machine::Options& options);
+
+}  // namespace ir::gui

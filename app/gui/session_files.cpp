@@ -1,0 +1,142 @@
+#include "app/gui/session.h"
+#include "projects/scene_files.h"
+#include "renderers/core/error.h"
+
+namespace ir::gui {
+namespace {
+
+/// "sponza" of "/scenes/sponza.glb", "cornell" of "builtin:cornell@1".
+std::string scene_title(const std::string& scene) {
+    if (projects::is_builtin(scene)) {
+        const auto name = scene.substr(scene.find(':') + 1);
+        return name.substr(0, name.find_first_of("@?"));
+    }
+    return std::filesystem::path(scene).stem().string();
+}
+
+projects::Scene scene_item(const projects::Project& project, const std::string& source,
+                           const std::filesystem::path& folder) {
+    projects::Scene scene;
+    scene.name = scene_title(source);
+    scene.id = projects::free_id_in(project.scenes, scene.name);
+    projects::ScenePart part;
+    part.source = projects::is_builtin(source) ? source : projects::relative_source(source, folder);
+    part.content_hash = projects::scene_hash(source, folder);
+    scene.parts.push_back(part);
+    return scene;
+}
+
+}  // namespace
+
+void Session::open(const std::filesystem::path& path) {
+    adopt(std::make_unique<projects::OpenProject>(path, registry_));
+}
+
+void Session::create_from_scene(const std::string& source) {
+    auto fresh = std::make_unique<projects::OpenProject>(registry_);
+    const auto scene = scene_item(fresh->project(), source, fresh->folder());
+    fresh->edit(projects::edits::add(fresh->project(), scene));
+    fresh->edit(projects::edits::set_project_name(fresh->project(), scene.name));
+    if (registry_.methods().empty()) throw Error("this build has no methods");
+    const auto& method = *registry_.methods().front();
+    fresh->edit(projects::edits::add(
+        fresh->project(),
+        projects::edits::new_experiment(fresh->project(), registry_, method.id, method.title, scene.id, "")));
+    adopt(std::move(fresh));
+}
+
+void Session::add_scene(const std::string& source) {
+    edit([&](const projects::Project& project) {
+        return projects::edits::add(project, scene_item(project, source, project_->folder()));
+    });
+}
+
+void Session::adopt(std::unique_ptr<projects::OpenProject> project) {
+    close();
+    project_ = std::move(project);
+    memory_ =
+        project_->folder().empty() ? projects::Json::object() : projects::load_session(project_->folder());
+    const auto remembered = memory_.find("experiment");
+    experiment_id_ =
+        remembered != memory_.end() && remembered->is_string() ? remembered->get<std::string>() : "";
+    const auto buffer = memory_.find("buffer");
+    shown_ = buffer != memory_.end() && buffer->is_string() ? buffer->get<std::string>() : "";
+    emit project_replaced();
+    report_project_messages();
+    emit document_changed();
+    emit experiment_selected();
+    update_request();
+}
+
+void Session::report_project_messages() {
+    for (const auto& each : project_->messages()) emit message(each);
+}
+
+void Session::close() {
+    if (!project_) return;
+    save_memory();
+    renderer_.cancel("view");
+    project_.reset();
+    result_.reset();
+    scene_.reset();
+    moved_pose_.reset();
+    memory_ = projects::Json::object();
+    signature_.clear();
+    scene_name_.clear();
+    shown_.clear();
+    experiment_id_.clear();
+    level_ = layer_ = 0;
+    set_state(State::empty);
+    emit project_replaced();
+    emit scene_changed();
+}
+
+void Session::save(bool overwrite) {
+    finish_camera_move();
+    project_->save(overwrite);
+    save_memory();
+    emit document_changed();
+}
+
+void Session::save_as(const std::filesystem::path& path) {
+    finish_camera_move();
+    project_->save_as(path);
+    save_memory();
+    emit document_changed();
+    update_request();
+}
+
+void Session::save_memory() {
+    if (!project_ || project_->folder().empty() || project_->is_read_only()) return;
+    memory_["experiment"] = experiment_id_;
+    memory_["buffer"] = shown_;
+    try {
+        projects::save_session(project_->folder(), memory_);
+    } catch (const std::exception& error) {  // nothing of value is in it
+        emit message({Severity::warning, "project", error.what()});
+    }
+}
+
+void Session::take_recovery() {
+    guarded([&] { return project_->take_recovery(), changed(true); });
+}
+
+void Session::discard_recovery() {
+    guarded([&] { return project_->discard_recovery(), true; });
+}
+
+void Session::break_lock() {
+    guarded([&] { return project_->break_lock(), changed(true); });
+}
+
+void Session::autosave() {
+    if (!project_ || project_->folder().empty() || project_->is_read_only()) return;
+    guarded([&] {
+        project_->autosave();
+        const auto error = project_->take_autosave_error();
+        if (!error.empty()) emit message({Severity::warning, "autosave", error});
+        return true;
+    });
+}
+
+}  // namespace ir::gui

@@ -1,0 +1,37 @@
+#include "app/gui/signature.h"
+
+#include <sstream>
+
+namespace ir::gui {
+namespace {
+
+std::ostream& operator<<(std::ostream& out, const glm::vec3& v) {
+    return out << v.x << ',' << v.y << ',' << v.z << ';';
+}
+
+void write_camera(std::ostream& out, const scene::Camera& c) {
+    out << c.eye << c.target << c.up << c.fov_y << ',' << c.orthographic << ',' << c.height << '\n';
+}
+
+void write_light(std::ostream& out, const scene::Light& l) {
+    out << int(l.type) << ';' << l.colour << l.intensity << ';' << l.position << l.direction << l.inner_angle
+        << ',' << l.outer_angle << ',' << l.range << ',' << l.size.x << ',' << l.size.y << '\n';
+}
+
+}  // namespace
+
+std::string signature(const engine::Experiment& e) {
+    std::ostringstream out;
+    out.precision(17);
+    out << e.scene << '\n' << e.method << '\n';
+    for (const auto& [key, value] : e.settings) out << key << '=' << to_string(value) << '\n';
+    out << e.camera_name << '\n';
+    if (e.camera) write_camera(out, *e.camera);
+    if (e.replace_lights) out << "lights\n";
+    for (const auto& light : e.lights) write_light(out, light);
+    if (e.environment) out << "environment " << e.environment->constant << e.environment->map.get() << '\n';
+    out << e.width << 'x' << e.height << ' ' << e.seed << ' ' << e.frames << ' ' << e.time;
+    return out.str();
+}
+
+}  // namespace ir::gui

@@ -1,0 +1,284 @@
+#include <QInputDialog>
+#include <QLabel>
+#include <QProgressBar>
+#include <QStackedWidget>
+
+#include "app/gui/main_window.h"
+
+namespace ir::gui {
+namespace {
+
+namespace edits = projects::edits;
+using projects::Project;
+
+QString text_of(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+template <class List>
+std::vector<widgets::Option> options_of(const List& list) {
+    std::vector<widgets::Option> result;
+    for (const auto& item : list)
+        result.push_back(
+            {text_of(item.id), text_of(item.name.empty() ? item.id : item.name), text_of(item.id)});
+    return result;
+}
+
+}  // namespace
+
+void MainWindow::connect_session() {
+    connect(&session_, &Session::project_replaced, this, [this] {
+        thumbnails_.clear();
+        chosen_displays_.clear();
+        restore_view_memory();
+        update_project_banners();
+        update_document();
+        for (auto* panel : {buffers_, timings_, counters_}) panel->set_rows({});
+        if (!session_.has_project()) view_->set_note({});
+    });
+    connect(&session_, &Session::document_changed, this, &MainWindow::update_document);
+    connect(&session_, &Session::experiment_selected, this, [this] {
+        update_document();
+        update_scene_banner();
+    });
+    connect(&session_, &Session::picture_arrived, this, &MainWindow::show_picture);
+    connect(&session_, &Session::scene_changed, this, [this] {
+        update_scene_tree();
+        update_camera();
+        update_experiment_panel();
+    });
+    connect(&session_, &Session::state_changed, this, &MainWindow::update_state);
+    connect(&session_, &Session::progressed, this, [this](const std::string& what, double fraction) {
+        state_label_->setText(tr("Rendering: %1").arg(text_of(what)));
+        progress_->setValue(int(fraction * 1000));
+    });
+    connect(&session_, &Session::message, messages_, &widgets::MessagesPanel::add);
+    connect(&renderer_, &Renderer::ready, this,
+            [this](const std::string& backend, const std::string& device) {
+                device_label_->setText(
+                    QStringLiteral("%1 · %2").arg(text_of(backend).toUpper(), text_of(device)));
+                banners_->hide_banner(QStringLiteral("device"));
+            });
+    connect(&renderer_, &Renderer::no_device, this, [this](const std::string& error) {
+        device_label_->setText(tr("no device"));
+        banners_->show_banner(QStringLiteral("device"), widgets::BannerStack::Kind::error, text_of(error));
+    });
+}
+
+void MainWindow::connect_panels() {
+    using widgets::ExperimentPanel;
+    auto* panel = experiment_panel_;
+    const auto id = [this] { return session_.experiment() ? session_.experiment()->id : std::string(); };
+    connect(panel, &ExperimentPanel::experiment_chosen, this,
+            [this](const QString& chosen) { session_.select_experiment(chosen.toStdString()); });
+    connect(panel, &ExperimentPanel::method_chosen, this, [this, id](const QString& method) {
+        session_.show_buffer("");
+        session_.edit([&](const Project& p) {
+            return edits::set_method(p, session_.registry(), id(), method.toStdString());
+        });
+    });
+    connect(panel, &ExperimentPanel::scene_chosen, this, [this, id](const QString& scene) {
+        session_.edit([&](const Project& p) { return edits::set_scene_of(p, id(), scene.toStdString()); });
+        update_scene_banner();
+    });
+    connect(panel, &ExperimentPanel::camera_chosen, this, &MainWindow::choose_camera);
+    connect(panel, &ExperimentPanel::lights_chosen, this, [this, id](const QString& lights) {
+        session_.edit([&](const Project& p) { return edits::set_lights_of(p, id(), lights.toStdString()); });
+    });
+    connect(panel, &ExperimentPanel::preset_chosen, this, [this, id](const QString& preset) {
+        session_.edit(
+            [&](const Project& p) { return edits::set_active_preset(p, id(), preset.toStdString()); });
+    });
+    connect(panel, &ExperimentPanel::size_chosen, this, [this, id](QSize size) {
+        session_.edit([&](const Project& p) {
+            return edits::set_size(p, id(), {size.width(), size.height()});
+        });
+    });
+    connect(panel, &ExperimentPanel::seed_chosen, this, [this, id](std::uint64_t seed) {
+        session_.edit([&](const Project& p) { return edits::set_seed(p, id(), seed); });
+        session_.end_gesture();
+    });
+    connect(panel, &ExperimentPanel::frames_chosen, this, [this, id](int frames) {
+        session_.edit([&](const Project& p) { return edits::set_frames(p, id(), frames); });
+    });
+    connect(panel, &ExperimentPanel::time_chosen, this, [this, id](double time) {
+        session_.edit([&](const Project& p) { return edits::set_time(p, id(), time); });
+    });
+    connect(parameter_panel_, &widgets::ParameterPanel::value_chosen, this,
+            [this, id](const std::string& key, const Value& value) {
+                const bool done = session_.edit([&](const Project& p) {
+                    return edits::set_values(p, session_.registry(), id(), {{key, value}});
+                });
+                if (!done) update_experiment_panel();  // a refused value leaves the editor again
+            });
+    connect(parameter_panel_, &widgets::ParameterPanel::gesture_finished, this,
+            [this] { session_.end_gesture(); });
+    connect(parameter_panel_, &widgets::ParameterPanel::reset_chosen, this,
+            [this, id](const std::string& key) {
+                session_.edit(
+                    [&](const Project& p) { return edits::reset_value(p, session_.registry(), id(), key); });
+                session_.end_gesture();
+            });
+    connect(scene_tree_, &widgets::RowsPanel::row_activated, this, [this](const QString& key) {
+        if (key.startsWith(QStringLiteral("camera:"))) use_scene_camera(key.mid(7));
+    });
+}
+
+void MainWindow::update_document() {
+    const bool has_project = session_.has_project();
+    pages_->setCurrentIndex(has_project ? 1 : 0);
+    update_title();
+    update_edit_actions();
+    update_experiment_panel();
+    update_camera();
+    update_scene_tree();
+}
+
+void MainWindow::update_title() {
+    if (!session_.has_project()) {
+        setWindowModified(false);
+        return setWindowTitle(tr("Interreflect"));
+    }
+    const auto& project = session_.open_project();
+    const QString name = text_of(session_.document().name.empty() ? "untitled" : session_.document().name);
+    const QString place =
+        project.folder().empty() ? tr("not saved yet") : text_of(project.folder().filename().string());
+    setWindowTitle(tr("%1[*] (%2)%3 – Interreflect")
+                       .arg(name, place, project.is_read_only() ? tr(", read-only") : QString()));
+    setWindowModified(project.is_dirty());
+}
+
+void MainWindow::update_edit_actions() {
+    const bool open = session_.has_project(), writable = open && !session_.open_project().is_read_only();
+    const bool experiment = session_.experiment() != nullptr;
+    const auto set = [this](const char* name, bool enabled, const QString& text = {}) {
+        auto* action = actions_.value(QLatin1String(name));
+        action->setEnabled(enabled);
+        if (!text.isEmpty()) action->setText(text);
+    };
+    const auto* undo = open ? &session_.open_project().undo_stack() : nullptr;
+    set("undo", writable && undo->can_undo(),
+        undo && undo->can_undo() ? tr("&Undo: %1").arg(text_of(undo->undo_label())) : tr("&Undo"));
+    set("redo", writable && undo->can_redo(),
+        undo && undo->can_redo() ? tr("&Redo: %1").arg(text_of(undo->redo_label())) : tr("&Redo"));
+    set("save", writable && (session_.open_project().is_dirty() || session_.open_project().folder().empty()));
+    for (const char* name : {"save-as", "close"}) set(name, open);
+    set("experiment-add", writable);
+    for (const char* name : {"experiment-duplicate", "experiment-rename", "experiment-remove"})
+        set(name, writable && experiment);
+    for (const char* name :
+         {"fit", "actual", "zoom-in", "zoom-out", "grid", "marks", "brighter", "darker", "exposure-reset",
+          "buffer-main", "buffer-next", "buffer-previous", "rerun", "inspect", "orbit", "fly"})
+        set(name, open && experiment);
+}
+
+void MainWindow::update_experiment_panel() {
+    const auto* experiment = session_.experiment();
+    experiment_panel_->setEnabled(session_.has_project());
+    if (!experiment) {
+        experiment_panel_->set_fields({});
+        parameter_panel_->set_parameters("", {});
+        return;
+    }
+    const auto shown = projects::effective(*experiment);
+    const auto& document = session_.document();
+    widgets::ExperimentFields fields;
+    fields.experiments = options_of(document.experiments);
+    fields.scenes = options_of(document.scenes);
+    fields.cameras = options_of(document.cameras);
+    fields.cameras.insert(fields.cameras.begin(),
+                          {"", tr("Scene's first camera"), tr("The first camera of the scene file")});
+    if (session_.scene())
+        for (const auto& name : session_.scene()->cameras)
+            fields.cameras.push_back({"scene:" + text_of(name), tr("%1 (in scene)").arg(text_of(name)),
+                                      tr("A camera of the scene file")});
+    fields.lights = options_of(document.lights);
+    fields.lights.insert(fields.lights.begin(), {projects::scene_lights, tr("Scene's own lights"), {}});
+    fields.presets = {{"", tr("None"), tr("The experiment's own values")}};
+    for (const auto& [name, preset] : experiment->presets)
+        fields.presets.push_back({text_of(name), text_of(name), {}});
+    for (const auto* method : session_.registry().methods())
+        fields.methods.push_back(
+            {text_of(method->id), text_of(method->title), text_of(method->id + ": " + method->summary)});
+    fields.experiment = text_of(experiment->id);
+    fields.method = text_of(shown.method);
+    fields.scene = text_of(shown.scene);
+    fields.camera = text_of(shown.camera);
+    fields.light = text_of(shown.lights);
+    fields.preset = text_of(experiment->active_preset);
+    fields.size = {shown.size.x, shown.size.y};
+    fields.seed = shown.seed;
+    fields.frames = shown.frames;
+    fields.time = shown.time;
+    experiment_panel_->set_fields(fields);
+    const auto* method = session_.method();
+    parameter_panel_->set_parameters(method ? method->id : "",
+                                     method ? method->parameters : std::vector<ParameterDescription>());
+    Settings values = method ? defaults(method->parameters) : Settings();
+    for (const auto& [key, value] : shown.values) values[key] = value;
+    parameter_panel_->set_values(values);
+    const bool read_only = session_.open_project().is_read_only();
+    const QString why =
+        tr("The project is open read-only: %1").arg(text_of(session_.open_project().read_only_reason()));
+    parameter_panel_->set_read_only(read_only, why);
+    experiment_panel_->set_read_only(read_only, why);
+}
+
+void MainWindow::choose_camera(const QString& chosen) {
+    if (chosen.startsWith(QStringLiteral("scene:"))) return use_scene_camera(chosen.mid(6));
+    const std::string id = session_.experiment()->id;
+    session_.edit([&](const Project& p) { return edits::set_camera_of(p, id, chosen.toStdString()); });
+}
+
+void MainWindow::use_scene_camera(const QString& name) {
+    const auto* experiment = session_.experiment();
+    if (!experiment) return;
+    const std::string id = experiment->id, wanted = name.toStdString();
+    for (const auto& camera : session_.document().cameras)
+        if (camera.scene_camera == wanted) {
+            session_.edit([&](const Project& p) { return edits::set_camera_of(p, id, camera.id); });
+            return;
+        }
+    session_.edit([&](const Project& p) {
+        projects::Camera camera;
+        camera.name = wanted;
+        camera.scene_camera = wanted;
+        camera.id = projects::free_id_in(p.cameras, wanted);
+        std::vector<projects::EditPtr> steps;
+        steps.push_back(edits::add(p, camera));
+        Project after = p;
+        steps.back()->apply(after);
+        steps.push_back(edits::set_camera_of(after, id, camera.id));
+        return edits::group("Use camera " + wanted, std::move(steps));
+    });
+}
+
+void MainWindow::add_experiment() {
+    const auto* method = session_.method();
+    if (!method && session_.registry().methods().empty()) return;
+    if (!method) method = session_.registry().methods().front();
+    const auto* now = session_.experiment();
+    std::string added;
+    session_.edit([&](const Project& p) {
+        const std::string scene = now ? now->scene : p.scenes.empty() ? "" : p.scenes.front().id;
+        const auto fresh = edits::new_experiment(p, session_.registry(), method->id, method->title, scene,
+                                                 now ? now->camera : "");
+        added = fresh.id;
+        return edits::add(p, fresh);
+    });
+    if (!added.empty()) session_.select_experiment(added);
+}
+
+void MainWindow::rename_experiment() {
+    const auto* experiment = session_.experiment();
+    if (!experiment) return;
+    const std::string id = experiment->id;
+    bool accepted = false;
+    const QString name = QInputDialog::getText(this, tr("Rename experiment"), tr("Name"), QLineEdit::Normal,
+                                               text_of(experiment->name), &accepted);
+    if (accepted)
+        session_.edit(
+            [&](const Project& p) { return edits::rename<projects::Experiment>(p, id, name.toStdString()); });
+}
+
+}  // namespace ir::gui

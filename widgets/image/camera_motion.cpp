@@ -1,0 +1,82 @@
+#include "widgets/image/camera_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+
+namespace ir::widgets {
+namespace {
+
+struct Frame {
+    glm::dvec3 right, up, forward;
+};
+
+Frame frame_of(const CameraPose& pose) {
+    const glm::dvec3 forward = glm::normalize(pose.target - pose.eye);
+    glm::dvec3 right = glm::cross(forward, pose.up);
+    if (glm::length(right) < 1e-9) {  // looking along up: any right will do
+        const glm::dvec3 other = std::abs(forward.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
+        right = glm::cross(forward, other);
+    }
+    right = glm::normalize(right);
+    return {right, glm::cross(right, forward), forward};
+}
+
+glm::dvec3 turned(const glm::dvec3& v, double angle, const glm::dvec3& axis) {
+    return glm::dvec3(glm::rotate(glm::dmat4(1), angle, axis) * glm::dvec4(v, 0));
+}
+
+/// `arm` (from the fixed point to the moving one) turned by yaw and a pitch that keeps off the poles.
+glm::dvec3 turned_arm(const glm::dvec3& arm, const CameraPose& pose, double yaw, double pitch) {
+    const glm::dvec3 up = glm::normalize(pose.up);
+    const double elevation = std::asin(std::clamp(glm::dot(glm::normalize(arm), up), -1.0, 1.0));
+    const double limit = std::numbers::pi / 2 - 0.01;
+    const double wanted = std::clamp(elevation + pitch, -limit, limit);
+    glm::dvec3 axis = glm::cross(arm, up);
+    if (glm::length(axis) < 1e-9 * glm::length(arm)) axis = frame_of(pose).right;
+    const glm::dvec3 raised = turned(arm, wanted - elevation, glm::normalize(axis));
+    return turned(raised, yaw, up);
+}
+
+}  // namespace
+
+CameraPose orbited(const CameraPose& pose, double yaw, double pitch) {
+    CameraPose result = pose;
+    result.eye = pose.target + turned_arm(pose.eye - pose.target, pose, yaw, pitch);
+    return result;
+}
+
+CameraPose looked(const CameraPose& pose, double yaw, double pitch) {
+    CameraPose result = pose;
+    result.target = pose.eye + turned_arm(pose.target - pose.eye, pose, yaw, pitch);
+    return result;
+}
+
+CameraPose dollied(const CameraPose& pose, double factor) {
+    CameraPose result = pose;
+    if (pose.orthographic) {
+        result.height *= factor;
+        return result;
+    }
+    result.eye = pose.target + (pose.eye - pose.target) * factor;
+    return result;
+}
+
+CameraPose slid(const CameraPose& pose, double right, double up) {
+    const double distance = glm::length(pose.target - pose.eye);
+    const double fov_y = pose.fov_y_degrees * std::numbers::pi / 180;
+    const double height = pose.orthographic ? pose.height : 2 * distance * std::tan(fov_y / 2);
+    return flown(pose, right * height, up * height, 0);
+}
+
+CameraPose flown(const CameraPose& pose, double right, double up, double forward) {
+    const Frame frame = frame_of(pose);
+    const glm::dvec3 step = frame.right * right + frame.up * up + frame.forward * forward;
+    CameraPose result = pose;
+    result.eye += step;
+    result.target += step;
+    return result;
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QImage>
+#include <QString>
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "renderers/core/output.h"
+#include "renderers/image/image.h"
+
+namespace ir::widgets {
+
+/// How numbers become colours. The same rules are written once more in the view's shader.
+struct Display {
+    enum class Mode {
+        colour,  ///< linear light: exposure, then the sRGB transfer function
+        vector,  ///< components from low … high to 0 … 1, shown as they are
+        scalar,  ///< one channel from low … high through a colour map
+        ids      ///< one channel: a colour per whole number
+    };
+    Mode mode = Mode::colour;
+    std::string colour_map = "grey";
+    double exposure = 0;  ///< stops, colour mode only
+    double low = 0, high = 1;
+    int channel = -1;             ///< -1: all that fit; else this one alone
+    bool mark_bad = true;         ///< NaN magenta, +Inf yellow, -Inf cyan, negative blue
+    bool negative_is_bad = true;  ///< for quantities that cannot be negative
+    bool operator==(const Display&) const = default;
+};
+
+/// What the numbers of an image are like.
+struct Statistics {
+    double min = 0, max = 0, mean = 0;  ///< of finite values; 0 when there are none
+    std::size_t finite = 0, nan = 0, infinite = 0, negative = 0;
+};
+Statistics statistics(const Image& image, int channel = -1);
+
+/// How a buffer is shown before anybody chooses otherwise.
+Display display_for(Semantic semantic, const std::string& colour_map, const Image& image);
+
+/// The encoded colour of one pixel with `channels` values.
+std::array<unsigned char, 3> shade(const Display& display, const float* pixel, int channels);
+QImage to_qimage(const Image& image, const Display& display);
+
+/// The channels that a view shows at once: all of an image with up to four, else four from the chosen one on.
+Image shown_channels(const Image& image, int channel);
+
+/// "0.2135", "1.5e-07", "NaN": short, for pixels and the cursor strip.
+QString short_number(double value);
+/// "R", "G", "B" / "X", "Y" / "Y" / "0", "1", … by meaning and count.
+QString channel_name(Semantic semantic, int channels, int channel);
+
+}  // namespace ir::widgets

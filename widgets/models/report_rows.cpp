@@ -1,0 +1,230 @@
+#include "widgets/models/report_rows.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <functional>
+
+namespace ir::widgets {
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("Rows", text);
+}
+
+QString text_of(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+Cell number_cell(const QString& text) {
+    return {.text = text, .number = true};
+}
+
+QString size_text(const ResourceReport& resource) {
+    if (resource.width == 0) return QString::number(resource.elements);
+    QString text = QStringLiteral("%1×%2").arg(resource.width).arg(resource.height);
+    if (resource.layers > 1) text += QStringLiteral("×%1").arg(resource.layers);
+    if (resource.levels > 1) text += tr(", %1 levels").arg(resource.levels);
+    return text;
+}
+
+QString state_text(const ResourceReport& resource) {
+    if (resource.is_history) return tr("history");
+    return text_of(to_string(resource.semantic));
+}
+
+Row resource_row(const ResourceReport& resource, const std::map<std::string, QImage>& thumbnails,
+                 const std::string& shown) {
+    const QString label = text_of(resource.label.empty() ? resource.key : resource.label);
+    QString tooltip =
+        QStringLiteral("<b>%1</b> (%2)<br>%3")
+            .arg(label.toHtmlEscaped(), text_of(resource.key), text_of(resource.doc).toHtmlEscaped());
+    tooltip += QStringLiteral("<br>%1, %2, %3")
+                   .arg(text_of(to_string(resource.kind)), text_of(to_string(resource.semantic)),
+                        text_of(resource.format));
+    if (!resource.unit.empty()) tooltip += tr("<br>Unit: %1").arg(text_of(resource.unit));
+    if (!resource.available)
+        tooltip += tr("<br><i>Not computed, because nobody looks at it. Click to compute it.</i>");
+    const auto thumbnail = thumbnails.find(resource.key);
+    Row row{resource.key, {}, {}, !resource.available, resource.key == shown};
+    row.cells = {{label, tooltip, thumbnail == thumbnails.end() ? QImage() : thumbnail->second},
+                 {resource.available ? state_text(resource) : tr("not computed"), tooltip},
+                 number_cell(size_text(resource)),
+                 {text_of(resource.format)},
+                 number_cell(bytes_text(resource.bytes))};
+    return row;
+}
+
+Row pass_row(const std::string& pass, std::uint64_t bytes) {
+    Row row{"pass:" + pass, {}};
+    row.cells = {{text_of(pass.empty() ? "(none)" : pass)}, {}, {}, {}, number_cell(bytes_text(bytes))};
+    return row;
+}
+
+std::uint64_t bytes_written_by(const FrameReport& report, const PassReport& pass) {
+    std::uint64_t sum = 0;
+    for (const auto& resource : report.resources)
+        if (resource.pass == pass.name) sum += resource.bytes;
+    return sum;
+}
+
+Row group_row(const char* key, const QString& label, const std::vector<std::string>& names,
+              const std::string& prefix, const std::string& used = {}) {
+    Row group{std::string("group:") + key, {{label}, number_cell(QString::number(names.size()))}};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        // Names may repeat in a file; keys must not.
+        const bool repeated =
+            std::find(names.begin(), names.begin() + long(i), names[i]) != names.begin() + long(i);
+        const std::string name = names[i].empty() ? std::string(key) + " " + std::to_string(i) : names[i];
+        Row row{prefix + names[i] + (repeated ? "#" + std::to_string(i) : ""),
+                {{text_of(name), text_of(name)}, {}}};
+        row.strong = !used.empty() && names[i] == used;
+        group.children.push_back(std::move(row));
+    }
+    return group;
+}
+
+std::size_t add_nodes(const SceneListing& scene, int parent, std::vector<Row>& rows) {
+    std::size_t sum = 0;
+    for (int i = 0; i < int(scene.nodes.size()); ++i) {
+        const auto& node = scene.nodes[std::size_t(i)];
+        if (node.parent != parent) continue;
+        Row row{"node:" + std::to_string(i), {}};
+        const std::size_t triangles = node.triangles + add_nodes(scene, i, row.children);
+        const QString name = node.name.empty() ? tr("node %1").arg(i) : text_of(node.name);
+        row.cells = {{name}, number_cell(QString::number(triangles))};
+        sum += triangles;
+        rows.push_back(std::move(row));
+    }
+    return sum;
+}
+
+}  // namespace
+
+QString bytes_text(std::uint64_t bytes) {
+    if (bytes < 1024) return QStringLiteral("%1 B").arg(bytes);
+    double value = double(bytes);
+    const char* unit = "B";
+    for (const char* next : {"KiB", "MiB", "GiB"}) {
+        if (value < 1024) break;
+        value /= 1024;
+        unit = next;
+    }
+    return QStringLiteral("%1 %2")
+        .arg(value, 0, 'f',
+             value < 10    ? 2
+             : value < 100 ? 1
+                           : 0)
+        .arg(QLatin1String(unit));
+}
+
+QString milliseconds_text(double ms) {
+    return QString::number(ms, 'f', ms < 1 ? 3 : ms < 10 ? 2 : ms < 100 ? 1 : 0);
+}
+
+QStringList buffer_headings() {
+    return {tr("Buffer"), tr("Meaning"), tr("Size"), tr("Format"), tr("Memory")};
+}
+
+std::vector<Row> buffer_rows(const FrameReport& report, const std::map<std::string, QImage>& thumbnails,
+                             const std::string& shown) {
+    std::vector<std::string> order;  // passes as they run, then what no pass writes
+    for (const auto& pass : report.passes) order.push_back(pass.name);
+    for (const auto& resource : report.resources)
+        if (std::find(order.begin(), order.end(), resource.pass) == order.end())
+            order.push_back(resource.pass);
+    std::vector<Row> rows;
+    for (const auto& pass : order) {
+        if (std::any_of(rows.begin(), rows.end(), [&](const Row& r) { return r.key == "pass:" + pass; }))
+            continue;
+        std::vector<Row> children;
+        std::uint64_t bytes = 0;
+        for (const auto& resource : report.resources) {
+            if (resource.pass != pass) continue;
+            children.push_back(resource_row(resource, thumbnails, shown));
+            bytes += resource.bytes;
+        }
+        if (children.empty()) continue;
+        rows.push_back(pass_row(pass, bytes));
+        rows.back().children = std::move(children);
+    }
+    return rows;
+}
+
+QStringList timing_headings() {
+    return {tr("Pass"), tr("Queue"), tr("GPU ms"), tr("CPU ms"), tr("Slices"), tr("Memory")};
+}
+
+std::vector<Row> timing_rows(const FrameReport& report) {
+    std::vector<Row> rows;
+    double gpu = 0, cpu = 0;
+    for (std::size_t i = 0; i < report.passes.size(); ++i) {
+        const auto& pass = report.passes[i];
+        Row row{std::to_string(i) + ":" + pass.name, {}};
+        row.dim = pass.culled;
+        row.cells = {{text_of(pass.name)},
+                     {pass.culled ? tr("skipped") : text_of(pass.queue),
+                      pass.culled ? tr("Nobody looks at what this pass writes.") : QString()},
+                     number_cell(pass.culled ? QString() : milliseconds_text(pass.gpu_ms)),
+                     number_cell(pass.culled ? QString() : milliseconds_text(pass.cpu_ms)),
+                     number_cell(pass.culled ? QString() : QString::number(pass.slices)),
+                     number_cell(bytes_text(bytes_written_by(report, pass)))};
+        gpu += pass.gpu_ms;
+        cpu += pass.cpu_ms;
+        rows.push_back(std::move(row));
+    }
+    if (rows.empty()) return rows;
+    Row total{"total", {}, {}, false, true};
+    total.cells = {
+        {tr("Total"), tr("Wall clock %1 ms; memory at most %2")
+                          .arg(milliseconds_text(report.wall_ms), bytes_text(report.peak_memory_bytes))},
+        {},
+        number_cell(milliseconds_text(gpu)),
+        number_cell(milliseconds_text(cpu)),
+        {},
+        number_cell(bytes_text(report.memory_bytes))};
+    rows.push_back(std::move(total));
+    return rows;
+}
+
+QStringList counter_headings() {
+    return {tr("Counter"), tr("Value")};
+}
+
+std::vector<Row> counter_rows(const FrameReport& report) {
+    std::vector<Row> rows;
+    for (const auto& [key, value] : report.counters)
+        rows.push_back({key, {{text_of(key)}, number_cell(QString::number(value, 'g', 10))}});
+    return rows;
+}
+
+QStringList scene_headings() {
+    return {tr("Scene"), tr("Triangles")};
+}
+
+std::vector<Row> scene_rows(const SceneListing& scene) {
+    if (scene.name.empty()) return {};
+    Row root{"scene", {}, {}, false, true};
+    const QString tooltip = tr("%1 triangles, %2 textures, %3")
+                                .arg(scene.triangles)
+                                .arg(scene.textures)
+                                .arg(text_of(scene.extent));
+    const std::string short_name = scene.name.substr(scene.name.find_last_of('/') + 1);
+    root.cells = {{text_of(short_name), text_of(scene.name) + QLatin1Char('\n') + tooltip},
+                  number_cell(QString::number(scene.triangles))};
+    Row nodes{"group:nodes", {{tr("Nodes")}, number_cell(QString::number(scene.nodes.size()))}};
+    add_nodes(scene, -1, nodes.children);
+    std::vector<Row> rows;
+    rows.push_back(std::move(root));
+    rows.push_back(group_row("cameras", tr("Cameras"), scene.cameras, "camera:", scene.used_camera));
+    rows.push_back(group_row("lights", tr("Lights"), scene.lights, "light:"));
+    rows.push_back(group_row("materials", tr("Materials"), scene.materials, "material:"));
+    rows.push_back(std::move(nodes));
+    if (!scene.warnings.empty())
+        rows.push_back(group_row("warnings", tr("Warnings"), scene.warnings, "warning:"));
+    for (auto& row : rows)
+        if (row.key == "group:cameras")
+            for (auto& camera : row.children) camera.cells[0].tooltip = tr("Double-click to use this camera");
+    return rows;
+}
+
+}  // namespace ir::widgets

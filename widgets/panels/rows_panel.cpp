@@ -1,0 +1,102 @@
+#include "widgets/panels/rows_panel.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QPainter>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+namespace ir::widgets {
+namespace {
+
+/// Says why it is empty.
+class TreeView final : public QTreeView {
+  public:
+    TreeView(const QString& empty_text, QWidget* parent) : QTreeView(parent), empty_text_(empty_text) {}
+
+  protected:
+    void paintEvent(QPaintEvent* event) override {
+        QTreeView::paintEvent(event);
+        if (model() && model()->rowCount() > 0) return;
+        QPainter painter(viewport());
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(viewport()->rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
+                         empty_text_);
+    }
+
+  private:
+    QString empty_text_;
+};
+
+}  // namespace
+
+RowsPanel::RowsPanel(const QStringList& headings, const QString& empty_text, QWidget* parent)
+    : QWidget(parent), model_(new RowsModel(headings, this)), view_(new TreeView(empty_text, this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(view_);
+    view_->setModel(model_);
+    view_->setAlternatingRowColors(true);
+    view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    view_->setExpandsOnDoubleClick(false);
+    view_->header()->setStretchLastSection(false);
+    view_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    view_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    view_->header()->setMinimumSectionSize(36);
+    view_->setTextElideMode(Qt::ElideMiddle);
+    connect(view_, &QTreeView::clicked, this,
+            [this](const QModelIndex& at) { emit row_clicked(at.data(RowsModel::key_role).toString()); });
+    connect(view_, &QTreeView::activated, this,
+            [this](const QModelIndex& at) { emit row_activated(at.data(RowsModel::key_role).toString()); });
+    connect(view_, &QTreeView::expanded, this,
+            [this](const QModelIndex& at) { open_[at.data(RowsModel::key_role).toString()] = true; });
+    connect(view_, &QTreeView::collapsed, this,
+            [this](const QModelIndex& at) { open_[at.data(RowsModel::key_role).toString()] = false; });
+    connect(model_, &QAbstractItemModel::modelReset, this, [this] { restore_folding({}); });
+    auto* copy_action = new QAction(tr("Copy"), view_);
+    copy_action->setShortcut(QKeySequence::Copy);
+    copy_action->setShortcutContext(Qt::WidgetShortcut);
+    connect(copy_action, &QAction::triggered, this, &RowsPanel::copy);
+    view_->addAction(copy_action);
+    view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+void RowsPanel::set_rows(std::vector<Row> rows) {
+    model_->set_rows(std::move(rows));
+}
+
+void RowsPanel::set_picture_size(QSize size) {
+    view_->setIconSize(size);
+}
+
+bool RowsPanel::folds(const QString& key) const {
+    const auto known = open_.find(key);
+    if (known != open_.end()) return !*known;
+    for (const auto& prefix : folded_prefixes_)
+        if (key.startsWith(QString::fromStdString(prefix))) return true;
+    return false;
+}
+
+void RowsPanel::restore_folding(const QModelIndex& parent) {
+    for (int i = 0; i < model_->rowCount(parent); ++i) {
+        const QModelIndex row = model_->index(i, 0, parent);
+        if (!model_->hasChildren(row)) continue;
+        view_->setExpanded(row, !folds(row.data(RowsModel::key_role).toString()));
+        restore_folding(row);
+    }
+}
+
+void RowsPanel::copy() {
+    QStringList lines;
+    for (const QModelIndex& row : view_->selectionModel()->selectedRows()) {
+        QStringList cells;
+        for (int c = 0; c < model_->columnCount(); ++c) cells << row.siblingAtColumn(c).data().toString();
+        lines << cells.join(QLatin1Char('\t'));
+    }
+    QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/image/display.h"
+
+class QLabel;
+
+namespace ir::widgets {
+
+/// One line below the picture: the pixel under the cursor with all its values, or else what the whole picture
+/// is like.
+class ValueStrip : public QWidget {
+    Q_OBJECT
+  public:
+    explicit ValueStrip(QWidget* parent = nullptr);
+    void set_picture(const Image& image, Semantic semantic, const QString& name, const QString& unit);
+    /// (-1, -1): none.
+    void show_pixel(const Image& image, QPoint pixel);
+    void set_zoom(double zoom);
+    QString text() const;
+
+  private:
+    QString summary() const;
+    QLabel *values_, *zoom_;
+    Statistics statistics_;
+    Semantic semantic_ = Semantic::generic;
+    QString name_, unit_;
+    QSize size_;
+    int channels_ = 0;
+};
+
+/// "x 12  y 40   R 0.25  G 0.5  B 1 W/(m² sr)"
+QString pixel_text(const Image& image, QPoint pixel, Semantic semantic, const QString& unit);
+
+}  // namespace ir::widgets

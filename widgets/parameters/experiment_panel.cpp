@@ -1,0 +1,168 @@
+#include "widgets/parameters/experiment_panel.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QRandomGenerator>
+#include <QRegularExpressionValidator>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/parameters/number_field.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/section.h"
+
+namespace ir::widgets {
+namespace {
+
+void show_options(QComboBox* box, const std::vector<Option>& options, const QString& current) {
+    const QString held = box->property("options").toString();
+    QString now;
+    for (const auto& option : options)
+        now += option.id + QLatin1Char('\n') + option.label + QLatin1Char('\n');
+    if (now != held || box->count() != int(options.size())) {
+        box->clear();
+        for (const auto& option : options) {
+            box->addItem(option.label, option.id);
+            box->setItemData(box->count() - 1, option.tooltip, Qt::ToolTipRole);
+        }
+        box->setProperty("options", now);
+    }
+    box->setCurrentIndex(box->findData(current));
+    box->setToolTip(box->currentData(Qt::ToolTipRole).toString());
+}
+
+}  // namespace
+
+ExperimentPanel::ExperimentPanel(QWidget* parent) : QWidget(parent) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    grid_ = make_section(tr("Experiment"), this);
+    experiment_ = add_list(tr("Name"), "experiment", &ExperimentPanel::experiment_chosen);
+    editable_.clear();  // choosing what to look at is no edit
+    menu_ = new QToolButton(this);
+    menu_->setIcon(icon("menu"));
+    menu_->setAutoRaise(true);
+    menu_->setPopupMode(QToolButton::InstantPopup);
+    menu_->setToolTip(tr("Add, duplicate, rename or remove experiments"));
+    menu_->setAccessibleName(menu_->toolTip());
+    menu_->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    grid_->addWidget(menu_, grid_->rowCount() - 1, 2);
+    method_ = add_list(tr("Method"), "method", &ExperimentPanel::method_chosen);
+    scene_ = add_list(tr("Scene"), "scene", &ExperimentPanel::scene_chosen);
+    camera_ = add_list(tr("Camera"), "camera", &ExperimentPanel::camera_chosen);
+    lights_ = add_list(tr("Lights"), "lights", &ExperimentPanel::lights_chosen);
+    preset_ = add_list(tr("Preset"), "preset", &ExperimentPanel::preset_chosen);
+
+    auto* size = new QWidget(this);
+    auto* size_row = new QHBoxLayout(size);
+    size_row->setContentsMargins(0, 0, 0, 0);
+    size_row->setSpacing(4);
+    const auto add_side = [&](const char* name) {
+        auto* field = new NumberField(size);
+        field->set_whole(true);
+        field->setRange(1, 16384);
+        field->setMinimumWidth(60);
+        field->setObjectName(QLatin1String(name));
+        size_row->addWidget(field, 1);
+        connect(field, &NumberField::chosen, this, [this](double) {
+            emit size_chosen({int(width_->value()), int(height_->value())});
+        });
+        return field;
+    };
+    width_ = add_side("width");
+    size_row->addWidget(new QLabel(QStringLiteral("×"), size));
+    height_ = add_side("height");
+    add_row(tr("Size"), size);
+
+    frames_ = add_number(tr("Frames"), "frames", 1, 1000000, true);
+    connect(frames_, &NumberField::chosen, this, [this](double value) { emit frames_chosen(int(value)); });
+    time_ = add_number(tr("Time"), "time", -1e6, 1e6, false);
+    time_->setSuffix(QStringLiteral(" s"));
+    connect(time_, &NumberField::chosen, this, &ExperimentPanel::time_chosen);
+    seed_ = new QLineEdit(this);
+    seed_->setObjectName(QStringLiteral("seed"));
+    seed_->setValidator(
+        new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{1,20}")), seed_));
+    connect(seed_, &QLineEdit::editingFinished, this, &ExperimentPanel::choose_seed);
+    dice_ = new QToolButton(this);
+    dice_->setIcon(icon("dice"));
+    dice_->setAutoRaise(true);
+    dice_->setToolTip(tr("Another random seed"));
+    dice_->setAccessibleName(dice_->toolTip());
+    connect(dice_, &QToolButton::clicked, this,
+            [this] { emit seed_chosen(QRandomGenerator::global()->generate()); });
+    editable_.push_back(dice_);
+    add_row(tr("Seed"), seed_, dice_);
+}
+
+void ExperimentPanel::add_row(const QString& text, QWidget* editor, QWidget* button) {
+    const int row = grid_->rowCount();
+    auto* label = new QLabel(text, this);
+    label->setBuddy(editor);
+    editor->setAccessibleName(text);
+    grid_->addWidget(label, row, 0);
+    grid_->addWidget(editor, row, 1);
+    if (button) grid_->addWidget(button, row, 2);
+    editable_.push_back(editor);
+}
+
+QComboBox* ExperimentPanel::add_list(const QString& label, const char* name, Signal chosen) {
+    auto* box = new QComboBox(this);
+    box->setObjectName(QLatin1String(name));
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(10);
+    connect(box, &QComboBox::activated, this,
+            [this, box, chosen](int index) { emit(this->*chosen)(box->itemData(index).toString()); });
+    add_row(label, box);
+    return box;
+}
+
+NumberField* ExperimentPanel::add_number(const QString& label, const char* name, double least, double most,
+                                         bool whole) {
+    auto* field = new NumberField(this);
+    field->setObjectName(QLatin1String(name));
+    field->set_whole(whole);
+    field->setRange(least, most);
+    add_row(label, field);
+    return field;
+}
+
+void ExperimentPanel::choose_seed() {
+    bool is_number = false;
+    const std::uint64_t seed = seed_->text().toULongLong(&is_number);
+    if (!is_number || !seed_->isModified()) return;
+    seed_->setModified(false);
+    emit seed_chosen(seed);
+}
+
+void ExperimentPanel::set_fields(const ExperimentFields& fields) {
+    show_options(experiment_, fields.experiments, fields.experiment);
+    show_options(method_, fields.methods, fields.method);
+    show_options(scene_, fields.scenes, fields.scene);
+    show_options(camera_, fields.cameras, fields.camera);
+    show_options(lights_, fields.lights, fields.light);
+    show_options(preset_, fields.presets, fields.preset);
+    width_->show_value(fields.size.width());
+    height_->show_value(fields.size.height());
+    frames_->show_value(fields.frames);
+    time_->show_value(fields.time);
+    if (!seed_->isModified()) seed_->setText(QString::number(fields.seed));
+}
+
+void ExperimentPanel::set_read_only(bool read_only, const QString& why) {
+    for (auto* widget : editable_) {
+        widget->setEnabled(!read_only);
+        if (read_only) widget->setToolTip(why);
+    }
+}
+
+void ExperimentPanel::set_menu(QMenu* menu) {
+    menu_->setMenu(menu);
+}
+
+}  // namespace ir::widgets

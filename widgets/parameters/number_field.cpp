@@ -1,0 +1,77 @@
+#include "widgets/parameters/number_field.h"
+
+#include <QSignalBlocker>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/parameters/row_state.h"
+
+namespace ir::widgets {
+
+NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
+    setDecimals(12);  // digits are cut by textFromValue, not by rounding the value
+    setRange(-1e300, 1e300);
+    setKeyboardTracking(false);
+    setFocusPolicy(Qt::StrongFocus);
+    setLocale(QLocale::c());
+    setMinimumWidth(84);
+    connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        if (!showing_) emit chosen(value);
+    });
+}
+
+void NumberField::set_whole(bool whole) {
+    whole_ = whole;
+    setDecimals(whole ? 0 : 12);
+}
+
+void NumberField::show_value(double value) {
+    showing_ = true;
+    setValue(value);
+    showing_ = false;
+}
+
+QString NumberField::textFromValue(double value) const {
+    return whole_ ? QString::number(value, 'f', 0) : number_text(value);
+}
+
+QString NumberField::bare(QString text) const {
+    if (!suffix().isEmpty() && text.endsWith(suffix())) text.chop(suffix().size());
+    return text.trimmed();
+}
+
+double NumberField::valueFromText(const QString& text) const {
+    const QString typed = bare(text);
+    if (typed == textFromValue(value())) return value();  // untouched: keep the digits that are not shown
+    return typed.toDouble();
+}
+
+QValidator::State NumberField::validate(QString& text, int&) const {
+    const QString typed = bare(text);
+    bool is_number = false;
+    const double number = typed.toDouble(&is_number);
+    if (is_number && std::isfinite(number)) {
+        if (whole_ && number != std::floor(number)) return QValidator::Invalid;
+        return number >= minimum() && number <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+    }
+    const auto may_become_number = [](QChar c) { return c.isDigit() || QStringLiteral("+-.eE").contains(c); };
+    return std::all_of(typed.begin(), typed.end(), may_become_number) ? QValidator::Intermediate
+                                                                      : QValidator::Invalid;
+}
+
+void NumberField::stepBy(int steps) {
+    // One step changes the second digit, so that 0.003 and 4000 both move sensibly.
+    const double magnitude = std::abs(value());
+    double step = magnitude == 0 ? 0.01 : std::pow(10, std::floor(std::log10(magnitude)) - 1);
+    if (whole_) step = std::max(1.0, step);
+    const double target = std::clamp(value() + steps * step, minimum(), maximum());
+    setValue(whole_ ? std::round(target) : std::round(target / step) * step);
+    selectAll();
+}
+
+void NumberField::wheelEvent(QWheelEvent* event) {
+    hasFocus() ? QDoubleSpinBox::wheelEvent(event) : event->ignore();
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QDoubleSpinBox>
+
+namespace ir::widgets {
+
+/// A spin box that shows numbers in their shortest form, takes typed ones on Enter or when left, steps in
+/// proportion to the value, and leaves the wheel to the page unless it has the focus.
+class NumberField : public QDoubleSpinBox {
+    Q_OBJECT
+  public:
+    explicit NumberField(QWidget* parent = nullptr);
+    /// Whole numbers only.
+    void set_whole(bool whole);
+    /// Shows a value that the document has; emits nothing.
+    void show_value(double value);
+
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& position) const override;
+    void stepBy(int steps) override;
+
+  signals:
+    /// A person chose this value.
+    void chosen(double value);
+
+  protected:
+    void wheelEvent(QWheelEvent*) override;
+
+  private:
+    QString bare(QString text) const;
+    bool whole_ = false, showing_ = false;
+};
+
+}  // namespace ir::widgets

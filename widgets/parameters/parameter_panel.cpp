@@ -1,0 +1,114 @@
+#include "widgets/parameters/parameter_panel.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "renderers/core/transport.h"
+#include "widgets/parameters/row_state.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/section.h"
+
+namespace ir::widgets {
+
+ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent), sections_(new QVBoxLayout(this)) {
+    sections_->setContentsMargins(0, 0, 0, 0);
+}
+
+void ParameterPanel::set_parameters(const std::string& owner,
+                                    const std::vector<ParameterDescription>& parameters) {
+    if (owner == owner_ && parameters.size() == parameters_.size()) return;
+    owner_ = owner;
+    parameters_ = parameters;
+    rows_.clear();
+    delete content_;
+    content_ = new QWidget(this);
+    auto* layout = new QVBoxLayout(content_);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    sections_->addWidget(content_);
+    add_section(tr("Light transport"), true);
+    add_section(tr("Method"), false);
+}
+
+void ParameterPanel::add_section(const QString& title, bool transport) {
+    QGridLayout* grid = nullptr;
+    for (const auto& parameter : parameters_) {
+        if (is_transport_key(parameter.key) != transport) continue;
+        if (!grid) grid = make_section(title, content_);
+        add_row(grid, parameter);
+    }
+}
+
+void ParameterPanel::add_row(QGridLayout* grid, const ParameterDescription& parameter) {
+    const QString key = QString::fromStdString(parameter.key);
+    FormRow row{new QLabel(QString::fromStdString(parameter.label), content_),
+                make_editor(parameter, content_), new QToolButton(content_)};
+    row.label->setWordWrap(true);
+    row.label->setBuddy(row.editor);
+    row.editor->setObjectName(QStringLiteral("editor:") + key);
+    row.reset->setObjectName(QStringLiteral("reset:") + key);
+    row.reset->setIcon(icon("reset"));
+    row.reset->setAutoRaise(true);
+    row.reset->setAccessibleName(tr("Reset %1").arg(row.label->text()));
+    const int line = grid->rowCount();
+    grid->addWidget(row.label, line, 0);
+    grid->addWidget(row.editor, line, 1);
+    grid->addWidget(row.reset, line, 2);
+    connect(row.editor, &ParameterEditor::chosen, this,
+            [this, k = parameter.key](const Value& value) { emit value_chosen(k, value); });
+    connect(row.editor, &ParameterEditor::finished, this, &ParameterPanel::gesture_finished);
+    connect(row.reset, &QToolButton::clicked, this, [this, k = parameter.key] { emit reset_chosen(k); });
+    rows_.emplace(parameter.key, row);
+}
+
+void ParameterPanel::set_values(const Settings& settings) {
+    settings_ = settings;
+    update_rows();
+}
+
+void ParameterPanel::set_read_only(bool read_only, const QString& why) {
+    read_only_ = read_only;
+    why_read_only_ = why;
+    update_rows();
+}
+
+void ParameterPanel::set_filter(const QString& text) {
+    filter_ = text;
+    update_rows();
+}
+
+void ParameterPanel::update_rows() {
+    for (const auto& parameter : parameters_) {
+        FormRow& row = rows_.at(parameter.key);
+        const RowState state = row_state(parameter, parameters_, settings_);
+        const auto found = settings_.find(parameter.key);
+        row.editor->show_value(found == settings_.end() ? parameter.default_value : found->second);
+        const QString tooltip = read_only_
+                                    ? QStringLiteral("<p><i>%1</i></p>").arg(why_read_only_) + state.tooltip
+                                    : state.tooltip;
+        row.label->setToolTip(tooltip);
+        row.editor->setToolTip(tooltip);
+        row.label->setEnabled(state.enabled);
+        row.editor->setEnabled(state.enabled && !read_only_);
+        QFont font = this->font();
+        font.setBold(state.changed);
+        row.label->setFont(font);
+        row.reset->setEnabled(state.changed && !read_only_);
+        // Its place stays, so that rows do not jump.
+        QSizePolicy policy = row.reset->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        row.reset->setSizePolicy(policy);
+        row.reset->setToolTip(tr("Reset to %1").arg(value_text(parameter, parameter.default_value)));
+        const QString text =
+            QString::fromStdString(parameter.label + " " + parameter.key + " " + parameter.doc);
+        const bool shown = filter_.isEmpty() || text.contains(filter_, Qt::CaseInsensitive);
+        row.label->setVisible(shown);
+        row.editor->setVisible(shown);
+        row.reset->setVisible(shown && state.changed);
+    }
+}
+
+}  // namespace ir::widgets

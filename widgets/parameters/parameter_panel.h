@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QWidget>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "renderers/core/parameter.h"
+#include "widgets/parameters/parameter_editor.h"
+
+class QGridLayout;
+class QLabel;
+class QToolButton;
+class QVBoxLayout;
+
+namespace ir::widgets {
+
+/// A form made from parameter descriptions: the transport group first, then the method's own. Rows are named
+/// after their keys ("editor:KEY", "reset:KEY"), so that tests and scripts find them.
+class ParameterPanel : public QWidget {
+    Q_OBJECT
+  public:
+    explicit ParameterPanel(QWidget* parent = nullptr);
+
+    /// Rebuilds the form when the descriptions are others than before.
+    void set_parameters(const std::string& owner, const std::vector<ParameterDescription>& parameters);
+    /// Complete settings; emits nothing.
+    void set_values(const Settings& settings);
+    void set_read_only(bool read_only, const QString& why);
+    /// Hides the rows whose label, key or doc does not contain the text.
+    void set_filter(const QString& text);
+
+  signals:
+    void value_chosen(const std::string& key, const ir::Value& value);
+    void gesture_finished();
+    void reset_chosen(const std::string& key);
+
+  private:
+    struct FormRow {
+        QLabel* label;
+        ParameterEditor* editor;
+        QToolButton* reset;
+    };
+    void add_section(const QString& title, bool transport);
+    void add_row(QGridLayout* grid, const ParameterDescription& parameter);
+    void update_rows();
+
+    std::string owner_;
+    std::vector<ParameterDescription> parameters_;
+    Settings settings_;
+    std::map<std::string, FormRow> rows_;
+    QVBoxLayout* sections_;
+    QWidget* content_ = nullptr;
+    bool read_only_ = false;
+    QString why_read_only_, filter_;
+};
+
+}  // namespace ir::widgets

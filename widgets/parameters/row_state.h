@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "renderers/core/parameter.h"
+
+namespace ir::widgets {
+
+/// Everything that a row of the parameter panel shows, worked out from descriptions and values alone.
+struct RowState {
+    bool enabled = true;
+    bool changed = false;  ///< differs from the default: bold label, reset button
+    QString tooltip;       ///< doc, key, range, default, citation; why it is disabled
+};
+RowState row_state(const ParameterDescription& parameter, const std::vector<ParameterDescription>& all,
+                   const Settings& settings);
+
+/// Limits of the slider: the soft range within the hard one. Empty (min == max) when there is none.
+Range slider_range(const ParameterDescription& parameter);
+/// Whether the slider's steps are ratios: for positive ranges of two decades and more.
+bool is_logarithmic(const Range& range);
+/// Slider position 0 … 1 and back.
+double slider_position(const Range& range, double value);
+double slider_value(const Range& range, double position);
+/// The value as people read it: choice labels, units.
+QString value_text(const ParameterDescription& parameter, const Value& value);
+/// Seven significant digits: hides the noise of single-precision defaults.
+QString number_text(double value);
+
+}  // namespace ir::widgets

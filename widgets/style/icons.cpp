@@ -1,0 +1,105 @@
+#include "widgets/style/icons.h"
+
+#include <QGuiApplication>
+#include <QIconEngine>
+#include <QPainter>
+#include <QPalette>
+#include <QSvgRenderer>
+#include <cstring>
+
+namespace ir::widgets {
+namespace {
+
+struct Drawing {
+    const char* name;
+    const char* shapes;  ///< on a square of 16; stroked in the current colour unless they say otherwise
+};
+
+constexpr Drawing drawings[] = {
+    {"new", "<path d='M4 1.5h5.5L13 5v9.5H4z M9.5 1.5V5H13 M8.5 7.5v5 M6 10h5'/>"},
+    {"open", "<path d='M1.5 13V3.5h4.5l1.5 2h6V7 M1.5 13l2.5-6h11l-2.5 6z'/>"},
+    {"save", "<path d='M2 2h9.5L14 4.5V14H2z M5 2v4h5V2 M4.5 14V9h7v5'/>"},
+    {"undo", "<path d='M5.5 2.5L2 6l3.5 3.5 M2 6h7.5a4 4 0 0 1 0 8H6'/>"},
+    {"redo", "<path d='M10.5 2.5L14 6l-3.5 3.5 M14 6H6.5a4 4 0 0 0 0 8H10'/>"},
+    {"inspect", "<path d='M8 1.5v4 M8 10.5v4 M1.5 8h4 M10.5 8h4'/><circle cx='8' cy='8' r='.8'/>"},
+    {"orbit",
+     "<circle cx='8' cy='8' r='2'/><path d='M1.5 8c0-2 2.9-3.6 6.5-3.6S14.5 6 14.5 8 11.6 11.6 8 11.6 M8 "
+     "11.6l2-2 M8 11.6l2 2'/>"},
+    {"fly", "<path d='M14.5 1.5L1.5 7l5 2.5L9 14.5z M6.5 9.5l8-8'/>"},
+    {"fit",
+     "<path d='M2 5.5V2h3.5 M10.5 2H14v3.5 M14 10.5V14h-3.5 M5.5 14H2v-3.5'/><rect x='5' y='5.5' width='6' "
+     "height='5'/>"},
+    {"actual", "<path d='M2.5 5.5L4 4v8 M11 5.5L12.5 4v8 M8 6.2v.6 M8 10v.6'/>"},
+    {"zoom-in", "<circle cx='6.5' cy='6.5' r='4.5'/><path d='M10 10l4.5 4.5 M4.5 6.5h4 M6.5 4.5v4'/>"},
+    {"zoom-out", "<circle cx='6.5' cy='6.5' r='4.5'/><path d='M10 10l4.5 4.5 M4.5 6.5h4'/>"},
+    {"grid", "<path d='M2 2h12v12H2z M2 6h12 M2 10h12 M6 2v12 M10 2v12'/>"},
+    {"marks", "<path d='M8 2l6.5 11.5h-13z M8 6.5v3.5'/><circle cx='8' cy='11.8' r='.4'/>"},
+    {"range", "<path d='M2 13V3 M14 13V3 M2 8h12 M4.5 5.5L2 8l2.5 2.5 M11.5 5.5L14 8l-2.5 2.5'/>"},
+    {"cancel", "<path d='M4 4l8 8 M12 4l-8 8'/>"},
+    {"reset", "<path d='M3 3v3.5h3.5 M3.2 6.4A5.3 5.3 0 1 1 2.8 9'/>"},
+    {"rerun", "<path d='M13 3v3.5H9.5 M12.8 6.4A5.3 5.3 0 1 0 13.2 9'/>"},
+    {"copy", "<path d='M5 5h8.5v9.5H5z M11 5V1.5H2.5V11H5'/>"},
+    {"clear", "<path d='M3 4h10 M6 4V2h4v2 M4.5 4l.6 10h5.8l.6-10'/>"},
+    {"add", "<path d='M8 3v10 M3 8h10'/>"},
+    {"dice",
+     "<rect x='2' y='2' width='12' height='12' rx='2'/><circle cx='5.5' cy='5.5' r='.6'/><circle cx='8' "
+     "cy='8' r='.6'/><circle cx='10.5' cy='10.5' r='.6'/>"},
+    {"menu", "<path d='M2.5 4.5h11 M2.5 8h11 M2.5 11.5h11'/>"},
+    {"error",
+     "<g stroke='#f0655a'><circle cx='8' cy='8' r='6'/><path d='M5.7 5.7l4.6 4.6 M10.3 5.7l-4.6 4.6'/></g>"},
+    {"warning",
+     "<g stroke='#e8b34a'><path d='M8 2l6.5 11.5h-13z M8 6.5v3.5'/><circle cx='8' cy='11.8' r='.4'/></g>"},
+    {"note",
+     "<g stroke='#7fb2e5'><circle cx='8' cy='8' r='6'/><path d='M8 7.2v4'/><circle cx='8' cy='5' "
+     "r='.4'/></g>"},
+    {"app",
+     "<g stroke='none'><rect width='16' height='16' rx='3' fill='#3a3a3a'/><path d='M2 13V4l6 3v9z' "
+     "fill='#c2574b'/><path d='M14 13V4L8 7v9z' fill='#5f9a58'/><path d='M2 4l6-2 6 2-6 3z' "
+     "fill='#e8e4d8'/></g>"},
+};
+
+const char* shapes_of(const char* name) {
+    for (const auto& drawing : drawings)
+        if (std::strcmp(drawing.name, name) == 0) return drawing.shapes;
+    qFatal("no icon named %s", name);
+    return "";
+}
+
+class DrawnIcon final : public QIconEngine {
+  public:
+    explicit DrawnIcon(const char* name) : name_(name) {}
+    QIconEngine* clone() const override { return new DrawnIcon(name_); }
+    void paint(QPainter* painter, const QRect& box, QIcon::Mode mode, QIcon::State) override {
+        const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
+        const QString colour = QGuiApplication::palette().color(group, QPalette::WindowText).name();
+        const QString svg = QStringLiteral(
+                                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'><g fill='none' "
+                                "stroke='%1' stroke-width='1.3' stroke-linecap='round' "
+                                "stroke-linejoin='round'>%2</g></svg>")
+                                .arg(colour, QLatin1String(shapes_of(name_)));
+        QSvgRenderer renderer(svg.toUtf8());
+        renderer.render(painter, QRectF(box));
+    }
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        QPixmap result(size);
+        result.fill(Qt::transparent);
+        QPainter painter(&result);
+        paint(&painter, QRect({0, 0}, size), mode, state);
+        return result;
+    }
+    QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State state, qreal) override {
+        return pixmap(size, mode, state);
+    }
+
+  private:
+    const char* name_;
+};
+
+}  // namespace
+
+QIcon icon(const char* name) {
+    shapes_of(name);
+    return QIcon(new DrawnIcon(name));
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,39 @@
+#include "widgets/style/section.h"
+
+#include <QBoxLayout>
+#include <QGridLayout>
+#include <QToolButton>
+#include <QWidget>
+
+namespace ir::widgets {
+
+QGridLayout* make_section(const QString& title, QWidget* parent) {
+    auto* header = new QToolButton(parent);
+    header->setText(title);
+    header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    header->setArrowType(Qt::DownArrow);
+    header->setCheckable(true);
+    header->setChecked(true);
+    header->setAutoRaise(true);
+    header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    header->setStyleSheet(
+        QStringLiteral("QToolButton, QToolButton:checked { background: #3a3a3a; border: none; border-radius: "
+                       "3px; padding: 4px; "
+                       "text-align: left; font-weight: bold; }"));
+    auto* body = new QWidget(parent);
+    auto* grid = new QGridLayout(body);
+    grid->setContentsMargins(8, 4, 4, 8);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
+    grid->setColumnStretch(0, 2);
+    grid->setColumnStretch(1, 3);
+    QObject::connect(header, &QToolButton::toggled, body, [header, body](bool open) {
+        body->setVisible(open);
+        header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    });
+    parent->layout()->addWidget(header);
+    parent->layout()->addWidget(body);
+    return grid;
+}
+
+}  // namespace ir::widgets
