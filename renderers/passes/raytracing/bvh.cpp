@@ -1,6 +1,7 @@
 #include "renderers/passes/raytracing/bvh.h"
 
 #include <embree3/rtcore.h>
+#include <tbb/task_arena.h>
 
 #include <atomic>
 #include <cstring>
@@ -69,9 +70,7 @@ void copy_rays(const Bvh::Packet16& from, RTCRay16& to) {
 
 struct Bvh::Impl {
     Impl(const scene::Scene& scene, const scene::World& world, int threads, Edges edges)
-        : masks(scene, world),
-          device(make_device(threads), rtcReleaseDevice),
-          handle(nullptr, rtcReleaseScene) {
+        : masks(scene, world), device(make_device(), rtcReleaseDevice), handle(nullptr, rtcReleaseScene) {
         rtcSetDeviceErrorFunction(device.get(), on_error, this);
         rtcSetDeviceMemoryMonitorFunction(device.get(), on_memory, this);
         handle.reset(rtcNewScene(device.get()));
@@ -81,13 +80,12 @@ struct Bvh::Impl {
         check("was made ready");
         add_triangles(world);
         check("took the triangles");
-        rtcCommitScene(handle.get());
+        build(threads);
         check("was built");
     }
 
-    static RTCDevice make_device(int threads) {
-        const auto config = threads > 0 ? "threads=" + std::to_string(threads) : std::string();
-        const auto result = rtcNewDevice(config.empty() ? nullptr : config.c_str());
+    static RTCDevice make_device() {
+        const auto result = rtcNewDevice(nullptr);
         if (!result) {
             throw Error("ray tracing: Embree does not start (error " +
                         std::to_string(static_cast<int>(rtcGetDeviceError(nullptr))) +
@@ -126,6 +124,13 @@ struct Bvh::Impl {
         }
         rtcCommitGeometry(geometry.get());
         rtcAttachGeometry(handle.get(), geometry.get());
+    }
+
+    /// Not with the device's option "threads": that one limits TBB in the whole process while the device
+    /// lives.
+    void build(int threads) {
+        tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+        arena.execute([this] { rtcJoinCommitScene(handle.get()); });
     }
 
     static void on_error(void* self, RTCError code, const char* text) {

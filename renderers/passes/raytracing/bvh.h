@@ -15,7 +15,7 @@ class Bvh {
     /// How rays are tested against triangles.
     enum class Edges {
         watertight,  ///< none slips between two triangles that share an edge (exactly at a corner, 0.3 % may)
-        fast         ///< of rays exactly at an edge 5 % do. For benchmarks.
+        fast         ///< of rays exactly at an edge 5 % do; 15 % less time. For benchmarks.
     };
 
     /// Builds with `threads` threads, 0 = all. Everything that queries need is copied from the world. Throws

@@ -1,6 +1,7 @@
 #include "renderers/passes/raytracing/bvh.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <limits>
 #include <random>
@@ -243,6 +244,15 @@ TEST(Bvh, CountsItsMemory) {
     EXPECT_GT(a.bytes(), 0u);
     EXPECT_GT(b.bytes(), a.bytes() + 20000 * 36);
     EXPECT_LT(b.bytes(), 20000u * 2000);
+}
+
+TEST(Bvh, LimitsNobodyElsesThreads) {
+    using tbb::global_control;
+    const auto before = global_control::active_value(global_control::max_allowed_parallelism);
+    SmallWorld small;
+    small.add_soup(10, 7);
+    const Bvh one(small.scene(), small.world(), 1);
+    EXPECT_EQ(global_control::active_value(global_control::max_allowed_parallelism), before);
 }
 
 TEST(Bvh, AnswersDoNotDependOnTheThreads) {
