@@ -16,7 +16,7 @@ bool UndoStack::push(Project& project, EditPtr edit) {
 }
 
 bool UndoStack::merged_into_newest(const Edit& edit) {
-    if (edits_.empty() || !gesture_open_ || is_clean() || edit.merge_key().empty()) return false;
+    if (edits_.empty() || !gesture_open_ || edit.merge_key().empty()) return false;
     auto& newest = *edits_.back();
     if (newest.merge_key() != edit.merge_key() || !newest.absorb(edit)) return false;
     if (newest.changes_nothing()) {  // dragged back to where it began
