@@ -10,14 +10,14 @@ namespace ir {
 
 /// A method as everything outside its folder sees it.
 struct MethodDescription {
-    std::string id;                   ///< folder name under renderers/methods/, "ldm-ao"
-    std::string title;                ///< "Ambient occlusion from layered depth maps"
-    int version = 1;                  ///< grows whenever the same settings give another picture
-    std::string summary;              ///< one paragraph for list, manual and tooltip
-    std::vector<std::string> papers;  ///< keys of REFERENCES.bib
-    std::vector<ParameterDescription> parameters;
-    std::vector<OutputDescription> outputs;  ///< the first is the main result
-    double background = 0;                   ///< value of the main result where nothing is hit (AO: 1)
+    std::string id;                        ///< folder name under renderers/methods/, "ldm-ao"
+    std::string title;                     ///< "Ambient occlusion from layered depth maps"
+    int version = 1;                       ///< grows whenever the same settings give another picture
+    std::string summary;                   ///< one paragraph for list, manual and tooltip
+    std::vector<std::string> papers = {};  ///< keys of REFERENCES.bib
+    std::vector<ParameterDescription> parameters = {};
+    std::vector<OutputDescription> outputs = {};  ///< the first is the main result
+    double background = 0;                        ///< value of the main result where nothing is hit (AO: 1)
 };
 
 /// The descriptions of all methods of this build, in order of id. Generated; see renderers/methods.
