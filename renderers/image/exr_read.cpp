@@ -7,6 +7,7 @@
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "renderers/core/error.h"
 #include "renderers/image/exr.h"
@@ -17,6 +18,9 @@ namespace {
 
 /// Larger images are taken for damaged files.
 constexpr std::int64_t max_pixels = std::int64_t(1) << 28;
+
+/// So are files that would have to be compressed by more than this (zip reaches 1032) beyond a first 64 MiB.
+constexpr std::int64_t max_compression = 5000, free_bytes = 64 << 20;
 
 /// The full channel names in the file that make up one layer.
 struct LayerChannels {
@@ -73,6 +77,13 @@ std::vector<LayerChannels> layers_in(const Imf::Header& header, const std::strin
     return layers;
 }
 
+std::int64_t channel_count(const Imf::Header& header) {
+    std::int64_t count = 0;
+    for (auto each = header.channels().begin(); each != header.channels().end(); ++each) ++count;
+    return count;
+}
+
+/// The data window, before anything of its size is allocated.
 Imath::Box2i checked_window(const Imf::Header& header, const std::string& file) {
     const auto window = header.dataWindow();
     const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
@@ -81,6 +92,12 @@ Imath::Box2i checked_window(const Imf::Header& header, const std::string& file) 
         throw InputError(file, "data window",
                          std::to_string(width) + "x" + std::to_string(height) +
                              " pixels are not a sensible size; the file seems damaged");
+    const auto bytes = width * height * channel_count(header) * std::int64_t(sizeof(float));
+    const auto file_bytes = static_cast<std::int64_t>(std::filesystem::file_size(file));
+    if (bytes > free_bytes + max_compression * file_bytes)
+        throw InputError(file, "data window",
+                         "its pixels cannot all be in a file of " + std::to_string(file_bytes) +
+                             " bytes; the file seems damaged");
     return window;
 }
 

@@ -43,8 +43,9 @@ void add_blind_side(MeshBuilder& b, const Side& side, const Storey& s, int segme
         const float x = is_end ? (i < 0 ? -1 : 1) * (side.half() + end / 2) : (i + 0.5f) * bay - side.half();
         glm::mat4 local = glm::translate(side.transform, {x, 0, side.to_wall - leaf_depth});
         b.transform = glm::scale(local, {-1, 1, -1});  // half a turn: the front faces the court
-        arched_panel(b, {is_end ? end : bay, s.bottom, s.top, s.sill, s.spring, s.radius, leaf_depth, false},
-                     segments);
+        arched_panel(
+            b, {is_end ? end : bay, s.bottom, s.top, s.sill, s.spring, s.radius, leaf_depth + 0.02f, false},
+            segments);
     }
     b.transform = glm::mat4(1);
 }

@@ -200,6 +200,43 @@ TEST(Exr, ReadErrorsAreOneLineWithTheFile) {
     EXPECT_EQ(text.find('\n'), std::string::npos) << text;
 }
 
+TEST(Exr, RefusesSizesThatTheFileCannotHold) {
+    TemporaryFolder folder;
+    write_exr(folder / "small.exr", {layer("", pattern(16, 16, 1))}, {});
+    std::ifstream small(folder / "small.exr", std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(small), {}};
+    const auto window = bytes.find("dataWindow");
+    ASSERT_NE(window, std::string::npos);
+    // Name, type "box2i", size, then xMin, yMin, xMax, yMax.
+    const auto corner = window + sizeof("dataWindow") + sizeof("box2i") + 4 + 8;
+    for (const std::int32_t size : {16000, 2000000000}) {
+        for (int k = 0; k < 2; ++k)
+            for (int byte = 0; byte < 4; ++byte)
+                bytes[corner + 4 * k + byte] = static_cast<char>(size >> (8 * byte));
+        std::ofstream(folder / "huge.exr", std::ios::binary) << bytes;
+        EXPECT_THROW(read_exr(folder / "huge.exr"), InputError) << size;
+    }
+}
+
+TEST(Exr, SurvivesDamage) {
+    TemporaryFolder folder;
+    write_exr(folder / "whole.exr", {layer("", pattern(24, 24, 3)), layer("half", pattern(12, 12, 1))}, {});
+    std::ifstream whole(folder / "whole.exr", std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(whole), {}};
+    int refused = 0;
+    for (std::size_t i = 0; i < bytes.size(); i += 7) {
+        std::string damaged = bytes;
+        damaged[i] = static_cast<char>(damaged[i] ^ (1 << (i % 8)));
+        std::ofstream(folder / "damaged.exr", std::ios::binary) << damaged;
+        try {
+            read_exr(folder / "damaged.exr");
+        } catch (const InputError&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 20);
+}
+
 TEST(Exr, KeepsTheOldFileWhenWritingFails) {
     TemporaryFolder folder;
     const auto text =
