@@ -20,7 +20,9 @@ layout(binding = SHADOW_MAPS) uniform sampler2DArray shadow_maps;
 
 /// The receiver is lifted along its normal by this many texels times the sine of the light's angle, which
 /// covers what its tangent plane misses of curved and folded surfaces.  [Holbert11, normal offset]
-const float NORMAL_OFFSET = 0.5;
+/// Against rays, 0 shadows up to 7 % of Sponza's lit pixels and 0.5 lights up to 2.6 % of all falsely; in between
+/// both stay below 2 % at 1024 texels.
+const float NORMAL_OFFSET = 0.3;
 /// Slope beyond which the receiver's plane is not followed within a texel.  [King04, slope-scaled bias]
 const float STEEPEST_SLOPE = 16.0;
 /// Rounding of depths and positions, as a part of the map's far distance.
