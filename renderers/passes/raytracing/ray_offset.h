@@ -7,8 +7,8 @@
 namespace ir::passes {
 
 /// Smallest and relative distance by which rays start away from their surface. The relative part is 32 units
-/// in the last place (2⁻²³ each) of the largest coordinate: rasterised positions were seen up to a few units
-/// off their triangle's plane, and the traversal adds a few of its own.
+/// in the last place (2⁻²³ each) of the largest coordinate: rasterised positions of Sponza were measured 1 to
+/// 4 units off their triangle's plane (99 %), seldom 7, and the traversal adds a few of its own.
 constexpr float least_ray_offset_m = 1e-6f;
 constexpr float relative_ray_offset = 32 * 0x1p-23f;
 
