@@ -41,7 +41,7 @@ struct Surface {
 };
 
 /// The metallic-roughness material of glTF 2.0, Appendix B.3.5: Lambert below a GGX interface; metals have no
-/// Lambert part and their colour as reflectance.  [glTF 2.0 B.3.5]
+/// Lambert part and their colour as reflectance.  [glTF2 B.3.5]
 vec3 gltf_brdf(Surface surface, vec3 n, vec3 l, vec3 v) {
     float n_dot_l = dot(n, l), n_dot_v = max(dot(n, v), 1e-4);
     if (n_dot_l <= 0.0) return vec3(0);

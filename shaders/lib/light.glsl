@@ -28,7 +28,7 @@ bool is_punctual(Light light) {
 }
 
 /// Fraction of a spot's intensity in a direction whose angle to the axis has this cosine: squared linear
-/// between the cones, a hard edge where they coincide.  [KHR_lights_punctual, inner and outer cone angles]
+/// between the cones, a hard edge where they coincide.  [glTF2 KHR_lights_punctual, inner and outer cone angles]
 float spot_profile(Light light, float cosine) {
     float width = light.cos_inner - light.cos_outer;
     if (width < 1e-6) return cosine >= light.cos_outer ? 1.0 : 0.0;
@@ -36,7 +36,7 @@ float spot_profile(Light light, float cosine) {
     return fraction * fraction;
 }
 
-/// The recommended window that takes a light to 0 at its range.  [KHR_lights_punctual, range property]
+/// The recommended window that takes a light to 0 at its range.  [glTF2 KHR_lights_punctual, range property]
 float range_window(float range, float distance) {
     if (range <= 0.0) return 1.0;
     float ratio = distance / range;

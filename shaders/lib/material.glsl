@@ -3,7 +3,7 @@
 //
 //   layout(std430, binding = N) readonly buffer Materials { Material materials[]; };
 
-/// Where and how a texture is looked up: uv' = offset + R (scale uv)  [KHR_texture_transform].
+/// Where and how a texture is looked up: uv' = offset + R (scale uv)  [glTF2 KHR_texture_transform].
 struct TextureSlot {
     vec2 offset, scale;
     float sine, cosine;

@@ -38,7 +38,7 @@ void main() {
     if (position.w == 0.0) return;
     vec4 albedo = texelFetch(albedo_image, pixel, 0);
     vec4 material = texelFetch(material_image, pixel, 0);
-    if (material.z > 0.5) {  // an unlit material is its colour  [KHR_materials_unlit]
+    if (material.z > 0.5) {  // an unlit material is its colour  [glTF2 KHR_materials_unlit]
         radiance = vec4(albedo.rgb, 0);
         return;
     }

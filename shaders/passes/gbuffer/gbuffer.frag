@@ -60,7 +60,7 @@ bool has_texture(int unit) {
 }
 
 /// The tangent frame is used as interpolated, neither normalised nor made orthogonal, as bakers assume.
-/// [MikkTSpace; glTF 2.0 §3.7.2.1: bitangent = cross(normal, tangent.xyz) tangent.w]
+/// [Mikkelsen08; glTF2 §3.7.2.1: bitangent = cross(normal, tangent.xyz) tangent.w]
 vec3 mapped_normal(Material material) {
     if (normal_maps == 0 || !has_texture(2)) return normal_ws;
     vec3 n_ts = texture(normal_texture, normal_uv).xyz * 2.0 - 1.0;
