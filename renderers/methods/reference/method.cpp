@@ -42,7 +42,7 @@ MethodDescription description() {
         "Unbiased and slow: traces rays through Embree and adds up samples over frames. With a method's "
         "transport parameters it converges to what that method approximates. The picture comes with its own "
         "variance.";
-    d.papers = {"Burley20", "Wachter19"};
+    d.papers = {"Burley20", "Waechter19"};
     d.background = 1;
     d.outputs = {
         {.key = "accessibility",
