@@ -13,8 +13,8 @@ constexpr float least_ray_offset_m = 1e-6f;
 constexpr float relative_ray_offset = 32 * 0x1p-23f;
 
 /// How far a ray's origin must be moved so that the ray does not meet the surface that it starts on, in
-/// metres at `position_ws`: 4 µm near 1 m, 4 mm near 1 km. After [Waechter19], with a length in place of steps
-/// in the integer representation, so that all components move along the normal.
+/// metres at `position_ws`: 4 µm near 1 m, 4 mm near 1 km. After [Waechter19], with a length in place of
+/// steps in the integer representation, so that all components move along the normal.
 inline float ray_offset(glm::vec3 position_ws) {
     const auto size = glm::abs(position_ws);
     return least_ray_offset_m + relative_ray_offset * std::max({size.x, size.y, size.z});
