@@ -171,7 +171,15 @@ bool has_usable_tangents(const Mesh& mesh) {
     });
 }
 
-void complete_frames(Document& document, Mesh& mesh) {
+/// Tangents along the texture coordinates that the normal map uses.
+void tangents_along(Mesh& mesh, int uv_set) {
+    const bool second = uv_set == 1 && !mesh.uv1.empty();
+    if (second) std::swap(mesh.uv0, mesh.uv1);
+    generate_tangents(mesh);
+    if (second) std::swap(mesh.uv0, mesh.uv1);
+}
+
+void complete_frames(Document& document, Mesh& mesh, int uv_set) {
     if (mesh.normals.empty()) {
         separate_triangles(mesh);
         mesh.tangents.clear();
@@ -183,12 +191,12 @@ void complete_frames(Document& document, Mesh& mesh) {
     if (has_usable_tangents(mesh)) {
         for (auto& t : mesh.tangents) t = glm::vec4(glm::normalize(glm::vec3(t)), t.w < 0 ? -1.0f : 1.0f);
     } else {
-        generate_tangents(mesh);
+        tangents_along(mesh, uv_set);
     }
 }
 
 Mesh load_primitive(Document& document, const tinygltf::Primitive& primitive, GeometryBudget& budget,
-                    const std::string& name, const std::string& place) {
+                    const std::string& name, const std::string& place, int normal_uv_set) {
     const PrimitiveReader reader(document, primitive, place);
     const auto vertices = reader.attribute("POSITION").count();
     const auto order = corners(document, primitive, vertices, budget, place);
@@ -205,7 +213,7 @@ Mesh load_primitive(Document& document, const tinygltf::Primitive& primitive, Ge
     mesh.uv1 = reader.vectors<glm::vec2>("TEXCOORD_1", used, vertices);
     mesh.colours = reader.vectors<glm::vec4>("COLOR_0", used, vertices, 3);
     if (mesh.uv0.empty()) mesh.uv0.assign(mesh.positions.size(), glm::vec2(0));
-    complete_frames(document, mesh);
+    complete_frames(document, mesh, normal_uv_set);
     return mesh;
 }
 
@@ -233,9 +241,11 @@ std::vector<std::vector<int>> load_meshes(Document& document, Scene& scene, int 
             const auto& primitive = source.primitives[p];
             const auto place = element("meshes", m) + "." + element("primitives", p);
             if (!is_drawn(document, primitive, place)) continue;
-            auto mesh = load_primitive(document, primitive, budget, source.name, place);
+            const int material = primitive.material >= 0 ? primitive.material : default_material;
+            auto mesh = load_primitive(document, primitive, budget, source.name, place,
+                                       scene.materials[material].normal_texture.uv_set);
             if (mesh.indices.empty()) continue;
-            mesh.material = primitive.material >= 0 ? primitive.material : default_material;
+            mesh.material = material;
             meshes.push_back(static_cast<int>(scene.meshes.size()));
             scene.meshes.push_back(std::move(mesh));
         }

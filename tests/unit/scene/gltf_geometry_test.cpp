@@ -196,6 +196,26 @@ TEST(GltfGeometry, GeneratedTangentsPointAlongUAndAgreeWithTheImagesUp) {
     }
 }
 
+TEST(GltfGeometry, GeneratedTangentsFollowTheNormalMapsCoordinates) {
+    GltfBuilder builder;
+    builder.append("images", {{"uri",
+                               "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVQ"
+                               "YV2P4z/AfAAQAAf+I0P3MAAAAAElFTkSuQmCC"}});
+    builder.append("textures", {{"source", 0}});
+    builder.append("materials", {{"normalTexture", {{"index", 0}, {"texCoord", 1}}}});
+    const int normals = builder.floats({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
+    const int along_x = builder.floats({0, 1, 1, 1, 0, 0}, "VEC2");
+    const int along_y = builder.floats({0, 0, 0, 1, 1, 0}, "VEC2");
+    builder.draw({{"POSITION", builder.triangle_positions()},
+                  {"NORMAL", normals},
+                  {"TEXCOORD_0", along_x},
+                  {"TEXCOORD_1", along_y}});
+    builder.json["meshes"][0]["primitives"][0]["material"] = 0;
+    const auto mesh = load(builder).meshes.at(0);
+    EXPECT_EQ(glm::vec3(mesh.tangents.at(0)), glm::vec3(0, 1, 0));
+    EXPECT_EQ(mesh.uv0.at(1), glm::vec2(1, 1));
+}
+
 TEST(GltfGeometry, PointsAndLinesAreSkippedWithAWarning) {
     GltfBuilder builder;
     builder.draw({{"POSITION", builder.floats(square(), "VEC3")}}, -1, 1);
