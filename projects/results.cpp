@@ -4,11 +4,14 @@
 
 #include "projects/document_json.h"
 #include "projects/hash.h"
+#include "projects/scene_files.h"
 
 namespace ir::projects {
 namespace {
 
 Json content_of(const std::string& source, const std::string& content_hash) {
+    // Built-in scenes are what their name, version and options say, recorded hash or not.
+    if (is_builtin(source)) return scene_hash(source, {});
     // A file whose hash is not known yet is at least told apart by its path.
     return content_hash.empty() ? Json("source " + source) : Json(content_hash);
 }

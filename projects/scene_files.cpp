@@ -124,4 +124,17 @@ Scene with_current_hashes(const Scene& scene, const fs::path& project_folder) {
     return result;
 }
 
+Project with_missing_hashes(const Project& project, const fs::path& project_folder) {
+    Project result = project;
+    const auto record = [&](const FileStatus& now, std::string& hash) {
+        if (now.state == FileState::unhashed) hash = now.hash_now;
+    };
+    for (auto& scene : result.scenes)
+        for (auto& part : scene.parts) record(status(part, project_folder), part.content_hash);
+    for (auto& set : result.lights)
+        record(status(set.environment, project_folder), set.environment.content_hash);
+    for (auto& image : result.images) record(status(image, project_folder), image.content_hash);
+    return result;
+}
+
 }  // namespace ir::projects

@@ -43,5 +43,8 @@ Scene located(const Scene& scene, std::size_t part, const std::filesystem::path&
               const std::filesystem::path& project_folder);
 /// The scene with all hashes as the files are now: "accept". Missing files keep the recorded hash.
 Scene with_current_hashes(const Scene& scene, const std::filesystem::path& project_folder);
+/// The document with hashes recorded for all sources that have none yet and whose files exist: to be called
+/// after adding files and before keeping results.
+Project with_missing_hashes(const Project& project, const std::filesystem::path& project_folder);
 
 }  // namespace ir::projects

@@ -2,6 +2,7 @@
 
 #include "projects/hash.h"
 #include "projects/lock.h"
+#include "projects/scene_files.h"
 #include "renderers/core/error.h"
 
 namespace ir::projects {
@@ -97,7 +98,10 @@ std::vector<Message> upgrade_project(const fs::path& given, const Registry& regi
                                        std::to_string(method->version)});
         experiment.method_version = method->version;
     }
-    save_project(loaded.project, loaded.folder, loaded.file_hash, files);
+    auto hashed = with_missing_hashes(loaded.project, loaded.folder);
+    if (hashed != loaded.project)
+        loaded.messages.push_back({Severity::note, "project", "recorded the hashes of files that had none"});
+    save_project(hashed, loaded.folder, loaded.file_hash, files);
     return loaded.messages;
 }
 

@@ -35,8 +35,9 @@ LoadedProject load_project(const std::filesystem::path& given, const Registry& r
 std::string save_project(const Project& project, const std::filesystem::path& folder,
                          const std::string& expected_hash, FileSystem& files = real_file_system());
 
-/// Rewrites a project with the newest schema, completed values and the registry's method versions. Returns
-/// what was changed. Takes the lock; throws Error when another process holds it.
+/// Rewrites a project with the newest schema, completed values, the registry's method versions and the hashes
+/// of files that had none. Returns what was changed. Takes the lock; throws Error when another process holds
+/// it.
 std::vector<Message> upgrade_project(const std::filesystem::path& given, const Registry& registry,
                                      FileSystem& files = real_file_system());
 

@@ -193,6 +193,18 @@ TEST(SceneFiles, HashesCoverWhatGltfRefersTo) {
     EXPECT_TRUE(files_of("/none.gltf").size() == 1);
 }
 
+TEST_F(OpenProjectTest, MissingHashesAreRecordedOnRequest) {
+    auto project = load_project(folder, registry()).project;
+    const auto recorded = project.scenes[0].parts[1].content_hash;
+    project.scenes[0].parts[0].content_hash.clear();
+    project.scenes[0].parts[1].content_hash = "of another file";
+    const auto hashed = with_missing_hashes(project, folder);
+    EXPECT_EQ(hashed.scenes[0].parts[0].content_hash, hash_file(folder / "scenes/church.glb"));
+    EXPECT_EQ(hashed.scenes[0].parts[1].content_hash, "of another file");  // that is for the user to accept
+    EXPECT_EQ(hashed.images[0].content_hash, hash_file(folder / "photo.exr"));
+    EXPECT_NE(recorded, "of another file");
+}
+
 TEST(SceneFiles, BuiltinScenesHashByNameVersionAndOptions) {
     EXPECT_EQ(scene_hash("builtin:a@1?x=1&y=2", ""), scene_hash("builtin:a@1?y=2&x=1", ""));
     EXPECT_NE(scene_hash("builtin:a@1", ""), scene_hash("builtin:a@2", ""));

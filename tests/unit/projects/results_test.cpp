@@ -106,6 +106,17 @@ TEST(ResultKey, ChangesWithNothingElse) {
     }
 }
 
+TEST(ResultKey, OfABuiltinSceneDependsOnItsNameVersionAndOptionsOnly) {
+    auto project = sample_project();
+    const auto key = [&] { return result_key(project, project.experiments[1], registry()); };
+    auto& part = project.scenes[1].parts[0];
+    const auto before = key();
+    part.content_hash = "recorded later";
+    EXPECT_EQ(key(), before);
+    part.source = "builtin:room@2?side=4";
+    EXPECT_NE(key(), before);
+}
+
 TEST(ResultKey, ChangesWithTheVersionOfTheMethod) {
     MethodDescription newer = registry().at("fog");
     newer.version = 4;
