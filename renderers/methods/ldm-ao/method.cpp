@@ -1,0 +1,102 @@
+// Ambient occlusion and obscurance from layered depth maps: the scene is rasterised along N directions with
+// all its layers, and the first hits along ±v from any point are the neighbours of the point's own depth in
+// the map along v. [Aalund15 §3.3]
+#include "renderers/graph/method.h"
+
+#include "renderers/methods/ldm-ao/parameters.h"
+#include "renderers/methods/ldm-ao/passes.h"
+#include "renderers/passes/direct/direct_light.h"
+
+namespace ir::methods::ldm_ao {
+namespace {
+
+MethodDescription description() {
+    MethodDescription d;
+    d.id = "ldm-ao";
+    d.title = "Ambient occlusion from layered depth maps";
+    d.summary =
+        "Rasterises the scene along many directions, keeps every layer, and reads the first hits of all rays "
+        "in "
+        "these directions from the sorted depths. Nothing is precomputed. Errors come from the number of "
+        "directions and from the maps' texels.";
+    d.papers = {"Aalund15", "Leopardi06", "Lefebvre14"};
+    d.background = 1;
+    d.outputs = {
+        {.key = "accessibility",
+         .label = "Accessibility",
+         .semantic = Semantic::accessibility,
+         .doc = "Cosine-weighted openness of the hemisphere, 1 = open."},
+        {.key = "lit",
+         .label = "Lit",
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "Direct light with shadow maps, emission, and ambient radiance times albedo times "
+                "accessibility."},
+        {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."},
+        {.key = "ldm.layers",
+         .label = "Layers of a map",
+         .semantic = Semantic::count,
+         .doc = "Depths at each texel of the map shown."},
+        {.key = "ldm.points",
+         .label = "Points of a map",
+         .kind = OutputKind::point_set,
+         .semantic = Semantic::position,
+         .unit = "m",
+         .doc = "All depths of the map shown, as points of the scene."},
+        {.key = "ldm.directions",
+         .label = "Directions",
+         .kind = OutputKind::sphere_values,
+         .doc = "The partition of the sphere: centres, and bounds of the regions in radians. Each direction "
+                "stands for its opposite too."},
+        {.key = "ldm.self_hits",
+         .label = "Own entry found",
+         .semantic = Semantic::probability,
+         .doc = "Part of the directions in which the point's own entry was found in the map."},
+        {.key = "ldm.missing",
+         .label = "Own entry missing",
+         .semantic = Semantic::probability,
+         .doc = "Part of the directions in which the point has no own entry, because its surface ends before "
+                "the texel's centre."},
+        {.key = "ldm.leaks",
+         .label = "Possible leaks",
+         .semantic = Semantic::probability,
+         .doc =
+             "Part of the directions in which an entry ahead of the tangent plane was taken for the point's "
+             "own: where light may leak."},
+    };
+    return d;
+}
+
+void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
+    const auto scene = passes::upload_scene(builder);
+    const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
+    const auto direct = passes::direct_light(builder, scene, gbuffer);
+    passes::ldm::Options options;
+    options.directions = parameters.directions;
+    options.resolution = parameters.resolution;
+    options.storage = parameters.storage;
+    options.builder = parameters.builder;
+    const auto& inputs = builder.inputs();
+    if (parameters.progressive) options.rotation = passes::ldm::random_rotation(inputs.seed, inputs.frame);
+    const auto maps = passes::ldm::declare_maps(builder, options);
+    const auto images = declare_images(builder, parameters);
+    show_directions(builder, *maps);
+    for (int batch = 0; batch < maps->layout.batches(); ++batch) {
+        passes::ldm::build_maps(builder, scene, maps, batch);
+        trace(builder, gbuffer, maps, batch, images);
+        trace_views(builder, gbuffer, maps, batch, images);
+        show_map(builder, maps, batch, parameters.shown_map, images);
+    }
+    resolve(builder, images, parameters);
+    resolve_views(builder, images);
+    lit(builder, gbuffer, direct, images);
+}
+
+}  // namespace
+
+const graph::Method& method() {
+    static const auto instance = graph::make_method<Parameters>(description(), parameter_table(), setup);
+    return instance;
+}
+
+}  // namespace ir::methods::ldm_ao

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "renderers/core/transport.h"
+#include "renderers/passes/ldm/builder.h"
+
+namespace ir::methods::ldm_ao {
+
+enum class SelfHit { tangent_plane, normal_offset };
+
+struct Parameters {
+    int directions = 128;
+    int resolution = 200;
+    passes::ldm::StorageKind storage = passes::ldm::StorageKind::arrays;
+    passes::ldm::BuilderKind builder = passes::ldm::BuilderKind::compute;
+    Transport transport;
+    SelfHit self_hit = SelfHit::tangent_plane;
+    float self_hit_tolerance = 3;
+    float slope_tolerance = 0.05f;
+    bool search_neighbours = true;
+    float normal_offset = 1;
+    bool progressive = false;
+    float ambient = 0.5f;
+    int shown_map = 0;
+};
+
+ParameterTable<Parameters> parameter_table();
+
+}  // namespace ir::methods::ldm_ao

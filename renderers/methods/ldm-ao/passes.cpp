@@ -1,0 +1,248 @@
+#include "renderers/methods/ldm-ao/passes.h"
+
+#include "renderers/graph/pass_context.h"
+
+namespace ir::methods::ldm_ao {
+namespace {
+
+namespace ldm = passes::ldm;
+
+/// Directions of one dispatch: drivers may stop the loops of an invocation after 65,535 turns in all, and
+/// each direction walks through a list.
+constexpr std::int64_t directions_per_dispatch = 16;
+
+graph::ImageRef plain_image(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format) {
+    graph::ImageDesc desc;
+    desc.text = std::move(text);
+    desc.format = format;
+    return builder.image(desc);
+}
+
+bool stands_still(const graph::FrameInputs& inputs) {
+    const auto &now = inputs.view, &before = inputs.previous_view;
+    if (now.width != before.width || now.height != before.height || now.eye_ws != before.eye_ws ||
+        now.clip_from_world() != before.clip_from_world())
+        return false;
+    return std::all_of(inputs.world->motion.begin(), inputs.world->motion.end(),
+                       [](const glm::mat4& motion) { return motion == glm::mat4(1); });
+}
+
+void dispatch_over(const graph::PassContext& context, const gl::Program& program, graph::ImageRef image) {
+    const auto shape = context.shape(image);
+    program.dispatch(shape.width, shape.height);
+}
+
+void declare_trace(graph::GraphBuilder& builder, const std::string& name, const passes::GBuffer& gbuffer,
+                   MapsPointer maps, int batch, graph::ImageRef sums, bool views) {
+    auto pass = builder.pass(name + maps->batch_name(batch));
+    ldm::reads_maps(pass, *maps);
+    pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).writes(sums);
+    const auto run = [=](graph::PassContext& context, graph::Slice slice) {
+        gl::ProgramSource source{{"methods/ldm-ao/trace.comp"}};
+        source.defines = ldm::bind_maps(context, *maps, 0, 1);
+        if (views) source.defines["LDM_VIEWS"] = "1";
+        const auto& program = context.method_program(source);
+        program.use();
+        context.bind_texture(0, gbuffer.position);
+        context.bind_texture(1, gbuffer.normal);
+        context.bind_texture(2, gbuffer.geometric_normal);
+        context.bind_storage_image(0, sums);
+        for (auto first = slice.begin; first < slice.end; first += directions_per_dispatch) {
+            const auto count = std::min(directions_per_dispatch, slice.end - first);
+            program.set("first_frame", static_cast<unsigned>(maps->first_map(batch) + first));
+            program.set("first_map", static_cast<unsigned>(first));
+            program.set("map_count", static_cast<unsigned>(count));
+            dispatch_over(context, program, sums);
+            context.barrier();
+        }
+    };
+    pass.execute_sliced(maps->batch_maps(batch), run, directions_per_dispatch);
+}
+
+}  // namespace
+
+Images declare_images(graph::GraphBuilder& builder, const Parameters& parameters) {
+    Images images;
+    images.sums = plain_image(builder,
+                              {.key = "ldm.sums",
+                               .label = "Sums over directions",
+                               .doc = "Σ V cosθ and Σ cosθ over the directions above the surface."},
+                              gl::Format::rg32f);
+    if (parameters.progressive)
+        images.average = plain_image(builder,
+                                     {.key = "ldm.average",
+                                      .label = "Mean over frames",
+                                      .doc = "Mean accessibility and number of frames.",
+                                      .semantic = Semantic::accessibility},
+                                     gl::Format::rg32f);
+    images.accessibility = plain_image(builder,
+                                       {.key = "accessibility",
+                                        .label = "Accessibility",
+                                        .doc = "Cosine-weighted openness of the hemisphere; background 1.",
+                                        .semantic = Semantic::accessibility},
+                                       gl::Format::r32f);
+    images.view_counts =
+        plain_image(builder,
+                    {.key = "ldm.self_hit_counts",
+                     .label = "Counts of self-hits",
+                     .doc = "Directions in which the own entry was found; that were asked; in which it was "
+                            "missing; in which another's may have been taken for it.",
+                     .semantic = Semantic::count},
+                    gl::Format::rgba32f);
+    const auto part = [&](const char* key, const char* label, const char* doc) {
+        return plain_image(builder,
+                           {.key = key, .label = label, .doc = doc, .semantic = Semantic::probability},
+                           gl::Format::r32f);
+    };
+    images.self_hits = part("ldm.self_hits", "Own entry found", "Part of the directions that were asked.");
+    images.missing = part("ldm.missing", "Own entry missing", "Part of the directions that were asked.");
+    images.leaks = part("ldm.leaks", "Possible leaks",
+                        "Part of the directions in which an entry ahead of the tangent plane was taken for "
+                        "the point's own.");
+    images.layers =
+        builder.image({.text = {.key = "ldm.layers",
+                                .label = "Layers of a map",
+                                .doc = "Depths at each texel of the map shown.",
+                                .semantic = Semantic::count},
+                       .format = gl::Format::r32ui,
+                       .extent = graph::Extent::fixed(parameters.resolution, parameters.resolution)});
+    const auto texels = static_cast<std::uint64_t>(parameters.resolution) * parameters.resolution;
+    images.points = builder.buffer(
+        {.text = {.key = "ldm.points",
+                  .label = "Points of a map",
+                  .doc = "Depths of the map shown as points in world space, with their depth in quanta.",
+                  .semantic = Semantic::position,
+                  .unit = "m"},
+         .kind = OutputKind::point_set,
+         .fields = {{"position", graph::FieldType::f32, 3}, {"depth", graph::FieldType::f32}},
+         .elements = texels * ldm::expected_layers,
+         .growable = true,
+         .lower = "resolution"});
+    images.points_asked =
+        builder.counter({.key = "ldm.shown_points", .label = "Points shown", .growth_of = images.points});
+    return images;
+}
+
+void trace(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
+           const Images& images) {
+    declare_trace(builder, "trace", gbuffer, std::move(maps), batch, images.sums, false);
+}
+
+void trace_views(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
+                 const Images& images) {
+    declare_trace(builder, "trace self-hits", gbuffer, std::move(maps), batch, images.view_counts, true);
+}
+
+void resolve(graph::GraphBuilder& builder, const Images& images, const Parameters& parameters) {
+    auto pass = builder.pass("accessibility");
+    pass.reads(images.sums).writes(images.accessibility);
+    if (parameters.progressive) pass.writes(images.average).reads_previous(images.average);
+    pass.execute([images, progressive = parameters.progressive](graph::PassContext& context) {
+        gl::ProgramSource source{{"methods/ldm-ao/resolve.comp"}};
+        if (progressive) source.defines["PROGRESSIVE"] = "1";
+        const auto& program = context.program(source);
+        program.use();
+        context.bind_texture(0, images.sums);
+        context.bind_storage_image(0, images.accessibility);
+        if (progressive) {
+            context.bind_previous_texture(1, images.average);
+            context.bind_storage_image(1, images.average);
+            program.set("continues", context.has_previous() && stands_still(context.inputs()));
+        }
+        dispatch_over(context, program, images.accessibility);
+    });
+}
+
+void resolve_views(graph::GraphBuilder& builder, const Images& images) {
+    builder.pass("self-hit views")
+        .reads(images.view_counts)
+        .writes(images.self_hits, images.missing, images.leaks)
+        .execute([images](graph::PassContext& context) {
+            const auto& program = context.program({{"methods/ldm-ao/self_hit_views.comp"}});
+            program.use();
+            context.bind_texture(0, images.view_counts);
+            context.bind_storage_image(0, images.self_hits);
+            context.bind_storage_image(1, images.missing);
+            context.bind_storage_image(2, images.leaks);
+            dispatch_over(context, program, images.self_hits);
+        });
+}
+
+void lit(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const passes::DirectLight& direct,
+         const Images& images) {
+    const auto result = plain_image(builder,
+                                    {.key = "lit",
+                                     .label = "Lit",
+                                     .doc = "Direct light, emission and attenuated ambient radiance.",
+                                     .semantic = Semantic::radiance,
+                                     .unit = "W/(m² sr)"},
+                                    gl::Format::rgba32f);
+    const std::vector<graph::ImageRef> sources{images.accessibility, direct.radiance, gbuffer.albedo,
+                                               gbuffer.emission, gbuffer.geometric_normal};
+    auto pass = builder.pass("lit");
+    for (const auto source : sources) pass.reads(source);
+    pass.writes(result).execute([sources, result](graph::PassContext& context) {
+        const auto& program = context.method_program({{"methods/ldm-ao/lit.comp"}});
+        program.use();
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            context.bind_texture(static_cast<int>(i), sources[i]);
+        context.bind_storage_image(0, result);
+        dispatch_over(context, program, result);
+    });
+}
+
+void show_directions(graph::GraphBuilder& builder, const ldm::Maps& maps) {
+    using graph::FieldType;
+    const auto buffer = builder.buffer(
+        {.text = {.key = "ldm.directions",
+                  .label = "Directions",
+                  .doc = "Centres of the regions, and their bounds in radians: colatitude from +Y, longitude "
+                         "from +X towards +Z. Before any random rotation."},
+         .kind = OutputKind::sphere_values,
+         .fields = {{"centre", FieldType::f32, 3},
+                    {"colatitude", FieldType::f32, 2},
+                    {"longitude", FieldType::f32, 2}},
+         .elements = maps.directions.size()});
+    builder.pass("directions")
+        .writes(buffer)
+        .execute([buffer, directions = maps.directions](graph::PassContext& context) {
+            std::vector<float> values;
+            for (const auto& d : directions)
+                for (const double value : {d.centre.x, d.centre.y, d.centre.z, d.colatitude_min,
+                                           d.colatitude_max, d.longitude_min, d.longitude_max})
+                    values.push_back(static_cast<float>(value));
+            context.upload(buffer, std::as_bytes(std::span(values)));
+        });
+}
+
+void show_map(graph::GraphBuilder& builder, MapsPointer maps, int batch, int shown, const Images& images) {
+    const int frame = std::min(shown, maps->layout.maps - 1), map = frame - maps->first_map(batch);
+    if (map < 0 || map >= maps->batch_maps(batch)) return;
+    const auto run = [=](graph::PassContext& context, bool points) {
+        gl::ProgramSource source{{"methods/ldm-ao/layers.comp"}};
+        source.defines = ldm::bind_maps(context, *maps, 0, 1);
+        if (points) source.defines["POINTS"] = "1";
+        const auto& program = context.program(source);
+        program.use();
+        program.set("frame_index", static_cast<unsigned>(frame));
+        program.set("map", static_cast<unsigned>(map));
+        program.set("resolution", maps->layout.resolution);
+        if (points) {
+            context.bind_buffer(5, images.points);
+            context.bind_counter(6, images.points_asked);
+        } else {
+            context.bind_storage_image(0, images.layers);
+        }
+        program.dispatch(maps->layout.resolution, maps->layout.resolution);
+    };
+    auto layers = builder.pass("layers");
+    ldm::reads_maps(layers, *maps);
+    layers.writes(images.layers).execute([=](graph::PassContext& context) { run(context, false); });
+    auto points = builder.pass("points");
+    ldm::reads_maps(points, *maps);
+    points.writes(images.points).counts(images.points_asked).execute([=](graph::PassContext& context) {
+        run(context, true);
+    });
+}
+
+}  // namespace ir::methods::ldm_ao

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+
+#include "renderers/graph/builder.h"
+#include "renderers/methods/ldm-ao/parameters.h"
+#include "renderers/passes/direct/direct_light.h"
+#include "renderers/passes/gbuffer/gbuffer.h"
+#include "renderers/passes/ldm/builder.h"
+
+namespace ir::methods::ldm_ao {
+
+using MapsPointer = std::shared_ptr<const passes::ldm::Maps>;
+
+struct Images {
+    graph::ImageRef sums;     ///< "ldm.sums" rg32f: Σ V cosθ, Σ cosθ
+    graph::ImageRef average;  ///< "ldm.average" rg32f with history: mean and frames; only if progressive
+    graph::ImageRef accessibility;              ///< r32f
+    graph::ImageRef view_counts;                ///< "ldm.self_hit_counts" rgba32f
+    graph::ImageRef self_hits, missing, leaks;  ///< r32f, parts of the directions
+    graph::ImageRef layers;                     ///< r32ui, of one map
+    graph::BufferRef points;                    ///< of one map
+    graph::CounterRef points_asked;
+};
+
+Images declare_images(graph::GraphBuilder& builder, const Parameters& parameters);
+
+/// Pass "trace": adds the directions of a batch to the sums.
+void trace(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
+           const Images& images);
+/// Pass "trace self-hits": the same for the views of self-hits.
+void trace_views(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
+                 const Images& images);
+/// Pass "accessibility".
+void resolve(graph::GraphBuilder& builder, const Images& images, const Parameters& parameters);
+/// Pass "self-hit views".
+void resolve_views(graph::GraphBuilder& builder, const Images& images);
+/// Pass "lit", which writes the output of that name.
+void lit(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const passes::DirectLight& direct,
+         const Images& images);
+/// Pass "directions", which writes "ldm.directions".
+void show_directions(graph::GraphBuilder& builder, const passes::ldm::Maps& maps);
+/// Passes "layers" and "points" of map number `shown`, if it belongs to the batch.
+void show_map(graph::GraphBuilder& builder, MapsPointer maps, int batch, int shown, const Images& images);
+
+}  // namespace ir::methods::ldm_ao

@@ -1,0 +1,66 @@
+// Adds some maps' directions to each pixel's sums: Σ V cosθ and Σ cosθ. [Aalund15 eq. 2]
+// With LDM_VIEWS instead: how often x's own entry was found, how many directions were asked, how often it was
+// missing, and how often something else may have been taken for it.
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/ldm/frames.glsl"
+#include "passes/ldm/storage.glsl"
+#include "passes/ldm/trace.glsl"
+
+layout(binding = 0) uniform sampler2D position_texture;
+layout(binding = 1) uniform sampler2D normal_texture;
+layout(binding = 2) uniform sampler2D geometric_normal_texture;
+#ifdef LDM_VIEWS
+layout(binding = 0, rgba32f) uniform image2D sums;
+#else
+layout(binding = 0, rg32f) uniform image2D sums;
+#endif
+
+uniform uint first_frame, first_map, map_count;  // among all maps; in the batch
+
+/// 1 beyond d_max; below it 0 or (d/d_max)². [Aalund15 §3.3]
+float visibility(float distance_ws) {
+    if (params.falloff == FALLOFF_HARD) return 0.0;
+    float part = distance_ws / params.max_distance;
+    return part * part;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(sums)))) return;
+    vec3 geometric_normal = texelFetch(geometric_normal_texture, pixel, 0).xyz;
+    vec4 sum = first_frame == 0u ? vec4(0.0) : imageLoad(sums, pixel);
+    if (geometric_normal == vec3(0.0)) {
+        imageStore(sums, pixel, sum);
+        return;
+    }
+    vec3 position_ws = texelFetch(position_texture, pixel, 0).xyz;
+    vec3 normal = normalize(texelFetch(normal_texture, pixel, 0).xyz);
+    LdmRule rule = LdmRule(params.self_hit_tolerance, params.slope_tolerance, params.normal_offset,
+                           bool(params.search_neighbours));
+    const float unlimited = 1.0 / 0.0;
+    for (uint i = 0u; i < map_count; ++i) {
+        MapFrame frame = ldm_frames[first_frame + i];
+        float cosine = dot(normal, frame.direction.xyz);
+        bool forward = cosine > 0.0;
+        cosine = abs(cosine);
+#ifndef LDM_VIEWS
+        sum.y += cosine;
+#endif
+        float facing = dot(geometric_normal, frame.direction.xyz);
+        if (cosine == 0.0 || (forward ? facing <= 0.0 : facing >= 0.0)) continue;  // below the surface: closed
+        float reach = params.max_distance > 0.0 ? params.max_distance / frame.direction.w : unlimited;
+        LdmHit hit = params.self_hit == SELF_HIT_TANGENT_PLANE
+                         ? ldm_trace_tangent(frame, first_map + i, params.resolution, position_ws,
+                                             geometric_normal, forward, reach, rule)
+                         : ldm_trace_offset(frame, first_map + i, params.resolution, position_ws,
+                                            geometric_normal, forward, reach, rule);
+#ifdef LDM_VIEWS
+        if (!hit.outside) sum += vec4(hit.own ? 1.0 : 0.0, 1.0, hit.own ? 0.0 : 1.0, hit.rejected);
+#else
+        float open = 1.0;
+        if (hit.found) open = isinf(reach) ? 0.0 : visibility(max(hit.distance, 0.0) * frame.direction.w);
+        sum.x += open * cosine;
+#endif
+    }
+    imageStore(sums, pixel, sum);
+}
