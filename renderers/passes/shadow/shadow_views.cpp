@@ -95,13 +95,13 @@ constexpr std::array<glm::vec3, 6> cube_faces{glm::vec3{1, 0, 0},  glm::vec3{-1,
 
 std::vector<graph::Field> shadow_view_fields() {
     return {{"clip_from_world", FieldType::f32, 16},
-            {"origin", FieldType::f32, 3},
+            {"origin_ws", FieldType::f32, 3},
             {"perspective"},
-            {"right", FieldType::f32, 3},
+            {"right_ws", FieldType::f32, 3},
             {"far"},
-            {"up", FieldType::f32, 3},
+            {"up_ws", FieldType::f32, 3},
             {"light", FieldType::i32},
-            {"forward", FieldType::f32, 3},
+            {"forward_ws", FieldType::f32, 3},
             {"near"}};
 }
 

@@ -304,6 +304,32 @@ TEST_F(GBufferTest, SrgbTexturesAreDecodedAndOthersNot) {
     }
 }
 
+TEST_F(GBufferTest, EachSlotHasItsOwnCoordinatesAndTransform) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 0, 1}, 1);
+    auto scene = small.scene();
+    scene.meshes[0].uv0.assign(4, {0.25f, 0.25f});  // the first texel
+    scene.meshes[0].uv1.assign(4, {0.75f, 0.25f});  // the one to its right
+    scene::Texture texture;
+    texture.width = texture.height = 2;
+    texture.rgba = {0, 51, 102, 255, 255, 255, 255, 255, 153, 204, 51, 255, 102, 0, 204, 255};
+    texture.sampler.mag = texture.sampler.min = scene::Filter::nearest;
+    scene.textures.push_back(texture);
+    auto& material = scene.materials[0];
+    material.emission = {1, 1, 1};
+    material.base_colour_texture.texture = material.metallic_roughness_texture.texture = 1;
+    material.emission_texture.texture = 1;
+    material.base_colour_texture.uv_set = 1;
+    material.metallic_roughness_texture.offset = {0, 0.5f};  // to the texel below the first
+    material.emission_texture.rotation = -3.14159265f / 2;   // (u, v) to (-v, u)
+    const Shot shot(scene, looking({0, 0, 4}, {0, 0, 0}), 9, 9);
+    run_gbuffer(shot);
+    EXPECT_EQ(rgb(read("gbuffer.albedo"), 4, 4), glm::vec3(1));
+    EXPECT_LT(glm::distance(rgb(read("gbuffer.material"), 4, 4), {0.2f, 0.8f, 0}), 1e-3f)
+        << "metallic is blue, roughness green";
+    EXPECT_EQ(rgb(read("gbuffer.emission"), 4, 4), glm::vec3(1)) << "-0.25 repeats to the right column";
+}
+
 /// The border pixels of a triangle take differences from neighbours beside it.
 TEST_F(GBufferTest, MipLevelsAreTheSameAtBordersOfTriangles) {
     SmallWorld small;

@@ -97,6 +97,7 @@ class PassTest : public testing::Test {
     }
 
     graph::Graph& graph() { return *graph_; }
+    const gl::Api& api() const { return context_->api(); }
     gl::ProgramLibrary& programs() { return *programs_; }
 
   private:
