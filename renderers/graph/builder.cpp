@@ -36,6 +36,7 @@ void PassBuilder::access(BufferRef ref, bool write, bool previous) {
 }
 
 void PassBuilder::access(ObjectRef ref, bool write, bool previous) {
+    if (previous) throw std::logic_error("pass '" + pass_->name + "' reads the history of an object");
     pass_->accesses.push_back({Pass::Access::Kind::object, ref.index, write, previous});
 }
 
@@ -70,6 +71,10 @@ ObjectRef GraphBuilder::object(ObjectDesc desc) {
 }
 
 CounterRef GraphBuilder::counter(CounterDesc desc) {
+    const int grown = desc.growth_of.index;
+    if (grown >= 0 && !buffers_.at(grown).growable)
+        throw std::logic_error("counter '" + desc.key + "' grows buffer '" + buffers_[grown].text.key +
+                               "', which is not growable");
     counters_.push_back(std::move(desc));
     return {static_cast<int>(counters_.size()) - 1};
 }

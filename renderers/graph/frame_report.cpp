@@ -52,7 +52,7 @@ void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
         row.height = shape.height;
         row.levels = shape.levels;
         row.layers = std::max(1, shape.layers);
-        row.available = images[i] != nullptr;
+        row.available = images[i] && images[i]->has_contents();
         row.is_history = plan.image_history[i];
         if (images[i]) row.bytes = pool.bytes(*images[i]);
         report.resources.push_back(std::move(row));
@@ -63,7 +63,7 @@ void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
         row.pass = first_writer(*builder, Kind::buffer, static_cast<int>(i));
         row.kind = desc.kind;
         row.format = std::to_string(stride(desc)) + " B";
-        row.available = buffers[i] != nullptr;
+        row.available = buffers[i] && buffers[i]->has_contents();
         row.is_history = plan.buffer_history[i];
         row.elements = buffers[i] ? buffers[i]->capacity : desc.elements;
         std::uint64_t used = 0;

@@ -65,6 +65,8 @@ const CancelToken& PassContext::cancel() const {
     return graph_.state_->cancel();
 }
 const gl::Api& PassContext::api() const {
+    if (!graph_.state_->context)
+        throw std::logic_error("pass '" + pass_.name + "' asks for OpenGL, which this device lacks");
     return graph_.state_->context->api();
 }
 
@@ -121,13 +123,18 @@ void PassContext::bind_previous_buffer(int binding, BufferRef ref) const {
     api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), previous(ref));
 }
 
-void PassContext::bind_counter(int binding, CounterRef ref) const {
-    const auto& s = *graph_.state_;
+void PassContext::check_declared(CounterRef ref) const {
     const auto found = std::find_if(pass_.counters.begin(), pass_.counters.end(),
                                     [&](CounterRef counter) { return counter.index == ref.index; });
     if (found == pass_.counters.end())
         throw std::logic_error("pass '" + pass_.name + "' uses counter '" +
-                               s.builder->counters().at(ref.index).key + "' without declaring it");
+                               graph_.state_->builder->counters().at(ref.index).key +
+                               "' without declaring it");
+}
+
+void PassContext::bind_counter(int binding, CounterRef ref) const {
+    check_declared(ref);
+    const auto& s = *graph_.state_;
     api().BindBufferRange(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), s.counter_buffer,
                           static_cast<GLintptr>(ref.index * counter_stride), 16);
 }
@@ -254,6 +261,7 @@ std::span<std::byte> PassContext::host(BufferRef ref, bool previous) const {
 }
 
 void PassContext::add(CounterRef ref, std::uint32_t amount) const {
+    check_declared(ref);
     graph_.state_->host_counters[ref.index].fetch_add(amount, std::memory_order_relaxed);
 }
 
@@ -261,7 +269,8 @@ std::shared_ptr<void> PassContext::stored(ObjectRef ref) const {
     auto& s = *graph_.state_;
     const auto& key = s.builder->objects().at(ref.index).text.key;
     declared(pass_, Kind::object, ref.index, false, key);
-    return s.objects[key].object;
+    const auto found = s.objects.find(key);
+    return found == s.objects.end() ? nullptr : found->second.object;
 }
 
 void PassContext::store(ObjectRef ref, std::shared_ptr<void> object, std::uint64_t bytes) const {
@@ -277,7 +286,14 @@ gl::ImageShape PassContext::shape(ImageRef ref) const {
 }
 
 std::uint64_t PassContext::capacity(BufferRef ref) const {
-    return graph_.state_->buffers.at(ref.index)->capacity;
+    const auto& s = *graph_.state_;
+    const auto declares = [&](const Pass::Access& access) {
+        return access.kind == Kind::buffer && access.index == ref.index;
+    };
+    if (std::none_of(pass_.accesses.begin(), pass_.accesses.end(), declares))
+        throw std::logic_error("pass '" + pass_.name + "' uses '" +
+                               s.builder->buffers().at(ref.index).text.key + "' without declaring it");
+    return s.buffers.at(ref.index)->capacity;
 }
 
 bool PassContext::has_previous() const {

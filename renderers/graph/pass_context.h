@@ -82,6 +82,10 @@ class PassContext {
     std::span<T> elements(BufferRef ref) const {
         return cast<T>(host(ref, false));
     }
+    template <class T>
+    std::span<T> previous_elements(BufferRef ref) const {
+        return cast<T>(host(ref, true));
+    }
     void add(CounterRef ref, std::uint32_t amount) const;  ///< thread-safe
 
     // objects
@@ -104,6 +108,7 @@ class PassContext {
     PassContext(Graph& graph, const Pass& pass) : graph_(graph), pass_(pass) {}
     Physical& physical(ImageRef ref, bool previous, bool write = false) const;
     Physical& physical(BufferRef ref, bool previous, bool write = false) const;
+    void check_declared(CounterRef ref) const;
     std::span<std::byte> host(ImageRef ref, int layer, bool previous) const;
     std::span<std::byte> host(BufferRef ref, bool previous) const;
     std::shared_ptr<void> stored(ObjectRef ref) const;

@@ -22,7 +22,22 @@ const std::string& key_of(const GraphBuilder& builder, const Pass::Access& acces
     }
 }
 
+/// A handle that was never assigned, or one of another frame.
+void check_handles(const GraphBuilder& builder, const Pass& pass) {
+    for (const auto& access : pass.accesses) {
+        const auto count = access.kind == Kind::image    ? builder.images().size()
+                           : access.kind == Kind::buffer ? builder.buffers().size()
+                                                         : builder.objects().size();
+        if (access.index < 0 || access.index >= static_cast<int>(count))
+            throw std::logic_error("pass '" + pass.name + "' uses a resource that is not declared");
+    }
+    for (const auto& counter : pass.counters)
+        if (counter.index < 0 || counter.index >= static_cast<int>(builder.counters().size()))
+            throw std::logic_error("pass '" + pass.name + "' uses a counter that is not declared");
+}
+
 void check_order(const GraphBuilder& builder) {
+    for (const auto& pass : builder.passes()) check_handles(builder, pass);
     std::vector<std::string> written, ever_written;
     for (const auto& pass : builder.passes())
         for (const auto& access : pass.accesses)

@@ -39,8 +39,11 @@ Physical& Pool::image(const std::string& key, const std::string& label, const gl
 Physical& Pool::buffer(const std::string& key, const std::string& label, std::uint64_t element_bytes,
                        std::uint64_t capacity, std::uint64_t estimate, bool history) {
     auto& physical = resources_[key];
-    if (physical.is_image || physical.element_bytes != element_bytes || physical.capacity != capacity ||
-        physical.history != history) {
+    const bool same_elements = !physical.is_image && physical.element_bytes == element_bytes &&
+                               physical.estimate == estimate && physical.history == history;
+    if (same_elements && history && physical.capacity < capacity && physical.before().committed) {
+        grow_with_history(physical, capacity);
+    } else if (!same_elements || physical.capacity != capacity) {
         release(physical);
         physical = {};
     }
@@ -51,6 +54,16 @@ Physical& Pool::buffer(const std::string& key, const std::string& label, std::ui
     physical.estimate = estimate;
     physical.history = history;
     return physical;
+}
+
+void Pool::grow_with_history(Physical& physical, std::uint64_t capacity) {
+    auto committed = std::move(on_host(physical, physical.before()));
+    committed.resize(physical.element_bytes * capacity);
+    release(physical);
+    physical.fingerprint.clear();
+    auto& copy = physical.before();
+    copy.host = std::move(committed);
+    copy.on_host = copy.committed = true;
 }
 
 Physical* Pool::find(const std::string& key) {
@@ -114,6 +127,22 @@ std::vector<std::byte>& Pool::on_host(Physical& physical, Copy& copy) {
     return copy.host;
 }
 
+void Pool::zero(Physical& physical, Copy& copy, bool device) {
+    if (!device) {
+        copy.host.assign(physical.host_bytes(), std::byte{0});
+    } else {
+        copy.on_host = copy.on_device = false;
+        on_device(physical, copy);
+        if (physical.is_image)
+            device_.clear_image(copy.name, physical.shape);
+        else
+            device_.clear_buffer(copy.name, 0, physical.copy_bytes());
+        copy.host = {};
+    }
+    copy.on_device = device;
+    copy.on_host = !device;
+}
+
 void Pool::begin_frame() {
     for (auto& [key, physical] : resources_) {
         // The committed copy is read as "previous"; the frame writes the other one.
@@ -123,6 +152,11 @@ void Pool::begin_frame() {
 
 void Pool::begin_attempt() {
     for (auto& [key, physical] : resources_) physical.produced = false;
+}
+
+void Pool::abandon() {
+    for (auto& [key, physical] : resources_)
+        if (physical.history && physical.before().committed) physical.current = 1 - physical.current;
 }
 
 void Pool::commit() {

@@ -32,6 +32,7 @@ struct Physical {
     bool produced = false;    ///< written in this frame
 
     Copy& now() { return copies[current]; }
+    bool has_contents() const { return copies[current].on_device || copies[current].on_host; }
     Copy& before() { return copies[1 - current]; }
     std::uint64_t copy_bytes() const { return is_image ? shape.bytes() : element_bytes * capacity; }
     std::uint64_t host_bytes() const;  ///< of level 0 with all layers, or of the whole buffer
@@ -49,6 +50,7 @@ class Pool {
     /// with it.
     Physical& image(const std::string& key, const std::string& label, const gl::ImageShape& shape,
                     bool history);
+    /// When only the capacity grows, the history is kept, with zeros in the new elements.
     Physical& buffer(const std::string& key, const std::string& label, std::uint64_t element_bytes,
                      std::uint64_t capacity, std::uint64_t estimate, bool history);
     Physical* find(const std::string& key);
@@ -60,9 +62,13 @@ class Pool {
     /// Host bytes with contents up to date.
     std::vector<std::byte>& on_host(Physical& physical, Copy& copy);
 
+    /// Zeros (depth images on the device: 1) on the device or on the host.
+    void zero(Physical& physical, Copy& copy, bool device);
+
     void begin_frame();    ///< turns committed contents into "previous" ones
     void begin_attempt();  ///< of the same frame: nothing is written yet
     void commit();
+    void abandon();  ///< a frame that failed: the committed contents are the current ones again
     void forget_history();
     /// Device and host memory of one resource, of all.
     std::uint64_t bytes(const Physical& physical) const;
@@ -70,6 +76,7 @@ class Pool {
 
   private:
     void release(Physical& physical);
+    void grow_with_history(Physical& physical, std::uint64_t capacity);
     gl::Device& device_;
     std::map<std::string, Physical> resources_;
 };

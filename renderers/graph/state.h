@@ -19,6 +19,25 @@ struct StoredObject {
     std::string fingerprint;
 };
 
+/// What a frame would take on the device.
+struct MemoryPlan {
+    std::uint64_t bytes = 0;
+    std::string largest;  ///< resource, with its size
+    std::string lower;    ///< of the largest buffer that names a parameter
+    std::string too_large_for_device, lower_for_device;
+};
+
+/// As long as this stays equal, a frame is divided into as many batches as the one before, and items take as
+/// long as they did.
+struct WorkKey {
+    std::string method;
+    Settings settings;
+    std::string world;
+    int width = 0, height = 0;
+    std::uint64_t budget = 0;
+    bool operator==(const WorkKey&) const = default;
+};
+
 /// What a Graph keeps, and what the frame in flight needs. PassContext works on it.
 struct Graph::State {
     State(gl::Device& d, gl::Context* c, gl::ProgramLibrary* p)
@@ -38,7 +57,8 @@ struct Graph::State {
     std::map<std::string, std::uint64_t> grown;      ///< capacity by buffer key
     std::map<std::string, std::uint64_t> estimates;  ///< for which the capacity was learned
     std::map<std::string, double> items_per_ms;      ///< by pass, for slices
-    Settings settings_of_batches;
+    std::map<std::string, std::vector<std::uint64_t>> counts_of_passes;  ///< for passes that are skipped
+    WorkKey work_key;
     int batches = 1;
     int growths = 0;
 
@@ -49,6 +69,7 @@ struct Graph::State {
     const FrameOptions* options = nullptr;
     GraphBuilder* builder = nullptr;
     Plan plan;
+    std::vector<bool> cached, ran;           ///< passes that need not run; that ran in this attempt
     std::vector<Physical*> images, buffers;  ///< by index of the builder; null where culled
     gl::Name counter_buffer = 0;
     std::uint64_t counter_capacity = 0;
@@ -61,16 +82,40 @@ struct Graph::State {
 
     ~State();
     const CancelToken& cancel() const { return options->cancel ? *options->cancel : never_cancelled; }
+
+    // graph.cpp: a frame
+    void begin_frame(const Method& m, const Settings& s, const FrameInputs& i, const FrameOptions& o);
+    void run_attempts(Graph& graph, const std::vector<std::string>& wanted);
+    bool divide_further();
+    void run_passes(Graph& graph);
+    void end_frame();
+
+    // frame_memory.cpp
+    std::uint64_t capacity_of(const BufferDesc& desc) const;
+    MemoryPlan plan_memory() const;
+    bool fits(const MemoryPlan& memory) const;
+    [[noreturn]] void refuse(const MemoryPlan& memory) const;
     void allocate();
+    void free_dead_objects();
     void prepare_counters();
     void prepare_parameters();
-    PassReport run_pass(Graph& graph, const Pass& pass, std::size_t index);
-    bool is_cached(const Pass& pass) const;
-    bool has_later_writer(std::size_t pass_index, Pass::Access::Kind kind, int index) const;
-    std::uint64_t planned_bytes(std::string* largest, std::string* lower) const;
-    std::uint64_t capacity_of(const BufferDesc& desc) const;
-    std::vector<std::uint64_t> read_counters();
     bool grow(const std::vector<std::uint64_t>& counts);
+
+    // frame_cache.cpp: contents that outlive a frame
+    bool has_contents(const Pass::Access& access) const;
+    bool is_cached(const Pass& pass) const;
+    void find_cached_passes();
+    void keep_fingerprints(const Pass& pass, std::size_t index);
+    /// Of what was made from growable buffers in this attempt: elements may be missing.
+    void drop_unsure_fingerprints();
+    bool has_later_writer(std::size_t pass_index, Pass::Access::Kind kind, int index) const;
+    std::vector<std::uint64_t> read_counters();
+
+    // run_pass.cpp
+    PassReport run_pass(Graph& graph, const Pass& pass, std::size_t index);
+    void prepare_access(const Pass& pass, const Pass::Access& access);
+    int run_slices(const Pass& pass, std::size_t index, PassContext& pass_context);
+
     void fill_report(const std::vector<std::uint64_t>& counts);
     void reset_gl_state() const;
     void delete_framebuffers();
