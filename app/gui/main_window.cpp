@@ -49,7 +49,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (options_.remember) {
         QSettings settings;
         settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-        settings.setValue(QStringLiteral("window/docks"), saveState(dock_version));
+        settings.setValue(QStringLiteral("window/docks"),
+                          hidden_docks_.isEmpty() ? saveState(dock_version) : hidden_docks_);
     }
     store_view_memory();
     session_.close();

@@ -83,6 +83,8 @@ class MainWindow : public QMainWindow {
     void make_status_bar();
     void restore_default_layout();
     void restore_window();
+    /// The welcome page stands alone; with a project the docks come back as they were.
+    void show_docks(bool shown);
 
     // window_files.cpp
     bool run_file_step(const std::function<void()>& work, const QString& what);
@@ -147,6 +149,7 @@ class MainWindow : public QMainWindow {
     QToolButton* cancel_button_ = nullptr;
     std::map<std::string, QImage> thumbnails_;
     std::map<std::string, widgets::Display> chosen_displays_;  ///< by buffer; absent: automatic
+    QByteArray hidden_docks_;  ///< the arrangement while the welcome page is shown
     double exposure_ = 0;
     bool mark_bad_ = true;
 };

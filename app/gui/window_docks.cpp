@@ -74,10 +74,10 @@ void MainWindow::make_docks() {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     make_parameter_dock();
     scene_tree_ = new widgets::RowsPanel(widgets::scene_headings(), tr("No scene is open."));
-    for (const char* group : {"group:nodes", "group:materials", "node:"}) scene_tree_->fold_at_first(group);
     buffers_ = new widgets::RowsPanel(widgets::buffer_headings(),
                                       tr("Buffers appear when a frame has been rendered."));
-    buffers_->set_picture_size(QSize(48, 36));
+    buffers_->set_picture_size(QSize(48, 32));
+    buffers_->set_name_width(190);
     timings_ = new widgets::RowsPanel(widgets::timing_headings(),
                                       tr("Times appear when a frame has been rendered."));
     timings_->view()->setRootIsDecorated(false);
@@ -121,6 +121,7 @@ void MainWindow::make_status_bar() {
 }
 
 void MainWindow::restore_default_layout() {
+    hidden_docks_.clear();
     for (auto* dock : findChildren<QDockWidget*>()) {
         dock->setFloating(false);
         removeDockWidget(dock);
@@ -132,7 +133,7 @@ void MainWindow::restore_default_layout() {
     addDockWidget(Qt::RightDockWidgetArea, dock("timings"));
     addDockWidget(Qt::BottomDockWidgetArea, dock("messages"));
     for (auto* each : findChildren<QDockWidget*>()) each->show();
-    resizeDocks({dock("parameters"), dock("buffers")}, {340, 400}, Qt::Horizontal);
+    resizeDocks({dock("parameters"), dock("buffers")}, {340, 430}, Qt::Horizontal);
     resizeDocks({dock("scene"), dock("buffers"), dock("timings")}, {200, 330, 220}, Qt::Vertical);
     resizeDocks({dock("messages")}, {120}, Qt::Vertical);
 }
@@ -149,10 +150,22 @@ void MainWindow::apply_layout(const QString& name) {
         restore_default_layout();
         for (auto* dock : findChildren<QDockWidget*>())
             dock->setVisible(layout.docks.contains(dock->objectName()));
+        if (!session_.has_project()) show_docks(false);
         return;
     }
     throw UsageError("unknown layout '" + name.toStdString() + "'; known are " +
                      layout_names().join(QStringLiteral(", ")).toStdString());
+}
+
+void MainWindow::show_docks(bool shown) {
+    if (shown == hidden_docks_.isEmpty()) return;
+    if (shown) {
+        restoreState(hidden_docks_, dock_version);
+        hidden_docks_.clear();
+        return;
+    }
+    hidden_docks_ = saveState(dock_version);
+    for (auto* dock : findChildren<QDockWidget*>()) dock->hide();
 }
 
 void MainWindow::restore_window() {

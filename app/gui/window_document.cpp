@@ -127,6 +127,7 @@ void MainWindow::connect_panels() {
 void MainWindow::update_document() {
     const bool has_project = session_.has_project();
     pages_->setCurrentIndex(has_project ? 1 : 0);
+    show_docks(has_project);
     update_title();
     update_edit_actions();
     update_experiment_panel();

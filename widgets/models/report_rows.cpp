@@ -29,6 +29,7 @@ QString size_text(const ResourceReport& resource) {
 
 QString state_text(const ResourceReport& resource) {
     if (resource.is_history) return tr("history");
+    if (resource.width == 0) return tr("list");
     return text_of(to_string(resource.semantic));
 }
 
@@ -47,16 +48,16 @@ Row resource_row(const ResourceReport& resource, const std::map<std::string, QIm
     const auto thumbnail = thumbnails.find(resource.key);
     Row row{resource.key, {}, {}, !resource.available, resource.key == shown};
     row.cells = {{label, tooltip, thumbnail == thumbnails.end() ? QImage() : thumbnail->second},
-                 {resource.available ? state_text(resource) : tr("not computed"), tooltip},
                  number_cell(size_text(resource)),
-                 {text_of(resource.format)},
-                 number_cell(bytes_text(resource.bytes))};
+                 number_cell(bytes_text(resource.bytes)),
+                 {resource.available ? state_text(resource) : tr("not computed"), tooltip},
+                 {text_of(resource.format)}};
     return row;
 }
 
 Row pass_row(const std::string& pass, std::uint64_t bytes) {
     Row row{"pass:" + pass, {}};
-    row.cells = {{text_of(pass.empty() ? "(none)" : pass)}, {}, {}, {}, number_cell(bytes_text(bytes))};
+    row.cells = {{text_of(pass.empty() ? "(none)" : pass)}, {}, number_cell(bytes_text(bytes)), {}, {}};
     return row;
 }
 
@@ -70,6 +71,7 @@ std::uint64_t bytes_written_by(const FrameReport& report, const PassReport& pass
 Row group_row(const char* key, const QString& label, const std::vector<std::string>& names,
               const std::string& prefix, const std::string& used = {}) {
     Row group{std::string("group:") + key, {{label}, number_cell(QString::number(names.size()))}};
+    group.folded = names.size() > 12;
     for (std::size_t i = 0; i < names.size(); ++i) {
         // Names may repeat in a file; keys must not.
         const bool repeated =
@@ -89,6 +91,7 @@ std::size_t add_nodes(const SceneListing& scene, int parent, std::vector<Row>& r
         const auto& node = scene.nodes[std::size_t(i)];
         if (node.parent != parent) continue;
         Row row{"node:" + std::to_string(i), {}};
+        row.folded = true;
         const std::size_t triangles = node.triangles + add_nodes(scene, i, row.children);
         const QString name = node.name.empty() ? tr("node %1").arg(i) : text_of(node.name);
         row.cells = {{name}, number_cell(QString::number(triangles))};
@@ -122,7 +125,7 @@ QString milliseconds_text(double ms) {
 }
 
 QStringList buffer_headings() {
-    return {tr("Buffer"), tr("Meaning"), tr("Size"), tr("Format"), tr("Memory")};
+    return {tr("Buffer"), tr("Size"), tr("Memory"), tr("Meaning"), tr("Format")};
 }
 
 std::vector<Row> buffer_rows(const FrameReport& report, const std::map<std::string, QImage>& thumbnails,
@@ -145,6 +148,11 @@ std::vector<Row> buffer_rows(const FrameReport& report, const std::map<std::stri
         }
         if (children.empty()) continue;
         rows.push_back(pass_row(pass, bytes));
+        // Passes that write lists only (the scene's upload) would push the pictures out of sight.
+        rows.back().folded = std::none_of(children.begin(), children.end(), [&](const Row& child) {
+            return std::any_of(report.resources.begin(), report.resources.end(),
+                               [&](const auto& r) { return r.key == child.key && r.width > 0; });
+        });
         rows.back().children = std::move(children);
     }
     return rows;
@@ -161,13 +169,14 @@ std::vector<Row> timing_rows(const FrameReport& report) {
         const auto& pass = report.passes[i];
         Row row{std::to_string(i) + ":" + pass.name, {}};
         row.dim = pass.culled;
-        row.cells = {{text_of(pass.name)},
-                     {pass.culled ? tr("skipped") : text_of(pass.queue),
-                      pass.culled ? tr("Nobody looks at what this pass writes.") : QString()},
-                     number_cell(pass.culled ? QString() : milliseconds_text(pass.gpu_ms)),
-                     number_cell(pass.culled ? QString() : milliseconds_text(pass.cpu_ms)),
-                     number_cell(pass.culled ? QString() : QString::number(pass.slices)),
-                     number_cell(bytes_text(bytes_written_by(report, pass)))};
+        row.cells = {
+            {text_of(pass.name)},
+            {pass.culled ? tr("skipped") : text_of(pass.queue),
+             pass.culled ? tr("Nobody looks at what this pass writes.") : QString()},
+            number_cell(pass.culled || pass.queue == "cpu" ? QString() : milliseconds_text(pass.gpu_ms)),
+            number_cell(pass.culled ? QString() : milliseconds_text(pass.cpu_ms)),
+            number_cell(pass.culled ? QString() : QString::number(pass.slices)),
+            number_cell(bytes_text(bytes_written_by(report, pass)))};
         gpu += pass.gpu_ms;
         cpu += pass.cpu_ms;
         rows.push_back(std::move(row));
@@ -212,6 +221,7 @@ std::vector<Row> scene_rows(const SceneListing& scene) {
     root.cells = {{text_of(short_name), text_of(scene.name) + QLatin1Char('\n') + tooltip},
                   number_cell(QString::number(scene.triangles))};
     Row nodes{"group:nodes", {{tr("Nodes")}, number_cell(QString::number(scene.nodes.size()))}};
+    nodes.folded = scene.nodes.size() > 12;
     add_nodes(scene, -1, nodes.children);
     std::vector<Row> rows;
     rows.push_back(std::move(root));

@@ -2,6 +2,8 @@
 
 #include <QColor>
 #include <QFont>
+#include <QIcon>
+#include <QPixmap>
 
 namespace ir::widgets {
 namespace {
@@ -84,6 +86,7 @@ QVariant RowsModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
     const Row& row = *place_of(index).row;
     if (role == key_role) return QString::fromStdString(row.key);
+    if (role == folded_role) return row.folded;
     if (std::size_t(index.column()) >= row.cells.size()) return {};
     const Cell& cell = row.cells[std::size_t(index.column())];
     switch (role) {
@@ -92,7 +95,7 @@ QVariant RowsModel::data(const QModelIndex& index, int role) const {
         case Qt::ToolTipRole:
             return cell.tooltip.isEmpty() ? QVariant() : cell.tooltip;
         case Qt::DecorationRole:
-            return cell.picture.isNull() ? QVariant() : cell.picture;
+            return cell.picture.isNull() ? QVariant() : QIcon(QPixmap::fromImage(cell.picture));
         case Qt::TextAlignmentRole:
             return int((cell.number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         case Qt::ForegroundRole:

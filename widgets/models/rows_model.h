@@ -26,6 +26,7 @@ struct Row {
     std::vector<Row> children = {};
     bool dim = false;     ///< there, but without content: drawn grey
     bool strong = false;  ///< a total or the current one: drawn bold
+    bool folded = false;  ///< its children are hidden until somebody unfolds it
 };
 
 /// A read-only tree of rows. Data of the same shape replaces the old in place, so that selection, scrolling
@@ -33,7 +34,7 @@ struct Row {
 class RowsModel : public QAbstractItemModel {
     Q_OBJECT
   public:
-    enum Role { key_role = Qt::UserRole, path_role };
+    enum Role { key_role = Qt::UserRole, folded_role };
     explicit RowsModel(QStringList headings, QObject* parent = nullptr);
 
     void set_rows(std::vector<Row> rows);

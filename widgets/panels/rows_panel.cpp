@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace ir::widgets {
 namespace {
@@ -44,18 +45,23 @@ RowsPanel::RowsPanel(const QStringList& headings, const QString& empty_text, QWi
     view_->setExpandsOnDoubleClick(false);
     view_->header()->setStretchLastSection(false);
     view_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    view_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    view_->header()->setSectionResizeMode(0, QHeaderView::Interactive);
     view_->header()->setMinimumSectionSize(36);
-    view_->setTextElideMode(Qt::ElideMiddle);
+    view_->setTextElideMode(Qt::ElideRight);
     connect(view_, &QTreeView::clicked, this,
             [this](const QModelIndex& at) { emit row_clicked(at.data(RowsModel::key_role).toString()); });
     connect(view_, &QTreeView::activated, this,
             [this](const QModelIndex& at) { emit row_activated(at.data(RowsModel::key_role).toString()); });
-    connect(view_, &QTreeView::expanded, this,
-            [this](const QModelIndex& at) { open_[at.data(RowsModel::key_role).toString()] = true; });
-    connect(view_, &QTreeView::collapsed, this,
-            [this](const QModelIndex& at) { open_[at.data(RowsModel::key_role).toString()] = false; });
-    connect(model_, &QAbstractItemModel::modelReset, this, [this] { restore_folding({}); });
+    const auto remember = [this](const QModelIndex& at, bool open) {
+        if (!restoring_) open_[at.data(RowsModel::key_role).toString()] = open;
+    };
+    connect(view_, &QTreeView::expanded, this, [remember](const QModelIndex& at) { remember(at, true); });
+    connect(view_, &QTreeView::collapsed, this, [remember](const QModelIndex& at) { remember(at, false); });
+    connect(model_, &QAbstractItemModel::modelReset, this, [this] {
+        restoring_ = true;
+        restore_folding({});
+        restoring_ = false;
+    });
     auto* copy_action = new QAction(tr("Copy"), view_);
     copy_action->setShortcut(QKeySequence::Copy);
     copy_action->setShortcutContext(Qt::WidgetShortcut);
@@ -66,25 +72,30 @@ RowsPanel::RowsPanel(const QStringList& headings, const QString& empty_text, QWi
 
 void RowsPanel::set_rows(std::vector<Row> rows) {
     model_->set_rows(std::move(rows));
+    fit_columns();
 }
 
 void RowsPanel::set_picture_size(QSize size) {
     view_->setIconSize(size);
 }
 
-bool RowsPanel::folds(const QString& key) const {
-    const auto known = open_.find(key);
-    if (known != open_.end()) return !*known;
-    for (const auto& prefix : folded_prefixes_)
-        if (key.startsWith(QString::fromStdString(prefix))) return true;
-    return false;
+void RowsPanel::resizeEvent(QResizeEvent*) {
+    fit_columns();
+}
+
+void RowsPanel::fit_columns() {
+    int others = 0;
+    for (int c = 1; c < model_->columnCount(); ++c) others += view_->header()->sectionSize(c);
+    view_->setColumnWidth(0, std::max(name_width_, view_->viewport()->width() - others));
 }
 
 void RowsPanel::restore_folding(const QModelIndex& parent) {
     for (int i = 0; i < model_->rowCount(parent); ++i) {
         const QModelIndex row = model_->index(i, 0, parent);
         if (!model_->hasChildren(row)) continue;
-        view_->setExpanded(row, !folds(row.data(RowsModel::key_role).toString()));
+        const auto known = open_.find(row.data(RowsModel::key_role).toString());
+        const bool folded = row.data(RowsModel::folded_role).toBool();
+        view_->setExpanded(row, known == open_.end() ? !folded : *known);
         restore_folding(row);
     }
 }

@@ -17,8 +17,8 @@ class RowsPanel : public QWidget {
     void set_rows(std::vector<Row> rows);
     /// Size of pictures in the first column, logical pixels.
     void set_picture_size(QSize size);
-    /// Rows whose key begins so start folded.
-    void fold_at_first(const std::string& prefix) { folded_prefixes_.push_back(prefix); }
+    /// The first column gives way to the others only down to this many logical pixels.
+    void set_name_width(int width) { name_width_ = width; }
     RowsModel& model() { return *model_; }
     QTreeView* view() { return view_; }
 
@@ -26,15 +26,19 @@ class RowsPanel : public QWidget {
     void row_clicked(const QString& key);
     void row_activated(const QString& key);
 
+  protected:
+    void resizeEvent(QResizeEvent*) override;
+
   private:
     void restore_folding(const QModelIndex& parent);
-    bool folds(const QString& key) const;
+    void fit_columns();
     void copy();
     RowsModel* model_;
     QTreeView* view_;
     QString empty_text_;
-    std::vector<std::string> folded_prefixes_;
-    QHash<QString, bool> open_;
+    QHash<QString, bool> open_;  ///< what a person folded or unfolded
+    int name_width_ = 110;
+    bool restoring_ = false;
 };
 
 }  // namespace ir::widgets

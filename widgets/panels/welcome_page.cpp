@@ -31,9 +31,9 @@ QVBoxLayout* list_below(const QString& title, QGridLayout* grid, int column, QWi
 
 WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
     auto* content = new QWidget;
-    content->setMaximumWidth(860);
+    content->setFixedWidth(640);
     auto* grid = new QGridLayout(content);
-    grid->setContentsMargins(40, 30, 40, 30);
+    grid->setContentsMargins(20, 20, 20, 20);
     grid->setHorizontalSpacing(40);
     grid->setVerticalSpacing(12);
     grid->setColumnStretch(0, 1);
@@ -95,7 +95,6 @@ void WelcomePage::fill(QVBoxLayout* list, const QStringList& paths, const QStrin
     if (!paths.isEmpty()) return;
     auto* label = new QLabel(empty);
     label->setStyleSheet(QStringLiteral("color: #8a8a8a; padding: 4px 6px;"));
-    label->setWordWrap(true);
     list->addWidget(label);
 }
 

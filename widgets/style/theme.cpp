@@ -51,6 +51,7 @@ void apply_theme(QApplication& application) {
         "QHeaderView::section { background: #3a3a3a; border: none; border-right: 1px solid #2a2a2a; padding: "
         "3px "
         "6px; }"
+        "QTreeView::item { padding: 2px 0; }"
         "QTreeView, QTableView, QScrollArea { border: none; }"));
 }
 

@@ -1,0 +1,253 @@
+#include <gtest/gtest.h>
+
+#include <QMainWindow>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+#include <cmath>
+#include <limits>
+
+#include "widgets/image/image_view.h"
+#include "widgets/panels/value_strip.h"
+
+namespace ir::widgets {
+namespace {
+
+/// Four colours in the corners: red top left, green top right, blue bottom left, white bottom right.
+Image corners() {
+    Image image(8, 8, 3);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            image.at(x, y, 0) = (y < 4) == (x < 4);
+            image.at(x, y, 1) = x >= 4;
+            image.at(x, y, 2) = y >= 4;
+        }
+    return image;
+}
+
+QColor colour_at(ImageView& view, double x, double y) {
+    const QImage shot = view.grab().toImage();
+    const QPointF at = view.transform().view_from_image({x, y});
+    return shot.pixelColor(int(at.x()), int(at.y()));
+}
+
+void show(ImageView& view, QSize size = {320, 240}) {
+    view.resize(size);
+    view.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+}
+
+class EachSurface : public testing::TestWithParam<bool> {
+  protected:
+    void SetUp() override {
+        if (GetParam() && !has_opengl())
+            GTEST_SKIP() << "Qt has no OpenGL here; start under a virtual X server";
+    }
+    ImageView::Surface surface() const {
+        return GetParam() ? ImageView::Surface::best : ImageView::Surface::raster;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, EachSurface, testing::Values(true, false),
+                         [](const auto& info) { return info.param ? "OpenGL" : "raster"; });
+
+TEST_P(EachSurface, RowZeroIsAtTheTop) {
+    ImageView view(nullptr, surface());
+    view.set_image(corners(), Semantic::radiance);
+    show(view);
+    EXPECT_STREQ(view.surface_kind(), GetParam() ? "OpenGL" : "raster");
+    EXPECT_EQ(colour_at(view, 1.5, 1.5).name(), "#ff0000");
+    EXPECT_EQ(colour_at(view, 6.5, 1.5).name(), "#00ff00");
+    EXPECT_EQ(colour_at(view, 1.5, 6.5).name(), "#0000ff");
+    EXPECT_EQ(colour_at(view, 6.5, 6.5).name(), "#ffffff");
+}
+
+TEST_P(EachSurface, SurroundingsAreNeutralGrey) {
+    ImageView view(nullptr, surface());
+    view.set_image(corners(), Semantic::radiance);
+    show(view, {400, 200});
+    EXPECT_EQ(view.grab().toImage().pixelColor(5, 100), surround_colour);
+}
+
+TEST_P(EachSurface, MarksBadValues) {
+    ImageView view(nullptr, surface());
+    Image image(4, 1, 1, 0.5f);
+    image.at(0, 0) = std::numeric_limits<float>::quiet_NaN();
+    image.at(1, 0) = std::numeric_limits<float>::infinity();
+    image.at(2, 0) = -1;
+    view.set_image(image, Semantic::radiance);
+    show(view);
+    EXPECT_EQ(colour_at(view, 0.1, 0.9).name(), "#ff00ff");
+    EXPECT_EQ(colour_at(view, 1.1, 0.9).name(), "#ffff00");
+    EXPECT_EQ(colour_at(view, 2.1, 0.9).name(), "#2850ff");
+    Display plain = view.display();
+    plain.mark_bad = false;
+    view.set_display(plain);
+    EXPECT_EQ(colour_at(view, 2.1, 0.9).name(), "#000000");
+}
+
+TEST_P(EachSurface, ExposureDoublesLightPerStop) {
+    ImageView view(nullptr, surface());
+    view.set_image(Image(4, 4, 3, 0.25f), Semantic::radiance);
+    Display display;
+    display.exposure = 1;
+    view.set_display(display);
+    show(view);
+    const auto expected = shade({}, std::vector<float>{0.5f, 0.5f, 0.5f}.data(), 3);
+    EXPECT_NEAR(colour_at(view, 1.1, 1.1).red(), expected[0], 1);
+}
+
+TEST_P(EachSurface, SurvivesAMoveToAnotherWindow) {
+    QMainWindow first, second;
+    auto* view = new ImageView(nullptr, surface());
+    view->set_image(corners(), Semantic::radiance);
+    for (QMainWindow* window : {&first, &second, &first}) {
+        window->setCentralWidget(view);
+        window->resize(300, 300);
+        window->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(window));
+        EXPECT_EQ(colour_at(*view, 1.5, 1.5).name(), "#ff0000");
+        window->takeCentralWidget();
+    }
+    delete view;
+}
+
+TEST(Surfaces, ShowTheSameColours) {
+    if (!has_opengl()) GTEST_SKIP() << "Qt has no OpenGL here; start under a virtual X server";
+    Image ramp(64, 1, 1);
+    for (int x = 0; x < 64; ++x) ramp.at(x, 0) = float(x) / 63;
+    for (auto semantic :
+         {Semantic::radiance, Semantic::depth, Semantic::accessibility, Semantic::id, Semantic::normal}) {
+        Image image = ramp;
+        if (semantic == Semantic::id)
+            for (auto& value : image.pixels) value = std::round(value * 63);
+        const Display display = display_for(semantic, "", image);
+        ImageView gl(nullptr, ImageView::Surface::best), raster(nullptr, ImageView::Surface::raster);
+        for (auto* view : {&gl, &raster}) {
+            view->set_image(image, semantic);
+            view->set_display(display);
+            show(*view, {640, 40});
+        }
+        for (int x = 0; x < 64; ++x) {
+            const QColor a = colour_at(gl, x + 0.4, 0.5), b = colour_at(raster, x + 0.4, 0.5);
+            EXPECT_NEAR(a.red(), b.red(), 3) << to_string(semantic) << " " << x;
+            EXPECT_NEAR(a.green(), b.green(), 3) << to_string(semantic) << " " << x;
+            EXPECT_NEAR(a.blue(), b.blue(), 3) << to_string(semantic) << " " << x;
+        }
+    }
+}
+
+TEST(ImageView, TellsThePixelUnderTheCursor) {
+    ImageView view;
+    view.set_image(corners(), Semantic::radiance);
+    show(view);
+    QSignalSpy moves(&view, &ImageView::cursor_moved);
+    const QPointF at = view.transform().view_from_image({5.5, 2.5});
+    QTest::mouseMove(&view, at.toPoint() / view.devicePixelRatio());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return moves.count() > 0; }));
+    const QPoint pixel = moves.last().first().toPoint();
+    EXPECT_EQ(pixel, QPoint(5, 2));
+    EXPECT_EQ(pixel_text(view.image(), pixel, Semantic::radiance, "W").toStdString(),
+              "x    5  y    2   R 0  G 1  B 0 W");
+}
+
+TEST(ImageView, WheelZoomsAboutTheCursor) {
+    ImageView view;
+    view.set_image(Image(100, 100, 1), Semantic::generic);
+    show(view);
+    const QPointF cursor(200, 90);
+    const QPointF before = view.transform().image_from_view(cursor);
+    const double zoom = view.transform().zoom();
+    QWheelEvent wheel(cursor, view.mapToGlobal(cursor), {}, {0, 240}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view, &wheel);
+    EXPECT_NEAR(view.transform().zoom(), zoom * 1.25 * 1.25, 1e-9);
+    const QPointF after = view.transform().image_from_view(cursor);
+    EXPECT_NEAR(after.x(), before.x(), 0.5 / view.transform().zoom() + 1e-9);
+    EXPECT_NEAR(after.y(), before.y(), 0.5 / view.transform().zoom() + 1e-9);
+}
+
+TEST(ImageView, AnOrbitIsOneGestureAndKeepsTheTarget) {
+    ImageView view;
+    view.set_image(corners(), Semantic::radiance);
+    show(view);
+    CameraPose start;
+    view.set_camera(start);
+    view.set_tool(ImageView::Tool::orbit);
+    QSignalSpy moves(&view, &ImageView::camera_moved), ends(&view, &ImageView::camera_gesture_finished);
+    QTest::mousePress(&view, Qt::LeftButton, {}, {100, 100});
+    QTest::mouseMove(&view, {120, 100});
+    QTest::mouseMove(&view, {140, 110});
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, {140, 110});
+    EXPECT_GE(moves.count(), 1);
+    EXPECT_EQ(ends.count(), 1);
+    EXPECT_EQ(view.camera().target, start.target);
+    EXPECT_NE(view.camera().eye, start.eye);
+    EXPECT_NEAR(glm::length(view.camera().eye - view.camera().target), 5, 1e-9);
+}
+
+TEST(ImageView, InspectingNeverMovesTheCamera) {
+    ImageView view;
+    view.set_image(corners(), Semantic::radiance);
+    show(view);
+    QSignalSpy moves(&view, &ImageView::camera_moved), picks(&view, &ImageView::picked_changed);
+    QTest::mousePress(&view, Qt::LeftButton, {}, {100, 100});
+    QTest::mouseMove(&view, {180, 150});
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, {180, 150});
+    EXPECT_EQ(moves.count(), 0);
+    EXPECT_EQ(picks.count(), 0);
+    const QPointF at = view.transform().view_from_image({2.5, 3.5});
+    QTest::mouseClick(&view, Qt::LeftButton, {}, at.toPoint() / view.devicePixelRatio());
+    EXPECT_EQ(view.picked(), QPoint(2, 3));
+}
+
+TEST(ImageView, KeysFlyTheCamera) {
+    ImageView view;
+    view.set_image(corners(), Semantic::radiance);
+    show(view);
+    view.set_camera({});
+    view.set_tool(ImageView::Tool::fly);
+    QSignalSpy ends(&view, &ImageView::camera_gesture_finished);
+    QTest::keyPress(&view, Qt::Key_W);
+    QTest::qWait(60);
+    QTest::keyRelease(&view, Qt::Key_W);
+    EXPECT_LT(view.camera().eye.z, 5);
+    EXPECT_DOUBLE_EQ(view.camera().eye.x, 0);
+    EXPECT_TRUE(ends.wait(2000));
+}
+
+TEST(ViewTransform, AnotherResolutionKeepsTheRegion) {
+    ViewTransform t;
+    t.set_view_size({400, 400});
+    t.set_image_size({100, 100});
+    t.look_at({25, 75}, 16);
+    t.set_image_size({50, 50});
+    EXPECT_DOUBLE_EQ(t.zoom(), 32);
+    EXPECT_NEAR(t.centre().x(), 12.5, 1 / t.zoom());
+    EXPECT_NEAR(t.centre().y(), 37.5, 1 / t.zoom());
+}
+
+TEST(CameraMotion, OrbitStopsBeforeThePole) {
+    CameraPose pose;
+    pose = orbited(pose, 0, 10);
+    EXPECT_NEAR(glm::length(pose.eye), 5, 1e-9);
+    EXPECT_GT(pose.eye.y, 4.99);
+    EXPECT_GT(glm::length(glm::cross(glm::normalize(pose.target - pose.eye), pose.up)), 0.005);
+}
+
+TEST(CameraMotion, LookingTurnsTheTargetAboutTheEye) {
+    const CameraPose pose = looked({}, glm::radians(90.0), 0);
+    EXPECT_EQ(pose.eye, glm::dvec3(0, 0, 5));
+    EXPECT_NEAR(pose.target.x, -5, 1e-9);
+    EXPECT_NEAR(pose.target.z, 5, 1e-9);
+}
+
+TEST(CameraMotion, SlidingByOneMovesByThePictureHeight) {
+    CameraPose pose;
+    pose.fov_y_degrees = 90;
+    EXPECT_NEAR(slid(pose, 1, 0).eye.x, 10, 1e-9);
+    EXPECT_NEAR(slid(pose, 0, 1).target.y, 10, 1e-9);
+}
+
+}  // namespace
+}  // namespace ir::widgets

@@ -1,0 +1,134 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTest>
+#include <filesystem>
+
+#include "app/engine/execution.h"
+#include "app/gui/main_window.h"
+#include "renderers/core/resources_path.h"
+#include "widgets/parameters/number_field.h"
+#include "widgets/parameters/parameter_editor.h"
+
+namespace ir::gui {
+namespace {
+
+constexpr int patience_ms = 120000;
+
+/// The real renderer and a real window.
+struct RealWindow {
+    std::unique_ptr<Renderer> renderer = make_thread_renderer({});
+    MainWindow window{*renderer, engine::registry(), {.remember = false}};
+
+    RealWindow() {
+        window.show();
+        (void)QTest::qWaitForWindowExposed(&window);
+    }
+    ~RealWindow() {
+        if (window.session().has_project()) window.session().close();
+    }
+    bool wait() {
+        QApplication::processEvents();
+        return QTest::qWaitFor([this] { return window.is_settled(); }, patience_ms);
+    }
+};
+
+/// A sample project as installed: the smallest by name that runs here; else a project made of a built-in
+/// scene.
+std::filesystem::path sample_copy(const std::filesystem::path& folder) {
+    const auto samples = data_directory() / "samples";
+    const auto copy = folder / "sample.interreflect";
+    std::vector<std::filesystem::path> found;
+    if (std::filesystem::is_directory(samples))
+        for (const auto& entry : std::filesystem::directory_iterator(samples))
+            if (entry.path().extension() == ".interreflect") found.push_back(entry.path());
+    std::sort(found.begin(), found.end());
+    if (!found.empty()) {
+        std::filesystem::copy(found.front(), copy, std::filesystem::copy_options::recursive);
+        return copy;
+    }
+    RealWindow maker;
+    maker.window.open_path("builtin:cornell");
+    maker.window.session().save_as(copy);
+    return copy;
+}
+
+/// Small and quick, whatever the sample says.
+void shrink(Session& session) {
+    const std::string id = session.experiment()->id;
+    session.edit([&](const projects::Project& p) { return projects::edits::set_size(p, id, {96, 72}); });
+    session.edit([&](const projects::Project& p) { return projects::edits::set_frames(p, id, 1); });
+}
+
+/// The first number among the method's parameters that can be edited now and changes the picture.
+widgets::NumberField* editable_number(MainWindow& window) {
+    for (const auto& parameter : window.session().method()->parameters) {
+        if (parameter.type != ParameterType::number && parameter.type != ParameterType::integer) continue;
+        if (parameter.effect != Effect::image) continue;
+        auto* editor = window.findChild<QWidget*>("editor:" + QString::fromStdString(parameter.key));
+        if (editor && editor->isEnabled()) return editor->findChild<widgets::NumberField*>();
+    }
+    return nullptr;
+}
+
+TEST(EndToEnd, ChangeSaveReopenFindsTheSameStateAndPicture) {
+    const QTemporaryDir folder;
+    const auto path = sample_copy(folder.path().toStdString());
+    projects::Project saved;
+    Image picture;
+    {
+        RealWindow real;
+        ASSERT_TRUE(real.window.open_path(QString::fromStdString(path.string())));
+        shrink(real.window.session());
+        ASSERT_TRUE(real.wait());
+        ASSERT_EQ(real.window.session().state(), Session::State::done) << real.window.session().state_text();
+        const Image before = real.window.view().image();
+        auto* field = editable_number(real.window);
+        ASSERT_NE(field, nullptr) << "the sample's method has no number to edit";
+        const double old_value = field->value();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QString::number(old_value == 0 ? 1 : old_value * 2));
+        QTest::keyClick(field, Qt::Key_Return);
+        EXPECT_NE(field->value(), old_value);
+        EXPECT_TRUE(real.window.isWindowModified());
+        EXPECT_EQ(real.window.session().state(), Session::State::rendering);
+        ASSERT_TRUE(real.wait());
+        ASSERT_EQ(real.window.session().state(), Session::State::done) << real.window.session().state_text();
+        picture = real.window.view().image();
+        EXPECT_NE(picture.pixels, before.pixels);
+        QTest::keyClick(&real.window, Qt::Key_S, Qt::ControlModifier);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !real.window.isWindowModified(); }, 5000));
+        saved = real.window.session().document();
+    }
+    RealWindow again;
+    ASSERT_TRUE(again.window.open_path(QString::fromStdString(path.string())));
+    ASSERT_TRUE(again.wait());
+    ASSERT_EQ(again.window.session().state(), Session::State::done) << again.window.session().state_text();
+    EXPECT_EQ(again.window.session().document(), saved);
+    EXPECT_EQ(again.window.view().image().width, picture.width);
+    EXPECT_EQ(again.window.view().image().pixels, picture.pixels);
+}
+
+TEST(EndToEnd, EveryBufferOfTheExperimentCanBeShown) {
+    RealWindow real;
+    ASSERT_TRUE(real.window.open_path("builtin:cornell"));
+    shrink(real.window.session());
+    ASSERT_TRUE(real.wait());
+    ASSERT_NE(real.window.session().result(), nullptr);
+    const auto resources = real.window.session().result()->report.resources;
+    ASSERT_FALSE(resources.empty());
+    for (const auto& resource : resources) {
+        real.window.session().show_buffer(resource.key);
+        ASSERT_TRUE(real.wait()) << resource.key;
+        EXPECT_EQ(real.window.session().state(), Session::State::done)
+            << resource.key << real.window.session().state_text();
+        EXPECT_EQ(real.window.session().result()->shown, resource.key);
+        if (resource.width > 0) EXPECT_FALSE(real.window.view().image().empty()) << resource.key;
+    }
+}
+
+}  // namespace
+}  // namespace ir::gui

@@ -1,0 +1,271 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeView>
+#include <QUrl>
+#include <fstream>
+
+#include "app/gui/main_window.h"
+#include "projects/lock.h"
+#include "renderers/core/error.h"
+#include "tests/gui/window/fake_renderer.h"
+#include "widgets/parameters/number_field.h"
+
+namespace ir::gui {
+namespace {
+
+class WindowTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    }
+    void TearDown() override {
+        // The window would ask whether to save.
+        if (window.session().has_project()) window.session().close();
+    }
+    void open_scene() {
+        ASSERT_TRUE(window.open_path("builtin:cornell"));
+        ASSERT_TRUE(
+            QTest::qWaitFor([this] { return window.session().state() == Session::State::done; }, 5000));
+    }
+    bool settle() {
+        QApplication::processEvents();
+        return QTest::qWaitFor([this] { return window.is_settled(); }, 5000);
+    }
+    widgets::NumberField* level() {
+        return window.findChild<QWidget*>("editor:level")->findChild<widgets::NumberField*>();
+    }
+    void type_level(const char* text) {
+        level()->setFocus();
+        level()->selectAll();
+        QTest::keyClicks(level(), text);
+        QTest::keyClick(level(), Qt::Key_Return);
+        ASSERT_TRUE(settle());
+    }
+    float pixel() { return window.view().image().at(0, 0); }
+    std::string label(const char* name) { return window.findChild<QLabel*>(name)->text().toStdString(); }
+
+    FakeRenderer renderer;
+    MainWindow window{renderer, fake_registry(), {.remember = false}};
+};
+
+TEST_F(WindowTest, StartsEmptyWithDocksAsideAndNamesTheDevice) {
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(window.session().has_project());
+    EXPECT_FALSE(window.action("save")->isEnabled());
+    EXPECT_FALSE(window.findChild<QDockWidget*>("buffers")->isVisible());
+    EXPECT_NE(label("device").find("no device"), std::string::npos);
+}
+
+TEST_F(WindowTest, ATypedParameterIsANewPictureAndOneUndoStep) {
+    open_scene();
+    EXPECT_FLOAT_EQ(pixel(), 0.25f);
+    type_level("0.75");
+    EXPECT_FLOAT_EQ(pixel(), 0.75f);
+    EXPECT_TRUE(window.isWindowModified());
+    window.action("undo")->trigger();
+    ASSERT_TRUE(settle());
+    EXPECT_FLOAT_EQ(pixel(), 0.25f);
+    EXPECT_FLOAT_EQ(level()->value(), 0.25f);
+    window.action("redo")->trigger();
+    ASSERT_TRUE(settle());
+    EXPECT_FLOAT_EQ(pixel(), 0.75f);
+}
+
+TEST_F(WindowTest, ADraggedSliderIsOneUndoStep) {
+    open_scene();
+    auto* slider = window.findChild<QWidget*>("editor:level")->findChild<QSlider*>();
+    const auto before = window.session().open_project().undo_stack().position();
+    slider->setSliderDown(true);
+    for (int value : {300, 500, 800}) slider->setValue(value);
+    slider->setSliderDown(false);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.session().open_project().undo_stack().position(), before + 1);
+    EXPECT_FLOAT_EQ(pixel(), 0.8f);
+}
+
+TEST_F(WindowTest, AnOrbitIsOneEditOfTheCamera) {
+    open_scene();
+    const auto before = window.session().open_project().undo_stack().position();
+    for (int turn = 0; turn < 2; ++turn) {
+        window.action("orbit")->trigger();
+        auto& view = window.view();
+        QTest::mousePress(&view, Qt::LeftButton, {}, {50, 50});
+        for (int x = 55; x < 90; x += 5) QTest::mouseMove(&view, {x, 60});
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, {90, 60});
+        ASSERT_TRUE(settle());
+    }
+    EXPECT_EQ(window.session().open_project().undo_stack().position(), before + 2);
+    ASSERT_EQ(window.session().document().cameras.size(), 1u);
+    const auto& camera = window.session().document().cameras.front();
+    EXPECT_EQ(window.session().experiment()->camera, camera.id);
+    ASSERT_TRUE(renderer.requests.back().experiment.camera.has_value());
+    EXPECT_NEAR(renderer.requests.back().experiment.camera->eye.x, camera.eye.x, 1e-5);
+    window.action("undo")->trigger();
+    window.action("undo")->trigger();
+    EXPECT_TRUE(window.session().document().cameras.empty());
+}
+
+TEST_F(WindowTest, ChangesThatDoNotTouchThePictureRenderNothing) {
+    open_scene();
+    const auto count = renderer.requests.size();
+    window.session().edit(
+        [&](const projects::Project& project) { return projects::edits::set_notes(project, "a note"); });
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(renderer.requests.size(), count);
+    EXPECT_TRUE(window.isWindowModified());
+}
+
+TEST_F(WindowTest, AClickedBufferIsShownAndComputed) {
+    open_scene();
+    auto* view = window.findChild<QDockWidget*>("buffers")->findChild<QTreeView*>();
+    auto* model = qobject_cast<widgets::RowsModel*>(view->model());
+    const QModelIndex depth = model->index_of("depth");
+    ASSERT_TRUE(depth.isValid());
+    EXPECT_EQ(depth.siblingAtColumn(3).data().toString(), "not computed");
+    view->scrollTo(depth);
+    QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, view->visualRect(depth).center());
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(renderer.requests.back().shown, "depth");
+    EXPECT_EQ(window.view().image().channels, 1);
+    EXPECT_EQ(window.view().semantic(), Semantic::depth);
+}
+
+TEST_F(WindowTest, RenderingShowsProgressAndEscapeCancels) {
+    open_scene();
+    renderer.hold = true;
+    window.action("rerun")->trigger();
+    EXPECT_FALSE(window.is_settled());
+    emit renderer.progressed("view", "painting", 0.5);
+    EXPECT_NE(label("state").find("painting"), std::string::npos);
+    EXPECT_EQ(window.findChild<QProgressBar*>()->value(), 500);
+    window.activateWindow();
+    QTest::keyClick(&window.view(), Qt::Key_Escape);
+    ASSERT_TRUE(settle());
+    EXPECT_GE(renderer.cancels, 1);
+    EXPECT_EQ(window.session().state(), Session::State::cancelled);
+    EXPECT_FALSE(window.view().image().empty());  // the last picture stays
+}
+
+TEST_F(WindowTest, SaveAsThenReopenGivesTheSameState) {
+    const QTemporaryDir folder;
+    open_scene();
+    type_level("0.5");
+    const auto saved = window.session().document();
+    window.session().save_as((folder.path() + "/kept.interreflect").toStdString());
+    EXPECT_FALSE(window.isWindowModified());
+    const auto kept = window.session().document();
+    EXPECT_EQ(kept.experiments, saved.experiments);
+    window.session().close();
+    EXPECT_FALSE(window.findChild<QDockWidget*>("buffers")->isVisible());
+    ASSERT_TRUE(window.open_path(folder.path() + "/kept.interreflect"));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.session().document(), kept);
+    EXPECT_FLOAT_EQ(pixel(), 0.5f);
+    EXPECT_FALSE(window.isWindowModified());
+}
+
+TEST_F(WindowTest, AHeldLockOpensReadOnlyWithABanner) {
+    const QTemporaryDir folder;
+    const auto path = folder.path() + "/kept.interreflect";
+    open_scene();
+    window.session().save_as(path.toStdString());
+    FakeRenderer other_renderer;
+    MainWindow other(other_renderer, fake_registry(), {.remember = false});
+    other.show();
+    ASSERT_TRUE(other.open_path(path));
+    EXPECT_TRUE(other.banners().names().contains("read-only"));
+    EXPECT_FALSE(other.findChild<QWidget*>("editor:level")->isEnabled());
+    EXPECT_FALSE(other.action("save")->isEnabled());
+    other.session().close();
+}
+
+TEST_F(WindowTest, AMissingSceneIsABannerAndTheExperimentIsKept) {
+    const QTemporaryDir folder;
+    const std::string scene = (folder.path() + "/room.gltf").toStdString();
+    std::ofstream(scene) << R"({"asset":{"version":"2.0"}})";
+    ASSERT_TRUE(window.open_path(QString::fromStdString(scene)));
+    window.session().save_as((folder.path() + "/kept.interreflect").toStdString());
+    window.session().close();
+    std::filesystem::remove(scene);
+    ASSERT_TRUE(window.open_path(folder.path() + "/kept.interreflect"));
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(window.banners().names().contains("scene"));
+    EXPECT_EQ(window.session().state(), Session::State::blocked);
+    EXPECT_EQ(window.session().document().experiments.size(), 1u);
+}
+
+TEST_F(WindowTest, ABadFileIsOneClearLineAndKeepsTheOpenProject) {
+    open_scene();
+    const QTemporaryDir folder;
+    QDir(folder.path()).mkdir("bad.interreflect");
+    std::ofstream((folder.path() + "/bad.interreflect/project.json").toStdString()) << "{ no";
+    EXPECT_FALSE(window.open_path(folder.path() + "/bad.interreflect"));
+    EXPECT_TRUE(window.session().has_project());
+    ASSERT_TRUE(window.banners().names().contains("file"));
+    const QString line = window.banners().text("file");
+    EXPECT_TRUE(line.contains("project.json"));
+    EXPECT_FALSE(line.contains('\n'));
+    EXPECT_EQ(window.messages().model().count(Severity::error), 1);
+}
+
+TEST_F(WindowTest, ADroppedSceneStartsAProject) {
+    const QTemporaryDir folder;
+    const QString file = folder.path() + "/room.gltf";
+    std::ofstream(file.toStdString()) << R"({"asset":{"version":"2.0"}})";
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file)});
+    QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &drop);
+    ASSERT_TRUE(window.session().has_project());
+    EXPECT_EQ(window.session().document().scenes.size(), 1u);
+}
+
+TEST_F(WindowTest, DocksUndockAndRedockAndTheDefaultLayoutComesBack) {
+    open_scene();
+    for (auto* dock : window.findChildren<QDockWidget*>()) {
+        dock->setFloating(true);
+        QApplication::processEvents();
+        EXPECT_TRUE(dock->isFloating());
+        dock->setFloating(false);
+        dock->hide();
+    }
+    window.action("layout-default")->trigger();
+    QApplication::processEvents();
+    for (auto* dock : window.findChildren<QDockWidget*>())
+        EXPECT_TRUE(dock->isVisible()) << dock->objectName().toStdString();
+}
+
+TEST_F(WindowTest, LayoutsAreNamed) {
+    open_scene();
+    window.apply_layout("picture");
+    EXPECT_FALSE(window.findChild<QDockWidget*>("messages")->isVisible());
+    window.apply_layout("inspect");
+    EXPECT_TRUE(window.findChild<QDockWidget*>("timings")->isVisible());
+    EXPECT_THROW(window.apply_layout("nonsense"), UsageError);
+}
+
+TEST_F(WindowTest, EveryMenuEntryHasKeysExceptAbout) {
+    for (auto* action : window.actions())
+        if (action->objectName() != "about")
+            EXPECT_FALSE(action->shortcut().isEmpty()) << action->objectName().toStdString();
+    QSet<QString> seen;
+    for (auto* action : window.actions())
+        for (const auto& key : action->shortcuts()) {
+            EXPECT_FALSE(seen.contains(key.toString())) << key.toString().toStdString();
+            seen.insert(key.toString());
+        }
+}
+
+}  // namespace
+}  // namespace ir::gui
