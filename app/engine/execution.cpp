@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtx/string_cast.hpp>
+#include <sstream>
 #include <utility>
 
 #include "renderers/core/error.h"
@@ -60,8 +60,8 @@ const MethodDescription& Execution::method() const {
 }
 
 void Execution::load() {
-    method_ = &find_method(experiment_.method);
-    settings_ = completed(method_->description.parameters, experiment_.settings);
+    const auto& method = find_method(experiment_.method);
+    auto settings = completed(method.description.parameters, experiment_.settings);
     if (experiment_.width < 1 || experiment_.height < 1 || experiment_.width > 16384 ||
         experiment_.height > 16384)
         throw UsageError("image size " + std::to_string(experiment_.width) + "x" +
@@ -74,16 +74,19 @@ void Execution::load() {
         if (experiment_.environment) changed->environment = *experiment_.environment;
         loaded = changed;
     }
-    scene_ = loaded;
-    world_time_ = std::nan("");
-    previous_view_.reset();
-    frame_ = 0;
-    if (!experiment_.camera_name.empty() && !scene_->find_camera(experiment_.camera_name)) {
+    if (!experiment_.camera_name.empty() && !loaded->find_camera(experiment_.camera_name)) {
         std::string known;
-        for (const auto& camera : scene_->cameras) known += (known.empty() ? "" : ", ") + camera.name;
+        for (const auto& camera : loaded->cameras) known += (known.empty() ? "" : ", ") + camera.name;
         throw UsageError("scene " + experiment_.scene + " has no camera '" + experiment_.camera_name +
                          "'; its cameras are " + known);
     }
+    // Nothing throws from here on: an experiment that cannot be loaded leaves the old one as it was.
+    method_ = &method;
+    settings_ = std::move(settings);
+    scene_ = std::move(loaded);
+    world_time_ = std::nan("");
+    previous_view_.reset();
+    frame_ = 0;
 }
 
 void Execution::update(Experiment experiment) {
@@ -159,13 +162,18 @@ FrameReport Execution::run_frame(const graph::FrameOptions& options) {
 }
 
 std::string Execution::world_fingerprint() const {
-    std::string lights;
-    for (const auto& light : world_.lights)
-        lights += ";" + std::to_string(static_cast<int>(light.type)) + glm::to_string(light.position) +
-                  glm::to_string(light.direction) + glm::to_string(light.colour) +
-                  std::to_string(light.intensity) + std::to_string(light.outer_angle) +
-                  std::to_string(light.inner_angle) + glm::to_string(light.size);
-    return scene_->content_hash + "@" + std::to_string(world_time_) + lights;
+    std::ostringstream text;
+    text << std::hexfloat << scene_->content_hash << '@' << world_time_;
+    const auto add = [&](auto... numbers) { ((text << ' ' << numbers), ...); };
+    const auto& environment = scene_->environment;
+    add(environment.constant.x, environment.constant.y, environment.constant.z, environment.map.get());
+    for (const auto& light : world_.lights) {
+        text << ';' << static_cast<int>(light.type);
+        for (const auto& vector : {light.position, light.direction, light.colour})
+            add(vector.x, vector.y, vector.z);
+        add(light.intensity, light.range, light.inner_angle, light.outer_angle, light.size.x, light.size.y);
+    }
+    return text.str();
 }
 
 Image Execution::main_result() const {

@@ -54,7 +54,9 @@ LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial
         options.memory_budget = request.memory_budget;
         options.cancel = &cancel;
         options.progress = progress;
+        options.rebuild = entry.rebuild;
         entry.report = execution.run_frame(options);
+        entry.rebuild = entry.rebuild && !entry.report.complete;
     }
     result.frame = execution.committed_frames();
     result.finished = result.frame >= request.experiment.frames;
@@ -72,8 +74,11 @@ LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial
 }
 
 void LiveSession::forget_results() {
-    for (auto& [tag, entry] : entries_)
-        if (entry.execution) entry.execution->restart();
+    for (auto& [tag, entry] : entries_) {
+        if (!entry.execution) continue;
+        entry.execution->restart();
+        entry.rebuild = true;
+    }
 }
 
 SceneSummary summarise(const scene::Scene& scene) {

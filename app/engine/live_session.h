@@ -18,7 +18,7 @@ class LiveSession {
     LiveResult advance(const LiveRequest& request, std::uint64_t serial, const CancelToken& cancel,
                        const ProgressCallback& progress);
 
-    /// Forgets results (after a shader changed), keeping scenes.
+    /// Forgets results and all contents that passes keep (after a shader changed), keeping scenes.
     void forget_results();
 
   private:
@@ -26,6 +26,7 @@ class LiveSession {
         std::unique_ptr<Execution> execution;
         std::vector<std::string> wanted;  ///< what was shown since the execution started
         FrameReport report;
+        bool rebuild = false;  ///< kept contents are of an older shader
     };
     Machine& machine_;
     std::map<std::string, Entry> entries_;
