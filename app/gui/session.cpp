@@ -46,6 +46,11 @@ Session::Session(Renderer& renderer, const Registry& registry, QObject* parent)
         emit message({Severity::error, "gl", error});
         set_state(State::failed, error);
     });
+    connect(&environments_, &EnvironmentLoader::arrived, this, &Session::update_request);
+    connect(&environments_, &EnvironmentLoader::failed, this, [this](const std::string& error) {
+        emit message({Severity::error, "environment", error});
+        set_state(State::blocked, error);
+    });
     autosave_timer_.setInterval(autosave_ms);
     connect(&autosave_timer_, &QTimer::timeout, this, &Session::autosave);
     autosave_timer_.start();
@@ -132,17 +137,33 @@ void Session::update_request() {
     try {
         const auto reason = projects::why_not_runnable(document(), *chosen, registry_, project_->folder());
         if (!reason.empty()) throw Error(reason);
-        auto wanted = engine::from_project(document(), *chosen, project_->folder());
-        load_scene(wanted.scene);
-        if (moved_pose_) wanted = with_pose(std::move(wanted), *moved_pose_);
+        auto wanted = resolved(*chosen);
+        if (!wanted) return set_state(State::rendering);
+        load_scene(wanted->scene);
+        if (moved_pose_) wanted = with_pose(std::move(*wanted), *moved_pose_);
         const std::string text =
-            signature(wanted) + "\n" + shown_ + " " + std::to_string(level_) + " " + std::to_string(layer_);
-        if (text != signature_) send_request(wanted, text);
+            signature(*wanted) + "\n" + shown_ + " " + std::to_string(level_) + " " + std::to_string(layer_);
+        if (text != signature_) send_request(*wanted, text);
     } catch (const std::exception& error) {
         signature_.clear();
         renderer_.cancel(live_tag);
         set_state(State::blocked, error.what());
     }
+}
+
+std::optional<engine::Experiment> Session::resolved(const projects::Experiment& chosen) {
+    using Kind = projects::Environment::Kind;
+    const auto& folder = project_->folder();
+    const auto* lights = projects::find_item(document().lights, projects::effective(chosen).lights);
+    if (!lights || lights->environment.kind != Kind::map)
+        return engine::from_project(document(), chosen, folder);
+    const auto map = environments_.get(projects::resolve(lights->environment.source, folder));
+    if (!map) return {};
+    projects::Project without = document();  // the map is here already and not to be read again
+    projects::find_item(without.lights, lights->id)->environment.kind = Kind::scene;
+    auto wanted = engine::from_project(without, chosen, folder);
+    wanted.environment = scene::Environment{glm::vec3(0), map};
+    return wanted;
 }
 
 void Session::load_scene(const std::string& name) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/gui/environment_loader.h"
 #include "app/gui/renderer.h"
 #include "projects/edits.h"
 #include "projects/open_project.h"
@@ -62,6 +63,8 @@ class Session : public QObject {
     const std::string& state_text() const { return state_text_; }
     const engine::SceneSummary* scene() const { return scene_ ? &*scene_ : nullptr; }
     const engine::LiveResult* result() const { return result_.get(); }
+    /// Frames of the newest request that are done.
+    int committed_frames() const { return result_ && result_->serial == serial_ ? result_->frame : 0; }
 
     // Camera. Moves are shown at once and become one edit when the gesture ends.
     std::optional<widgets::CameraPose> camera_pose() const;
@@ -99,6 +102,8 @@ class Session : public QObject {
     void adopt(std::unique_ptr<projects::OpenProject> project);
     bool changed(bool really);
     void update_request();
+    /// The experiment as it runs; nothing while its environment map is still being read.
+    std::optional<engine::Experiment> resolved(const projects::Experiment& chosen);
     void load_scene(const std::string& name);
     void send_request(const engine::Experiment& experiment, const std::string& signature);
     void set_state(State state, const std::string& text = {});
@@ -119,6 +124,7 @@ class Session : public QObject {
     std::shared_ptr<const engine::LiveResult> result_;
     std::optional<widgets::CameraPose> moved_pose_;
     projects::Json memory_ = projects::Json::object();
+    EnvironmentLoader environments_;
     QTimer autosave_timer_;
 };
 

@@ -133,7 +133,7 @@ void MainWindow::restore_default_layout() {
     addDockWidget(Qt::RightDockWidgetArea, dock("timings"));
     addDockWidget(Qt::BottomDockWidgetArea, dock("messages"));
     for (auto* each : findChildren<QDockWidget*>()) each->show();
-    resizeDocks({dock("parameters"), dock("buffers")}, {340, 430}, Qt::Horizontal);
+    resizeDocks({dock("parameters"), dock("buffers")}, {360, 430}, Qt::Horizontal);
     resizeDocks({dock("scene"), dock("buffers"), dock("timings")}, {200, 330, 220}, Qt::Vertical);
     resizeDocks({dock("messages")}, {120}, Qt::Vertical);
 }

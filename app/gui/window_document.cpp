@@ -49,8 +49,13 @@ void MainWindow::connect_session() {
     });
     connect(&session_, &Session::state_changed, this, &MainWindow::update_state);
     connect(&session_, &Session::progressed, this, [this](const std::string& what, double fraction) {
-        state_label_->setText(tr("Rendering: %1").arg(text_of(what)));
-        progress_->setValue(int(fraction * 1000));
+        const int done = session_.committed_frames();
+        const auto* experiment = session_.experiment();
+        const int frames = experiment ? projects::effective(*experiment).frames : 1;
+        state_label_->setText(
+            frames > 1 ? tr("Rendering frame %1 of %2: %3").arg(done + 1).arg(frames).arg(text_of(what))
+                       : tr("Rendering: %1").arg(text_of(what)));
+        progress_->setValue(int((done + fraction) / frames * 1000));
     });
     connect(&session_, &Session::message, messages_, &widgets::MessagesPanel::add);
     connect(&renderer_, &Renderer::ready, this,

@@ -47,6 +47,10 @@ RowsPanel::RowsPanel(const QStringList& headings, const QString& empty_text, QWi
     view_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     view_->header()->setSectionResizeMode(0, QHeaderView::Interactive);
     view_->header()->setMinimumSectionSize(36);
+    view_->viewport()->installEventFilter(this);
+    connect(view_->header(), &QHeaderView::sectionResized, this, [this](int section, int, int) {
+        if (section > 0) fit_columns();
+    });
     view_->setTextElideMode(Qt::ElideRight);
     connect(view_, &QTreeView::clicked, this,
             [this](const QModelIndex& at) { emit row_clicked(at.data(RowsModel::key_role).toString()); });
@@ -79,8 +83,10 @@ void RowsPanel::set_picture_size(QSize size) {
     view_->setIconSize(size);
 }
 
-void RowsPanel::resizeEvent(QResizeEvent*) {
-    fit_columns();
+bool RowsPanel::eventFilter(QObject* watched, QEvent* event) {
+    // The viewport, not the panel: scroll bars come and go.
+    if (event->type() == QEvent::Resize) fit_columns();
+    return QWidget::eventFilter(watched, event);
 }
 
 void RowsPanel::fit_columns() {

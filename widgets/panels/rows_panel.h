@@ -27,7 +27,7 @@ class RowsPanel : public QWidget {
     void row_activated(const QString& key);
 
   protected:
-    void resizeEvent(QResizeEvent*) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void restore_folding(const QModelIndex& parent);

@@ -53,7 +53,8 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
     auto* fresh = new QPushButton(icon("new"), tr("New project from a scene …"), content);
     auto* open = new QPushButton(icon("open"), tr("Open a project …"), content);
     for (auto* button : {fresh, open}) {
-        button->setStyleSheet(QStringLiteral("text-align: left; padding: 7px 12px;"));
+        button->setStyleSheet(QStringLiteral("text-align: left; padding: 4px 12px;"));
+        button->setMinimumHeight(36);
         start->addWidget(button);
     }
     connect(fresh, &QPushButton::clicked, this, &WelcomePage::new_chosen);

@@ -102,8 +102,11 @@ class NumberEditor final : public ParameterEditor {
         field_->set_whole(whole_);
         field_->setMinimum(std::max(parameter.hard.min, whole_ ? -9e15 : -1e300));
         field_->setMaximum(std::min(parameter.hard.max, whole_ ? 9e15 : 1e300));
-        if (!parameter.unit.empty())
-            field_->setSuffix(QLatin1Char(' ') + QString::fromStdString(parameter.unit));
+        if (!parameter.unit.empty()) {
+            const QString suffix = QLatin1Char(' ') + QString::fromStdString(parameter.unit);
+            field_->setSuffix(suffix);
+            field_->setMinimumWidth(field_->minimumWidth() + field_->fontMetrics().horizontalAdvance(suffix));
+        }
         layout->addWidget(field_, slider_ ? 0 : 1);
         setFocusProxy(field_);
         connect(field_, &NumberField::chosen, this, [this](double value) {

@@ -25,8 +25,8 @@ QGridLayout* make_section(const QString& title, QWidget* parent) {
     grid->setContentsMargins(8, 4, 4, 8);
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(4);
-    grid->setColumnStretch(0, 2);
-    grid->setColumnStretch(1, 3);
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(1, 2);
     QObject::connect(header, &QToolButton::toggled, body, [header, body](bool open) {
         body->setVisible(open);
         header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);

@@ -13,20 +13,38 @@ namespace {
 
 using Mode = QAbstractItemModelTester::FailureReportingMode;
 
+PassReport pass(const char* name, const char* queue) {
+    PassReport p;
+    p.name = name;
+    p.queue = queue;
+    return p;
+}
+
+ResourceReport resource(const char* key, const char* label, const char* pass) {
+    ResourceReport r;
+    r.key = key;
+    r.label = label;
+    r.pass = pass;
+    return r;
+}
+
 FrameReport report() {
     FrameReport r;
-    r.passes = {{.name = "upload", .queue = "gl", .gpu_ms = 1},
-                {.name = "shade", .queue = "gl", .gpu_ms = 2.5, .cpu_ms = 0.5, .slices = 3},
-                {.name = "unused", .queue = "cpu", .culled = true}};
-    ResourceReport list{
-        .key = "vertices", .label = "Vertices", .pass = "upload", .bytes = 2048, .available = true};
-    ResourceReport picture{.key = "radiance", .label = "Radiance", .pass = "shade"};
+    r.passes = {pass("upload", "gl"), pass("shade", "gl"), pass("unused", "cpu")};
+    r.passes[0].gpu_ms = 1;
+    r.passes[1].gpu_ms = 2.5;
+    r.passes[1].slices = 3;
+    r.passes[2].culled = true;
+    auto list = resource("vertices", "Vertices", "upload");
+    list.bytes = 2048;
+    list.available = true;
+    auto picture = resource("radiance", "Radiance", "shade");
     picture.semantic = Semantic::radiance;
     picture.width = 64;
     picture.height = 32;
     picture.bytes = 3u << 20;
     picture.available = true;
-    ResourceReport culled{.key = "hidden", .label = "Hidden", .pass = "unused"};
+    auto culled = resource("hidden", "Hidden", "unused");
     culled.width = culled.height = 8;
     r.resources = {list, picture, culled};
     r.counters = {{"photons", 12345}};
@@ -39,7 +57,7 @@ TEST(RowsModel, KeepsTheContractOfItemModels) {
     const QAbstractItemModelTester tester(&model, Mode::Fatal);
     model.set_rows(buffer_rows(report(), {}, ""));
     auto larger = report();
-    larger.resources.push_back({.key = "more", .label = "More", .pass = "shade"});
+    larger.resources.push_back(resource("more", "More", "shade"));
     model.set_rows(buffer_rows(larger, {}, "more"));
     model.set_rows({});
     EXPECT_EQ(model.rowCount(), 0);

@@ -85,9 +85,16 @@ class FakeRenderer final : public Renderer {
             Image(request.experiment.width, request.experiment.height, colour ? 3 : 1, float(value));
         result->finished = true;
         result->report.backend = "fake";
-        result->report.passes = {{.name = "paint", .queue = "cpu", .cpu_ms = 1.5}};
+        PassReport pass;
+        pass.name = "paint";
+        pass.queue = "cpu";
+        pass.cpu_ms = 1.5;
+        result->report.passes = {pass};
         for (const auto& output : fake_method().outputs) {
-            ResourceReport resource{.key = output.key, .label = output.label, .pass = "paint"};
+            ResourceReport resource;
+            resource.key = output.key;
+            resource.label = output.label;
+            resource.pass = "paint";
             resource.semantic = output.semantic;
             resource.width = request.experiment.width;
             resource.height = request.experiment.height;
