@@ -175,7 +175,7 @@ class ParameterTable {
             static_assert(std::is_floating_point_v<Member>, "bind bool, integer, float, double or an enum");
             d.type = ParameterType::number;
             entry.read = [access](const Struct& s) -> Value {
-                return static_cast<double>(access(const_cast<Struct&>(s)));
+                return as_written(access(const_cast<Struct&>(s)));
             };
             entry.write = [access](Struct& s, const Value& v) {
                 access(s) = static_cast<Member>(std::get<double>(v));

@@ -1,6 +1,7 @@
 #include "renderers/core/value.h"
 
 #include <charconv>
+#include <cmath>
 
 namespace ir {
 
@@ -15,6 +16,16 @@ std::string to_string(const Value& value) {
         std::string operator()(const std::string& v) const { return v; }
     };
     return std::visit(Visitor{}, value);
+}
+
+double as_written(float number) {
+    if (!std::isfinite(number)) return number;
+    char text[32];
+    const auto* end = std::to_chars(text, text + sizeof text, number).ptr;
+    double decimal = 0;
+    std::from_chars(text, end, decimal);
+    // Rounding twice, to double and to float, must not lead elsewhere.
+    return static_cast<float>(decimal) == number ? decimal : number;
 }
 
 }  // namespace ir

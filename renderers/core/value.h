@@ -16,4 +16,11 @@ using Settings = std::map<std::string, Value>;
 /// "true", "12", "0.25" or the choice's key; numbers in the shortest form that reads back bit for bit.
 std::string to_string(const Value& value);
 
+/// The double nearest to the shortest decimal that reads back as this float: 0.1f gives 0.1, not
+/// 0.10000000149011612. Files then hold what somebody wrote.
+double as_written(float number);
+inline double as_written(double number) {
+    return number;
+}
+
 }  // namespace ir
