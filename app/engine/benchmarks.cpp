@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "renderers/core/error.h"
+#include "renderers/methods/all_methods.h"
 
 namespace ir::engine {
 namespace {
@@ -17,68 +18,131 @@ double median(std::vector<double> values) {
     return n == 0 ? 0 : n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
-/// One method with its defaults on one scene: what each pass costs, cold and warm.
-Json time_experiment(Machine& machine, const Experiment& experiment, int repeats) {
-    std::map<std::string, std::vector<double>> warm;
-    std::vector<double> walls;
-    Json row{{"method", experiment.method},
-             {"scene", experiment.scene},
-             {"size", {experiment.width, experiment.height}}};
-    Execution execution(machine, experiment);
+bool counts(const graph::Benchmark& benchmark, const std::string& pass) {
+    if (benchmark.total_of.empty()) return true;
+    return std::any_of(benchmark.total_of.begin(), benchmark.total_of.end(),
+                       [&](const auto& pattern) { return graph::matches(pattern, pass); });
+}
+
+double ms_of(const PassReport& pass) {
+    return pass.queue == "gl" ? pass.gpu_ms : pass.cpu_ms;
+}
+
+std::uint64_t bytes_made_by(const FrameReport& report, const std::string& pass) {
+    std::uint64_t bytes = 0;
+    for (const auto& resource : report.resources)
+        if (resource.pass == pass) bytes += resource.bytes;
+    return bytes;
+}
+
+double total_ms(const graph::Benchmark& benchmark, const FrameReport& report) {
+    double total = 0;
+    for (const auto& pass : report.passes)
+        if (!pass.culled && counts(benchmark, pass.name)) total += ms_of(pass);
+    return total;
+}
+
+/// Cold is the first frame of all, with growing buffers and the driver's compilation; warm is the median of
+/// the others, each with everything built anew.
+Json time_variant(Execution& execution, const graph::Benchmark& benchmark, int repeats) {
     graph::FrameOptions options;
     options.rebuild = true;
+    Json row;
+    std::map<std::string, std::vector<double>> by_pass;
+    std::vector<double> totals;
+    FrameReport report;
     for (int i = 0; i <= repeats; ++i) {
         execution.restart();
-        const auto report = execution.run_frame(options);
+        report = execution.run_frame(options);
         if (i == 0) {
-            row["cold_ms"] = report.wall_ms;
-            row["memory_bytes"] = report.memory_bytes;
-            row["counters"] = report.counters;
+            row["cold_wall_ms"] = report.wall_ms;
+            row["cold_ms"] = total_ms(benchmark, report);
             continue;
         }
-        walls.push_back(report.wall_ms);
+        totals.push_back(total_ms(benchmark, report));
         for (const auto& pass : report.passes)
-            if (!pass.culled) warm[pass.name].push_back(pass.queue == "gl" ? pass.gpu_ms : pass.cpu_ms);
-        if (i == repeats) {
-            for (const auto& pass : report.passes) {
-                if (pass.culled) continue;
-                std::uint64_t bytes = 0;
-                for (const auto& resource : report.resources)
-                    if (resource.pass == pass.name) bytes += resource.bytes;
-                row["passes"].push_back({{"name", pass.name},
-                                         {"queue", pass.queue},
-                                         {"ms", median(warm[pass.name])},
-                                         {"bytes_made", bytes}});
-            }
-        }
+            if (!pass.culled) by_pass[pass.name].push_back(ms_of(pass));
     }
-    row["warm_ms"] = median(walls);
+    row["warm_ms"] = median(totals);
+    for (const auto& pass : report.passes)
+        if (!pass.culled)
+            row["passes"].push_back({{"name", pass.name},
+                                     {"queue", pass.queue},
+                                     {"ms", median(by_pass[pass.name])},
+                                     {"in_total", counts(benchmark, pass.name)},
+                                     {"bytes_made", bytes_made_by(report, pass.name)}});
+    row["memory_bytes"] = report.memory_bytes;
+    row["counters"] = report.counters;
     return row;
 }
 
-Json benchmark_methods(Machine& machine, const BenchmarkOptions& options) {
-    Json rows = Json::array();
-    for (const auto* method : registry().methods()) {
-        Experiment experiment;
-        experiment.scene = options.scene.empty() ? "builtin:atrium" : options.scene;
-        experiment.method = method->id;
-        experiment.width = 400;
-        experiment.height = 300;
-        rows.push_back(time_experiment(machine, experiment, options.repeats));
+Json time_peer(Execution& execution, const graph::Benchmark::Peer& peer, int repeats) {
+    Json row;
+    std::map<std::string, std::vector<double>> by_part;
+    std::vector<double> totals;
+    for (int i = 0; i <= repeats; ++i) {
+        double total = 0;
+        for (const auto& [part, ms] : peer.run(execution.graph(), execution.inputs())) {
+            total += ms;
+            if (i > 0) by_part[part].push_back(ms);
+        }
+        if (i == 0)
+            row["cold_ms"] = total;
+        else
+            totals.push_back(total);
     }
-    return rows;
+    row["warm_ms"] = median(totals);
+    for (const auto& [part, values] : by_part) row["parts"][part] = median(values);
+    return row;
 }
 
-struct Benchmark {
-    const char* name;
-    const char* doc;
-    Json (*run)(Machine&, const BenchmarkOptions&);
+Json run_one(Machine& machine, const std::string& method, const graph::Benchmark& benchmark,
+             const BenchmarkOptions& options) {
+    Experiment experiment;
+    experiment.scene = options.scene.empty() ? benchmark.scene : options.scene;
+    experiment.method = method;
+    if (options.scene.empty()) experiment.camera_name = benchmark.camera;
+    experiment.camera = options.camera;
+    experiment.width = benchmark.width;
+    experiment.height = benchmark.height;
+    Json json{{"scene", experiment.scene}, {"size", {experiment.width, experiment.height}}};
+    for (const auto& variant : benchmark.variants) {
+        experiment.settings = variant.settings;
+        Execution execution(machine, experiment);
+        auto row = time_variant(execution, benchmark, options.repeats);
+        row["label"] = variant.label;
+        json["variants"].push_back(std::move(row));
+        if (&variant != &benchmark.variants.back()) continue;
+        for (const auto& peer : benchmark.peers) {
+            auto peer_row = time_peer(execution, peer, options.repeats);
+            for (auto& ours : json["variants"])
+                ours["ratio_to_" + peer.label] =
+                    ours["warm_ms"].get<double>() / peer_row["warm_ms"].get<double>();
+            peer_row["label"] = peer.label;
+            json["peers"].push_back(std::move(peer_row));
+        }
+    }
+    return json;
+}
+
+struct Named {
+    std::string method;
+    graph::Benchmark benchmark;
 };
 
-const std::vector<Benchmark>& benchmarks() {
-    static const std::vector<Benchmark> all{
-        {"methods", "Every method with its defaults at 400x300 on builtin:atrium", benchmark_methods},
-    };
+/// The benchmarks that methods bring along, and one with the defaults of each method.
+std::vector<Named> all_benchmarks() {
+    std::vector<Named> all;
+    for (const auto* method : methods::all_methods()) {
+        for (const auto& benchmark : method->benchmarks) all.push_back({method->description.id, benchmark});
+        graph::Benchmark plain;
+        plain.name = method->description.id + "-defaults";
+        plain.doc = method->description.title + ", defaults at 400x300";
+        plain.width = 400;
+        plain.height = 300;
+        plain.variants = {{"defaults", {}}};
+        all.push_back({method->description.id, plain});
+    }
     return all;
 }
 
@@ -101,21 +165,22 @@ void print(std::ostream& out, const Json& json, const std::string& indent) {
 std::string benchmark_list(bool json) {
     Json list = Json::array();
     std::string text;
-    for (const auto& benchmark : benchmarks()) {
+    for (const auto& [method, benchmark] : all_benchmarks()) {
         list.push_back({{"name", benchmark.name}, {"doc", benchmark.doc}});
-        text += std::string(benchmark.name) + "  " + benchmark.doc + "\n";
+        text += benchmark.name + "  " + benchmark.doc + "\n";
     }
     return json ? list.dump(2) + "\n" : text;
 }
 
 std::string run_benchmark(Machine& machine, const std::string& name, const BenchmarkOptions& options) {
-    for (const auto& benchmark : benchmarks()) {
+    for (const auto& [method, benchmark] : all_benchmarks()) {
         if (name != benchmark.name) continue;
         Json json{{"benchmark", name},
+                  {"method", method},
                   {"device", machine.context().info().renderer},
                   {"software", machine.context().info().software},
                   {"repeats", options.repeats}};
-        json["results"] = benchmark.run(machine, options);
+        json["results"] = run_one(machine, method, benchmark, options);
         if (options.json) return json.dump(2) + "\n";
         std::ostringstream text;
         print(text, json, "");

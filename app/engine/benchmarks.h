@@ -8,6 +8,7 @@ namespace ir::engine {
 
 struct BenchmarkOptions {
     std::string scene;  ///< empty: the benchmark's own
+    std::optional<scene::Camera> camera;
     int repeats = 5;
     bool json = false;
 };

@@ -67,7 +67,7 @@ void Execution::load() {
         throw UsageError("image size " + std::to_string(experiment_.width) + "x" +
                          std::to_string(experiment_.height) +
                          " is not allowed; give 1 to 16384 pixels a side");
-    auto loaded = machine_.scenes().load(experiment_.scene);
+    auto loaded = machine_.scenes().load(experiment_.composition());
     if (experiment_.replace_lights || experiment_.environment) {
         auto changed = std::make_shared<scene::Scene>(*loaded);
         if (experiment_.replace_lights) changed->lights = experiment_.lights;
@@ -77,7 +77,7 @@ void Execution::load() {
     if (!experiment_.camera_name.empty() && !loaded->find_camera(experiment_.camera_name)) {
         std::string known;
         for (const auto& camera : loaded->cameras) known += (known.empty() ? "" : ", ") + camera.name;
-        throw UsageError("scene " + experiment_.scene + " has no camera '" + experiment_.camera_name +
+        throw UsageError("scene " + loaded->name + " has no camera '" + experiment_.camera_name +
                          "'; its cameras are " + known);
     }
     // Nothing throws from here on: an experiment that cannot be loaded leaves the old one as it was.
@@ -92,7 +92,7 @@ void Execution::load() {
 void Execution::update(Experiment experiment) {
     const auto& old = experiment_;
     const bool reload =
-        experiment.scene != old.scene || experiment.method != old.method || !same_lights(experiment, old) ||
+        experiment.composition() != old.composition() || experiment.method != old.method || !same_lights(experiment, old) ||
         experiment.environment.has_value() != old.environment.has_value() ||
         (experiment.environment && (experiment.environment->constant != old.environment->constant ||
                                     experiment.environment->map != old.environment->map));
@@ -143,7 +143,7 @@ FrameReport Execution::run_frame(const graph::FrameOptions& options) {
         world_ = scene::flatten(*scene_, world_time, previous);
         world_time_ = world_time;
     }
-    graph::FrameInputs inputs;
+    auto& inputs = inputs_;
     inputs.scene = scene_.get();
     inputs.world = &world_;
     inputs.world_fingerprint = world_fingerprint();

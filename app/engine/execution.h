@@ -22,11 +22,15 @@ const Registry& registry();
 class SceneCache {
   public:
     std::shared_ptr<const scene::Scene> load(const std::string& name);
+    /// Files are read once, however their parts move and change.
+    std::shared_ptr<const scene::Scene> load(const std::vector<scene::Part>& parts);
     /// Loads again when the files changed on disk.
     void forget(const std::string& name);
 
   private:
     std::map<std::string, std::shared_ptr<const scene::Scene>> scenes_;
+    std::map<std::string, std::weak_ptr<const scene::Scene>> compositions_;  ///< while somebody uses them
+    std::shared_ptr<const scene::Scene> newest_composition_;
 };
 
 struct MachineOptions {
@@ -77,6 +81,8 @@ class Execution {
     int committed_frames() const { return frame_; }
 
     graph::Graph& graph() { return *graph_; }
+    /// What the last frame was made from (valid until the next one).
+    const graph::FrameInputs& inputs() const { return inputs_; }
     /// The main result and its valid mask after the last frame.
     Image main_result() const;
     /// Default layer with the main result, "valid", and each resource that matches a pattern: images as they
@@ -101,6 +107,7 @@ class Execution {
     std::unique_ptr<graph::Graph> graph_;
     std::optional<scene::View> previous_view_;
     Settings settings_;
+    graph::FrameInputs inputs_;
     int frame_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "renderers/core/method.h"
+#include "renderers/graph/benchmark.h"
 #include "renderers/graph/builder.h"
 
 namespace ir::graph {
@@ -14,6 +15,7 @@ namespace ir::graph {
 struct Method {
     MethodDescription description;
     std::function<void(GraphBuilder&, const Settings&)> setup;
+    std::vector<Benchmark> benchmarks = {};
 };
 
 /// Binds a typed setup to its parameter table.

@@ -3,6 +3,7 @@
 // the map along v. [Aalund15 §3.3]
 #include "renderers/graph/method.h"
 
+#include "renderers/methods/ldm-ao/benchmark.h"
 #include "renderers/methods/ldm-ao/parameters.h"
 #include "renderers/methods/ldm-ao/passes.h"
 #include "renderers/passes/direct/direct_light.h"
@@ -95,7 +96,11 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
 }  // namespace
 
 const graph::Method& method() {
-    static const auto instance = graph::make_method<Parameters>(description(), parameter_table(), setup);
+    static const auto instance = [] {
+        auto made = graph::make_method<Parameters>(description(), parameter_table(), setup);
+        made.benchmarks = benchmarks();
+        return made;
+    }();
     return instance;
 }
 
