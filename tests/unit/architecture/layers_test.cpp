@@ -1,0 +1,155 @@
+#include <gtest/gtest.h>
+
+#include "tests/unit/architecture/source_tree.h"
+
+namespace ir::test {
+namespace {
+
+/// The layer a path belongs to: "app", "renderers/gl", "renderers/methods/ldm-ao", …
+std::string layer_of(const std::string& path) {
+    const auto part = [&](int count) {
+        std::size_t end = 0;
+        for (int i = 0; i < count && end != std::string::npos; ++i) end = path.find('/', end + (i > 0));
+        return path.substr(0, end);
+    };
+    if (!path.starts_with("renderers/")) return part(1);
+    if (!path.starts_with("renderers/methods/")) return part(2);
+    return std::count(path.begin(), path.end(), '/') > 2 ? part(3) : part(2);
+}
+
+/// Whether a file of layer `from` may include one of layer `to`.
+bool may_include(const std::string& from, const std::string& to) {
+    static const std::map<std::string, std::set<std::string>> allowed{
+        {"widgets", {"projects", "renderers/core", "renderers/image"}},
+        {"projects", {"renderers/core"}},
+        {"renderers/passes",
+         {"renderers/graph", "renderers/gl", "renderers/scene", "renderers/image", "renderers/core"}},
+        {"renderers/graph", {"renderers/gl", "renderers/scene", "renderers/image", "renderers/core"}},
+        {"renderers/gl", {"renderers/core"}},
+        {"renderers/scene", {"renderers/image", "renderers/core"}},
+        {"renderers/image", {"renderers/core"}},
+        {"renderers/core", {}}};
+    if (from == to) return true;
+    if (from == "app") return !to.starts_with("renderers/methods/") && to != "tests";
+    if (from == "renderers/methods") return to == "renderers/graph";  // the table of all methods
+    if (from.starts_with("renderers/methods/"))
+        return to == "renderers/passes" || allowed.at("renderers/passes").count(to) > 0;
+    const auto found = allowed.find(from);
+    return found != allowed.end() && found->second.count(to) > 0;
+}
+
+TEST(Layers, KnowUpFromDown) {
+    EXPECT_TRUE(may_include("app", "widgets"));
+    EXPECT_TRUE(may_include("renderers/methods/a", "renderers/passes"));
+    EXPECT_FALSE(may_include("renderers/methods/a", "renderers/methods/b"));
+    EXPECT_FALSE(may_include("renderers/core", "renderers/gl"));
+    EXPECT_FALSE(may_include("renderers/gl", "renderers/scene"));
+    EXPECT_FALSE(may_include("widgets", "renderers/graph"));
+    EXPECT_FALSE(may_include("projects", "widgets"));
+    EXPECT_EQ(layer_of("renderers/methods/ldm-ao/a/b.h"), "renderers/methods/ldm-ao");
+    EXPECT_EQ(layer_of("renderers/methods/all_methods.h"), "renderers/methods");
+    EXPECT_EQ(layer_of("renderers/gl/device.h"), "renderers/gl");
+    EXPECT_EQ(layer_of("app/cli/main.cpp"), "app");
+    EXPECT_EQ(includes_of("#include \"a.h\"\n  # include <b>\n// #include \"c.h\"\n").own.size(), 1u);
+}
+
+TEST(Layers, IncludesGoOnlyDownwards) {
+    std::size_t seen = 0;
+    for (const auto& file : source_files(code_folders, {".h", ".cpp", ".in"}))
+        for (const auto& include : includes_of(file.text).own) {
+            ++seen;
+            EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(SOURCE_ROOT) / include))
+                << file.path << " includes " << include << ", which is no path from the root";
+            EXPECT_TRUE(may_include(layer_of(file.path), layer_of(include)))
+                << file.path << " includes " << include;
+        }
+    EXPECT_GT(seen, 100u);
+}
+
+TEST(Layers, RenderersAndProjectsKnowNoQt) {
+    const std::regex qt(R"(^Q[A-Za-z]\w*(/|$)|^q[a-z]+\.h$)");
+    EXPECT_TRUE(std::regex_search("QtCore/QString", qt) && std::regex_search("QString", qt));
+    for (const auto& file : source_files({"renderers", "projects"}, {".h", ".cpp", ".in"}))
+        for (const auto& include : includes_of(file.text).system)
+            EXPECT_FALSE(std::regex_search(include, qt)) << file.path << " includes <" << include << ">";
+}
+
+TEST(Layers, WindowsAndCommandsNameNoMethod) {
+    const auto ids = folders_in("renderers/methods");
+    EXPECT_GE(ids.size(), 2u);
+    const auto files = source_files({"app", "widgets"}, {".h", ".cpp"});
+    EXPECT_GT(files.size(), 10u);
+    for (const auto& id : ids) {
+        auto name = id;
+        std::replace(name.begin(), name.end(), '-', '_');
+        // Its namespace and its folder; then the id itself, which may be an English word where it has no
+        // hyphen: that counts beside the word "method".
+        std::string pattern = "methods::" + name + "\\b|methods/" + id + "\\b";
+        if (id == name)
+            pattern += "|[Mm]ethod[^\\n;]*\"" + id + "\"";
+        else
+            pattern += "|\\b" + name + "\\b|\\b" + id + "\\b";
+        const std::regex names_it(pattern);
+        for (const auto& file : files) {
+            const auto text = without_comments(file.text);
+            std::smatch match;
+            EXPECT_FALSE(std::regex_search(text, match, names_it)) << file.path << " names " << match.str();
+        }
+    }
+}
+
+/// Fails for a header that reaches itself through includes.
+class Cycles {
+  public:
+    explicit Cycles(const std::vector<SourceFile>& headers) {
+        for (const auto& header : headers) includes_[header.path] = includes_of(header.text).own;
+    }
+    std::string find() {
+        for (const auto& [path, includes] : includes_)
+            if (visit(path)) return trail_;
+        return {};
+    }
+
+  private:
+    bool visit(const std::string& path) {
+        auto& state = states_[path];
+        if (state == 2) return false;
+        if (state == 1) {
+            trail_ = path;
+            return true;
+        }
+        state = 1;
+        for (const auto& next : includes_[path])
+            if (visit(next)) {
+                trail_ = path + " → " + trail_;
+                return true;
+            }
+        states_[path] = 2;
+        return false;
+    }
+    std::map<std::string, std::vector<std::string>> includes_;
+    std::map<std::string, int> states_;
+    std::string trail_;
+};
+
+TEST(Layers, HeadersIncludeEachOtherInNoCircle) {
+    EXPECT_EQ(Cycles(source_files(code_folders, {".h"})).find(), "");
+    EXPECT_NE(Cycles({{"a.h", "#include \"b.h\"\n"}, {"b.h", "#include \"a.h\"\n"}}).find(), "");
+}
+
+TEST(Layers, EveryHeaderIsReadOnce) {
+    for (const auto& file : source_files(code_folders, {".h"}))
+        EXPECT_NE(file.text.find("#pragma once\n"), std::string::npos) << file.path;
+}
+
+TEST(Layers, CodeStandsInItsFolders) {
+    const std::set<std::string> known{"core", "gl", "graph", "scene", "image", "passes", "methods"};
+    EXPECT_EQ(folders_in("renderers"), known);
+    for (const auto& entry : std::filesystem::directory_iterator(SOURCE_ROOT)) {
+        const auto ending = entry.path().extension();
+        EXPECT_FALSE(ending == ".cpp" || ending == ".h") << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace ir::test
