@@ -1,0 +1,250 @@
+#include "renderers/scene/compose.h"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "renderers/core/error.h"
+#include "renderers/scene/placement.h"
+
+namespace ir::scene {
+namespace {
+
+std::string hash_of(const std::string& text) {
+    const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
+    char hex[33];
+    std::snprintf(hex, sizeof hex, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                  static_cast<unsigned long long>(hash.low64));
+    return hex;
+}
+
+void check_transform(const Part& part) {
+    const auto& m = part.transform;
+    bool good = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) good = good && std::isfinite(m[column][row]);
+    if (!good)
+        throw UsageError("part '" + part.source +
+                         "': its transform is not affine; give 16 finite numbers, column by column, that end "
+                         "with x, y, z, 1");
+}
+
+/// Sets members that an override gives, and refuses values out of range.
+class Overrider {
+  public:
+    Overrider(const std::string& part, const std::string& material)
+        : where_("part '" + part + "', material '" + material + "': ") {}
+
+    void apply(const MaterialOverride& given, Material& material) const {
+        set(given.base_colour, material.base_colour, "base_colour", 0, 1);
+        set(given.metallic, material.metallic, "metallic", 0, 1);
+        set(given.roughness, material.roughness, "roughness", 0, 1);
+        set(given.emission, material.emission, "emission", 0, 1e9f);
+        set(given.normal_scale, material.normal_scale, "normal_scale", -100, 100);
+        set(given.ior, material.ior, "ior", 1, 10);
+        set(given.transmission, material.transmission, "transmission", 0, 1);
+    }
+
+  private:
+    static bool is_within(float number, float min, float max) { return number >= min && number <= max; }
+    template <class Vector>
+    static bool is_within(const Vector& vector, float min, float max) {
+        for (int i = 0; i < Vector::length(); ++i)
+            if (!is_within(vector[i], min, max)) return false;
+        return true;
+    }
+    static std::string text(float number) {
+        char digits[32];
+        std::snprintf(digits, sizeof digits, "%g", static_cast<double>(number));
+        return digits;
+    }
+    template <class Member>
+    void set(const std::optional<Member>& given, Member& member, const char* name, float min,
+             float max) const {
+        if (!given) return;
+        if (!is_within(*given, min, max))
+            throw UsageError(where_ + name + " must lie between " + text(min) + " and " + text(max));
+        member = *given;
+    }
+
+    std::string where_;
+};
+
+Environment first_of(const Environment& a, const Environment& b) {
+    const bool is_dark = !a.map && a.constant == glm::vec3(0);
+    return is_dark ? b : a;
+}
+
+class Composer {
+  public:
+    explicit Composer(const SceneLoader& load) : load_(load) {}
+
+    Scene run(const std::vector<Part>& parts) {
+        std::string hashes;
+        for (const auto& part : parts) hashes += add(part) + ";";
+        result_.name = composition_name(parts);
+        result_.content_hash = hash_of(hashes);
+        if (result_.cameras.empty()) result_.cameras.push_back(framing_camera(bounds_of(result_, 0)));
+        return std::move(result_);
+    }
+
+  private:
+    /// Returns what tells this part's content, transform and overrides from others.
+    std::string add(const Part& part) {
+        check_transform(part);
+        const auto loaded = load_(part.source);
+        const bool is_first_use = sources_.insert(part.source).second;
+        const int first_material = static_cast<int>(result_.materials.size());
+        add_materials(part, *loaded);
+        const int first_mesh = static_cast<int>(result_.meshes.size());
+        for (auto mesh : loaded->meshes) {
+            mesh.material += first_material;
+            result_.meshes.push_back(std::move(mesh));
+        }
+        const int first_node = add_nodes(part, *loaded, first_mesh);
+        for (auto channel : loaded->animation) {
+            channel.node += first_node;
+            result_.animation.push_back(std::move(channel));
+        }
+        add_lights(part, *loaded, first_node);
+        add_cameras(part, *loaded, first_node);
+        result_.environment = first_of(result_.environment, loaded->environment);
+        if (is_first_use)
+            result_.warnings.insert(result_.warnings.end(), loaded->warnings.begin(), loaded->warnings.end());
+        Part content = part;
+        content.source = loaded->content_hash;
+        return composition_key({content});
+    }
+
+    /// Textures are the same for every use of a source and kept once.
+    int first_texture_of(const std::string& source, const Scene& loaded) {
+        const auto [found, is_new] = first_texture_.try_emplace(source, result_.textures.size());
+        if (is_new)
+            result_.textures.insert(result_.textures.end(), loaded.textures.begin(), loaded.textures.end());
+        return static_cast<int>(found->second);
+    }
+
+    void add_materials(const Part& part, const Scene& loaded) {
+        const int first_texture = first_texture_of(part.source, loaded);
+        std::set<std::string> found;
+        for (auto material : loaded.materials) {
+            for (auto* slot :
+                 {&material.base_colour_texture, &material.metallic_roughness_texture,
+                  &material.normal_texture, &material.emission_texture, &material.transmission_texture})
+                if (slot->texture >= 0) slot->texture += first_texture;
+            if (const auto change = part.materials.find(material.name); change != part.materials.end()) {
+                Overrider(part.source, material.name).apply(change->second, material);
+                found.insert(material.name);
+            }
+            result_.materials.push_back(std::move(material));
+        }
+        result_.material_count += loaded.material_count;
+        for (const auto& [name, change] : part.materials)
+            if (found.count(name) == 0) warn_of_unknown(part, name, loaded);
+    }
+
+    void warn_of_unknown(const Part& part, const std::string& name, const Scene& loaded) {
+        std::string known;
+        for (const auto& material : loaded.materials) known += (known.empty() ? "" : ", ") + material.name;
+        result_.warnings.push_back({Severity::warning, "scene",
+                                    "part '" + part.source + "' has no material '" + name +
+                                        "' to override; its materials are " + known});
+    }
+
+    /// Returns the index that the part's node 0 gets.
+    int add_nodes(const Part& part, const Scene& loaded, int first_mesh) {
+        const int root = static_cast<int>(result_.nodes.size());
+        Node top;
+        top.name = part.source;
+        top.matrix = part.transform;
+        result_.nodes.push_back(std::move(top));
+        for (auto node : loaded.nodes) {
+            node.parent = node.parent < 0 ? root : node.parent + root + 1;
+            for (int& mesh : node.meshes) mesh += first_mesh;
+            result_.nodes.push_back(std::move(node));
+        }
+        return root + 1;
+    }
+
+    static float scale_of(const glm::mat4& transform) {
+        return std::cbrt(std::abs(glm::determinant(glm::mat3(transform))));
+    }
+
+    void add_lights(const Part& part, const Scene& loaded, int first_node) {
+        for (auto light : loaded.lights) {
+            if (light.node >= 0) {
+                light.node += first_node;
+            } else {
+                light = placed(light, part.transform);
+                light.size *= scale_of(part.transform);
+            }
+            light.name = free_name(light.name, result_.lights);
+            result_.lights.push_back(std::move(light));
+        }
+    }
+
+    /// Whether the camera is the one that a file without cameras gets.
+    static bool is_made_up(const Camera& camera, const Scene& loaded) {
+        if (loaded.cameras.size() != 1 || camera.node >= 0) return false;
+        const auto made_up = framing_camera(bounds_of(loaded, 0));
+        return camera.name == made_up.name && camera.eye == made_up.eye && camera.target == made_up.target;
+    }
+
+    void add_cameras(const Part& part, const Scene& loaded, int first_node) {
+        if (loaded.cameras.size() == 1 && is_made_up(loaded.cameras.front(), loaded)) return;
+        const auto matrices = world_matrices(result_, 0);
+        for (auto camera : loaded.cameras) {
+            if (camera.node >= 0) {
+                camera.node += first_node;
+                camera = placed(camera, matrices[camera.node]);
+            } else {
+                camera = moved(camera, part.transform);
+            }
+            camera.name = free_name(camera.name, result_.cameras);
+            result_.cameras.push_back(std::move(camera));
+        }
+    }
+
+    static Camera moved(Camera camera, const glm::mat4& transform) {
+        camera.eye = glm::vec3(transform * glm::vec4(camera.eye, 1));
+        camera.target = glm::vec3(transform * glm::vec4(camera.target, 1));
+        const auto up = glm::mat3(transform) * camera.up;
+        if (glm::length(up) > 0) camera.up = glm::normalize(up);
+        camera.height *= scale_of(transform);
+        return camera;
+    }
+
+    template <class List>
+    static std::string free_name(const std::string& name, const List& taken) {
+        const auto is_taken = [&](const std::string& other) {
+            return std::any_of(taken.begin(), taken.end(),
+                               [&](const auto& item) { return item.name == other; });
+        };
+        std::string result = name;
+        for (int i = 2; is_taken(result); ++i) result = name + " (" + std::to_string(i) + ")";
+        return result;
+    }
+
+    const SceneLoader& load_;
+    Scene result_;
+    std::set<std::string> sources_;
+    std::map<std::string, std::size_t> first_texture_;
+};
+
+}  // namespace
+
+Scene compose(const std::vector<Part>& parts, const SceneLoader& load) {
+    if (parts.empty()) throw UsageError("a scene needs at least one part; give a file or builtin:NAME");
+    if (parts.size() == 1 && parts.front() == Part{parts.front().source}) return *load(parts.front().source);
+    return Composer(load).run(parts);
+}
+
+Scene compose(const std::vector<Part>& parts) {
+    return compose(parts,
+                   [](const std::string& name) { return std::make_shared<const Scene>(load_scene(name)); });
+}
+
+}  // namespace ir::scene

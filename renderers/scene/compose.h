@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <glm/glm.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderers/scene/scene.h"
+
+namespace ir::scene {
+
+/// Replaces what is given of a material. These are factors: the material's textures still multiply them, so
+/// an overridden base colour tints a textured surface and paints an untextured one.
+struct MaterialOverride {
+    std::optional<glm::vec4> base_colour;  ///< linear, each from 0 to 1
+    std::optional<float> metallic, roughness;
+    std::optional<glm::vec3> emission;  ///< W/(m² sr)
+    std::optional<float> normal_scale, ior, transmission;
+    bool operator==(const MaterialOverride&) const = default;
+};
+
+/// A scene as a part of a composed one.
+struct Part {
+    std::string source;                                      ///< as load_scene() takes it
+    glm::mat4 transform{1};                                  ///< affine, of the whole part, metres
+    std::map<std::string, MaterialOverride> materials = {};  ///< by the material's name
+    bool operator==(const Part&) const = default;
+};
+
+using SceneLoader = std::function<std::shared_ptr<const Scene>(const std::string&)>;
+
+/// Loads all parts and makes one scene of them. One part without transform and overrides is exactly
+/// load_scene(source). Otherwise:
+/// - above the nodes of each part stands one more, named after its source, with the part's transform;
+/// - lights and cameras whose names are taken get new ones: "lamp (2)";
+/// - cameras that only frame a file without cameras give way to the other parts' cameras, or, where there
+///   are none, to one that frames the whole;
+/// - the environment is that of the first part that has one;
+/// - a part's lights and cameras move with it; sizes of area lights and heights of orthographic cameras that
+///   hang on no node scale by the cube root of the transform's volume;
+/// - an override that names no material of its part is a warning which lists the known names.
+/// Throws as load_scene(), and UsageError for values out of range and for transforms that are not affine.
+Scene compose(const std::vector<Part>& parts);
+/// With scenes that a cache may hold already.
+Scene compose(const std::vector<Part>& parts, const SceneLoader& load);
+
+/// Everything that tells two compositions apart, as one text; for a plain part its source.
+std::string composition_key(const std::vector<Part>& parts);
+/// For people: the sources, joined by " + ".
+std::string composition_name(const std::vector<Part>& parts);
+
+}  // namespace ir::scene

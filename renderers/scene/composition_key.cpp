@@ -1,0 +1,68 @@
+#include <sstream>
+
+#include "renderers/scene/compose.h"
+
+namespace ir::scene {
+namespace {
+
+/// Floats in hexadecimal, which loses nothing.
+class KeyWriter {
+  public:
+    KeyWriter() { text_ << std::hexfloat; }
+
+    void add(const Part& part) {
+        text_ << part.source.size() << ':' << part.source;
+        if (part.transform != glm::mat4(1))
+            for (int column = 0; column < 4; ++column) numbers(part.transform[column]);
+        for (const auto& [name, change] : part.materials) {
+            text_ << '{' << name.size() << ':' << name;
+            numbers("base_colour", change.base_colour);
+            numbers("metallic", change.metallic);
+            numbers("roughness", change.roughness);
+            numbers("emission", change.emission);
+            numbers("normal_scale", change.normal_scale);
+            numbers("ior", change.ior);
+            numbers("transmission", change.transmission);
+            text_ << '}';
+        }
+        text_ << ';';
+    }
+
+    std::string text() const { return text_.str(); }
+
+  private:
+    void numbers(float number) { text_ << ' ' << number; }
+    template <class Vector>
+    void numbers(const Vector& vector) {
+        for (int i = 0; i < Vector::length(); ++i) text_ << ' ' << vector[i];
+    }
+    template <class Numbers>
+    void numbers(const char* word, const std::optional<Numbers>& value) {
+        if (!value) return;
+        text_ << ' ' << word;
+        numbers(*value);
+    }
+
+    std::ostringstream text_;
+};
+
+bool is_plain(const std::vector<Part>& parts) {
+    return parts.size() == 1 && parts.front() == Part{parts.front().source};
+}
+
+}  // namespace
+
+std::string composition_key(const std::vector<Part>& parts) {
+    if (is_plain(parts)) return parts.front().source;
+    KeyWriter key;
+    for (const auto& part : parts) key.add(part);
+    return key.text();
+}
+
+std::string composition_name(const std::vector<Part>& parts) {
+    std::string name;
+    for (const auto& part : parts) name += (name.empty() ? "" : " + ") + part.source;
+    return name;
+}
+
+}  // namespace ir::scene
