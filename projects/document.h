@@ -10,6 +10,7 @@
 
 #include "projects/json.h"
 #include "projects/light_spec.h"
+#include "projects/material_override.h"
 #include "renderers/core/value.h"
 
 /// Plain data; nothing here touches files. Ids are unique within their list and made of letters, digits,
@@ -25,7 +26,8 @@ inline constexpr const char* scene_lights = "scene";
 struct ScenePart {
     std::string source;        ///< path relative to the project folder, or builtin:NAME@VERSION?options
     std::string content_hash;  ///< as scene_hash() of scene_files.h gives it; empty: not yet known
-    std::optional<std::array<double, 16>> transform;  ///< column-major, metres; absent: identity
+    std::optional<std::array<double, 16>> transform;         ///< column-major, metres; absent: identity
+    std::map<std::string, MaterialOverride> materials = {};  ///< by the name of the file's material
     Json extra = Json::object();
     bool operator==(const ScenePart&) const = default;
 };

@@ -27,6 +27,18 @@ std::optional<std::array<double, 16>> read_transform(ObjectReader& reader) {
     return json->get<std::array<double, 16>>();
 }
 
+std::map<std::string, MaterialOverride> read_materials(ObjectReader& reader) {
+    std::map<std::string, MaterialOverride> materials;
+    const auto* json = reader.take("materials");
+    if (!json) return materials;
+    ObjectReader group(*json, reader.file(), reader.pointer_to_member("materials"));
+    for (auto it = json->begin(); it != json->end(); ++it) {
+        ObjectReader inner(*it, reader.file(), group.pointer_to_member(it.key()));
+        materials[it.key()] = read_material_override(inner);
+    }
+    return materials;
+}
+
 Scene read_scene(ObjectReader& reader) {
     Scene scene;
     read_head(reader, scene);
@@ -36,6 +48,7 @@ Scene read_scene(ObjectReader& reader) {
         part.source = inner.required_text("source");
         part.content_hash = inner.text("content_hash");
         part.transform = read_transform(inner);
+        part.materials = read_materials(inner);
         part.extra = inner.rest();
         scene.parts.push_back(std::move(part));
     });

@@ -40,6 +40,8 @@ Json write_part(const ScenePart& part) {
     Json json = Json::object({{"source", part.source}});
     put_unless_empty(json, "content_hash", part.content_hash);
     if (part.transform) json["transform"] = *part.transform;
+    for (const auto& [name, change] : part.materials)
+        json["materials"][name] = with_extra(to_json(change), change.extra);
     return with_extra(json, part.extra);
 }
 

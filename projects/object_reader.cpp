@@ -116,6 +116,14 @@ glm::dvec3 ObjectReader::vec3(const std::string& key, const glm::dvec3& otherwis
     return optional_vec3(key).value_or(otherwise);
 }
 
+std::optional<glm::dvec4> ObjectReader::optional_vec4(const std::string& key) {
+    const auto* json = take(key);
+    if (!json) return std::nullopt;
+    double n[4] = {};
+    numbers(key, *json, n, 4);
+    return glm::dvec4(n[0], n[1], n[2], n[3]);
+}
+
 std::optional<glm::dvec2> ObjectReader::optional_vec2(const std::string& key) {
     const auto* json = take(key);
     if (!json) return std::nullopt;

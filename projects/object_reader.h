@@ -38,6 +38,7 @@ class ObjectReader {
     std::uint64_t natural(const std::string& key, std::uint64_t otherwise);
     glm::dvec3 vec3(const std::string& key, const glm::dvec3& otherwise);
     std::optional<glm::dvec3> optional_vec3(const std::string& key);
+    std::optional<glm::dvec4> optional_vec4(const std::string& key);
     std::optional<glm::dvec2> optional_vec2(const std::string& key);
     std::optional<glm::ivec2> optional_size(const std::string& key);
 

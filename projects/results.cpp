@@ -23,6 +23,9 @@ Json scene_inputs(const Project& project, const std::string& id) {
     for (const auto& part : scene->parts) {
         Json json = Json::object({{"content", content_of(part.source, part.content_hash)}});
         if (part.transform) json["transform"] = *part.transform;
+        for (const auto& [name, change] : part.materials)
+            if (auto members = to_json(change); !members.empty())
+                json["materials"][name] = std::move(members);
         parts.push_back(std::move(json));
     }
     return parts;

@@ -58,8 +58,12 @@ std::vector<std::string> unknown_keys(const Project& project, const Registry& re
     Collector found(registry);
     const auto nothing = [](const std::string&, const auto&) {};
     found.list("scenes", project.scenes, [&](const std::string& pointer, const Scene& scene) {
-        for (std::size_t i = 0; i < scene.parts.size(); ++i)
-            found.extra(pointer_to(pointer + "/parts", i), scene.parts[i].extra);
+        for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+            const auto part = pointer_to(pointer + "/parts", i);
+            for (const auto& [name, change] : scene.parts[i].materials)
+                found.extra(pointer_to(part + "/materials", name), change.extra);
+            found.extra(part, scene.parts[i].extra);
+        }
     });
     found.list("cameras", project.cameras, nothing);
     found.list("lights", project.lights, [&](const std::string& pointer, const LightSet& set) {

@@ -36,6 +36,8 @@ void validate(const Scene& scene) {
     refuse_unless(!scene.parts.empty(), where + "needs at least one file");
     for (const auto& part : scene.parts) {
         refuse_unless(!part.source.empty(), where + "a part has no file; give one");
+        for (const auto& [name, change] : part.materials)
+            validate(change, where + "material '" + printable(name, 60) + "': ");
         if (!part.transform) continue;
         for (const double number : *part.transform)
             refuse_unless(std::isfinite(number), where + "a transform must hold finite numbers");

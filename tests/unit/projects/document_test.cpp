@@ -57,7 +57,8 @@ TEST(Document, UnknownKeysSurviveAtEveryLevelAndAreListed) {
     collect_objects(json, "", places);
     std::vector<std::string> planted;
     for (const auto& place : places) {
-        if (place.ends_with("/presets")) continue;  // its members are presets by name
+        // Their members are presets and materials by name.
+        if (place.ends_with("/presets") || place.ends_with("/materials")) continue;
         json[Json::json_pointer(place)]["from_the_future"] = {{"deep", {1, 2.5, "x", nullptr}}};
         planted.push_back(place + "/from_the_future");
     }
@@ -110,6 +111,15 @@ TEST(Document, WrongStructureNamesThePlace) {
     EXPECT_NE(refusal_with("/scenes/0/id", "../evil").find("is no id"), std::string::npos);
     EXPECT_NE(refusal_with("/scenes/1/id", "church").find("stands twice"), std::string::npos);
     EXPECT_NE(refusal_with("/scenes/0/parts", Json::array()).find("at least one"), std::string::npos);
+    const std::string material = "/scenes/0/parts/1/materials/gold";
+    EXPECT_NE(refusal_with(material, 1).find(material + ": must be an object"), std::string::npos);
+    EXPECT_NE(
+        refusal_with(material + "/metallic", 1.5).find(material + "/metallic: must lie between 0 and 1"),
+        std::string::npos);
+    EXPECT_NE(refusal_with(material + "/base_colour", {1, 1, 1}).find("array of 4 numbers"),
+              std::string::npos);
+    EXPECT_NE(refusal_with(material + "/emission", {1, -1, 0}).find("/emission: must lie between 0"),
+              std::string::npos);
     EXPECT_NE(refusal_with("/cameras/0/fov_y_degrees", 180).find("0.001 to 179.999"), std::string::npos);
     EXPECT_NE(refusal_with("/cameras/0/eye", {1, 2}).find("array of 3 numbers"), std::string::npos);
     EXPECT_NE(refusal_with("/lights/0/id", "scene").find("stands for the scene's own"), std::string::npos);

@@ -92,6 +92,7 @@ void add_item_makers(std::map<std::string, Maker>& m) {
     });
     m["change scene"] = changer(&Project::scenes, edits::change_scene, [](Scene& s, Random& r) {
         s.parts[0].source = "elsewhere/" + std::to_string(pick(r, 99)) + ".glb";
+        s.parts[0].materials["stone"].roughness = pick(r, 100) / 100.0;
     });
     m["project name"] = [](const Project& p, Random& r) {
         return edits::set_project_name(p, "name " + std::to_string(pick(r, 99)));
@@ -255,6 +256,9 @@ TEST(Edits, RefuseWithOneLine) {
     EXPECT_THROW(edits::change_camera(p, broken), UsageError);
     broken.id = "new";
     EXPECT_THROW(edits::add(p, broken), UsageError);
+    Scene glowing = p.scenes[0];
+    glowing.parts[0].materials["stone"].roughness = 2;
+    EXPECT_THROW(edits::change_scene(p, glowing), UsageError);
     try {
         edits::remove<Experiment>(p, "plain-nave");
         FAIL();

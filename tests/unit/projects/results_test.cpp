@@ -30,6 +30,14 @@ TEST(ResultKey, ChangesWithEveryDependency) {
         {"content of the scene", [](Project& p) { p.scenes[0].parts[0].content_hash = "ff"; }},
         {"content of another part", [](Project& p) { p.scenes[0].parts[1].content_hash = "ff"; }},
         {"transform", [](Project& p) { (*p.scenes[0].parts[1].transform)[12] = 3; }},
+        {"base colour of a material",
+         [](Project& p) { p.scenes[0].parts[1].materials["gold"].base_colour->g = 0.5; }},
+        {"another member of a material",
+         [](Project& p) { p.scenes[0].parts[1].materials["gold"].metallic = 1; }},
+        {"a member less", [](Project& p) { p.scenes[0].parts[1].materials["gold"].roughness.reset(); }},
+        {"material", [](Project& p) { p.scenes[0].parts[1].materials.erase("candles"); }},
+        {"material of another part",
+         [](Project& p) { p.scenes[0].parts[0].materials["candles"].emission = glm::dvec3(1); }},
         {"other scene", [](Project& p) { p.experiments[0].scene = "room"; }},
         {"eye", [](Project& p) { p.motion[0].keys[0].eye.x += 1; }},
         {"target", [](Project& p) { p.motion[0].keys[1].target.y += 1; }},
@@ -85,6 +93,8 @@ TEST(ResultKey, ChangesWithNothingElse) {
         {"a pose that motion replaces", [](Project& p) { p.cameras[0].eye.x = 9; }},
         {"unknown keys",
          [](Project& p) {
+             p.scenes[0].parts[1].materials["gold"].extra["x"] = 1;
+             p.scenes[0].parts[1].materials["silver"];  // changes nothing of it
              p.extra["x"] = p.experiments[0].extra["x"] = p.cameras[0].extra["x"] = 1;
              p.experiments[0].values["unknown"] = 1.0;
          }},

@@ -128,6 +128,10 @@ Project sample_project() {
                       {"room", "Room", {{"builtin:room@1?side=4", "", {}}}}};
     std::array<double, 16> moved{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 2.5, 0, -1, 1};
     project.scenes[0].parts.push_back({"scenes/organ.glb", "fedcba9876543210", moved});
+    auto& materials = project.scenes[0].parts[1].materials;
+    materials["gold"].base_colour = {1, 0.75, 0.25, 1};
+    materials["gold"].roughness = 0.3;
+    materials["candles"].emission = {12, 9.5, 4};
     Camera orbit{"orbit", "Orbit", "", {1, 2, 3}, {0, 1, 0}, {0, 1, 0}, 40.5};
     Camera inside{"inside", "Inside", "nave"};
     project.cameras = {orbit, inside};
