@@ -92,8 +92,8 @@ void Execution::load() {
 void Execution::update(Experiment experiment) {
     const auto& old = experiment_;
     const bool reload =
-        experiment.composition() != old.composition() || experiment.method != old.method || !same_lights(experiment, old) ||
-        experiment.environment.has_value() != old.environment.has_value() ||
+        experiment.composition() != old.composition() || experiment.method != old.method ||
+        !same_lights(experiment, old) || experiment.environment.has_value() != old.environment.has_value() ||
         (experiment.environment && (experiment.environment->constant != old.environment->constant ||
                                     experiment.environment->map != old.environment->map));
     bool changed = reload || experiment.width != old.width || experiment.height != old.height ||

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderers/core/value.h"
+#include "renderers/scene/compose.h"
 #include "renderers/scene/scene.h"
 
 namespace ir::engine {
@@ -14,10 +15,11 @@ namespace ir::engine {
 /// Everything that one picture depends on, resolved: what the command line and the project document both
 /// become.
 struct Experiment {
-    std::string scene;        ///< path or builtin:NAME
-    std::string method;       ///< id
-    Settings settings;        ///< may be incomplete; completed from the method's description
-    std::string camera_name;  ///< of the scene's; empty: `camera`, or the scene's first
+    std::string scene;               ///< path or builtin:NAME; with `parts` only their name
+    std::vector<scene::Part> parts;  ///< of a composed scene, instead of `scene`
+    std::string method;              ///< id
+    Settings settings;               ///< may be incomplete; completed from the method's description
+    std::string camera_name;         ///< of the scene's; empty: `camera`, or the scene's first
     std::optional<scene::Camera> camera;
     std::vector<scene::Light> lights;  ///< replace the scene's when `replace_lights`
     bool replace_lights = false;
@@ -26,6 +28,11 @@ struct Experiment {
     std::uint64_t seed = 0;
     int frames = 1;
     double time = 0;  ///< seconds, of the first frame
+
+    /// The parts, or `scene` as the only one.
+    std::vector<scene::Part> composition() const {
+        return parts.empty() ? std::vector{scene::Part{scene}} : parts;
+    }
 };
 
 }  // namespace ir::engine

@@ -1,8 +1,11 @@
 #include "app/engine/from_project.h"
 
 #include <memory>
+#include <optional>
 
+#include "app/engine/execution.h"
 #include "projects/scene_files.h"
+#include "projects/settings.h"
 #include "renderers/core/error.h"
 #include "renderers/image/exr.h"
 
@@ -23,6 +26,35 @@ scene::LightType type_of(projects::LightSpec::Type type) {
         default:
             return scene::LightType::disk;
     }
+}
+
+/// The document counts in double, the renderers in float.
+template <class To, class From>
+std::optional<To> converted(const std::optional<From>& value) {
+    if (!value) return {};
+    return To(*value);
+}
+
+scene::MaterialOverride to_scene_override(const projects::MaterialOverride& change) {
+    scene::MaterialOverride result;
+    result.base_colour = converted<glm::vec4>(change.base_colour);
+    result.metallic = converted<float>(change.metallic);
+    result.roughness = converted<float>(change.roughness);
+    result.emission = converted<glm::vec3>(change.emission);
+    result.normal_scale = converted<float>(change.normal_scale);
+    result.ior = converted<float>(change.ior);
+    result.transmission = converted<float>(change.transmission);
+    return result;
+}
+
+scene::Part to_scene_part(const projects::ScenePart& part, const std::filesystem::path& folder) {
+    scene::Part result;
+    result.source = projects::loadable_source(part.source, folder);
+    if (part.transform)
+        for (int i = 0; i < 16; ++i)
+            result.transform[i / 4][i % 4] = static_cast<float>((*part.transform)[i]);
+    for (const auto& [name, change] : part.materials) result.materials[name] = to_scene_override(change);
+    return result;
 }
 
 void set_camera(Experiment& result, const projects::Project& project, const std::string& id) {
@@ -90,9 +122,12 @@ Experiment from_project(const projects::Project& project, const projects::Experi
         throw Error("experiment '" + chosen.id + "' uses scene '" + experiment.scene +
                     "', which the project does not have");
     Experiment result;
-    result.scene = projects::loadable_source(scene->parts.front().source, folder);
+    for (const auto& part : scene->parts) result.parts.push_back(to_scene_part(part, folder));
+    result.scene = scene::composition_name(result.parts);
     result.method = experiment.method;
-    result.settings = experiment.values;
+    const auto* method = registry().find(experiment.method);
+    // Values of a method that this build lacks cannot be checked; whoever runs it hears of that.
+    result.settings = method ? projects::runnable_settings(chosen, *method) : experiment.values;
     result.width = experiment.size.x;
     result.height = experiment.size.y;
     result.seed = experiment.seed;

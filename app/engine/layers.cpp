@@ -95,7 +95,7 @@ ImageAttributes Execution::attributes() const {
     result["interreflect.method"] = method_->description.id;
     result["interreflect.method_version"] = std::to_string(method_->description.version);
     for (const auto& [key, value] : settings_) result["interreflect.set." + key] = to_string(value);
-    result["interreflect.scene"] = experiment_.scene;
+    result["interreflect.scene"] = scene::composition_name(experiment_.composition());
     result["interreflect.scene_hash"] = scene_->content_hash;
     result["interreflect.seed"] = std::to_string(experiment_.seed);
     result["interreflect.frames"] = std::to_string(frame_);

@@ -9,8 +9,25 @@ std::shared_ptr<const scene::Scene> SceneCache::load(const std::string& name) {
     return entry;
 }
 
+std::shared_ptr<const scene::Scene> SceneCache::load(const std::vector<scene::Part>& parts) {
+    const auto key = scene::composition_key(parts);
+    if (parts.size() == 1 && key == parts.front().source) return load(key);
+    std::erase_if(compositions_, [](const auto& entry) { return entry.second.expired(); });
+    auto composed = compositions_[key].lock();
+    if (!composed) {
+        composed = std::make_shared<scene::Scene>(
+            scene::compose(parts, [this](const std::string& name) { return load(name); }));
+        compositions_[key] = composed;
+    }
+    // A window asks for the summary first and for the picture next.
+    newest_composition_ = composed;
+    return composed;
+}
+
 void SceneCache::forget(const std::string& name) {
     scenes_.erase(name);
+    compositions_.clear();
+    newest_composition_.reset();
 }
 
 Machine::Machine(const Options& options) : options_(options) {

@@ -32,7 +32,7 @@ struct RenderThread::State {
     std::mutex mutex;
     std::condition_variable wake;
     std::map<std::string, Waiting> waiting;  ///< newest request by tag
-    std::deque<std::string> scenes;
+    std::deque<std::vector<scene::Part>> scenes;
     std::map<std::string, Waiting> latest;  ///< by tag, to run again after a reload
     std::string running_tag;
     Clock::time_point running_since;
@@ -43,7 +43,7 @@ struct RenderThread::State {
 
     void render_loop();
     void render_request(LiveSession& session, Waiting job);
-    void render_scene(Machine& machine, const std::string& name);
+    void render_scene(Machine& machine, const std::vector<scene::Part>& parts);
     void render_reload(Machine& machine, LiveSession& session);
     bool newer_is_waiting(const std::string& tag) {
         const std::lock_guard lock(mutex);
@@ -79,9 +79,9 @@ std::uint64_t RenderThread::request(LiveRequest request) {
     return serial;
 }
 
-void RenderThread::load_scene(std::string name) {
+void RenderThread::load_scene(std::vector<scene::Part> parts) {
     const std::lock_guard lock(state_->mutex);
-    state_->scenes.push_back(std::move(name));
+    state_->scenes.push_back(std::move(parts));
     state_->wake.notify_all();
 }
 
@@ -116,7 +116,7 @@ void RenderThread::State::render_loop() {
     }
     for (;;) {
         Waiting job;
-        std::string scene;
+        std::vector<scene::Part> scene;
         bool has_job = false, has_scene = false, check_shaders = false;
         {
             std::unique_lock lock(mutex);
@@ -183,9 +183,9 @@ void RenderThread::State::render_request(LiveSession& session, Waiting job) {
     }
 }
 
-void RenderThread::State::render_scene(Machine& machine, const std::string& name) {
+void RenderThread::State::render_scene(Machine& machine, const std::vector<scene::Part>& parts) {
     try {
-        const auto scene = machine.scenes().load(name);
+        const auto scene = machine.scenes().load(parts);
         if (callbacks.on_scene) callbacks.on_scene(summarise(*scene));
     } catch (const std::exception& error) {
         if (callbacks.on_failure) callbacks.on_failure("scene", error.what(), false);

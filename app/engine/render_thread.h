@@ -65,7 +65,7 @@ class RenderThread {
     /// Drops an older request of the same tag that waits or runs. Returns the request's serial.
     std::uint64_t request(LiveRequest request);
     /// Loads a scene and reports its summary.
-    void load_scene(std::string name);
+    void load_scene(std::vector<scene::Part> parts);
     void cancel(const std::string& tag);
     /// Asks for reload of changed shaders; affected executions run again.
     void reload_shaders();

@@ -16,7 +16,7 @@ class Renderer : public QObject {
   public:
     using QObject::QObject;
     virtual std::uint64_t request(engine::LiveRequest request) = 0;
-    virtual void load_scene(const std::string& name) = 0;
+    virtual void load_scene(const std::vector<scene::Part>& parts) = 0;
     virtual void cancel(const std::string& tag) = 0;
     virtual void reload_shaders() = 0;
 

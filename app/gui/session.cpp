@@ -139,7 +139,7 @@ void Session::update_request() {
         if (!reason.empty()) throw Error(reason);
         auto wanted = resolved(*chosen);
         if (!wanted) return set_state(State::rendering);
-        load_scene(wanted->scene);
+        load_scene(wanted->composition());
         if (moved_pose_) wanted = with_pose(std::move(*wanted), *moved_pose_);
         const std::string text =
             signature(*wanted) + "\n" + shown_ + " " + std::to_string(level_) + " " + std::to_string(layer_);
@@ -166,12 +166,13 @@ std::optional<engine::Experiment> Session::resolved(const projects::Experiment& 
     return wanted;
 }
 
-void Session::load_scene(const std::string& name) {
-    if (name == scene_name_) return;
-    scene_name_ = name;
+void Session::load_scene(const std::vector<scene::Part>& parts) {
+    const auto key = scene::composition_key(parts);
+    if (key == scene_key_) return;
+    scene_key_ = key;
     scene_.reset();
     emit scene_changed();
-    renderer_.load_scene(name);
+    renderer_.load_scene(parts);
 }
 
 void Session::send_request(const engine::Experiment& experiment, const std::string& signature) {

@@ -104,7 +104,7 @@ class Session : public QObject {
     void update_request();
     /// The experiment as it runs; nothing while its environment map is still being read.
     std::optional<engine::Experiment> resolved(const projects::Experiment& chosen);
-    void load_scene(const std::string& name);
+    void load_scene(const std::vector<scene::Part>& parts);
     void send_request(const engine::Experiment& experiment, const std::string& signature);
     void set_state(State state, const std::string& text = {});
     void on_result(std::shared_ptr<const engine::LiveResult> result);
@@ -115,7 +115,7 @@ class Session : public QObject {
     Renderer& renderer_;
     const Registry& registry_;
     std::unique_ptr<projects::OpenProject> project_;
-    std::string experiment_id_, shown_, scene_name_, signature_, state_text_;
+    std::string experiment_id_, shown_, scene_key_, signature_, state_text_;
     int level_ = 0, layer_ = 0;
     bool thumbnails_ = true;
     State state_ = State::empty;

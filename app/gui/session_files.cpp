@@ -82,7 +82,7 @@ void Session::close() {
     moved_pose_.reset();
     memory_ = projects::Json::object();
     signature_.clear();
-    scene_name_.clear();
+    scene_key_.clear();
     shown_.clear();
     experiment_id_.clear();
     level_ = layer_ = 0;

@@ -23,7 +23,7 @@ void write_light(std::ostream& out, const scene::Light& l) {
 std::string signature(const engine::Experiment& e) {
     std::ostringstream out;
     out.precision(17);
-    out << e.scene << '\n' << e.method << '\n';
+    out << scene::composition_key(e.composition()) << '\n' << e.method << '\n';
     for (const auto& [key, value] : e.settings) out << key << '=' << to_string(value) << '\n';
     out << e.camera_name << '\n';
     if (e.camera) write_camera(out, *e.camera);

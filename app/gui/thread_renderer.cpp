@@ -15,7 +15,7 @@ class ThreadRenderer final : public Renderer {
     std::uint64_t request(engine::LiveRequest request) override {
         return thread_->request(std::move(request));
     }
-    void load_scene(const std::string& name) override { thread_->load_scene(name); }
+    void load_scene(const std::vector<scene::Part>& parts) override { thread_->load_scene(parts); }
     void cancel(const std::string& tag) override { thread_->cancel(tag); }
     void reload_shaders() override { thread_->reload_shaders(); }
 

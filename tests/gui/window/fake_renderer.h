@@ -50,8 +50,8 @@ class FakeRenderer final : public Renderer {
         if (!hold) QTimer::singleShot(0, this, [this, request, serial] { answer(request, serial); });
         return serial;
     }
-    void load_scene(const std::string& name) override {
-        QTimer::singleShot(0, this, [this, name] {
+    void load_scene(const std::vector<scene::Part>& parts) override {
+        QTimer::singleShot(0, this, [this, name = scene::composition_name(parts)] {
             engine::SceneSummary summary;
             summary.name = name;
             summary.cameras = {"front", "side"};
