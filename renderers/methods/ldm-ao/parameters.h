@@ -15,7 +15,7 @@ struct Parameters {
     Transport transport;
     SelfHit self_hit = SelfHit::tangent_plane;
     float self_hit_tolerance = 3;
-    float slope_tolerance = 0.05f;
+    float slope_tolerance = 0.35f;
     bool search_neighbours = true;
     float normal_offset = 1;
     bool progressive = false;

@@ -26,6 +26,12 @@ struct LdmHit {
 /// Least |n·v| that slopes are computed with: they become infinite where a surface is seen edge on.
 const float LDM_LEAST_FACING = 0.02;
 
+/// Most that the slope may add to the tolerance, in texels, so that grazing rays see walls of two texels.
+const float LDM_MOST_TOLERANCE = 1.5;
+
+/// |n·v| below which a ray grazes the surface.
+const float LDM_GRAZING = 0.08;
+
 vec3 ldm_project(MapFrame frame, vec3 position_ws) {
     return vec3(dot(position_ws, frame.u.xyz) + frame.u.w, dot(position_ws, frame.v.xyz) + frame.v.w,
                 dot(position_ws, frame.depth.xyz) + frame.depth.w);
@@ -39,11 +45,12 @@ int ldm_quantum(float depth) {
     return int(clamp(depth, -500000.0, 500000.0));
 }
 
-/// One texel's answer; `plane` is the depth of the tangent plane at its centre.
-LdmHit ldm_ask(uint map, ivec2 texel, int resolution, float plane, float tolerance, bool forward, float reach) {
+/// One texel's answer; `plane` is the depth of the tangent plane at its centre. With `any_hit` the distance is
+/// that of any hit, and `own` is only known where nothing is hit.
+LdmHit ldm_ask(uint map, ivec2 texel, int resolution, float plane, float tolerance, bool forward, float reach,
+               bool any_hit) {
     int low = ldm_quantum(ceil(plane - tolerance)), high = ldm_quantum(floor(plane + tolerance));
     int key = forward ? high + 1 : low;
-    bool any_hit = isinf(reach);
     LdmNeighbours near = any_hit ? ldm_any(map, texel, resolution, key, forward)
                                  : ldm_neighbours(map, texel, resolution, key);
     LdmHit hit = LdmHit(false, 0.0, false, false, 0);
@@ -70,10 +77,16 @@ LdmHit ldm_trace_tangent(MapFrame frame, uint map, int resolution, vec3 position
     float facing = max(abs(dot(normal_ws, frame.direction.xyz)), LDM_LEAST_FACING) * (forward ? 1.0 : -1.0);
     vec2 slope = vec2(dot(normal_ws, frame.step_u.xyz), dot(normal_ws, frame.step_v.xyz)) /
                  (-facing * frame.direction.w);
-    float tolerance = rule.quanta + rule.slope * (abs(slope.x) + abs(slope.y));
+    float texel_size = max(length(frame.step_u.xyz), length(frame.step_v.xyz));
+    float tolerance = rule.quanta + min(rule.slope * (abs(slope.x) + abs(slope.y)),
+                                        LDM_MOST_TOLERANCE * texel_size / frame.direction.w);
     vec2 to_centre = vec2(texel) + 0.5 - p.xy;
-    LdmHit hit = ldm_ask(map, texel, resolution, p.z + dot(slope, to_centre), tolerance, forward, reach);
-    if (hit.found || hit.own || !rule.other_texels) return hit;
+    LdmHit hit = ldm_ask(map, texel, resolution, p.z + dot(slope, to_centre), tolerance, forward, reach,
+                         isinf(reach));
+    // A ray that grazes the surface meets the tangent plane more than a texel away when it is moved to a texel's
+    // centre, perhaps behind a wall: it is only open if all texels around x say so.
+    bool grazing = abs(facing) < LDM_GRAZING;
+    if (hit.found || (hit.own && !grazing) || !rule.other_texels) return hit;
     // The three other texels whose centres surround x, nearest first.
     ivec2 side = ivec2(to_centre.x > 0.0 ? -1 : 1, to_centre.y > 0.0 ? -1 : 1);
     bool along_u = abs(to_centre.x) > abs(to_centre.y);
@@ -82,8 +95,8 @@ LdmHit ldm_trace_tangent(MapFrame frame, uint map, int resolution, vec3 position
         ivec2 other = texel + side * ivec2(moved);
         if (ldm_is_outside(other, resolution)) continue;
         LdmHit second = ldm_ask(map, other, resolution, p.z + dot(slope, vec2(other) + 0.5 - p.xy), tolerance,
-                                forward, reach);
-        if (second.own) return second;
+                                forward, reach, false);
+        if (second.found ? second.own || grazing : second.own && !grazing) return second;
     }
     return hit;
 }
