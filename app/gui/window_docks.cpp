@@ -81,6 +81,7 @@ void MainWindow::make_docks() {
     timings_ = new widgets::RowsPanel(widgets::timing_headings(),
                                       tr("Times appear when a frame has been rendered."));
     timings_->view()->setRootIsDecorated(false);
+    timings_->set_name_width(80);
     counters_ =
         new widgets::RowsPanel(widgets::counter_headings(), tr("This method has counted nothing yet."));
     counters_->view()->setRootIsDecorated(false);

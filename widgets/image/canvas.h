@@ -42,7 +42,8 @@ Canvas* make_gl_canvas(const CanvasState& state, QWidget* parent);
 Canvas* make_raster_canvas(const CanvasState& state, QWidget* parent);
 bool has_opengl();
 
-/// Pixel grid, numbers in pixels, hint, note and stale badge: over the picture, the same on both surfaces.
-void paint_overlay(QPainter& painter, const CanvasState& state, qreal device_pixel_ratio);
+/// Pixel grid, numbers in pixels, hint, note and stale badge: a transparent widget that lies over either
+/// surface.
+QWidget* make_overlay(const CanvasState& state, QWidget* parent);
 
 }  // namespace ir::widgets

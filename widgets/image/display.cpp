@@ -99,11 +99,14 @@ Display display_for(Semantic semantic, const std::string& map, const Image& imag
             display.mode = Display::Mode::vector;
             display.low = -1;
             break;
-        case Semantic::velocity:
+        case Semantic::velocity: {
+            // Rounding in a still picture is not to look like motion.
+            const double fastest = std::max(largest, 1e-3);
             display.mode = Display::Mode::vector;
-            display.low = -largest;
-            display.high = largest;
+            display.low = -fastest;
+            display.high = fastest;
             break;
+        }
         case Semantic::position:
             display.mode = Display::Mode::vector;
             automatic();

@@ -4,7 +4,6 @@
 #include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
 #include <QOpenGLWidget>
-#include <QPainter>
 #include <memory>
 
 #include "renderers/image/colour_map.h"
@@ -128,8 +127,6 @@ class GlCanvas final : public QOpenGLWidget, public Canvas {
         gl.glClearColor(surround_colour.redF(), surround_colour.greenF(), surround_colour.blueF(), 1);
         gl.glClear(GL_COLOR_BUFFER_BIT);
         if (!state_.shown.empty() && program_ && program_->isLinked()) draw_picture(gl);
-        QPainter painter(this);
-        paint_overlay(painter, state_, devicePixelRatioF());
     }
 
   private:

@@ -30,6 +30,8 @@ ImageView::ImageView(QWidget* parent, Surface surface) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(canvas_->widget());
+    overlay_ = make_overlay(state_, this);
+    overlay_->raise();
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
@@ -49,6 +51,7 @@ void ImageView::set_image(Image image, Semantic semantic) {
     state_.shown = shown_channels(state_.image, state_.display.channel);
     state_.transform.set_image_size(QSizeF(state_.image.width, state_.image.height));
     canvas_->image_changed();
+    overlay_->update();
     emit zoom_changed(state_.transform.zoom());
 }
 
@@ -56,6 +59,7 @@ void ImageView::set_note(const QString& note) {
     state_.image = state_.shown = {};
     state_.note = note;
     canvas_->image_changed();
+    overlay_->update();
 }
 
 void ImageView::set_display(const Display& display) {
@@ -64,12 +68,18 @@ void ImageView::set_display(const Display& display) {
     state_.display = display;
     if (other_channels) state_.shown = shown_channels(state_.image, display.channel);
     other_channels ? canvas_->image_changed() : canvas_->display_changed();
+    overlay_->update();
 }
 
 void ImageView::set_stale(bool stale) {
     if (stale == state_.stale) return;
     state_.stale = stale;
+    repaint_all();
+}
+
+void ImageView::repaint_all() {
     canvas_->widget()->update();
+    overlay_->update();
 }
 
 void ImageView::set_tool(Tool tool) {
@@ -87,7 +97,7 @@ void ImageView::update_hint() {
                   : tool_ == Tool::fly
                       ? tr("Fly: drag to look  ·  W A S D to move, Q E down and up  ·  Shift is faster")
                       : QString();
-    canvas_->widget()->update();
+    repaint_all();
 }
 
 void ImageView::update_cursor_shape() {
@@ -98,7 +108,7 @@ void ImageView::update_cursor_shape() {
 }
 
 void ImageView::transform_changed() {
-    canvas_->widget()->update();
+    repaint_all();
     emit zoom_changed(state_.transform.zoom());
 }
 
@@ -126,7 +136,7 @@ void ImageView::zoom_out() {
 
 void ImageView::set_pixel_grid(bool on) {
     state_.pixel_grid = on;
-    canvas_->widget()->update();
+    repaint_all();
 }
 
 QPoint ImageView::pixel_at(QPointF logical) const {
@@ -138,6 +148,7 @@ QPoint ImageView::pixel_at(QPointF logical) const {
 }
 
 void ImageView::resizeEvent(QResizeEvent*) {
+    overlay_->setGeometry(rect());
     state_.transform.set_view_size(QSizeF(size()) * devicePixelRatioF());
     transform_changed();
 }
@@ -193,7 +204,7 @@ void ImageView::drag_camera(QPointF delta) {
 void ImageView::mouseReleaseEvent(QMouseEvent* event) {
     if (drag_ == Drag::pick) {
         state_.picked = pixel_at(event->position());
-        canvas_->widget()->update();
+        repaint_all();
         emit picked_changed(state_.picked);
     }
     const bool moved_camera = drag_ == Drag::orbit || drag_ == Drag::slide || drag_ == Drag::look;

@@ -80,6 +80,7 @@ class ImageView : public QWidget {
     void finish_gesture();
     void fly_step();
     void transform_changed();
+    void repaint_all();
     void update_hint();
     void update_cursor_shape();
     QPointF device(QPointF logical) const { return logical * devicePixelRatioF(); }
@@ -87,6 +88,7 @@ class ImageView : public QWidget {
 
     CanvasState state_;
     Canvas* canvas_;
+    QWidget* overlay_;
     Tool tool_ = Tool::inspect;
     CameraPose pose_;
     Drag drag_ = Drag::none;

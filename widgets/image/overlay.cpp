@@ -104,11 +104,8 @@ void paint_picked(QPainter& painter, const CanvasState& state, qreal ratio) {
     painter.drawRect(box);
 }
 
-}  // namespace
-
 void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
     painter.save();
-    painter.resetTransform();
     painter.scale(1 / ratio, 1 / ratio);  // everything below is in device pixels
     const QRectF view({0, 0}, state.transform.view_size());
     if (!state.image.empty()) {
@@ -126,6 +123,29 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
     if (state.stale && !state.image.empty())
         paint_badge(painter, view, QStringLiteral("rendering …"), Qt::AlignRight | Qt::AlignTop, ratio);
     painter.restore();
+}
+
+class Overlay final : public QWidget {
+  public:
+    Overlay(const CanvasState& state, QWidget* parent) : QWidget(parent), state_(state) {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setAttribute(Qt::WA_NoSystemBackground);
+    }
+
+  protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        paint_overlay(painter, state_, devicePixelRatioF());
+    }
+
+  private:
+    const CanvasState& state_;
+};
+
+}  // namespace
+
+QWidget* make_overlay(const CanvasState& state, QWidget* parent) {
+    return new Overlay(state, parent);
 }
 
 }  // namespace ir::widgets

@@ -33,7 +33,6 @@ class RasterCanvas final : public QWidget, public Canvas {
             painter.drawImage(QRectF(t.offset(), t.image_size() * t.zoom()), coloured_);
             painter.restore();
         }
-        paint_overlay(painter, state_, ratio);
     }
 
   private:

@@ -41,11 +41,10 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
 
     auto* title = new QLabel(tr("Interreflect"), content);
     title->setStyleSheet(QStringLiteral("font-size: 26px; font-weight: bold;"));
-    auto* text =
-        new QLabel(tr("Open a scene, run methods of global illumination on it, look inside every buffer, "
-                      "and keep the whole as a project.\n\nDrop a project, a .gltf or a .glb file here."),
-                   content);
-    text->setWordWrap(true);
+    auto* text = new QLabel(
+        tr("Open a scene, run methods of global illumination on it,\nlook inside every buffer, and "
+           "keep the whole as a project.\n\nDrop a project, a .gltf or a .glb file here."),
+        content);
     grid->addWidget(title, 0, 0, 1, 2);
     grid->addWidget(text, 1, 0, 1, 2);
 

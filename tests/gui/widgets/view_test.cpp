@@ -97,6 +97,40 @@ TEST_P(EachSurface, ExposureDoublesLightPerStop) {
     EXPECT_NEAR(colour_at(view, 1.1, 1.1).red(), expected[0], 1);
 }
 
+/// How many pixels of the middle of a zoomed pixel are not of its flat colour.
+int written_pixels(ImageView& view, QPoint pixel, const QColor& flat) {
+    const QImage shot = view.grab().toImage();
+    int count = 0;
+    for (double v = 0.1; v < 0.9; v += 0.02)
+        for (double u = 0.1; u < 0.9; u += 0.02) {
+            const QPointF at = view.transform().view_from_image({pixel.x() + u, pixel.y() + v});
+            count += shot.pixelColor(at.toPoint()) != flat;
+        }
+    return count;
+}
+
+TEST_P(EachSurface, WritesNumbersIntoLargePixels) {
+    ImageView view(nullptr, surface());
+    view.set_image(corners(), Semantic::radiance);
+    show(view);
+    view.look_at({4, 4}, 64);
+    EXPECT_GT(written_pixels(view, {3, 3}, QColor(255, 0, 0)), 20);
+    view.set_pixel_grid(false);
+    EXPECT_EQ(written_pixels(view, {3, 3}, QColor(255, 0, 0)), 0);
+}
+
+TEST_P(EachSurface, SaysHowAToolIsUsedAndThatAPictureIsOld) {
+    ImageView view(nullptr, surface());
+    view.set_image(corners(), Semantic::radiance);
+    show(view, {640, 300});
+    const QImage plain = view.grab().toImage();
+    view.set_stale(true);
+    const QImage stale = view.grab().toImage();
+    EXPECT_NE(plain, stale);
+    view.set_tool(ImageView::Tool::orbit);
+    EXPECT_NE(view.grab().toImage(), stale);
+}
+
 TEST_P(EachSurface, SurvivesAMoveToAnotherWindow) {
     QMainWindow first, second;
     auto* view = new ImageView(nullptr, surface());
