@@ -28,6 +28,12 @@ const Value& value_of(const ParameterDescription& parameter, const Settings& set
     return found == settings.end() ? parameter.default_value : found->second;
 }
 
+/// Methods hold numbers in single precision, so what differs only beyond it is no change.
+bool is_same(const Value& a, const Value& b) {
+    const auto *x = std::get_if<double>(&a), *y = std::get_if<double>(&b);
+    return x && y ? static_cast<float>(*x) == static_cast<float>(*y) : a == b;
+}
+
 /// "Only active when Paths is Indirect light or Full."
 QString why_inactive(const ParameterDescription& parameter, const std::vector<ParameterDescription>& all) {
     const auto* other = find(all, parameter.active_when.key);
@@ -74,7 +80,7 @@ RowState row_state(const ParameterDescription& parameter, const std::vector<Para
                    const Settings& settings) {
     RowState state;
     state.enabled = is_active(parameter, settings);
-    state.changed = value_of(parameter, settings) != parameter.default_value;
+    state.changed = !is_same(value_of(parameter, settings), parameter.default_value);
     state.tooltip = tooltip_of(parameter);
     if (!state.enabled)
         state.tooltip = QStringLiteral("<p><i>%1</i></p>").arg(why_inactive(parameter, all).toHtmlEscaped()) +

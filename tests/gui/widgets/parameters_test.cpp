@@ -140,13 +140,14 @@ TEST_F(PanelTest, InactiveRowsSayWhyAndWakeUp) {
 
 TEST_F(PanelTest, EnterWithoutTypingKeepsHiddenDigits) {
     values["mode"] = std::string("fancy");
+    values["radius"] = 0.123456789;
     panel.set_values(values);
     auto* field = in<NumberField>("radius");
-    EXPECT_EQ(field->text(), "0.1 m");
+    EXPECT_EQ(field->text(), "0.1234568 m");
     field->setFocus();
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_EQ(edits, 0);
-    EXPECT_EQ(values["radius"], Value(double(0.1f)));
+    EXPECT_EQ(values["radius"], Value(0.123456789));
 }
 
 TEST_F(PanelTest, ReadOnlyDisablesEverything) {
@@ -168,6 +169,11 @@ TEST(RowState, TooltipNamesKeyRangeDefaultAndSource) {
         EXPECT_TRUE(state.tooltip.contains(QString::fromUtf8(part))) << part;
     EXPECT_FALSE(state.changed);
     EXPECT_FALSE(state.enabled);
+    const auto changed = [&](double radius) {
+        return row_state(*find(parameters, "radius"), parameters, {{"radius", radius}}).changed;
+    };
+    EXPECT_FALSE(changed(double(0.1f)));  // as older files hold it
+    EXPECT_TRUE(changed(0.11));
 }
 
 TEST(SliderMapping, IsInverseForLinearAndLogarithmicRanges) {
