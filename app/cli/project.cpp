@@ -5,6 +5,7 @@
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
 #include "projects/check.h"
+#include "projects/pack.h"
 #include "projects/results.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"
@@ -17,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 struct Flags {
     MachineFlags machine;
-    std::string project;
+    std::string project, pack, unpack;
     bool check = false, upgrade = false, verify = false, prune = false, json = false;
 };
 
@@ -43,13 +44,18 @@ void print(const std::vector<Message>& messages) {
     for (const auto& message : messages) std::cout << word(message.severity) << ": " << message.text << "\n";
 }
 
+Json sources(const projects::Scene& scene) {
+    Json list = Json::array();
+    for (const auto& part : scene.parts) list.push_back(part.source);
+    return list;
+}
+
 Json summary(const projects::LoadedProject& loaded) {
     const auto& project = loaded.project;
     Json json{{"name", project.name}, {"schema", project.schema}, {"folder", loaded.folder.string()}};
     json["scenes"] = Json::array();
     for (const auto& scene : project.scenes)
-        json["scenes"].push_back(
-            {{"id", scene.id}, {"name", scene.name}, {"source", scene.parts.front().source}});
+        json["scenes"].push_back({{"id", scene.id}, {"name", scene.name}, {"sources", sources(scene)}});
     json["experiments"] = Json::array();
     for (const auto& experiment : project.experiments)
         json["experiments"].push_back(
@@ -96,8 +102,30 @@ Json verify_all(const Flags& flags, const projects::LoadedProject& loaded) {
     return rows;
 }
 
+int pack(const Flags& flags) {
+    const auto messages = projects::pack_project(flags.project, flags.pack, engine::registry());
+    if (flags.json) {
+        std::cout << Json{{"packed", flags.pack}, {"messages", to_json(messages)}}.dump(2) << "\n";
+        return done;
+    }
+    print(messages);
+    std::cout << flags.pack << " written\n";
+    return done;
+}
+
+int unpack(const Flags& flags) {
+    const auto folder = projects::unpack_project(flags.project, flags.unpack);
+    if (flags.json)
+        std::cout << Json{{"folder", folder.string()}}.dump(2) << "\n";
+    else
+        std::cout << folder.string() << " written\n";
+    return done;
+}
+
 int run_project(const Flags& flags) {
     const auto& registry = engine::registry();
+    if (!flags.pack.empty()) return pack(flags);
+    if (!flags.unpack.empty()) return unpack(flags);
     if (flags.upgrade) {
         const auto changes = projects::upgrade_project(flags.project, registry);
         flags.json ? void(std::cout << Json{{"changes", to_json(changes)}}.dump(2) << "\n") : print(changes);
@@ -152,12 +180,19 @@ int run_project(const Flags& flags) {
 void add_project(CLI::App& app, Run& run) {
     auto flags = std::make_shared<Flags>();
     auto* command = app.add_subcommand("project", "What a project holds; checks and mends it");
-    command->add_option("PROJECT", flags->project, "Project folder or its project.json")->required();
+    command
+        ->add_option("PROJECT", flags->project,
+                     "Project folder or its project.json; for --unpack the packed file")
+        ->required();
     auto* actions = command->add_option_group("action");
     actions->add_flag("--check", flags->check, "Look for missing or changed files, unknown keys and methods");
     actions->add_flag("--upgrade", flags->upgrade, "Rewrite with the newest schema");
     actions->add_flag("--verify", flags->verify, "Render kept results again and compare");
     actions->add_flag("--prune", flags->prune, "Remove results that no experiment needs");
+    actions->add_option("--pack", flags->pack,
+                        "Write the project with its scenes, images and kept results to one file");
+    actions->add_option("--unpack", flags->unpack,
+                        "Unpack into a new folder NAME.interreflect inside this folder");
     actions->require_option(0, 1);
     command->add_flag("--json", flags->json, "Print one JSON object");
     add_machine_flags(*command, flags->machine);
