@@ -47,9 +47,14 @@ void declare_trace(graph::GraphBuilder& builder, const std::string& name, const 
         context.bind_texture(1, gbuffer.normal);
         context.bind_texture(2, gbuffer.geometric_normal);
         context.bind_storage_image(0, sums);
+        static_assert(sizeof(ldm::MapFrame) == 6 * sizeof(glm::vec4));
+        const auto rows = context.api().GetUniformLocation(program.name(), "frame_rows");
         for (auto first = slice.begin; first < slice.end; first += directions_per_dispatch) {
             const auto count = std::min(directions_per_dispatch, slice.end - first);
-            program.set("first_frame", static_cast<unsigned>(maps->first_map(batch) + first));
+            const auto frame = maps->first_map(batch) + first;
+            context.api().ProgramUniform4fv(program.name(), rows, static_cast<GLsizei>(6 * count),
+                                            &maps->frames[static_cast<std::size_t>(frame)].u.x);
+            program.set("first_frame", static_cast<unsigned>(frame));
             program.set("first_map", static_cast<unsigned>(first));
             program.set("map_count", static_cast<unsigned>(count));
             dispatch_over(context, program, sums);

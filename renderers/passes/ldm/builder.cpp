@@ -181,6 +181,8 @@ std::shared_ptr<const Maps> declare_maps(graph::GraphBuilder& builder, const Opt
     maps->options = options;
     maps->layout = make_layout(builder, options);
     maps->directions = leopardi_directions(options.directions);
+    maps->frames =
+        fit_frames(maps->directions, options.rotation, builder.inputs().world->bounds, options.resolution);
     maps->storage = make_storage(builder, options.storage, maps->layout);
     declare_list(builder, *maps);
     declare_counters(builder, *maps);
@@ -192,9 +194,7 @@ std::shared_ptr<const Maps> declare_maps(graph::GraphBuilder& builder, const Opt
                                          .fields = frame_fields(),
                                          .elements = static_cast<std::uint64_t>(options.directions)});
     builder.pass("map frames").writes(maps->frame_buffer).execute([maps](graph::PassContext& context) {
-        const auto frames = fit_frames(maps->directions, maps->options.rotation,
-                                       context.inputs().world->bounds, maps->options.resolution);
-        context.upload(maps->frame_buffer, std::as_bytes(std::span(frames)));
+        context.upload(maps->frame_buffer, std::as_bytes(std::span(maps->frames)));
     });
     if (maps->layout.batches() > 1)
         builder.note("the maps are built and traced in " + std::to_string(maps->layout.batches()) +

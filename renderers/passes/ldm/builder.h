@@ -31,6 +31,7 @@ struct Maps {
     Options options;
     Layout layout;
     std::vector<Direction> directions;
+    std::vector<MapFrame> frames;
     std::shared_ptr<const Storage> storage;
     graph::BufferRef frame_buffer;  ///< "ldm.frames"
     FragmentList list;

@@ -15,6 +15,8 @@ layout(binding = 0, rgba32f) uniform image2D sums;
 layout(binding = 0, rg32f) uniform image2D sums;
 #endif
 
+/// Of the dispatch's maps. Uniforms cost software drivers one load for all invocations, buffers one for each.
+uniform vec4 frame_rows[16 * 6];
 uniform uint first_frame, first_map, map_count;  // among all maps; in the batch
 
 /// 1 beyond d_max; below it 0 or (d/d_max)². [Aalund15 §3.3]
@@ -39,7 +41,9 @@ void main() {
                            bool(params.search_neighbours));
     const float unlimited = 1.0 / 0.0;
     for (uint i = 0u; i < map_count; ++i) {
-        MapFrame frame = ldm_frames[first_frame + i];
+        uint row = 6u * i;
+        MapFrame frame = MapFrame(frame_rows[row], frame_rows[row + 1u], frame_rows[row + 2u],
+                                  frame_rows[row + 3u], frame_rows[row + 4u], frame_rows[row + 5u]);
         float cosine = dot(normal, frame.direction.xyz);
         bool forward = cosine > 0.0;
         cosine = abs(cosine);
