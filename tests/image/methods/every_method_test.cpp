@@ -1,0 +1,257 @@
+// What every method owes, tested from its description alone.
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "renderers/core/describe.h"
+#include "tests/image/methods/every_method.h"
+#include "tests/unit/gl/context_fixture.h"
+
+namespace ir::test {
+namespace {
+
+class EveryMethod : public testing::TestWithParam<const graph::Method*> {
+  protected:
+    static void TearDownTestSuite() { machines().clear(); }
+    const graph::Method& method() const { return *GetParam(); }
+    const MethodDescription& description() const { return GetParam()->description; }
+};
+
+std::string method_name(const testing::TestParamInfo<const graph::Method*>& info) {
+    auto name = info.param->description.id;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+INSTANTIATE_TEST_SUITE_P(, EveryMethod, testing::ValuesIn(methods::all_methods()), method_name);
+
+TEST_P(EveryMethod, DefaultsLieInBothRanges) {
+    for (const auto& p : description().parameters) {
+        EXPECT_NO_THROW(p.checked(p.default_value)) << p.key;
+        if (p.type == ParameterType::toggle || p.type == ParameterType::choice) continue;
+        const double value = p.type == ParameterType::number
+                                 ? std::get<double>(p.default_value)
+                                 : static_cast<double>(std::get<std::int64_t>(p.default_value));
+        EXPECT_GE(value, p.soft.min) << p.key;
+        EXPECT_LE(value, p.soft.max) << p.key;
+        EXPECT_TRUE(std::isfinite(p.soft.min) && std::isfinite(p.soft.max)) << p.key << ": a slider has ends";
+        EXPECT_LE(p.hard.min, p.soft.min) << p.key;
+        EXPECT_GE(p.hard.max, p.soft.max) << p.key;
+    }
+}
+
+TEST_P(EveryMethod, ValuesSurviveTextAndCompletion) {
+    const auto& parameters = description().parameters;
+    EXPECT_EQ(completed(parameters, {}), defaults(parameters));
+    for (const auto& p : parameters) {
+        auto values = tried_values(p);
+        values.push_back(p.default_value);
+        for (const auto& value : values) {
+            EXPECT_EQ(p.parse(to_string(value)), value) << p.key;
+            EXPECT_EQ(completed(parameters, {{p.key, value}}).at(p.key), value) << p.key;
+        }
+        if (p.active_when.key.empty()) continue;
+        EXPECT_NE(find(parameters, p.active_when.key), nullptr) << p.key;
+        auto settings = defaults(parameters);
+        EXPECT_TRUE(activate(description(), p, settings)) << p.key << " is never active";
+    }
+    EXPECT_THROW(completed(parameters, {{"no such parameter", true}}), UsageError);
+}
+
+TEST_P(EveryMethod, DescribesItself) {
+    const auto json = nlohmann::json::parse(describe_json(description()));
+    EXPECT_EQ(json.at("id"), description().id);
+    const auto page = describe_markdown(description());
+    EXPECT_FALSE(description().title.empty());
+    EXPECT_FALSE(description().summary.empty());
+    for (const auto& p : description().parameters) {
+        EXPECT_NE(page.find("`" + p.key + "`"), std::string::npos) << p.key;
+        EXPECT_FALSE(p.label.empty()) << p.key;
+        EXPECT_FALSE(p.doc.empty()) << p.key;
+    }
+    for (const auto& output : description().outputs) {
+        EXPECT_NE(page.find("`" + output.key + "`"), std::string::npos) << output.key;
+        EXPECT_FALSE(output.doc.empty()) << output.key;
+    }
+}
+
+TEST_P(EveryMethod, OutputsExistAndAreFiniteWhereValid) {
+    for (const auto& scene : scenes) {
+        const auto frame = render(method(), quick_settings(description()), {.scene = scene});
+        ASSERT_FALSE(frame.main.empty());
+        EXPECT_FALSE(frame.valid.empty()) << "every method writes a valid mask";
+        for (const auto& output : description().outputs) {
+            const auto image = frame.images.find(output.key);
+            EXPECT_TRUE((image != frame.images.end() && !image->second.empty()) ||
+                        frame.buffers.count(output.key))
+                << output.key << " on " << scene;
+        }
+        const auto pixels = static_cast<std::size_t>(frame.main.width) * frame.main.height;
+        for (const auto& [key, texels] : frame.images) {
+            if (texels.empty() || texels.size() % pixels != 0) continue;  // not of the view's size
+            const auto channels = texels.size() / pixels;
+            for (std::size_t i = 0; i < texels.size(); ++i) {
+                const bool counts =
+                    frame.valid.empty() || channels > 4 || frame.valid.pixels[i / channels] > 0.5f;
+                ASSERT_TRUE(!counts || std::isfinite(texels[i])) << key << " at " << i << " on " << scene;
+            }
+        }
+    }
+}
+
+TEST_P(EveryMethod, SameSeedSameBits) {
+    const auto settings = quick_settings(description());
+    const Shot run{.scene = scenes.back(), .frames = 2};
+    const auto a = render(method(), settings, run), b = render(method(), settings, run);
+    ASSERT_EQ(a.main.pixels.size(), b.main.pixels.size());
+    EXPECT_EQ(std::memcmp(a.main.pixels.data(), b.main.pixels.data(), a.main.pixels.size() * sizeof(float)),
+              0);
+}
+
+TEST_P(EveryMethod, BothBackendsAgree) {
+    const auto settings = quick_settings(description());
+    for (const auto& scene : scenes) {
+        const auto egl = render(method(), settings, {.scene = scene, .backend = "egl"});
+        const auto osmesa = render(method(), settings, {.scene = scene, .backend = "osmesa"});
+        EXPECT_LT(difference(egl, osmesa), 0.01) << scene;
+    }
+}
+
+bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+bool same_outputs(const Frame& a, const Frame& b) {
+    for (const auto& [key, texels] : a.images)
+        if (!same_bits(texels, b.images.at(key))) return false;
+    return a.buffers == b.buffers;
+}
+
+/// Whether the parameter's values give different outputs somewhere.
+bool changes_outputs(const graph::Method& method, const ParameterDescription& p) {
+    const auto quick = quick_settings(method.description);
+    for (const bool middle : {false, true}) {
+        auto settings = middle ? middle_settings(method.description, quick) : quick;
+        if (!activate(method.description, p, settings)) return false;
+        for (const auto& scene : scenes) {
+            const Shot run{.scene = scene, .frames = middle ? 2 : 1};
+            std::vector<Frame> frames;
+            bool all_differ = true;
+            for (const auto& value : tried_values(p)) {
+                settings[p.key] = value;
+                frames.push_back(render(method, settings, run));
+                for (std::size_t i = 0; i + 1 < frames.size(); ++i)
+                    all_differ = all_differ && !same_outputs(frames[i], frames.back());
+            }
+            if (all_differ) return true;
+        }
+    }
+    return false;
+}
+
+TEST_P(EveryMethod, EveryImageParameterChangesAnOutput) {
+    for (const auto& p : description().parameters) {
+        if (p.effect != Effect::image || tried_values(p).size() < 2) continue;
+        EXPECT_TRUE(changes_outputs(method(), p)) << p.key;
+    }
+}
+
+/// What a cost parameter may change: counters, bytes, passes and their slices, but no picture.
+std::string costs(const FrameReport& report) {
+    std::string text = std::to_string(report.memory_bytes);
+    for (const auto& [key, value] : report.counters) text += ";" + key + "=" + std::to_string(value);
+    for (const auto& pass : report.passes) text += ";" + pass.name + (pass.culled ? " culled" : "");
+    for (const auto& resource : report.resources) text += ";" + resource.key + std::to_string(resource.bytes);
+    return text;
+}
+
+/// Mean absolute difference that a cost parameter may make, by scene. In the atrium, whose rails and leaves
+/// are thinner than a texel of quick settings, ways of storing differ in which of two near entries comes
+/// first.
+const std::map<std::string, double> cost_tolerance{{scenes.front(), 1e-3}, {scenes.back(), 5e-3}};
+
+TEST_P(EveryMethod, EveryCostParameterChangesOnlyCosts) {
+    for (const auto& p : description().parameters) {
+        if (p.effect != Effect::cost || tried_values(p).size() < 2) continue;
+        for (const auto& [scene, tolerance] : cost_tolerance) {
+            auto settings = quick_settings(description());
+            ASSERT_TRUE(activate(description(), p, settings)) << p.key;
+            std::vector<Frame> frames;
+            for (const auto& value : tried_values(p)) {
+                settings[p.key] = value;
+                frames.push_back(render(method(), settings, {.scene = scene}));
+                if (frames.size() == 1) continue;
+                const auto which = p.key + " = " + to_string(value) + " on " + scene;
+                EXPECT_LT(difference(frames[0], frames.back()), tolerance) << which;
+                EXPECT_NE(costs(frames[0].report), costs(frames.back().report)) << which;
+            }
+        }
+    }
+}
+
+/// GLSL that writes each parameter, as the generated block and defines give it, into a buffer.
+std::string reading_program(const std::vector<ParameterDescription>& parameters) {
+    std::string text =
+        "layout(local_size_x = 1) in;\nlayout(std430, binding = 0) buffer Out { float seen[]; };\n"
+        "void main() {\n";
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        auto name = parameters[i].key;
+        std::replace_if(
+            name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+        const bool define = parameters[i].on_change == OnChange::recompile;
+        if (define) std::transform(name.begin(), name.end(), name.begin(), ::toupper);
+        text += "    seen[" + std::to_string(i) + "] = float(" + (define ? name : "params." + name) + ");\n";
+    }
+    return text + "}\n";
+}
+
+float expected_in_glsl(const ParameterDescription& p, const Value& value) {
+    switch (p.type) {
+        case ParameterType::toggle:
+            return std::get<bool>(value) ? 1 : 0;
+        case ParameterType::choice:
+            return static_cast<float>(p.choice_index(std::get<std::string>(value)));
+        case ParameterType::integer:
+            return static_cast<float>(std::get<std::int64_t>(value));
+        default:
+            return static_cast<float>(std::get<double>(value));
+    }
+}
+
+TEST_P(EveryMethod, ShadersSeeEveryParameter) {
+    const auto& parameters = description().parameters;
+    if (parameters.empty()) return;
+    gl::ShaderFolder folder;
+    folder.write("read.comp", reading_program(parameters));
+    auto& device = machine().device();
+    gl::ProgramLibrary programs(machine().context(), folder.path());
+    for (const bool last : {false, true}) {
+        auto settings = defaults(parameters);
+        for (const auto& p : parameters)
+            settings[p.key] = last ? tried_values(p).back() : tried_values(p).front();
+        gl::ProgramSource source{{"read.comp"}};
+        source.preamble = gl::parameter_glsl(parameters, settings, gl::parameter_binding);
+        const auto& program = programs.get(source);
+        const auto& api = machine().context().api();
+        EXPECT_NO_THROW(gl::check_parameter_block(api, program.name(), parameters));
+        auto words = gl::parameter_block(parameters, settings);
+        words.push_back(0);
+        std::vector<float> seen(parameters.size(), -12345);
+        const auto block = device.create_buffer(4 * words.size(), "parameters");
+        const auto out = device.create_buffer(4 * seen.size(), "seen");
+        device.write_buffer(block, 0, std::as_bytes(std::span(words)));
+        program.use();
+        api.BindBufferBase(GL_SHADER_STORAGE_BUFFER, gl::parameter_binding, block);
+        api.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, out);
+        program.dispatch(1);
+        device.barrier();
+        device.read_buffer(out, 0, std::as_writable_bytes(std::span(seen)));
+        for (std::size_t i = 0; i < seen.size(); ++i)
+            EXPECT_EQ(seen[i], expected_in_glsl(parameters[i], settings.at(parameters[i].key)))
+                << parameters[i].key;
+        device.destroy_buffer(block);
+        device.destroy_buffer(out);
+    }
+}
+
+}  // namespace
+}  // namespace ir::test
