@@ -50,6 +50,19 @@ void take_screenshot(MainWindow& window, const QString& file) {
     if (window.is_settled()) timer->start();
 }
 
+/// Qt aborts where it finds no display, so that is looked at first; a screenshot needs none.
+void check_display(const Arguments& arguments) {
+#ifdef Q_OS_LINUX
+    for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        if (!qEnvironmentVariableIsEmpty(variable)) return;
+    if (arguments.screenshot.empty())
+        throw Error("no display; start it in a desktop session, or use interreflect-cli");
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+#else
+    (void)arguments;
+#endif
+}
+
 int run_window(const Arguments& arguments) {
     engine::Machine::Options machine;
     machine.backend = arguments.backend;
@@ -87,6 +100,7 @@ int run(int argc, char** argv) {
             !MainWindow::layout_names().contains(QString::fromStdString(arguments.layout)))
             throw UsageError("unknown layout '" + arguments.layout + "'; known are " +
                              MainWindow::layout_names().join(", ").toStdString());
+        check_display(arguments);
         QLocale::setDefault(QLocale::c());
         QApplication application(argc, argv);
         QApplication::setOrganizationName("Interreflect");

@@ -65,7 +65,7 @@ void MainWindow::make_parameter_dock() {
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(310);
+    scroll->setMinimumWidth(356);
     add_dock("parameters", tr("Parameters"), scroll, Qt::LeftDockWidgetArea, Qt::CTRL | Qt::Key_1);
 }
 
@@ -78,6 +78,7 @@ void MainWindow::make_docks() {
                                       tr("Buffers appear when a frame has been rendered."));
     buffers_->set_picture_size(QSize(48, 32));
     buffers_->set_name_width(190);
+    buffers_->setMinimumWidth(260);
     timings_ = new widgets::RowsPanel(widgets::timing_headings(),
                                       tr("Times appear when a frame has been rendered."));
     timings_->view()->setRootIsDecorated(false);

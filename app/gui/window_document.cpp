@@ -40,6 +40,7 @@ void MainWindow::connect_session() {
     connect(&session_, &Session::experiment_selected, this, [this] {
         update_document();
         update_scene_banner();
+        view_->setFocus();
     });
     connect(&session_, &Session::picture_arrived, this, &MainWindow::show_picture);
     connect(&session_, &Session::scene_changed, this, [this] {
