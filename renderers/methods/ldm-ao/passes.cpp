@@ -49,8 +49,10 @@ void declare_trace(graph::GraphBuilder& builder, const std::string& name, const 
         context.bind_storage_image(0, sums);
         static_assert(sizeof(ldm::MapFrame) == 6 * sizeof(glm::vec4));
         const auto rows = context.api().GetUniformLocation(program.name(), "frame_rows");
-        for (auto first = slice.begin; first < slice.end; first += directions_per_dispatch) {
-            const auto count = std::min(directions_per_dispatch, slice.end - first);
+        const auto end = std::min<std::int64_t>(slice.end * directions_per_dispatch, maps->batch_maps(batch));
+        for (auto first = slice.begin * directions_per_dispatch; first < end;
+             first += directions_per_dispatch) {
+            const auto count = std::min(directions_per_dispatch, end - first);
             const auto frame = maps->first_map(batch) + first;
             context.api().ProgramUniform4fv(program.name(), rows, static_cast<GLsizei>(6 * count),
                                             &maps->frames[static_cast<std::size_t>(frame)].u.x);
@@ -61,7 +63,8 @@ void declare_trace(graph::GraphBuilder& builder, const std::string& name, const 
             context.barrier();
         }
     };
-    pass.execute_sliced(maps->batch_maps(batch), run, directions_per_dispatch);
+    const auto dispatches = (maps->batch_maps(batch) + directions_per_dispatch - 1) / directions_per_dispatch;
+    pass.execute_sliced(dispatches, run, 1);
 }
 
 }  // namespace

@@ -69,6 +69,14 @@ void dispatch_triangles(const graph::PassContext& context, const Maps& maps, con
         program.use();
         program.set("first_map", static_cast<unsigned>(first_map));
         program.set("map_count", static_cast<unsigned>(chunk.maps));
+        std::vector<glm::vec4> rows;
+        for (int map = first_map; map < first_map + chunk.maps; ++map) {
+            rows.push_back(maps.frames[static_cast<std::size_t>(map)].u);
+            rows.push_back(maps.frames[static_cast<std::size_t>(map)].v);
+        }
+        context.api().ProgramUniform4fv(program.name(),
+                                        context.api().GetUniformLocation(program.name(), "frame_rows"),
+                                        static_cast<GLsizei>(rows.size()), &rows.front().x);
         program.set("resolution", maps.layout.resolution);
         constexpr std::int64_t most = 1 << 21;  // invocations of one dispatch
         for (std::int64_t at = begin; at < stop; at += most) {

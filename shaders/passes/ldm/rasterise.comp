@@ -18,6 +18,9 @@ uniform uint first_map;  // of the chunk, among all frames
 uniform uint map_count;  // at most 32
 uniform int resolution;
 
+/// u and v of each map's frame. Uniforms cost software drivers one load for all invocations.
+uniform vec4 frame_rows[2 * 32];
+
 const int STRIP_ROWS = 8;
 
 void cut_into_strips(uint triangle, uint map, int low_row, int high_row) {
@@ -94,7 +97,7 @@ void main() {
     vec3 a = scene_position_ws(corners.x), b = scene_position_ws(corners.y), c = scene_position_ws(corners.z);
     uint maps = 0u;
     for (uint i = 0u; i < map_count; ++i) {
-        vec4 u = ldm_frames[first_map + i].u, v = ldm_frames[first_map + i].v;
+        vec4 u = frame_rows[2u * i], v = frame_rows[2u * i + 1u];
         vec2 low, high;
         texel_box(snapped(a, u, v), snapped(b, u, v), snapped(c, u, v), low, high);
         if (low.x <= high.x && low.y <= high.y) maps |= 1u << i;
