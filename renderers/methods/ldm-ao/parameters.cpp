@@ -31,23 +31,23 @@ void add_maps(ParameterTable<Parameters>& table) {
               .label = "Storage",
               .doc = "How a map keeps the sorted depths of its texels.",
               .citation = "Aalund15 §2.1",
-              .choices =
-                  {{"linked-lists", "Linked lists",
-                    "Pre-sorted per-pixel singly linked lists, as published: 8 bytes per fragment."},
-                   {"arrays", "Arrays",
-                    "Contiguous sorted arrays: 2 bytes per fragment, and faster to search. The default: "
-                    "on a software rasteriser it was the faster one in all."}},
+              .choices = {{"linked-lists", "Linked lists",
+                           "Pre-sorted per-pixel singly linked lists, as published: 8 bytes per fragment."},
+                          {"arrays", "Arrays",
+                           "Contiguous sorted arrays: 2 bytes per fragment. The default: the smaller and, "
+                           "measured on a "
+                           "software rasteriser, the faster one."}},
               .effect = Effect::cost,
               .on_change = OnChange::reallocate})
         .add(&Parameters::builder,
              {.key = "builder",
               .label = "Builder",
               .doc = "What turns triangles into fragments.",
-              .choices = {{"raster", "Rasteriser",
-                           "OpenGL's rasteriser with a fragment shader, as published."},
-                          {"compute", "Compute",
-                           "A rasteriser in compute shaders. The default: on a software rasteriser it was "
-                           "several times as fast."}},
+              .choices =
+                  {{"raster", "Rasteriser", "OpenGL's rasteriser with a fragment shader, as published."},
+                   {"compute", "Compute",
+                    "A rasteriser in compute shaders. The default: measured on a software rasteriser, it "
+                    "builds about three times as fast."}},
               .effect = Effect::cost,
               .on_change = OnChange::reallocate});
 }
@@ -86,12 +86,17 @@ void add_self_hits(ParameterTable<Parameters>& table) {
               .hard = {0, 16},
               .soft = {0, 2},
               .active_when = tangent_plane})
-        .add(&Parameters::search_neighbours,
-             {.key = "search_neighbours",
-              .label = "Ask nearby texels",
-              .doc = "Where nothing is hit and the point's own surface is missing at the texel's centre, ask "
-                     "the nearest texel that has it. Closes leaks along inner edges.",
-              .active_when = tangent_plane})
+        .add(&Parameters::largest_dip, {.key = "largest_dip",
+                                        .label = "Largest dip",
+                                        .doc = "A ray through the texel's centre may run below the point's "
+                                               "surface for this much depth; beyond "
+                                               "it, the centre on the point's other side is asked. Up to 1, "
+                                               "closed walls of two texels do not "
+                                               "leak.",
+                                        .unit = "texels",
+                                        .hard = {0, 64},
+                                        .soft = {0, 4},
+                                        .active_when = tangent_plane})
         .add(&Parameters::normal_offset,
              {.key = "normal_offset",
               .label = "Normal offset",

@@ -16,7 +16,7 @@ struct Parameters {
     SelfHit self_hit = SelfHit::tangent_plane;
     float self_hit_tolerance = 3;
     float slope_tolerance = 0.35f;
-    bool search_neighbours = true;
+    float largest_dip = 1;
     float normal_offset = 1;
     bool progressive = false;
     float ambient = 0.5f;

@@ -38,7 +38,7 @@ void main() {
     vec3 position_ws = texelFetch(position_texture, pixel, 0).xyz;
     vec3 normal = normalize(texelFetch(normal_texture, pixel, 0).xyz);
     LdmRule rule = LdmRule(params.self_hit_tolerance, params.slope_tolerance, params.normal_offset,
-                           bool(params.search_neighbours));
+                           params.largest_dip);
     const float unlimited = 1.0 / 0.0;
     for (uint i = 0u; i < map_count; ++i) {
         uint row = 6u * i;

