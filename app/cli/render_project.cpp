@@ -28,6 +28,16 @@ std::vector<std::string> chosen_ids(const projects::Project& project, const std:
     return ids;
 }
 
+/// A result's fourth channel is no opacity.
+Image without_alpha(const Image& image) {
+    if (image.channels != 4) return image;
+    Image result(image.width, image.height, 3);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < 3; ++c) result.at(x, y, c) = image.at(x, y, c);
+    return result;
+}
+
 void render_one(const ProjectRender& job, engine::Machine& machine, const projects::Project& project,
                 const projects::Experiment& experiment, const std::filesystem::path& folder,
                 projects::OpenProject* keep_in) {
@@ -37,7 +47,7 @@ void render_one(const ProjectRender& job, engine::Machine& machine, const projec
     const auto stem = std::filesystem::path(job.out) / experiment.id;
     const auto with = [&](const char* extension) { return std::filesystem::path(stem.string() + extension); };
     write_exr(with(".exr"), execution.layers(job.dumps), execution.attributes());
-    write_png(with(".png"), execution.main_result());
+    write_png(with(".png"), without_alpha(execution.main_result()));
     write_text(with(".json"), engine::statistics_json(report) + "\n");
     print_messages(execution, report);
     if (keep_in)

@@ -1,0 +1,202 @@
+// The contract with scripts: exit statuses, one-line errors, files and JSON, on the real program.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "renderers/image/exr.h"
+
+namespace ir {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int status = 0;
+    std::string out, err;
+};
+
+class Cli : public testing::Test {
+  protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::temp_directory_path() / ("interreflect-cli-" + std::string(test->name()));
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+    static std::string read(const fs::path& path) {
+        std::ifstream stream(path);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
+    Outcome run(const std::string& arguments) const {
+        const auto out = file("stdout"), err = file("stderr");
+        const auto command = std::string(CLI_PROGRAM) + " " + arguments + " >" + out + " 2>" + err;
+        const int status = std::system(command.c_str());
+        EXPECT_TRUE(WIFEXITED(status)) << command;
+        return {WEXITSTATUS(status), read(out), read(err)};
+    }
+
+    void expect_refused(const std::string& arguments, int status, const std::string& part) const {
+        const auto outcome = run(arguments);
+        EXPECT_EQ(outcome.status, status) << arguments << "\n" << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    }
+
+    std::string small(const std::string& method, const std::string& out) const {
+        return "render --scene builtin:cornell --method " + method + " --size 24x16 --quiet --out " +
+               file(out) + " ";
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(Cli, SaysWhatItIs) {
+    EXPECT_EQ(run("--version").status, 0);
+    const auto info = nlohmann::json::parse(run("info --json").out);
+    EXPECT_TRUE(info.contains("backend"));
+    EXPECT_TRUE(info.contains("device"));
+    const auto list = nlohmann::json::parse(run("list --json").out);
+    ASSERT_FALSE(list.empty());
+    for (const auto& method : list) {
+        const auto id = method["id"].get<std::string>();
+        const auto described = nlohmann::json::parse(run("describe " + id + " --json").out);
+        EXPECT_EQ(described["id"], id);
+        EXPECT_NE(run("describe " + id + " --markdown").out.find(id), std::string::npos);
+        EXPECT_EQ(run("describe " + id + " --glsl").status, 0);
+    }
+    const auto scene = nlohmann::json::parse(run("scene builtin:cornell --json").out);
+    EXPECT_EQ(scene["triangles"], 36);
+}
+
+TEST_F(Cli, RefusesWrongUsageInOneLine) {
+    expect_refused("scene builtin:nowhere", 2, "nowhere");
+    expect_refused("describe no-such-method", 2, "no-such-method");
+    expect_refused(small("reference", "a.exr") + "--set no_such_key=1", 2, "no_such_key");
+    expect_refused(small("reference", "a.exr") + "--set samples=many", 2, "samples");
+    expect_refused(small("reference", "a.exr") + "--set samples=0", 2, "samples");
+    expect_refused(small("reference", "a.exr") + "--camera nowhere", 2, "nowhere");
+    expect_refused(small("reference", "a.exr") + "--light lamp:x=1", 2, "lamp");
+    expect_refused(small("reference", "a.png"), 2, ".exr");
+    expect_refused(small("reference", "a.exr") + "--dump 'no.such.*'", 2, "no.such.*");
+    expect_refused("render --scene builtin:cornell --out " + file("a.exr"), 2, "--method");
+    EXPECT_EQ(run("no-such-command").status, 2);
+}
+
+TEST_F(Cli, RefusesBadFilesWithStatusThree) {
+    expect_refused("scene " + file("missing.glb"), 3, "missing.glb");
+    std::ofstream(file("broken.gltf")) << "{\"asset\": {\"version\": \"2.0\"}, \"extensionsRequired\": "
+                                          "[\"KHR_draco_mesh_compression\"], \"extensionsUsed\": "
+                                          "[\"KHR_draco_mesh_compression\"]}";
+    expect_refused("scene " + file("broken.gltf"), 3, "KHR_draco_mesh_compression");
+    expect_refused("compare " + file("missing.exr") + " " + file("missing.exr"), 3, "missing.exr");
+    expect_refused("project " + file("missing.interreflect"), 3, "missing.interreflect");
+}
+
+TEST_F(Cli, RendersLayersAndStatistics) {
+    const auto outcome =
+        run(small("ldm-ao", "a.exr") +
+            "--set directions=8 --set resolution=32 --dump 'gbuffer.*' --dump ldm.directions --json -");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto statistics = nlohmann::json::parse(outcome.out);
+    for (const auto* key : {"backend", "device", "wall_ms", "passes", "counters", "memory_bytes"})
+        EXPECT_TRUE(statistics.contains(key)) << key;
+    for (const auto& pass : statistics["passes"])
+        for (const auto* key : {"name", "gpu_ms", "cpu_ms"}) EXPECT_TRUE(pass.contains(key)) << key;
+    ImageAttributes attributes;
+    const auto layers = read_exr(file("a.exr"), &attributes);
+    ASSERT_FALSE(layers.empty());
+    EXPECT_EQ(layers.front().name, "");
+    EXPECT_EQ(layers.front().channels, std::vector<std::string>{"Y"});
+    EXPECT_EQ(layers.front().image.width, 24);
+    const auto has = [&](const std::string& name) {
+        return std::any_of(layers.begin(), layers.end(),
+                           [&](const auto& layer) { return layer.name == name; });
+    };
+    EXPECT_TRUE(has("valid"));
+    EXPECT_TRUE(has("gbuffer.position"));
+    EXPECT_TRUE(has("ldm.directions"));
+    EXPECT_EQ(attributes.at("interreflect.set.directions"), "8");
+    EXPECT_EQ(attributes.at("interreflect.method"), "ldm-ao");
+}
+
+TEST_F(Cli, ComparesAndFailsAboveALimit) {
+    ASSERT_EQ(run(small("reference", "a.exr") + "--set samples=8 --seed 1").status, 0);
+    ASSERT_EQ(run(small("reference", "b.exr") + "--set samples=8 --seed 2").status, 0);
+    const auto pair = "compare " + file("a.exr") + " " + file("b.exr") + " ";
+    const auto json =
+        nlohmann::json::parse(run(pair + "--json --metric rmse,mae,psnr --diff " + file("d.exr")).out);
+    EXPECT_GT(json["metrics"]["rmse"], 0);
+    EXPECT_TRUE(fs::exists(file("d.exr")));
+    EXPECT_EQ(run(pair + "--fail-above rmse=1").status, 0);
+    EXPECT_EQ(run(pair + "--fail-above rmse=0").status, 4);
+    const auto same = "compare " + file("a.exr") + " " + file("a.exr") + " ";
+    EXPECT_EQ(run(same + "--fail-above rmse=0").status, 0);
+    ASSERT_EQ(
+        run("render --scene builtin:cornell --method reference --size 8x8 --quiet --out " + file("c.exr"))
+            .status,
+        0);
+    expect_refused("compare " + file("a.exr") + " " + file("c.exr"), 2, "24");
+}
+
+TEST_F(Cli, GrowsBuffersThatStartAThousandTimesTooSmall) {
+    const auto settings =
+        std::string("--set directions=16 --set resolution=48 --set progressive=true --frames 3 --json ");
+    ASSERT_EQ(
+        run(small("ldm-ao", "large.exr") + settings + file("large.json") + " --initial-capacity 8").status,
+        0);
+    ASSERT_EQ(run(small("ldm-ao", "small.exr") + settings + file("small.json") + " --initial-capacity 0.001")
+                  .status,
+              0);
+    EXPECT_EQ(nlohmann::json::parse(read(file("large.json")))["counters"]["growth"], 0);
+    EXPECT_GE(nlohmann::json::parse(read(file("small.json")))["counters"]["growth"], 1);
+    EXPECT_EQ(run("compare " + file("large.exr") + " " + file("small.exr") + " --fail-above rmse=0").status,
+              0);
+}
+
+TEST_F(Cli, WorksInBatchesWithinABudgetOrSaysWhatToLower) {
+    const auto settings = std::string("--set directions=64 --set resolution=128 --json ");
+    ASSERT_EQ(run(small("ldm-ao", "free.exr") + settings + file("free.json")).status, 0);
+    const auto tight = run(small("ldm-ao", "tight.exr") + settings + file("tight.json") + " --memory 12MB");
+    ASSERT_EQ(tight.status, 0) << tight.err;
+    EXPECT_GT(nlohmann::json::parse(read(file("tight.json")))["counters"]["batches"], 1);
+    EXPECT_EQ(run("compare " + file("free.exr") + " " + file("tight.exr") + " --fail-above rmse=1e-6").status,
+              0);
+    expect_refused(small("ldm-ao", "no.exr") + settings + file("no.json") + " --memory 20kB", 1, "--memory");
+}
+
+TEST_F(Cli, RendersEverySampleOfTheProject) {
+    for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_ROOT) / "projects" / "samples"))
+        EXPECT_EQ(run("project " + entry.path().string() + " --check").status, 0) << entry.path();
+    const auto sample =
+        (fs::path(SOURCE_ROOT) / "projects" / "samples" / "corner-closed-form.interreflect").string();
+    const auto outcome = run("render " + sample + " --experiment ldm --quiet --out " + file("out"));
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(fs::exists(file("out/ldm.exr")));
+    EXPECT_TRUE(fs::exists(file("out/ldm.json")));
+}
+
+TEST_F(Cli, KeepsAndVerifiesResults) {
+    const auto sample = fs::path(SOURCE_ROOT) / "projects" / "samples" / "crevice-leaks.interreflect";
+    const auto project = file("copy.interreflect");
+    fs::create_directories(project);
+    fs::copy(sample / "project.json", fs::path(project) / "project.json");
+    ASSERT_EQ(run("render " + project + " --experiment thick --keep --quiet --out " + file("out")).status, 0);
+    const auto rows = nlohmann::json::parse(run("project " + project + " --verify --json").out);
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_EQ(rows[0]["experiment"], "thick");
+    EXPECT_EQ(rows[0]["identical"], true);
+    EXPECT_TRUE(rows[0]["changed"].empty());
+}
+
+}  // namespace
+}  // namespace ir
