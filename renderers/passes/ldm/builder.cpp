@@ -64,7 +64,7 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
                                           .doc = "Triangle, and map | strip << 8, of the chunk of maps that "
                                                  "was built last."},
                                  .fields = {{"triangle", FieldType::u32}, {"map_strip", FieldType::u32}},
-                                 .elements = 1 << 16,
+                                 .elements = std::max<std::uint64_t>(1 << 16, texels / 2),
                                  .growable = true,
                                  .lower = "directions or resolution"});
     maps.large_asked = builder.counter(
@@ -136,7 +136,7 @@ class BatchBuild {
         if (maps_->options.builder == BuilderKind::compute) {
             prepare(context, "PREPARE_LARGE");
             bind_rasteriser(context, scene_, *maps_);
-            dispatch_large_triangles(context, *maps_, first_map);
+            dispatch_large_triangles(context, *maps_, chunk, first_map);
             context.barrier();
         }
         prepare(context, "PREPARE_STORE");

@@ -20,6 +20,19 @@ void for_both_kinds(const graph::PassContext& context, std::int64_t first, std::
     if (end > opaque) run(std::max(first, opaque), end, true);
 }
 
+/// Hands u, v and depth of the frames of a chunk's maps to a compute rasteriser.
+void set_frame_rows(const graph::PassContext& context, const gl::Program& program, const Maps& maps,
+                    int first_map, int count) {
+    std::vector<glm::vec4> rows;
+    for (int map = first_map; map < first_map + count; ++map) {
+        const auto& frame = maps.frames[static_cast<std::size_t>(map)];
+        rows.insert(rows.end(), {frame.u, frame.v, frame.depth});
+    }
+    const auto& gl = context.api();
+    gl.ProgramUniform4fv(program.name(), gl.GetUniformLocation(program.name(), "frame_rows"),
+                         static_cast<GLsizei>(rows.size()), &rows.front().x);
+}
+
 }  // namespace
 
 void bind_rasteriser(const graph::PassContext& context, const SceneBuffers& scene, const Maps& maps) {
@@ -67,16 +80,8 @@ void dispatch_triangles(const graph::PassContext& context, const Maps& maps, con
     for_both_kinds(context, first, end, [&](std::int64_t begin, std::int64_t stop, bool masked) {
         const auto& program = context.program(source_for(maps, {"passes/ldm/rasterise.comp"}, masked));
         program.use();
-        program.set("first_map", static_cast<unsigned>(first_map));
         program.set("map_count", static_cast<unsigned>(chunk.maps));
-        std::vector<glm::vec4> rows;
-        for (int map = first_map; map < first_map + chunk.maps; ++map) {
-            rows.push_back(maps.frames[static_cast<std::size_t>(map)].u);
-            rows.push_back(maps.frames[static_cast<std::size_t>(map)].v);
-        }
-        context.api().ProgramUniform4fv(program.name(),
-                                        context.api().GetUniformLocation(program.name(), "frame_rows"),
-                                        static_cast<GLsizei>(rows.size()), &rows.front().x);
+        set_frame_rows(context, program, maps, first_map, chunk.maps);
         program.set("resolution", maps.layout.resolution);
         constexpr std::int64_t most = 1 << 21;  // invocations of one dispatch
         for (std::int64_t at = begin; at < stop; at += most) {
@@ -88,13 +93,14 @@ void dispatch_triangles(const graph::PassContext& context, const Maps& maps, con
     });
 }
 
-void dispatch_large_triangles(const graph::PassContext& context, const Maps& maps, int first_map) {
+void dispatch_large_triangles(const graph::PassContext& context, const Maps& maps, const Chunk& chunk,
+                              int first_map) {
     const auto& world = *context.inputs().world;
     for (const bool masked : {false, true}) {
         if (masked && world.opaque_triangles == world.triangles()) continue;
         const auto& program = context.program(source_for(maps, {"passes/ldm/rasterise_large.comp"}, masked));
         program.use();
-        program.set("first_map", static_cast<unsigned>(first_map));
+        set_frame_rows(context, program, maps, first_map, chunk.maps);
         program.set("resolution", maps.layout.resolution);
         program.set("opaque_triangles", world.opaque_triangles);
         dispatch_indirect(context, maps.list.state, large_groups_word);

@@ -18,6 +18,7 @@ void dispatch_triangles(const graph::PassContext& context, const Maps& maps, con
                         int first_map, std::int64_t first, std::int64_t end);
 
 /// Rasterises the listed large triangles of a chunk.
-void dispatch_large_triangles(const graph::PassContext& context, const Maps& maps, int first_map);
+void dispatch_large_triangles(const graph::PassContext& context, const Maps& maps, const Chunk& chunk,
+                              int first_map);
 
 }  // namespace ir::passes::ldm

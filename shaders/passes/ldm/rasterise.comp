@@ -5,7 +5,7 @@
 layout(local_size_x = 64) in;
 #include "passes/ldm/builder.glsl"
 #include "passes/ldm/fragments.glsl"
-#include "passes/ldm/triangle.glsl"
+#include "passes/ldm/triangle_rows.glsl"
 #ifdef MASKED
 #include "passes/ldm/mask.glsl"
 #endif
@@ -14,12 +14,8 @@ layout(local_size_x = 64) in;
 layout(std430, binding = LDM_LARGE) writeonly buffer LdmLarge { uvec2 large[]; };
 
 uniform uint first_triangle, end_triangle;
-uniform uint first_map;  // of the chunk, among all frames
 uniform uint map_count;  // at most 32
 uniform int resolution;
-
-/// u and v of each map's frame. Uniforms cost software drivers one load for all invocations.
-uniform vec4 frame_rows[2 * 32];
 
 const int STRIP_ROWS = 8;
 
@@ -97,7 +93,7 @@ void main() {
     vec3 a = scene_position_ws(corners.x), b = scene_position_ws(corners.y), c = scene_position_ws(corners.z);
     uint maps = 0u;
     for (uint i = 0u; i < map_count; ++i) {
-        vec4 u = frame_rows[2u * i], v = frame_rows[2u * i + 1u];
+        vec4 u = frame_rows[3u * i], v = frame_rows[3u * i + 1u];
         vec2 low, high;
         texel_box(snapped(a, u, v), snapped(b, u, v), snapped(c, u, v), low, high);
         if (low.x <= high.x && low.y <= high.y) maps |= 1u << i;
@@ -105,7 +101,7 @@ void main() {
     while (maps != 0u) {
         uint map = uint(findLSB(maps));
         maps &= maps - 1u;
-        MapTriangle t = projected(a, b, c, ldm_frames[first_map + map]);
+        MapTriangle t = projected(a, b, c, map);
         vec2 low, high;
         texel_box(t.a, t.b, t.c, low, high);
         ivec2 first = max(ivec2(low), ivec2(0)), last = min(ivec2(high), ivec2(resolution - 1));

@@ -4,14 +4,13 @@ layout(local_size_x = 64) in;
 #include "passes/ldm/builder.glsl"
 #include "passes/ldm/fragments.glsl"
 #include "passes/ldm/list_index.glsl"
-#include "passes/ldm/triangle.glsl"
+#include "passes/ldm/triangle_rows.glsl"
 #ifdef MASKED
 #include "passes/ldm/mask.glsl"
 #endif
 
 layout(std430, binding = LDM_LARGE) readonly buffer LdmLarge { uvec2 large[]; };
 
-uniform uint first_map;
 uniform int resolution;
 uniform uint opaque_triangles;  // triangles from here on have alpha masks
 
@@ -64,7 +63,7 @@ void main() {
 #endif
     uvec3 corners = scene_triangle(triangle);
     MapTriangle t = projected(scene_position_ws(corners.x), scene_position_ws(corners.y),
-                              scene_position_ws(corners.z), ldm_frames[first_map + map]);
+                              scene_position_ws(corners.z), map);
     dvec2 a = dvec2(t.a), b = dvec2(t.b), c = dvec2(t.c);
     double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (area == 0.0lf) return;

@@ -17,10 +17,12 @@ vec2 snapped(vec3 position, vec4 u, vec4 v) {
     return floor(vec2(dot(position, u.xyz) + u.w, dot(position, v.xyz) + v.w) * SUBTEXELS + 0.5);
 }
 
+MapTriangle projected(vec3 a, vec3 b, vec3 c, vec4 u, vec4 v, vec4 depth) {
+    vec3 depths = vec3(dot(a, depth.xyz), dot(b, depth.xyz), dot(c, depth.xyz));
+    return MapTriangle(snapped(a, u, v), snapped(b, u, v), snapped(c, u, v), depths + depth.w);
+}
 MapTriangle projected(vec3 a, vec3 b, vec3 c, MapFrame frame) {
-    vec3 depth = vec3(dot(a, frame.depth.xyz), dot(b, frame.depth.xyz), dot(c, frame.depth.xyz));
-    return MapTriangle(snapped(a, frame.u, frame.v), snapped(b, frame.u, frame.v),
-                       snapped(c, frame.u, frame.v), depth + frame.depth.w);
+    return projected(a, b, c, frame.u, frame.v, frame.depth);
 }
 
 /// Texels whose centres are inside the triangle's bounding box: low.x … high.x, low.y … high.y.
