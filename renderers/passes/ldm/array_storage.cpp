@@ -35,6 +35,13 @@ ArrayStorage::ArrayStorage(graph::GraphBuilder& builder, const Layout& layout) :
                                 .elements = layout.chunk_maps * layout.map_texels() * expected_layers,
                                 .growable = true,
                                 .lower = lower});
+    deep_texels_ = builder.buffer({.text = {.key = "ldm.deep_texels",
+                                            .label = "Deep texels of a chunk",
+                                            .doc = "Texels with more than 16 layers, of the chunk that was "
+                                                   "built last.",
+                                            .semantic = Semantic::id},
+                                   .fields = {{"texel", FieldType::u32}},
+                                   .elements = layout.chunk_maps * layout.map_texels()});
     depth_words_asked_ = builder.counter({.key = "ldm.depth_words",
                                           .label = "Words of depths",
                                           .doc = "Of the largest batch of maps.",
@@ -67,6 +74,7 @@ std::map<std::string, std::string> ArrayStorage::defines(const graph::PassContex
 void ArrayStorage::store(const graph::PassContext& context, const FragmentList& list,
                          const Chunk& chunk) const {
     bind(context, 13);
+    context.bind_buffer(7, deep_texels_);
     context.bind_buffer(8, unsorted_);
     const int rows = chunk.maps * layout_.resolution;
     const auto use = [&](const char* file) -> const gl::Program& {
@@ -99,6 +107,9 @@ void ArrayStorage::store(const graph::PassContext& context, const FragmentList& 
     context.barrier();
     use("passes/ldm/array_sort_deep.comp");
     dispatch_indirect(context, list.state, deep_groups_word);
+    context.barrier();
+    use("passes/ldm/array_sort_deepest.comp");
+    dispatch_indirect(context, list.state, deepest_groups_word);
     context.barrier();
 }
 

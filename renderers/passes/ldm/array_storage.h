@@ -13,7 +13,7 @@ class ArrayStorage : public Storage {
     std::map<std::string, std::string> defines(const graph::PassContext& context,
                                                int first_binding) const override;
     std::vector<graph::BufferRef> buffers() const override { return {rows_, offsets_, depths_}; }
-    std::vector<graph::BufferRef> scratch() const override { return {unsorted_}; }
+    std::vector<graph::BufferRef> scratch() const override { return {unsorted_, deep_texels_}; }
     std::vector<graph::CounterRef> counters() const override {
         return {depth_words_asked_, offset_words_asked_, unsorted_asked_, most_layers_};
     }
@@ -33,7 +33,7 @@ class ArrayStorage : public Storage {
     std::uint64_t row_words() const { return (layout_.resolution + 2) / 2; }
 
     Layout layout_;
-    graph::BufferRef rows_, offsets_, depths_, unsorted_;
+    graph::BufferRef rows_, offsets_, depths_, unsorted_, deep_texels_;
     graph::CounterRef depth_words_asked_, offset_words_asked_, unsorted_asked_, most_layers_;
 };
 

@@ -71,13 +71,14 @@ class Storage {
 std::shared_ptr<const Storage> make_storage(graph::GraphBuilder& builder, StorageKind kind,
                                             const Layout& layout);
 
-/// Elements that are reserved per texel before the scene is known; more makes the buffers grow.
+/// Elements that are reserved per texel before the scene is known; more makes the buffers grow. Dense scenes
+/// have six to eight layers per texel.
 inline constexpr int expected_layers = 4;
 
 /// Dispatches over a list whose group counts stand at word `word` of the state.
 void dispatch_indirect(const graph::PassContext& context, graph::BufferRef state, int word);
 /// Words of state.glsl.
-inline constexpr int state_words = 20, fragment_groups_word = 8, large_groups_word = 12,
-                     deep_groups_word = 16;
+inline constexpr int state_words = 26, fragment_groups_word = 8, large_groups_word = 12,
+                     deep_groups_word = 16, deepest_groups_word = 20;
 
 }  // namespace ir::passes::ldm

@@ -1,6 +1,7 @@
 // Arrays, second step: where each row begins. One work group scans the sums of all rows of the chunk.
 layout(local_size_x = 256) in;
 #include "passes/ldm/array_builder.glsl"
+#include "passes/ldm/groups.glsl"
 
 layout(std430, binding = 9) buffer DepthsAsked { uint depth_words_asked; };
 layout(std430, binding = 10) buffer OffsetsAsked { uint offset_words_asked; };
@@ -38,6 +39,10 @@ void main() {
     }
     if (me != 255u) return;
     chunk_total = sums[255];
+    uvec2 groups = groups_for(deep_texels);
+    deep_groups[0] = groups.x;
+    deep_groups[1] = groups.y;
+    deep_groups[2] = 1u;
     atomicMax(depth_words_asked, (asked + fragment_count + 1u) / 2u);
     atomicMax(offset_words_asked, widest[255] > 65535u ? wide_words : packed_words);
     atomicMax(unsorted_asked, fragment_count);

@@ -10,6 +10,13 @@ layout(std430, binding = 15) coherent buffer LdmDepths { uint depths[]; };
 /// The chunk's depths, texel by texel.
 layout(std430, binding = 8) buffer LdmUnsorted { uint unsorted[]; };
 
+/// Texels of the chunk with more than FEW_LAYERS.
+layout(std430, binding = 7) buffer LdmDeepTexels { uint deep_list[]; };
+
+const uint FEW_LAYERS = 16u;
+/// Insertion takes up to n²/2 turns, and drivers may stop loops after 65,535.
+const uint MOST_INSERTED = 192u;
+
 uniform uint first_row, row_count;
 uniform uint resolution;
 
@@ -18,4 +25,15 @@ void store_half(uint index, uint depth) {
     int shift = int(index & 1u) << 4;
     atomicAnd(depths[index >> 1], ~(0xffffu << shift));
     atomicOr(depths[index >> 1], depth << shift);
+}
+
+/// Stores two depths in a word, if the texel owns both halves; it owns halves begin … end - 1.
+void store_pair(uint word, uint low, uint high, uint begin, uint end) {
+    if (2u * word >= begin && 2u * word + 1u < end) depths[word] = low | high << 16;
+}
+
+/// Stores what store_pair leaves: halves of words that are shared with other texels.
+void store_ends(uint least, uint most, uint begin, uint end) {
+    if ((begin & 1u) != 0u) store_half(begin, least);
+    if ((end & 1u) != 0u) store_half(end - 1u, most);
 }

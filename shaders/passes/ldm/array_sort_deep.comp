@@ -1,24 +1,55 @@
-// Arrays, sixth step, for texels that array_sort.comp left: one invocation finds the place of one fragment by
-// counting those that come before it.
+// Arrays, sixth step: one invocation sorts and packs the depths of one texel with more than FEW_LAYERS. Up to 32
+// are sorted in registers, more by insertion; the deepest are left to array_sort_deepest.comp.
 layout(local_size_x = 64) in;
 #include "passes/ldm/array_builder.glsl"
 #include "passes/ldm/list_index.glsl"
+#include "passes/ldm/networks.glsl"
 
-const uint MOST_INSERTED = 192u;  // as in array_sort.comp
+void insert_and_pack(uint source, uint count, uint begin) {
+    for (uint i = 1u; i < count; ++i) {
+        uint depth = unsorted[source + i], k = i;
+        while (k > 0u) {
+            uint other = unsorted[source + k - 1u];
+            if (other <= depth) break;
+            unsorted[source + k] = other;
+            --k;
+        }
+        unsorted[source + k] = depth;
+    }
+    for (uint i = begin & 1u; i + 1u < count; i += 2u)
+        depths[(begin + i) >> 1] = unsorted[source + i] | unsorted[source + i + 1u] << 16;
+    store_ends(unsorted[source], unsorted[source + count - 1u], begin, begin + count);
+}
 
 void main() {
     uint index = list_index();
-    if (index >= min(fragment_count, uint(fragments.length()))) return;
-    uvec2 fragment = fragments[index];
-    uint source = counts[fragment.x], count = counts[fragment.x + 1u] - source;
-    uint arrival = fragment.y >> 16, depth = fragment.y & 0xffffu;
-    uint begin = stored + source;
-    if (count <= MOST_INSERTED || arrival >= MOST_LAYERS) return;
-    if (begin + count > 2u * uint(depths.length()) || source + count > uint(unsorted.length())) return;
-    uint rank = 0u;
-    for (uint i = 0u; i < count; ++i) {
-        uint other = unsorted[source + i];
-        if (other < depth || (other == depth && i < arrival)) ++rank;
+    if (index >= min(deep_listed, uint(deep_list.length()))) return;
+    uint texel = deep_list[index], source = counts[texel], count = counts[texel + 1u] - source;
+    uint begin = stored + source, end = begin + count;
+    if (end > 2u * uint(depths.length()) || source + count > uint(unsorted.length())) return;
+    if (count > MOST_INSERTED) {
+        deepest_groups[0] = fragment_groups[0];
+        deepest_groups[1] = fragment_groups[1];
+        return;
     }
-    store_half(begin + rank, depth);
+    if (count > 32u) {
+        insert_and_pack(source, count, begin);
+        return;
+    }
+    uint v[32];
+    uint most = 0u;
+    for (int i = 0; i < 32; ++i) {
+        v[i] = 65535u;
+        if (uint(i) < count) {
+            v[i] = unsorted[source + uint(i)];
+            most = max(most, v[i]);
+        }
+    }
+    SORT_32(0)
+    bool odd = (begin & 1u) != 0u;
+    uint word = begin >> 1;
+    store_pair(word, v[0], v[1], begin, end);
+    for (int i = 1; i < 16; ++i)
+        store_pair(word + uint(i), odd ? v[2 * i - 1] : v[2 * i], odd ? v[2 * i] : v[2 * i + 1], begin, end);
+    store_ends(v[0], most, begin, end);
 }

@@ -3,6 +3,7 @@
 layout(local_size_x = 1) in;
 #include "passes/ldm/builder.glsl"
 #include "passes/ldm/fragments.glsl"
+#include "passes/ldm/groups.glsl"
 
 layout(std430, binding = 8) buffer FragmentsAsked { uint fragments_asked; };
 layout(std430, binding = 9) buffer LargeAsked { uint large_asked; };
@@ -13,13 +14,6 @@ layout(std430, binding = 13) buffer Bytes { uint bytes; };
 
 uniform uint large_capacity;
 uniform uint fragment_bytes;
-
-const uint GROUP = 64u, MOST_GROUPS = 32768u;
-
-uvec2 groups_for(uint invocations) {
-    uint groups = (invocations + GROUP - 1u) / GROUP;
-    return uvec2(min(groups, MOST_GROUPS), (groups + MOST_GROUPS - 1u) / MOST_GROUPS);
-}
 
 void main() {
 #if defined(PREPARE_LARGE)
@@ -38,6 +32,8 @@ void main() {
     dropped = 0u;
     fragment_count = 0u;
     large_count = 0u;
+    deep_texels = 0u;
+    deep_listed = 0u;
 #else
     chunk_total = fragment_count;
 #ifndef DIRECT
@@ -46,9 +42,9 @@ void main() {
     fragment_groups[1] = groups.y;
     fragment_groups[2] = 1u;
     atomicMax(fragments_asked, fragment_count);
-    deep_groups[0] = 0u;
-    deep_groups[1] = 1u;
-    deep_groups[2] = 1u;
+    deepest_groups[0] = 0u;
+    deepest_groups[1] = 1u;
+    deepest_groups[2] = 1u;
 #endif
 #endif
 }

@@ -11,7 +11,10 @@ layout(std430, binding = LDM_STATE) coherent buffer LdmState {
     uint unused;
     uint fragment_groups[4];  // for indirect dispatches over fragments,
     uint large_groups[4];     // strips of large triangles,
-    uint deep_groups[4];      // and fragments if any texel is too deep for one invocation to sort
+    uint deep_groups[4];      // texels with more than FEW_LAYERS,
+    uint deepest_groups[4];   // and fragments if any texel is too deep for one invocation to sort
+    uint deep_texels;         // texels with more than FEW_LAYERS,
+    uint deep_listed;         // those of them that are listed so far
 };
 
 /// A texel's fragments beyond this one are left out and counted: a loop over them would be cut short by

@@ -1,0 +1,22 @@
+// Arrays, seventh step, for texels that array_sort_deep.comp left: one invocation finds the place of one fragment by
+// counting those that come before it.
+layout(local_size_x = 64) in;
+#include "passes/ldm/array_builder.glsl"
+#include "passes/ldm/list_index.glsl"
+
+void main() {
+    uint index = list_index();
+    if (index >= min(fragment_count, uint(fragments.length()))) return;
+    uvec2 fragment = fragments[index];
+    uint source = counts[fragment.x], count = counts[fragment.x + 1u] - source;
+    uint arrival = fragment.y >> 16, depth = fragment.y & 0xffffu;
+    uint begin = stored + source;
+    if (count <= MOST_INSERTED || arrival >= MOST_LAYERS) return;
+    if (begin + count > 2u * uint(depths.length()) || source + count > uint(unsorted.length())) return;
+    uint rank = 0u;
+    for (uint i = 0u; i < count; ++i) {
+        uint other = unsorted[source + i];
+        if (other < depth || (other == depth && i < arrival)) ++rank;
+    }
+    store_half(begin + rank, depth);
+}
