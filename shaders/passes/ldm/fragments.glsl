@@ -15,12 +15,12 @@ uint reserve_fragments(uint count) {
 }
 
 void put_fragment(uint place, uint texel, uint depth) {
-    if (place >= uint(fragments.length())) return;
     uint arrival = 0u;
 #ifdef LDM_ARRIVALS
+    // Also without room for the fragment, so that one attempt learns what all buffers must hold.
     arrival = min(atomicAdd(counts[texel], 1u), 65535u);
 #endif
-    fragments[place] = uvec2(texel, arrival << 16 | depth);
+    if (place < uint(fragments.length())) fragments[place] = uvec2(texel, arrival << 16 | depth);
 }
 
 /// Depths are rounded here and nowhere else, so that all storages hold the same numbers.

@@ -179,7 +179,7 @@ TEST(LdmBuild, OverflowLeavesListsValid) {
         for (const auto builder : builders) {
             LdmBuild build;
             graph::FrameOptions frame;
-            frame.initial_capacity = 0.3;
+            frame.initial_capacity = 0.1;
             frame.growth = graph::Growth::next_frame;
             const auto wanted = options(storage, builder, 12, 40);
             const auto lists = build.run(world, wanted, frame);  // .at() would throw for a bad link
