@@ -3,10 +3,12 @@
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QRect>
 
 namespace ir::widgets {
 
 QString pixel_text(const Image& image, QPoint pixel, Semantic semantic, const QString& unit) {
+    if (!QRect(0, 0, image.width, image.height).contains(pixel)) return {};
     QString text = QStringLiteral("x %1  y %2 ").arg(pixel.x(), 4).arg(pixel.y(), 4);
     for (int c = 0; c < image.channels; ++c)
         text += QStringLiteral("  %1 %2").arg(channel_name(semantic, image.channels, c),
@@ -56,7 +58,9 @@ QString ValueStrip::summary() const {
 }
 
 void ValueStrip::show_pixel(const Image& image, QPoint pixel) {
-    values_->setText(pixel.x() < 0 || image.empty() ? summary() : pixel_text(image, pixel, semantic_, unit_));
+    // The cursor may rest where a smaller picture has no pixel.
+    const auto text = pixel_text(image, pixel, semantic_, unit_);
+    values_->setText(text.isEmpty() ? summary() : text);
 }
 
 void ValueStrip::set_zoom(double zoom) {

@@ -30,7 +30,7 @@ class ValueStrip : public QWidget {
     int channels_ = 0;
 };
 
-/// "x 12  y 40   R 0.25  G 0.5  B 1 W/(m² sr)"
+/// "x 12  y 40   R 0.25  G 0.5  B 1 W/(m² sr)"; empty for a pixel that the image does not have.
 QString pixel_text(const Image& image, QPoint pixel, Semantic semantic, const QString& unit);
 
 }  // namespace ir::widgets
