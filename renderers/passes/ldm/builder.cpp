@@ -9,8 +9,9 @@ namespace {
 
 using graph::FieldType;
 
-/// Bounds the scratch buffers of a chunk.
-constexpr std::uint64_t chunk_texels = 32 * 200 * 200;
+/// Bounds the scratch buffers of a chunk, and keeps them within reach of caches: lists are inserted into a
+/// third faster than in chunks of four times the size.
+constexpr std::uint64_t chunk_texels = 8 * 200 * 200;
 constexpr int most_chunk_maps = 32;  ///< bits of a word in rasterise.comp
 
 Layout make_layout(graph::GraphBuilder& builder, const Options& options) {

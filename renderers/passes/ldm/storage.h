@@ -73,7 +73,7 @@ std::shared_ptr<const Storage> make_storage(graph::GraphBuilder& builder, Storag
 
 /// Elements that are reserved per texel before the scene is known; more makes the buffers grow. Dense scenes
 /// have six to eight layers per texel.
-inline constexpr int expected_layers = 9;
+inline constexpr int expected_layers = 10;
 
 /// Dispatches over a list whose group counts stand at word `word` of the state.
 void dispatch_indirect(const graph::PassContext& context, graph::BufferRef state, int word);
