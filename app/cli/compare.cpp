@@ -59,7 +59,11 @@ std::vector<std::string> transport_differences(const ImageAttributes& a, const I
 }
 
 int compare(const Flags& flags) {
+    if (!flags.diff.empty() && std::filesystem::path(flags.diff).extension() != ".exr")
+        throw UsageError("--diff '" + flags.diff +
+                         "' must end in .exr: other files cannot hold signed differences");
     auto names = split(flags.metrics);
+    if (names.empty()) throw UsageError("--metric names no metric; give rmse, mae or psnr");
     std::map<std::string, double> limits;
     for (const auto& text : flags.limits) {
         const auto equals = text.find('=');

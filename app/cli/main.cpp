@@ -43,9 +43,18 @@ int main(int argc, char** argv) {
     add_bench(app, run);
     try {
         app.parse(argc, argv);
-        return run();
+        const int status = run();
+        std::cout.flush();
+        if (!std::cout) return fail("standard output cannot be written", failed);
+        return status;
     } catch (const CLI::Success& shown) {
         return app.exit(shown);
+    } catch (const CLI::RequiredError& error) {
+        if (argc > 1 && argv[1][0] != '-' &&
+            app.get_subcommands([&](CLI::App* command) { return command->get_name() == argv[1]; }).empty())
+            return fail(std::string("unknown command '") + argv[1] + "' (--help lists the commands)",
+                        wrong_usage);
+        return fail(std::string(error.what()) + " (--help lists what is allowed)", wrong_usage);
     } catch (const CLI::ParseError& error) {
         return fail(std::string(error.what()) + " (--help lists what is allowed)", wrong_usage);
     } catch (const ir::InputError& error) {

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -17,17 +19,41 @@ struct Flags {
     MachineFlags machine;
     std::string project, scene, method, eye, target, up, camera, environment, out, json;
     std::vector<std::string> experiments, sets, lights, dumps;
-    std::string size;
+    std::string size, seed_text;
     double fov_y = 45, time = 0, initial_capacity = 1;
-    std::uint64_t seed = 0;
     int frames = 1;
     bool keep = false, quiet = false;
 };
 
 scene::Environment parse_environment(const std::string& text) {
-    if (text.find(',') != std::string::npos && !std::filesystem::exists(text))
-        return {glm::vec3(projects::parse_vec3(text, "--env")), nullptr};
+    if (text.find(',') != std::string::npos && !std::filesystem::exists(text)) {
+        const auto radiance = projects::parse_vec3(text, "--env");
+        if (glm::any(glm::lessThan(radiance, glm::dvec3(0))))
+            throw UsageError("--env '" + text + "': radiance is never negative");
+        return {glm::vec3(radiance), nullptr};
+    }
     return {glm::vec3(0), std::make_shared<Image>(read_image(text))};
+}
+
+std::uint64_t parse_seed(const std::string& text) {
+    std::uint64_t seed = 0;
+    if (text.empty()) return seed;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (result.ec != std::errc{} || result.ptr != text.data() + text.size())
+        throw UsageError("--seed '" + text + "' is not an integer from 0 to 18446744073709551615");
+    return seed;
+}
+
+/// Options that say what to render mean nothing beside the other way to say it, and are refused.
+void refuse_given(const CLI::App& command, const std::vector<std::string>& options, const std::string& why) {
+    for (const auto& option : options)
+        if (command.count(option) > 0) throw UsageError(option + " cannot be used " + why);
+}
+
+void require_folder_of(const std::string& file, const std::string& option) {
+    const auto folder = std::filesystem::absolute(file).parent_path();
+    if (!std::filesystem::is_directory(folder))
+        throw UsageError(option + " '" + file + "': there is no folder " + folder.string());
 }
 
 Settings parse_settings(const MethodDescription& method, const std::vector<std::string>& sets) {
@@ -71,10 +97,12 @@ engine::Experiment to_experiment(const Flags& flags) {
                                                   "light " + std::to_string(e.lights.size() + 1)));
     }
     if (!flags.environment.empty()) e.environment = parse_environment(flags.environment);
+    e.seed = parse_seed(flags.seed_text);
+    if (!std::isfinite(flags.time) || flags.time < 0)
+        throw UsageError("--time must be a number of seconds from 0 on");
     const auto size = flags.size.empty() ? glm::ivec2(800, 600) : projects::parse_size(flags.size, "--size");
     e.width = size.x;
     e.height = size.y;
-    e.seed = flags.seed;
     e.frames = flags.frames;
     e.time = flags.time;
     return e;
@@ -84,10 +112,16 @@ int render_scene(const Flags& flags) {
     const auto experiment = to_experiment(flags);
     if (std::filesystem::path(flags.out).extension() != ".exr")
         throw UsageError("--out '" + flags.out + "' must end in .exr");
+    require_folder_of(flags.out, "--out");
+    if (!flags.json.empty() && flags.json != "-") require_folder_of(flags.json, "--json");
     engine::Machine machine(machine_options(flags.machine));
     engine::Execution execution(machine, experiment);
     const auto options = frame_options(flags.machine, flags.dumps, flags.initial_capacity, !flags.quiet);
-    const auto report = run_frames(execution, options);
+    auto report = run_frames(execution, options);
+    if (experiment.environment && !find(execution.method().parameters, "environment_light"))
+        report.messages.push_back(
+            {Severity::note, "render",
+             "method '" + experiment.method + "' does not use the environment that --env gives"});
     warn_of_unmatched(flags.dumps, report);
     write_exr(flags.out, execution.layers(flags.dumps), execution.attributes());
     print_messages(execution, report);
@@ -120,7 +154,7 @@ void add_render(CLI::App& app, Run& run) {
     command->add_option("--light", flags->lights,
                         "Light that replaces the scene's, such as point:position=0,2,0;flux=40");
     command->add_option("--env", flags->environment, "Environment: an image file, or radiance r,g,b");
-    command->add_option("--seed", flags->seed, "Seed of everything random");
+    command->add_option("--seed", flags->seed_text, "Seed of everything random");
     command->add_option("--frames", flags->frames, "Frames to run from empty history")
         ->check(CLI::Range(1, 1000000));
     command->add_option("--time", flags->time, "Time of the first frame in seconds");
@@ -138,15 +172,22 @@ void add_render(CLI::App& app, Run& run) {
     add_machine_flags(*command, flags->machine);
     command->callback([flags, command, &run] {
         if (command->count("--json") && flags->json.empty()) flags->json = "-";
-        run = [flags] {
+        run = [flags, command] {
             if (!flags->project.empty()) {
                 if (!flags->scene.empty() || !flags->method.empty())
                     throw UsageError("give a PROJECT, or --scene and --method, not both");
+                refuse_given(*command,
+                             {"--eye", "--target", "--up", "--fov-y", "--camera", "--size", "--set",
+                              "--light", "--env", "--seed", "--frames", "--time", "--initial-capacity"},
+                             "with a PROJECT, whose experiments say it; change the project or give --scene "
+                             "and --method");
                 return render_project({flags->machine, flags->project, flags->out, flags->experiments,
-                                       flags->dumps, flags->keep, !flags->quiet});
+                                       flags->dumps, flags->keep, !flags->quiet, flags->json});
             }
             if (flags->scene.empty() || flags->method.empty())
                 throw UsageError("give a PROJECT, or --scene and --method");
+            refuse_given(*command, {"--keep", "--experiment"}, "without a PROJECT");
+            if (flags->eye.empty()) refuse_given(*command, {"--fov-y", "--up"}, "without --eye and --target");
             return render_scene(*flags);
         };
     });

@@ -1,6 +1,8 @@
 #include "app/cli/render_project.h"
 
+#include <algorithm>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
@@ -38,9 +40,10 @@ Image without_alpha(const Image& image) {
     return result;
 }
 
-void render_one(const ProjectRender& job, engine::Machine& machine, const projects::Project& project,
-                const projects::Experiment& experiment, const std::filesystem::path& folder,
-                projects::OpenProject* keep_in) {
+/// Returns the statistics.
+std::string render_one(const ProjectRender& job, engine::Machine& machine, const projects::Project& project,
+                       const projects::Experiment& experiment, const std::filesystem::path& folder,
+                       projects::OpenProject* keep_in) {
     engine::Execution execution(machine, engine::from_project(project, experiment, folder));
     const auto report = run_frames(execution, frame_options(job.machine, job.dumps, 1, job.show_progress));
     warn_of_unmatched(job.dumps, report);
@@ -53,8 +56,9 @@ void render_one(const ProjectRender& job, engine::Machine& machine, const projec
     if (keep_in)
         keep_in->mark_kept(experiment.id,
                            engine::keep_result(project, experiment, folder, execution, report));
-    std::cout << experiment.id << "  " << with(".exr").string() << "  " << static_cast<long>(report.wall_ms)
-              << " ms\n";
+    (job.json == "-" ? std::cerr : std::cout) << experiment.id << "  " << with(".exr").string() << "  "
+                                              << static_cast<long>(report.wall_ms) << " ms\n";
+    return engine::statistics_json(report);
 }
 
 }  // namespace
@@ -75,12 +79,28 @@ int render_project(const ProjectRender& job) {
     std::filesystem::create_directories(job.out, error);
     if (error) throw Error("--out " + job.out + ": cannot be created (" + error.message() + ")");
     engine::Machine machine(machine_options(job.machine));
+    nlohmann::ordered_json all = nlohmann::ordered_json::object();
+    int status = done;
     for (const auto& id : ids) {
         const auto& experiment = *projects::find_item(loaded.project.experiments, id);
-        render_one(job, machine, loaded.project, experiment, loaded.folder, editable.get());
+        try {
+            const auto statistics =
+                render_one(job, machine, loaded.project, experiment, loaded.folder, editable.get());
+            all[id] = nlohmann::ordered_json::parse(statistics);
+        } catch (const Error& error) {
+            std::cerr << "interreflect-cli: " << job.project << ": experiment '" << id
+                      << "': " << error.what() << "\n";
+            const bool file_at_fault =
+                dynamic_cast<const UsageError*>(&error) || dynamic_cast<const InputError*>(&error);
+            status = std::max<int>(status, file_at_fault ? bad_input : failed);
+        }
     }
     if (editable) editable->save();
-    return done;
+    if (job.json == "-")
+        std::cout << all.dump(2) << "\n";
+    else if (!job.json.empty())
+        write_text(job.json, all.dump(2) + "\n");
+    return status;
 }
 
 }  // namespace ir::cli

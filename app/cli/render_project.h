@@ -12,10 +12,12 @@ struct ProjectRender {
     std::string project, out;
     std::vector<std::string> experiments, dumps;
     bool keep = false, show_progress = true;
+    std::string json = {};  ///< file for all statistics, by experiment; "-": standard output
 };
 
-/// Renders the chosen experiments (all when none is named) to OUT/ID.exr and OUT/ID.json, and a preview
-/// OUT/ID.png.
+/// An experiment that cannot run does not keep the others from it; the status then says that the file is at
+/// fault. Renders the chosen experiments (all when none is named) to OUT/ID.exr and OUT/ID.json, and a
+/// preview OUT/ID.png.
 int render_project(const ProjectRender& job);
 
 }  // namespace ir::cli

@@ -42,6 +42,12 @@ ImageLayer buffer_layer(const std::string& key, const graph::BufferDesc& desc,
     return layer;
 }
 
+Image first_three(const Image& image) {
+    Image result(image.width, image.height, 3);
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) result.pixels[i] = image.pixels[i / 3 * 4 + i % 3];
+    return result;
+}
+
 bool is_vector(Semantic semantic) {
     return semantic == Semantic::normal || semantic == Semantic::position || semantic == Semantic::velocity;
 }
@@ -55,7 +61,11 @@ std::vector<ImageLayer> Execution::layers(const std::vector<std::string>& patter
     const auto add = [&](const std::string& name, const ResourceReport& resource, int level, int layer) {
         auto image = graph_->read_image(resource.key, level, layer);
         if (!image) return;
-        const auto channels = standard_channels(image->channels, is_vector(resource.semantic));
+        const bool main_vector = name.empty() && is_vector(resource.semantic);
+        if (main_vector && image->channels == 4) *image = first_three(*image);
+        // The default layer is what other viewers show: R, G, B or Y.
+        const auto channels =
+            standard_channels(image->channels, is_vector(resource.semantic) && !main_vector);
         result.push_back({name, channels, std::move(*image)});
     };
     for (const auto& resource : report.resources)
@@ -97,6 +107,8 @@ ImageAttributes Execution::attributes() const {
     for (const auto& [key, value] : settings_) result["interreflect.set." + key] = to_string(value);
     result["interreflect.scene"] = scene::composition_name(experiment_.composition());
     result["interreflect.scene_hash"] = scene_->content_hash;
+    if (const auto& environment = experiment_.environment)
+        result["interreflect.environment"] = environment->map ? "map" : vector(environment->constant);
     result["interreflect.seed"] = std::to_string(experiment_.seed);
     result["interreflect.frames"] = std::to_string(frame_);
     result["interreflect.time"] = to_string(Value{experiment_.time});

@@ -1,4 +1,5 @@
 #include "app/engine/execution.h"
+#include "renderers/core/error.h"
 #include "renderers/core/resources_path.h"
 
 namespace ir::engine {
@@ -35,6 +36,11 @@ Machine::Machine(const Options& options) : options_(options) {
     context_ = options.backend.empty()
                    ? gl::Context::create_best(context_options)
                    : gl::Context::create(gl::parse_backend(options.backend), context_options);
+    const auto& info = context_->info();
+    if (!options.device.empty() && info.renderer.find(options.device) == std::string::npos &&
+        info.platform.find(options.device) == std::string::npos)
+        throw Error("no OpenGL device matches '" + options.device + "'; the best one here is '" +
+                    info.renderer + "'");
     context_->make_current();
     device_ = gl::make_gl_device(*context_);
     programs_ = std::make_unique<gl::ProgramLibrary>(*context_, shader_directory());

@@ -1,5 +1,7 @@
 #include "widgets/parameters/number_field.h"
 
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QWheelEvent>
 #include <algorithm>
@@ -16,6 +18,7 @@ NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setLocale(QLocale::c());
     setMinimumWidth(84);
+    lineEdit()->installEventFilter(this);
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         if (!showing_) emit chosen(value);
     });
@@ -58,6 +61,24 @@ QValidator::State NumberField::validate(QString& text, int&) const {
     const auto may_become_number = [](QChar c) { return c.isDigit() || QStringLiteral("+-.eE").contains(c); };
     return std::all_of(typed.begin(), typed.end(), may_become_number) ? QValidator::Intermediate
                                                                       : QValidator::Invalid;
+}
+
+void NumberField::fixup(QString& text) const {
+    bool is_number = false;
+    const double number = bare(text).toDouble(&is_number);
+    if (is_number && std::isfinite(number))
+        text = textFromValue(std::clamp(number, minimum(), maximum())) + suffix();
+}
+
+bool NumberField::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return true;
+        }
+    }
+    return QDoubleSpinBox::eventFilter(watched, event);
 }
 
 void NumberField::stepBy(int steps) {

@@ -5,7 +5,8 @@
 namespace ir::widgets {
 
 /// A spin box that shows numbers in their shortest form, takes typed ones on Enter or when left, steps in
-/// proportion to the value, and leaves the wheel to the page unless it has the focus.
+/// proportion to the value, and leaves the wheel to the page unless it has the focus. Undo and redo belong to
+/// the document, not to the text that is being typed.
 class NumberField : public QDoubleSpinBox {
     Q_OBJECT
   public:
@@ -18,7 +19,10 @@ class NumberField : public QDoubleSpinBox {
     QString textFromValue(double value) const override;
     double valueFromText(const QString& text) const override;
     QValidator::State validate(QString& text, int& position) const override;
+    /// A number beyond a hard limit becomes the limit.
+    void fixup(QString& text) const override;
     void stepBy(int steps) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   signals:
     /// A person chose this value.
