@@ -1,7 +1,6 @@
 #include "widgets/parameters/number_field.h"
 
 #include <QKeyEvent>
-#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QWheelEvent>
 #include <algorithm>
@@ -18,7 +17,6 @@ NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setLocale(QLocale::c());
     setMinimumWidth(84);
-    lineEdit()->installEventFilter(this);
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         if (!showing_) emit chosen(value);
     });
@@ -70,7 +68,7 @@ void NumberField::fixup(QString& text) const {
         text = textFromValue(std::clamp(number, minimum(), maximum())) + suffix();
 }
 
-bool NumberField::eventFilter(QObject* watched, QEvent* event) {
+bool NumberField::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
@@ -78,7 +76,7 @@ bool NumberField::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
     }
-    return QDoubleSpinBox::eventFilter(watched, event);
+    return QDoubleSpinBox::event(event);
 }
 
 void NumberField::stepBy(int steps) {

@@ -22,13 +22,13 @@ class NumberField : public QDoubleSpinBox {
     /// A number beyond a hard limit becomes the limit.
     void fixup(QString& text) const override;
     void stepBy(int steps) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
   signals:
     /// A person chose this value.
     void chosen(double value);
 
   protected:
+    bool event(QEvent* event) override;
     void wheelEvent(QWheelEvent*) override;
 
   private:

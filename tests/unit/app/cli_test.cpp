@@ -89,7 +89,20 @@ TEST_F(Cli, RefusesWrongUsageInOneLine) {
     expect_refused(small("reference", "a.png"), 2, ".exr");
     expect_refused(small("reference", "a.exr") + "--dump 'no.such.*'", 2, "no.such.*");
     expect_refused("render --scene builtin:cornell --out " + file("a.exr"), 2, "--method");
-    EXPECT_EQ(run("no-such-command").status, 2);
+    expect_refused("no-such-command", 2, "no-such-command");
+    expect_refused(small("reference", "a.exr") + "--env 1,-1,1", 2, "--env");
+    expect_refused(small("reference", "a.exr") + "--seed -1", 2, "--seed");
+    expect_refused(small("reference", "a.exr") + "--time nan", 2, "--time");
+    expect_refused(small("reference", "a.exr") + "--fov-y 20", 2, "--fov-y");
+    expect_refused(small("reference", "a.exr") + "--keep", 2, "--keep");
+    expect_refused(small("reference", "no-folder/a.exr"), 2, "no-folder");
+    expect_refused(small("reference", "a.exr") + "--device no-such-device", 1, "no-such-device");
+}
+
+TEST_F(Cli, LostOutputIsNoSuccess) {
+    const auto command = std::string(CLI_PROGRAM) + " list >/dev/full 2>" + file("lost");
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);
+    EXPECT_NE(read(file("lost")).find("standard output"), std::string::npos);
 }
 
 TEST_F(Cli, RefusesBadFilesWithStatusThree) {
@@ -183,6 +196,23 @@ TEST_F(Cli, RendersEverySampleOfTheProject) {
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_TRUE(fs::exists(file("out/ldm.exr")));
     EXPECT_TRUE(fs::exists(file("out/ldm.json")));
+    const auto as_json = run("render " + sample + " --experiment ldm --quiet --json --out " + file("out"));
+    EXPECT_TRUE(nlohmann::json::parse(as_json.out)["ldm"].contains("passes"));
+    expect_refused("render " + sample + " --size 8x8 --out " + file("out"), 2, "--size");
+    expect_refused("render " + sample + " --set directions=1 --out " + file("out"), 2, "--set");
+}
+
+TEST_F(Cli, OneUnknownMethodKeepsNoOtherExperimentFromRendering) {
+    const auto sample = fs::path(SOURCE_ROOT) / "projects" / "samples" / "corner-closed-form.interreflect";
+    auto json = nlohmann::ordered_json::parse(read(sample / "project.json"));
+    json["experiments"][0]["method"] = "from-the-future";
+    fs::create_directories(file("p.interreflect"));
+    std::ofstream(file("p.interreflect/project.json")) << json.dump(2);
+    const auto outcome = run("render " + file("p.interreflect") + " --quiet --out " + file("out"));
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_NE(outcome.err.find("from-the-future"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(file("out/ldm.exr")));
+    EXPECT_TRUE(fs::exists(file("out/reference.exr")));
 }
 
 TEST_F(Cli, KeepsAndVerifiesResults) {
