@@ -14,6 +14,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+int print(const Json& json, bool as_json) {
+    if (as_json) {
+        std::cout << json.dump(2) << "\n";
+        return done;
+    }
+    for (const auto& [key, value] : json.items())
+        std::cout << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << "\n";
+    return done;
+}
+
 int print_info(const std::string& backend, bool as_json) {
     const auto context =
         backend.empty() ? gl::Context::create_best() : gl::Context::create(gl::parse_backend(backend));
@@ -33,13 +43,7 @@ int print_info(const std::string& backend, bool as_json) {
               {"max_compute_shared_bytes", info.max_compute_shared_bytes},
               {"max_storage_buffer_bindings", info.max_storage_buffer_bindings},
               {"data", data_directory().string()}};
-    if (as_json) {
-        std::cout << json.dump(2) << "\n";
-        return done;
-    }
-    for (const auto& [key, value] : json.items())
-        std::cout << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << "\n";
-    return done;
+    return print(json, as_json);
 }
 
 int print_list(bool as_json) {
@@ -77,13 +81,7 @@ int print_scene(const std::string& name, bool as_json) {
               {"lights", names(scene.lights)}};
     json["warnings"] = Json::array();
     for (const auto& warning : scene.warnings) json["warnings"].push_back(warning.text);
-    if (as_json) {
-        std::cout << json.dump(2) << "\n";
-        return done;
-    }
-    for (const auto& [key, value] : json.items())
-        std::cout << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << "\n";
-    return done;
+    return print(json, as_json);
 }
 
 }  // namespace
