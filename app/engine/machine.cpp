@@ -32,7 +32,10 @@ void SceneCache::forget(const std::string& name) {
 }
 
 Machine::Machine(const Options& options) : options_(options) {
-    const gl::ContextOptions context_options{options.debug, options.device};
+#ifdef INTERREFLECT_DEBUG
+    options_.debug = true;
+#endif
+    const gl::ContextOptions context_options{options_.debug, options.device};
     context_ = options.backend.empty()
                    ? gl::Context::create_best(context_options)
                    : gl::Context::create(gl::parse_backend(options.backend), context_options);
