@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "renderers/core/inspection.h"
 #include "renderers/core/output.h"
 #include "renderers/core/parameter.h"
 
@@ -17,7 +18,8 @@ struct MethodDescription {
     std::vector<std::string> papers = {};  ///< keys of REFERENCES.bib
     std::vector<ParameterDescription> parameters = {};
     std::vector<OutputDescription> outputs = {};  ///< the first is the main result
-    double background = 0;                        ///< value of the main result where nothing is hit (AO: 1)
+    std::vector<SelectorDescription> selectors = {};
+    double background = 0;  ///< value of the main result where nothing is hit (AO: 1)
 };
 
 /// The descriptions of all methods of this build, in order of id. Generated; see renderers/methods.

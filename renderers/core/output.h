@@ -38,6 +38,8 @@ struct OutputDescription {
     std::string unit = {};
     std::string colour_map = {};  ///< empty: the semantic's own
     std::string doc = {};
+    /// Depends on the inspection: computed only when asked for, and again when a person points elsewhere.
+    bool explains = false;
 };
 
 /// The colour map that a semantic is shown with when nobody chose another ("viridis", "grey", …).

@@ -28,6 +28,16 @@ struct PassReport {
     std::vector<std::string> reads, writes;  ///< resource keys
 };
 
+enum class FieldType { u32, i32, f32 };
+
+/// One named component of a buffer's element; `count` consecutive scalars of four bytes.
+struct Field {
+    std::string name;
+    FieldType type = FieldType::f32;
+    int count = 1;
+    bool operator==(const Field&) const = default;
+};
+
 /// A resource of the graph as listings and inspectors see it.
 struct ResourceReport {
     std::string key, label, doc;
@@ -37,8 +47,9 @@ struct ResourceReport {
     std::string unit, colour_map, format;
     int width = 0, height = 0, levels = 1, layers = 1;
     std::uint64_t elements = 0;  ///< buffers: elements in use (counter) or capacity
+    std::vector<Field> fields;   ///< of a buffer's element, tightly packed
     std::uint64_t bytes = 0;     ///< device and host together
-    bool is_output = false, is_history = false, available = false;
+    bool is_output = false, is_history = false, available = false, explains = false;
 };
 
 /// What one frame did; the statistics JSON and the panels are made of it.

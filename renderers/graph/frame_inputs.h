@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "renderers/core/inspection.h"
 #include "renderers/scene/view.h"
 #include "renderers/scene/world.h"
 
@@ -18,6 +19,7 @@ struct FrameInputs {
     int frame = 0;    ///< 0 for the first after an empty history
     double time = 0;  ///< seconds
     int threads = 0;  ///< for cpu passes; 0 = all
+    Inspection inspection;
 };
 
 }  // namespace ir::graph

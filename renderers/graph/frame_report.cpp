@@ -25,6 +25,7 @@ ResourceReport described(const ResourceText& text, const MethodDescription& meth
     for (const auto& output : method.outputs) {
         if (output.key != text.key) continue;
         report.is_output = true;
+        report.explains = output.explains;
         report.label = output.label;
         report.semantic = output.semantic;
         report.unit = output.unit;
@@ -62,6 +63,7 @@ void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
         auto row = described(desc.text, description);
         row.pass = first_writer(*builder, Kind::buffer, static_cast<int>(i));
         row.kind = desc.kind;
+        row.fields = desc.fields;
         row.format = std::to_string(stride(desc)) + " B";
         row.available = buffers[i] && buffers[i]->has_contents();
         row.is_history = plan.buffer_history[i];

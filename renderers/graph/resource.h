@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderers/core/output.h"
+#include "renderers/core/report.h"
 #include "renderers/gl/device.h"
 
 namespace ir::graph {
@@ -52,13 +53,8 @@ struct ImageDesc {
     std::string fingerprint = {};
 };
 
-enum class FieldType { u32, i32, f32 };
-/// One named component of a buffer element; `count` consecutive scalars.
-struct Field {
-    std::string name;
-    FieldType type = FieldType::f32;
-    int count = 1;
-};
+using ir::Field;
+using ir::FieldType;
 
 struct BufferDesc {
     ResourceText text;

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/engine/experiment.h"
+#include "renderers/core/inspection.h"
+#include "renderers/core/report.h"
+#include "renderers/image/image.h"
+#include "renderers/passes/viewers/scene_3d.h"
+
+/// What a window and the render thread say to each other. Plain data.
+namespace ir::engine {
+
+/// An image resource, or a level or layer of it.
+struct Part {
+    static constexpr int all = -1;  ///< side by side, as image/atlas.h arranges them
+    std::string key;                ///< empty: the main result
+    int level = 0, layer = 0;
+    auto operator<=>(const Part&) const = default;
+};
+
+/// What is wanted of an experiment. Requests of one tag replace each other: the newest wins. One tag is one
+/// execution; a request that differs from the last in `parts`, `kept` or `inspection` alone runs no method
+/// again unless something asked for was not computed.
+struct LiveRequest {
+    std::string tag;
+    Experiment experiment;
+    std::vector<Part> parts;             ///< sent back with each frame
+    std::vector<std::string> buffers;    ///< keys of buffers sent back as they are, for tables
+    std::vector<std::string> kept = {};  ///< patterns of further resources to compute: for 3D views, probes
+    Inspection inspection;
+    bool thumbnails = false;  ///< also send a small image of each image resource
+    std::uint64_t memory_budget = 0;
+};
+
+/// The elements of a buffer as they lie in memory.
+struct BufferContents {
+    static constexpr std::uint64_t most_bytes = 64ull << 20;
+    std::vector<Field> fields;
+    std::uint64_t elements = 0;    ///< in the buffer
+    std::vector<std::byte> bytes;  ///< of the first elements, at most most_bytes
+};
+
+/// After each frame of a request, and once more when only what is looked at has changed.
+struct LiveResult {
+    std::string tag;
+    std::uint64_t serial = 0;  ///< of the request
+    int frame = 0, frames = 1;
+    std::map<Part, Image> images;  ///< by the parts asked for; absent: not available
+    std::map<std::string, BufferContents> buffers;
+    Image valid;                              ///< 1 channel, may be empty
+    std::map<std::string, Image> thumbnails;  ///< at most 96 pixels wide, by resource key
+    Inspection inspection;
+    FrameReport report;
+    scene::Camera camera;   ///< in force
+    bool finished = false;  ///< all frames asked for are committed
+};
+
+/// A picture of buffers in space; drawn between the slices of whatever is rendered. Newest of a tag wins.
+struct SceneViewRequest {
+    std::string tag;        ///< of the view
+    std::string execution;  ///< tag of the live request whose buffers are drawn
+    passes::viewers::Scene3D view;
+};
+
+struct SceneViewResult {
+    std::string tag;
+    std::uint64_t serial = 0;
+    std::string error;  ///< not empty: no picture
+    passes::viewers::Picture3D picture;
+};
+
+/// All channels of all images of an execution at some pixels. Newest of a tag wins.
+struct ProbeRequest {
+    std::string tag;  ///< of an execution
+    struct Pixel {
+        int x = 0, y = 0;
+        bool operator==(const Pixel&) const = default;
+    };
+    std::vector<Pixel> pixels;  ///< of the main result
+};
+
+struct ProbeResult {
+    std::string tag;
+    std::vector<ProbeRequest::Pixel> pixels;
+    struct Row {
+        std::string key, label, unit;
+        Semantic semantic = Semantic::generic;
+        bool available = false;
+        int channels = 0;
+        /// One by pixel. Images of another size are read at the texel that covers the pixel's centre; level
+        /// and layer 0.
+        std::vector<std::vector<float>> values;
+    };
+    std::vector<Row> rows;  ///< in the order of the report
+};
+
+/// Writes resources that match patterns, and the main result, to one EXR file with all attributes.
+struct ExportRequest {
+    std::string tag;  ///< of an execution
+    std::string file;
+    std::vector<std::string> patterns;
+};
+
+struct SceneSummary {
+    std::string name, content_hash;
+    std::vector<std::string> cameras, lights, materials, warnings;
+    struct NodeRow {
+        std::string name;
+        int parent = -1;
+        std::size_t triangles = 0;
+    };
+    std::vector<NodeRow> nodes;
+    std::size_t triangles = 0, textures = 0;
+    scene::Bounds bounds;
+    std::vector<scene::Camera> camera_values;
+};
+
+}  // namespace ir::engine

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderers/core/output.h"
+#include "renderers/core/report.h"
+#include "renderers/image/image.h"
+#include "renderers/scene/scene.h"
+
+/// What the 3D viewer draws: any buffer that is a point set, a line set, glyphs or sphere values, over the
+/// flat-shaded scene. Everything is told by kind and by the names of fields, never by method:
+///
+/// point_set      position f32×3; optional normal f32×3
+/// line_set       start f32×3, end f32×3: one segment an element
+/// glyphs         centre f32×3 and: normal f32×3, radius f32 (disc); axis_u, axis_v f32×3 (parallelogram with
+///                these half-sides); axis_u, axis_v, axis_w f32×3 (ellipsoid with these half-axes)
+/// sphere_values  centre f32×3 (unit direction); optional colatitude f32×2 and longitude f32×2 (bounds of its
+///                region in radians, colatitude from +Y, longitude from +X towards +Z); drawn as a unit
+///                sphere of regions, or of the nearest centre where bounds are absent
+///
+/// Positions are world space, metres. All other fields are values: a layer can be coloured and filtered by
+/// them.
+namespace ir::passes::viewers {
+
+/// Shows only elements whose field (first component) lies in low … high.
+struct Filter {
+    std::string field;
+    double low = 0, high = 0;
+    bool operator==(const Filter&) const = default;
+};
+
+/// One buffer as the viewer draws it.
+struct Layer {
+    std::string key;        ///< resource
+    std::string colour_by;  ///< field; "facing" (sign of normal · view, needs normal); empty: one colour
+    int component = 0;      ///< of that field
+    std::optional<double> low, high;  ///< range of the colour map; absent: from the elements drawn
+    std::string colour_map = "viridis";
+    float size_px = 3;  ///< of points and lines
+    std::vector<Filter> filters;
+    std::int64_t selected = -1;  ///< element that is marked
+    bool operator==(const Layer&) const = default;
+};
+
+struct Scene3D {
+    std::optional<scene::Camera> camera;  ///< absent: the experiment's
+    int width = 0, height = 0;
+    bool show_scene = true;                   ///< flat shaded; never behind a sphere of values
+    bool show_centres = true;                 ///< of regions on the sphere
+    std::uint64_t most_elements = 4'000'000;  ///< per layer; beyond, every n-th is drawn and counted
+    std::vector<Layer> layers;
+};
+
+/// What became of a layer.
+struct DrawnLayer {
+    std::string key, note;  ///< why it is not drawn; empty: it is
+    OutputKind kind = OutputKind::table;
+    std::vector<Field> fields;
+    std::uint64_t elements = 0;  ///< in the buffer
+    std::uint64_t stride = 1;    ///< every n-th was looked at
+    double low = 0, high = 0;    ///< range of the colours that was used
+    double least = 0, most = 0;  ///< of the field that colours, over all elements that pass the filters
+};
+
+/// The picture and what stands at each of its pixels.
+struct Picture3D {
+    Image colour;                       ///< 3 channels, linear; row 0 on top
+    std::vector<std::int32_t> layer;    ///< per pixel: index of the layer, -1 none
+    std::vector<std::int64_t> element;  ///< per pixel: element of that layer, -1 none
+    std::vector<DrawnLayer> layers;
+    scene::Camera camera;  ///< that was used
+};
+
+}  // namespace ir::passes::viewers
