@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "widgets/space/space_scene.h"
+
+class QTreeView;
+
+namespace ir::widgets {
+
+class LayersModel;
+
+/// What a 3D view draws and how: items of selectors ("map 17 of 512"), layers with a tick each, and for the
+/// chosen layer its colours, size and filters.
+class LayerPanel : public QWidget {
+    Q_OBJECT
+  public:
+    explicit LayerPanel(QWidget* parent = nullptr);
+
+    /// What could be added.
+    void set_available(const std::vector<AvailableBuffer>& buffers);
+    /// What is drawn; emits nothing.
+    void set_layers(const std::vector<SpaceLayer>& layers);
+    const std::vector<SpaceLayer>& layers() const;
+    /// What became of the visible layers in the last picture.
+    void set_layer_infos(const std::vector<LayerInfo>& infos);
+    /// Range of a field over all elements, where pictures do not tell it.
+    void set_field_ranges(const std::string& key, const std::vector<std::optional<FieldRange>>& ranges);
+    void set_selectors(const std::vector<SpaceSelector>& selectors);
+
+    int current_layer() const;
+    void set_current_layer(int row);
+    LayersModel& model() { return *model_; }
+    QTreeView* view() { return view_; }
+
+  signals:
+    /// A person changed something about the layers.
+    void layers_chosen(const std::vector<ir::widgets::SpaceLayer>& layers);
+    /// An item from 0 on, or SpaceSelector::all.
+    void item_chosen(const QString& selector, int item);
+    void current_layer_changed(int row);
+
+  private:
+    LayersModel* model_;
+    QTreeView* view_;
+};
+
+}  // namespace ir::widgets

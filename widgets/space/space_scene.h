@@ -1,0 +1,120 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderers/core/output.h"
+#include "renderers/core/report.h"
+#include "renderers/image/image.h"
+#include "widgets/image/camera_motion.h"
+
+/// What a 3D view shows, as plain data. The window turns it into a request to the render thread and the
+/// answer back into a SpacePicture.
+namespace ir::widgets {
+
+/// Shows only elements whose field (first component) lies in low … high.
+struct SpaceFilter {
+    std::string field;
+    double low = 0, high = 0;
+    bool operator==(const SpaceFilter&) const = default;
+};
+
+/// One buffer as it is drawn. The same buffer may stand in several layers.
+struct SpaceLayer {
+    static constexpr const char* facing = "facing";  ///< colour_by: which side of the surface is seen
+
+    std::string key;  ///< of the buffer
+    std::string label;
+    OutputKind kind = OutputKind::point_set;
+    std::string colour_by;            ///< field, `facing`, or empty: one colour
+    int component = 0;                ///< of that field
+    std::optional<double> low, high;  ///< range of the colour map; absent: from the elements drawn
+    std::string colour_map = "viridis";
+    float size_px = 3;  ///< of points and lines, logical pixels
+    std::vector<SpaceFilter> filters;
+    bool visible = true;
+    std::int64_t selected = -1;  ///< element that is marked
+    bool operator==(const SpaceLayer&) const = default;
+};
+
+struct SpaceScene {
+    std::optional<CameraPose> camera;  ///< absent: the experiment's
+    bool show_scene = true;            ///< flat shaded
+    bool show_centres = true;          ///< of regions on a sphere
+    std::vector<SpaceLayer> layers;
+    bool operator==(const SpaceScene&) const = default;
+};
+
+struct SpaceBox {
+    glm::dvec3 low{-1}, high{1};
+    bool operator==(const SpaceBox&) const = default;
+};
+
+struct FieldRange {
+    double low = 0, high = 0;
+    bool operator==(const FieldRange&) const = default;
+};
+
+/// What became of a layer, in the order of the visible layers.
+struct LayerInfo {
+    std::string key;
+    std::string note;           ///< why it is not drawn; empty: it is
+    std::vector<Field> fields;  ///< of the buffer's element
+    /// By field, of its first component over all elements, filters or not; empty: unknown.
+    std::vector<std::optional<FieldRange>> ranges = {};
+    std::uint64_t elements = 0;           ///< in the buffer
+    std::uint64_t stride = 1;             ///< every n-th was looked at
+    double low = 0, high = 0;             ///< range of the colours that was used
+    double least = 0, most = 0;           ///< of the field that colours, over the elements that pass
+    std::optional<SpaceBox> bounds = {};  ///< metres; absent: unknown
+};
+
+/// What the renderer drew, and what stands at each pixel.
+struct SpacePicture {
+    Image colour;                       ///< linear, 3 channels, row 0 on top
+    std::vector<std::int32_t> layer;    ///< by pixel: index into `layers`, -1 none
+    std::vector<std::int64_t> element;  ///< by pixel: element of that layer, -1 none
+    std::vector<LayerInfo> layers;
+    CameraPose camera;  ///< that was used
+};
+
+/// A buffer that could be drawn.
+struct AvailableBuffer {
+    std::string key, label;
+    OutputKind kind = OutputKind::point_set;
+    std::string doc;
+    std::vector<Field> fields;
+    bool operator==(const AvailableBuffer&) const = default;
+};
+
+/// A list of things that are shown one by one. Elements that stand for an item have an integer field of the
+/// selector's key.
+struct SpaceSelector {
+    static constexpr int all = -1;
+    std::string key, label, doc;
+    int count = 1;
+    int item = 0;  ///< from 0 on, or `all`
+    bool operator==(const SpaceSelector&) const = default;
+};
+
+/// Kinds that a 3D view can draw.
+bool is_spatial(OutputKind kind);
+/// Fields that place elements ("position", "normal", "axis_u", …) rather than being values of them.
+bool is_geometry(OutputKind kind, const Field& field);
+/// By how a buffer is drawn before anybody chooses otherwise. Sphere values: by the first value that is no
+/// id; everything else: by "layer", "bounce", "depth", "distance" or the first scalar.
+SpaceLayer default_layer(const AvailableBuffer& buffer);
+/// Whether a visible layer is a sphere of values: it is seen from outside, without the scene.
+bool shows_sphere(const SpaceScene& scene);
+/// Least and most of each field's first component over elements as they lie in memory; absent where there is
+/// no finite value.
+std::vector<std::optional<FieldRange>> field_ranges(const std::vector<Field>& fields,
+                                                    std::span<const std::byte> elements);
+/// By picture layer: index in `layers` of the visible layer that it shows, -1 where that is gone.
+std::vector<int> scene_indices(const std::vector<LayerInfo>& drawn, const std::vector<SpaceLayer>& layers);
+
+}  // namespace ir::widgets

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QSet>
+#include <QTimer>
+#include <QWidget>
+
+#include "widgets/image/image_view.h"
+#include "widgets/space/space_scene.h"
+
+class QAction;
+class QLabel;
+class QToolButton;
+
+namespace ir::widgets {
+
+class SpaceOverlay;
+
+/// A picture of buffers in space with a camera that a hand can move. It draws nothing itself: it asks for
+/// pictures and shows those that arrive, each until the next one is there. Left drag orbits, Shift-drag (or
+/// right, or middle) slides, Ctrl-drag looks around, the wheel goes towards the point under the cursor,
+/// W A S D Q E fly, F or a double click frames what is shown, Home is the experiment's camera.
+class SpaceView : public QWidget {
+    Q_OBJECT
+  public:
+    explicit SpaceView(QWidget* parent = nullptr, ImageView::Surface surface = ImageView::Surface::best);
+
+    /// What is wanted. Asks for a picture where it differs.
+    void set_scene(const SpaceScene& scene);
+    void set_layers(const std::vector<SpaceLayer>& layers);
+    const SpaceScene& scene() const { return scene_; }
+    /// Asks for a picture of the same scene: the buffers have new contents.
+    void refresh();
+
+    /// The newest picture; stays until another comes.
+    void set_picture(SpacePicture picture);
+    /// Why there is no newer picture; the old one stays under it.
+    void set_note(const QString& note);
+    /// Drops the picture (another experiment) and says why.
+    void clear(const QString& note);
+
+    /// Extent of the scene: framing and the speed of flying.
+    void set_bounds(const SpaceBox& bounds);
+    /// For the text under the cursor: what a click on an element chooses.
+    void set_selectors(const std::vector<SpaceSelector>& selectors);
+    /// Values of the element under the cursor, shown beside it; empty: none.
+    void set_hover_values(const QString& values);
+
+    const SpacePicture& picture() const { return picture_; }
+    bool is_free() const { return scene_.camera.has_value(); }
+    /// Camera in force: the free one, else the one that the last picture was drawn with.
+    CameraPose pose() const;
+    /// Where pictures are shown, in coordinates of this widget.
+    QRect picture_area() const;
+    /// Size that pictures should have, device pixels.
+    QSize wanted_size() const;
+    struct Element {
+        int layer = -1;  ///< of the scene
+        std::int64_t element = -1;
+        bool operator==(const Element&) const = default;
+    };
+    /// What is drawn at a point of picture_area(), or up to three logical pixels from it.
+    Element element_at(QPointF position) const;
+    /// What is seen, in device pixels; with tripod, scale, legend and notes on request.
+    QImage snapshot(bool overlays) const;
+    const char* surface_kind() const { return image_->surface_kind(); }
+
+  public slots:
+    void use_experiment_camera();
+    /// Goes on from where the picture was drawn from.
+    void use_free_camera();
+    void frame_all();
+
+  signals:
+    /// At most one is under way: the next follows when its picture (or note) came, or after 200 ms.
+    void view_wanted(const ir::widgets::SpaceScene& scene, QSize device_px);
+    /// A person changed camera, scene or centres (a gesture counts once, at its end).
+    void scene_changed(const ir::widgets::SpaceScene& scene);
+    void picture_shown(const std::vector<ir::widgets::LayerInfo>& layers);
+    /// Layer of the scene, -1 and -1 for the background.
+    void element_clicked(int layer, qint64 element);
+    void element_hovered(int layer, qint64 element);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent*) override;
+    void showEvent(QShowEvent*) override;
+    void keyPressEvent(QKeyEvent*) override;
+    void keyReleaseEvent(QKeyEvent*) override;
+    void focusOutEvent(QFocusEvent*) override;
+    void changeEvent(QEvent*) override;
+
+  private:
+    SpaceScene scene_;
+    SpacePicture picture_;
+    ImageView* image_;
+};
+
+}  // namespace ir::widgets
