@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "widgets/document/edit_maker.h"
+#include "widgets/document/item_ref.h"
+#include "widgets/image/camera_motion.h"
+
+namespace ir::widgets {
+
+/// A material of a part's file, as the file has it; absent members are not known.
+struct MaterialFacts {
+    QString name;
+    projects::MaterialOverride values = {};
+};
+
+/// What only the one who loaded a scene knows about it. Whatever is missing is offered as free text.
+struct SceneFacts {
+    QString scene;                                           ///< id of the scene that this is about
+    QStringList cameras = {};                                ///< names of the file's cameras
+    std::vector<std::vector<MaterialFacts>> materials = {};  ///< part by part
+};
+
+/// The project as the forms see it while they are shown one.
+struct ShownProject {
+    const projects::Project& project;
+    const Registry& registry;
+    const SceneFacts& facts;
+    bool read_only = false;
+    QString why_read_only = {};
+};
+
+/// One item by its values. A field that is spun or dragged gives one undo step; another field, Enter or
+/// leaving begins a new one.
+class ItemForm : public QWidget {
+    Q_OBJECT
+  public:
+    explicit ItemForm(QWidget* parent) : QWidget(parent) {}
+    /// Shows the item, which is in the project; emits nothing.
+    virtual void show_item(const ShownProject& shown, const ItemRef& item) = 0;
+
+  signals:
+    void edit_wanted(const ir::widgets::EditMaker& make);
+    void gesture_finished();
+    /// A file is to be chosen for this item: a part's, an image's, a set of lights' environment map.
+    void browse_wanted(const ir::widgets::ItemRef& item);
+
+  protected:
+    /// A change of one field; those of the same field merge until finish().
+    void change(const QString& field, const EditMaker& make);
+    /// A step of its own.
+    void step(const EditMaker& make);
+    void finish();
+
+  private:
+    QString field_;
+};
+
+}  // namespace ir::widgets

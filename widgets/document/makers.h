@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "widgets/document/edit_maker.h"
+#include "widgets/document/item_ref.h"
+#include "widgets/image/camera_motion.h"
+
+/// Edits that take more than one call of projects/edits.h. Sources are as the document holds them: relative
+/// to the project folder (projects::relative_source) or built-in names.
+namespace ir::widgets::makers {
+
+EditMaker add_scene(const std::string& name, const std::string& source);
+EditMaker add_part(const std::string& scene, const std::string& source);
+/// Another file for a part; the recorded hash is dropped.
+EditMaker set_part_source(const std::string& scene, int part, const std::string& source);
+/// A bookmark: named `name` or, where that is empty, "View 1", "View 2", …
+EditMaker add_camera(const CameraPose& pose, const std::string& name = {});
+EditMaker set_pose(const std::string& camera, const CameraPose& pose);
+EditMaker add_light_set();
+EditMaker add_light(const std::string& set, projects::LightSpec::Type type);
+EditMaker set_environment_map(const std::string& set, const std::string& source);
+/// Compares the first two experiments, or `a` with `b`.
+EditMaker add_comparison(const std::string& a = {}, const std::string& b = {});
+EditMaker add_image(const std::string& name, const std::string& source);
+EditMaker set_image_source(const std::string& image, const std::string& source);
+
+// For every kind of item, parts and single lights included.
+EditMaker remove(const ItemRef& item);
+EditMaker duplicate(const ItemRef& item);
+EditMaker rename(const ItemRef& item, const std::string& name);
+EditMaker move(const ItemRef& item, int position);
+
+}  // namespace ir::widgets::makers
