@@ -16,6 +16,8 @@ struct Message {
     Severity severity = Severity::note;
     std::string source;  ///< "scene", "graph", "shader", "gl", …
     std::string text;    ///< one line
+    /// What it is about, for going there: "FILE:LINE", a resource's key or a scene item; may be empty.
+    std::string place = {};
 };
 
 struct PassReport {

@@ -19,6 +19,10 @@ class MessagesPanel : public QWidget {
     MessagesModel& model() { return *model_; }
     MessagesFilter& filter() { return *filter_; }
 
+  signals:
+    /// Double click or Enter on a message that has a place.
+    void go_to(const ir::Message& message);
+
   public slots:
     void copy();
     void clear();
