@@ -76,6 +76,7 @@ void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
             counted = true;
         }
         if (counted) row.elements = std::min(row.elements, used);
+        elements_in_use[row.key] = row.elements;
         if (buffers[i]) row.bytes = pool.bytes(*buffers[i]);
         report.resources.push_back(std::move(row));
     }

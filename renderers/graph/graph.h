@@ -32,6 +32,13 @@ struct FrameOptions {
     std::function<void()> between_slices;  ///< serves views while a frame runs
 };
 
+/// A buffer resource where it lies on the device.
+struct DeviceBuffer {
+    gl::Name name = 0;
+    BufferDesc desc;
+    std::uint64_t elements = 0;  ///< in use
+};
+
 /// Owns every image and buffer of one execution, runs its frames and keeps their history. All calls from one
 /// thread, with the device's context current.
 class Graph {
@@ -55,6 +62,9 @@ class Graph {
     /// Raw elements of a buffer resource.
     std::optional<std::vector<std::byte>> read_buffer(const std::string& key) const;
     const BufferDesc* buffer_desc(const std::string& key) const;
+    /// For viewers that draw from buffers without copying them; empty where there are no contents. Between
+    /// the slices of a frame, elements in use are those of the frame before, and contents may be half new.
+    std::optional<DeviceBuffer> device_buffer(const std::string& key) const;
     const FrameReport& last_report() const;
 
   private:

@@ -48,7 +48,8 @@ struct Graph::State {
     gl::ProgramLibrary* programs;
     Pool pool;
     std::map<std::string, StoredObject> objects;
-    std::map<std::string, BufferDesc> buffer_descs;  ///< of the last frame
+    std::map<std::string, BufferDesc> buffer_descs;        ///< of the last frame
+    std::map<std::string, std::uint64_t> elements_in_use;  ///< by buffer key, of the last finished frame
     std::vector<std::pair<scene::Sampler, GLuint>> samplers;
     GLuint empty_vertex_array = 0;
     std::vector<GLuint> framebuffers;  ///< of the running pass
