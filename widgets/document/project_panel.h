@@ -8,6 +8,8 @@
 #include "widgets/document/item_ref.h"
 
 class QAction;
+class QHBoxLayout;
+class QKeySequence;
 class QLineEdit;
 class QMenu;
 class QToolButton;
@@ -50,23 +52,25 @@ class ProjectPanel : public QWidget {
     void add_wanted(ir::widgets::ItemKind kind, const ir::widgets::ItemRef& owner);
 
   private:
-    QAction* add_action(const char* name, const QString& text, const char* icon, const QString& key,
-                        void (ProjectPanel::*run)());
-    void make_add_menu();
-    void make_buttons();
-    void add(ItemKind kind);
+    QAction* add_action(const char* name, const QString& text, const char* drawing, const QKeySequence& key,
+                        std::function<void()> run);
+    void make_actions();
+    QHBoxLayout* button_row();
+    void fill_add_menu();
+    void show_add_menu();
+    void show_menu(const QPoint& position);
     void remove_selected();
     void duplicate_selected();
     void rename_selected();
-    void move_up();
-    void move_down();
     void move_selected(int steps);
+    void move_to(const ItemRef& item, int position);
     void edit(const EditMaker& make, bool select_new = false);
+    void announce();
     void update_actions();
-    void show_menu(const QPoint& position);
-    void select_what_is_new(const QSet<QString>& before);
     QSet<QString> keys() const;
-    QString why_not(const char* action) const;
+    ItemRef newest(const QSet<QString>& before) const;
+    ItemRef neighbour(const ItemRef& owner, ItemKind kind, int row) const;
+    QString why_not(const QString& action) const;
 
     ProjectModel* model_;
     ProjectFilter* filter_;
@@ -74,9 +78,13 @@ class ProjectPanel : public QWidget {
     QLineEdit* filter_line_;
     QMenu* add_menu_;
     QHash<QString, QAction*> actions_;
-    bool read_only_ = false, has_project_ = false, select_new_ = false;
+    QToolButton* add_button_ = nullptr;
+    bool read_only_ = false, has_project_ = false;
+    bool select_new_ = false;  ///< what the running edit adds becomes selected
+    bool settling_ = false;    ///< the tree is being rebuilt: its selection means nothing
     QString why_read_only_;
     ItemRef announced_;
+    ItemRef follow_;  ///< where the selected part or light will be after the running edit
 };
 
 }  // namespace ir::widgets

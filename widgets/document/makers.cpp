@@ -1,0 +1,163 @@
+#include "widgets/document/makers.h"
+
+#include "projects/edit_kinds.h"
+#include "projects/text.h"
+#include "projects/validate.h"
+#include "renderers/core/error.h"
+#include "widgets/document/field_edit.h"
+#include "widgets/document/replaced.h"
+
+namespace ir::widgets::makers {
+namespace {
+
+using projects::EditPtr;
+using projects::LightSet;
+using projects::LightSpec;
+using projects::Project;
+using projects::Scene;
+namespace edits = projects::edits;
+
+/// "View 3": the first number that no item has yet.
+template <class Item>
+std::string numbered(const Project& project, const std::string& word) {
+    const auto& list = edits::list_of<Item>(project);
+    for (std::size_t n = 1;; ++n) {
+        const std::string name = word + " " + std::to_string(n);
+        const auto same = [&](const Item& item) { return item.name == name; };
+        if (std::none_of(list.begin(), list.end(), same)) return name;
+    }
+}
+
+/// The item with a name and a free id, at the end of its list.
+template <class Item>
+EditPtr added(const Project& project, Item item, const std::string& name, const std::string& word) {
+    item.name = name.empty() ? numbered<Item>(project, word) : name;
+    item.id = projects::free_id_in(edits::list_of<Item>(project), item.name);
+    return edits::add(project, item);
+}
+
+LightSpec fresh_light(LightSpec::Type type) {
+    LightSpec light;
+    light.type = type;
+    light.quantity = projects::allowed_quantities(type).front();
+    light.amount = 10;
+    light.position = {0, 2, 0};
+    if (type == LightSpec::Type::directional) {
+        light.position = {0, 0, 0};
+        light.direction = glm::dvec3(0, -1, 0);
+    } else if (type != LightSpec::Type::point) {
+        light.target = glm::dvec3(0);
+    }
+    return light;
+}
+
+void put_pose(projects::Camera& camera, const CameraPose& pose) {
+    camera.scene_camera.clear();
+    camera.eye = pose.eye;
+    camera.target = pose.target;
+    camera.up = pose.up;
+    camera.fov_y_degrees = pose.fov_y_degrees;
+    camera.orthographic = pose.orthographic;
+    camera.height = pose.height;
+}
+
+}  // namespace
+
+EditMaker add_scene(const std::string& name, const std::string& source) {
+    return [=](const Project& project) {
+        Scene scene;
+        scene.parts.push_back({source, "", {}});
+        return added(project, scene, name, "Scene");
+    };
+}
+
+EditMaker add_part(const std::string& scene, const std::string& source) {
+    return [=](const Project& project) {
+        Scene changed = edits::item_of<Scene>(project, scene);
+        changed.parts.push_back({source, "", {}});
+        return replaced(project, changed, "Add a file to scene");
+    };
+}
+
+EditMaker set_part_source(const std::string& scene, int part, const std::string& source) {
+    return [=](const Project& project) {
+        Scene changed = edits::item_of<Scene>(project, scene);
+        auto& target = changed.parts[checked_index(part, changed.parts.size(), "part")];
+        if (target.source != source) target.content_hash.clear();
+        target.source = source;
+        return replaced(project, changed, "Change a file of scene");
+    };
+}
+
+EditMaker add_camera(const CameraPose& pose, const std::string& name) {
+    return [=](const Project& project) {
+        projects::Camera camera;
+        put_pose(camera, pose);
+        return added(project, camera, name, "View");
+    };
+}
+
+EditMaker set_pose(const std::string& camera, const CameraPose& pose) {
+    return field_edit<projects::Camera>(
+        camera, "the pose", [pose](projects::Camera& changed) { put_pose(changed, pose); }, false);
+}
+
+EditMaker add_light_set() {
+    return [](const Project& project) {
+        LightSet set;
+        set.use_scene_lights = true;  // nothing changes until a light is added
+        return added(project, set, "", "Lights");
+    };
+}
+
+EditMaker add_light(const std::string& set, LightSpec::Type type) {
+    return [=](const Project& project) {
+        LightSet changed = edits::item_of<LightSet>(project, set);
+        changed.use_scene_lights = false;
+        changed.lights.push_back(fresh_light(type));
+        return replaced(project, changed, "Add a " + to_string(type) + " light to");
+    };
+}
+
+EditMaker set_environment_map(const std::string& set, const std::string& source) {
+    return field_edit<LightSet>(
+        set, "the environment",
+        [source](LightSet& changed) {
+            changed.environment.kind = projects::Environment::Kind::map;
+            if (changed.environment.source != source) changed.environment.content_hash.clear();
+            changed.environment.source = source;
+        },
+        false);
+}
+
+EditMaker add_comparison(const std::string& a, const std::string& b) {
+    return [=](const Project& project) {
+        const auto& list = project.experiments;
+        if (list.empty() && (a.empty() || b.empty()))
+            throw UsageError("a comparison needs an experiment; add one first");
+        projects::Comparison comparison;
+        comparison.a = a.empty() ? list.front().id : a;
+        comparison.b = b.empty() ? list[std::min<std::size_t>(1, list.size() - 1)].id : b;
+        return added(project, comparison, "", "Comparison");
+    };
+}
+
+EditMaker add_image(const std::string& name, const std::string& source) {
+    return [=](const Project& project) {
+        projects::ForeignImage image;
+        image.source = source;
+        return added(project, image, name, "Image");
+    };
+}
+
+EditMaker set_image_source(const std::string& image, const std::string& source) {
+    return field_edit<projects::ForeignImage>(
+        image, "the file",
+        [source](projects::ForeignImage& changed) {
+            if (changed.source != source) changed.content_hash.clear();
+            changed.source = source;
+        },
+        false);
+}
+
+}  // namespace ir::widgets::makers

@@ -1,0 +1,263 @@
+#include "widgets/document/project_nodes.h"
+
+#include <QCoreApplication>
+
+#include "widgets/parameters/row_state.h"
+
+namespace ir::widgets {
+namespace {
+
+using namespace projects;
+using Node = ProjectModel::Node;
+
+QString tr(const char* text, int count = -1) {
+    return QCoreApplication::translate("ProjectNodes", text, nullptr, count);
+}
+
+QString q(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+QString vector_text(const glm::dvec3& v) {
+    return QStringLiteral("%1, %2, %3").arg(number_text(v.x), number_text(v.y), number_text(v.z));
+}
+
+/// "1 light", "3 lights"
+QString counted(std::size_t count, const char* one, const char* many) {
+    return count == 1 ? tr(one) : tr(many).arg(count);
+}
+
+/// Name of an item, or its id where it is not there.
+template <class List>
+QString name_in(const List& list, const std::string& id) {
+    const auto* item = find_item(list, id);
+    return item ? q(item->name) : q(id);
+}
+
+Node& add_child(Node& parent, Node child) {
+    child.parent = &parent;
+    child.row = int(parent.children.size());
+    parent.children.push_back(std::make_unique<Node>(std::move(child)));
+    return *parent.children.back();
+}
+
+Node made(ItemKind kind, const QString& id, const QString& name, const QString& detail, const char* icon,
+          const QString& about) {
+    Node node;
+    node.item = {kind, id};
+    node.name = name;
+    node.detail = detail;
+    node.icon = icon;
+    node.tooltip = QStringLiteral("<p><b>%1</b><br>%2</p>").arg(name.toHtmlEscaped(), about.toHtmlEscaped());
+    if (!id.isEmpty()) node.tooltip += QStringLiteral("<p>%1</p>").arg(tr("Id: %1").arg(id.toHtmlEscaped()));
+    return node;
+}
+
+Node& add_group(Node& root, ItemKind kind, const QString& name, std::size_t count, const QString& hint) {
+    Node node;
+    node.group = kind;
+    node.name = name;
+    node.detail = count == 0 ? QString() : QString::number(count);
+    Node& group = add_child(root, std::move(node));
+    if (count > 0) return group;
+    Node line;
+    line.name = hint;
+    line.tooltip = hint.toHtmlEscaped();
+    add_child(group, std::move(line));
+    return group;
+}
+
+QString part_detail(const ScenePart& part) {
+    QStringList words;
+    if (part.transform) words << tr("placed");
+    if (!part.materials.empty())
+        words << counted(part.materials.size(), "1 material changed", "%1 materials changed");
+    return words.join(QStringLiteral(" · "));
+}
+
+void add_scenes(Node& root, const Project& project) {
+    Node& group = add_group(root, ItemKind::scene, tr("Scenes"), project.scenes.size(),
+                            tr("No scenes yet. Add a glTF file or a built-in scene with “Add”."));
+    for (const auto& scene : project.scenes) {
+        const QString files = scene.parts.size() == 1 ? source_name(scene.parts.front().source)
+                                                      : tr("%1 files").arg(scene.parts.size());
+        Node& node = add_child(group, made(ItemKind::scene, q(scene.id), q(scene.name), files, "scene",
+                                           tr("Scene: files with transforms and changed materials")));
+        for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+            const auto& part = scene.parts[i];
+            Node child = made(ItemKind::part, q(scene.id), source_name(part.source), part_detail(part),
+                              "part", q(part.source));
+            child.item.index = int(i);
+            add_child(node, std::move(child));
+        }
+    }
+}
+
+QString camera_detail(const Camera& camera) {
+    if (!camera.scene_camera.empty()) return tr("from the file: %1").arg(q(camera.scene_camera));
+    const QString eye = vector_text(camera.eye);
+    return camera.orthographic ? tr("%1 m high · at %2").arg(number_text(camera.height), eye)
+                               : tr("%1° · at %2").arg(number_text(camera.fov_y_degrees), eye);
+}
+
+void add_cameras(Node& root, const Project& project) {
+    Node& group = add_group(root, ItemKind::camera, tr("Cameras"), project.cameras.size(),
+                            tr("No cameras yet. Bookmark the view with Ctrl+B."));
+    for (const auto& camera : project.cameras)
+        add_child(group, made(ItemKind::camera, q(camera.id), q(camera.name), camera_detail(camera), "camera",
+                              tr("Camera. Double click: look through it")));
+}
+
+QString set_detail(const LightSet& set) {
+    QString text =
+        set.use_scene_lights ? tr("the scene's lights") : counted(set.lights.size(), "1 light", "%1 lights");
+    if (set.environment.kind == Environment::Kind::constant) text += tr(" · even sky");
+    if (set.environment.kind == Environment::Kind::map)
+        text += QStringLiteral(" · ") + source_name(set.environment.source);
+    return text;
+}
+
+void add_lights(Node& root, const Project& project) {
+    Node& group = add_group(root, ItemKind::light_set, tr("Lights"), project.lights.size(),
+                            tr("No own lights yet: experiments use the scene's. Add a set with “Add”."));
+    for (const auto& set : project.lights) {
+        Node& node = add_child(group, made(ItemKind::light_set, q(set.id), q(set.name), set_detail(set),
+                                           "lights", tr("Set of lights, used instead of the scene's")));
+        for (std::size_t i = 0; i < set.lights.size(); ++i) {
+            const auto& light = set.lights[i];
+            Node child = made(ItemKind::light, q(set.id), light_name(light.type), light_text(light), "light",
+                              q(to_string(light)));
+            child.item.index = int(i);
+            add_child(node, std::move(child));
+        }
+    }
+}
+
+void add_motions(Node& root, const Project& project) {
+    if (project.motion.empty()) return;
+    Node& group = add_group(root, ItemKind::motion, tr("Motions"), project.motion.size(), {});
+    for (const auto& motion : project.motion)
+        add_child(group, made(ItemKind::motion, q(motion.id), q(motion.name),
+                              tr("%1 · %2").arg(name_in(project.cameras, motion.camera),
+                                                counted(motion.keys.size(), "1 key", "%1 keys")),
+                              "motion", tr("Poses of a camera over time")));
+}
+
+void add_experiments(Node& root, const Project& project, const Registry& registry) {
+    Node& group = add_group(root, ItemKind::experiment, tr("Experiments"), project.experiments.size(),
+                            tr("No experiments yet. Add one with Ctrl+E."));
+    for (const auto& experiment : project.experiments) {
+        const auto* method = registry.find(experiment.method);
+        const auto run = effective(experiment);
+        const QString size = QStringLiteral("%1×%2").arg(run.size.x).arg(run.size.y);
+        const QString detail =
+            tr("%1 · %2 · %3").arg(q(experiment.method), name_in(project.scenes, experiment.scene), size);
+        const QString about =
+            tr("Experiment: %1, %2. Double click: look at it")
+                .arg(method ? q(method->title)
+                            : tr("method '%1', which this build does not have").arg(q(experiment.method)),
+                     counted(std::size_t(run.frames), "1 frame", "%1 frames"));
+        add_child(group, made(ItemKind::experiment, q(experiment.id), q(experiment.name), detail,
+                              method ? "experiment" : "warning", about));
+    }
+}
+
+QString picture_name(const Project& project, const std::string& id) {
+    const auto* image = find_item(project.images, id);
+    return image ? q(image->name) : name_in(project.experiments, id);
+}
+
+void add_comparisons(Node& root, const Project& project) {
+    Node& group = add_group(root, ItemKind::comparison, tr("Comparisons"), project.comparisons.size(),
+                            tr("No comparisons yet. Add one with “Add”."));
+    for (const auto& comparison : project.comparisons)
+        add_child(group, made(ItemKind::comparison, q(comparison.id), q(comparison.name),
+                              tr("%1 – %2 · %3")
+                                  .arg(picture_name(project, comparison.a),
+                                       picture_name(project, comparison.b), q(comparison.mode)),
+                              "comparison", tr("Comparison of two pictures. Double click: show it")));
+}
+
+void add_images(Node& root, const Project& project) {
+    Node& group = add_group(root, ItemKind::image, tr("Foreign images"), project.images.size(),
+                            tr("No pictures from elsewhere. Add an EXR or PNG with “Add”."));
+    for (const auto& image : project.images)
+        add_child(group, made(ItemKind::image, q(image.id), q(image.name), source_name(image.source), "image",
+                              q(image.source)));
+}
+
+void add_sweeps(Node& root, const Project& project) {
+    Node& group = add_group(root, ItemKind::sweep, tr("Sweeps"), project.sweeps.size(),
+                            tr("No sweeps yet: variations of an experiment."));
+    for (const auto& sweep : project.sweeps) {
+        std::size_t count = 1;
+        QStringList keys;
+        for (const auto& axis : sweep.axes) {
+            count *= axis.values.size();
+            keys << q(axis.key);
+        }
+        add_child(group, made(ItemKind::sweep, q(sweep.id), q(sweep.name),
+                              tr("%1 · %2").arg(name_in(project.experiments, sweep.experiment),
+                                                counted(count, "1 point", "%1 points")),
+                              "sweep", tr("Varies %1").arg(keys.join(QStringLiteral(", ")))));
+    }
+}
+
+}  // namespace
+
+QString source_name(const std::string& source) {
+    const QString text = q(source);
+    return text.startsWith(QLatin1String("builtin:")) ? text : text.section(QLatin1Char('/'), -1);
+}
+
+QString unit_of(LightSpec::Quantity quantity) {
+    switch (quantity) {
+        case LightSpec::Quantity::intensity:
+            return QStringLiteral("W/sr");
+        case LightSpec::Quantity::flux:
+            return QStringLiteral("W");
+        case LightSpec::Quantity::irradiance:
+            return QStringLiteral("W/m²");
+        default:
+            return QStringLiteral("W/(m² sr)");
+    }
+}
+
+QString light_name(LightSpec::Type type) {
+    switch (type) {
+        case LightSpec::Type::point:
+            return tr("Point light");
+        case LightSpec::Type::spot:
+            return tr("Spot light");
+        case LightSpec::Type::directional:
+            return tr("Directional light");
+        case LightSpec::Type::rect:
+            return tr("Rectangle light");
+        default:
+            return tr("Disk light");
+    }
+}
+
+QString light_text(const LightSpec& light) {
+    const QString amount = number_text(light.amount) + QLatin1Char(' ') + unit_of(light.quantity);
+    if (light.type == LightSpec::Type::directional)
+        return tr("%1 along %2").arg(amount, vector_text(light.travel()));
+    return tr("%1 at %2").arg(amount, vector_text(light.position));
+}
+
+std::unique_ptr<Node> project_nodes(const Project& project, const Registry& registry) {
+    auto root = std::make_unique<Node>();
+    add_child(*root, made(ItemKind::project, {}, project.name.empty() ? tr("Project") : q(project.name),
+                          tr("project"), "app", tr("The project: name and notes")));
+    add_experiments(*root, project, registry);
+    add_comparisons(*root, project);
+    add_scenes(*root, project);
+    add_cameras(*root, project);
+    add_lights(*root, project);
+    add_motions(*root, project);
+    add_images(*root, project);
+    add_sweeps(*root, project);
+    return root;
+}
+
+}  // namespace ir::widgets
