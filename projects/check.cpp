@@ -13,8 +13,9 @@ namespace fs = std::filesystem;
 
 class Checker {
   public:
-    Checker(const ReadProject& read, const fs::path& folder, const Registry& registry)
-        : read_(read), project_(read.project), folder_(folder), registry_(registry) {}
+    Checker(const ReadProject& read, const fs::path& folder, const Registry& registry,
+            const ContentHashes* known)
+        : read_(read), project_(read.project), folder_(folder), registry_(registry), known_(known) {}
 
     std::vector<Message> run() {
         files();
@@ -50,12 +51,12 @@ class Checker {
     void files() {
         for (const auto& scene : project_.scenes)
             for (const auto& part : scene.parts)
-                report("scene '" + scene.id + "'", status(part, folder_), " or restore it");
+                report("scene '" + scene.id + "'", status(part, folder_, known_), " or restore it");
         for (const auto& set : project_.lights)
             if (set.environment.kind == Environment::Kind::map)
-                report("environment of '" + set.id + "'", status(set.environment, folder_), "");
+                report("environment of '" + set.id + "'", status(set.environment, folder_, known_), "");
         for (const auto& image : project_.images)
-            report("image '" + image.id + "'", status(image, folder_), "");
+            report("image '" + image.id + "'", status(image, folder_, known_), "");
     }
 
     void check(const Experiment& experiment) {
@@ -74,7 +75,7 @@ class Checker {
                                     " of " + method->id + ", this build has " +
                                     std::to_string(method->version));
         }
-        if (result_state(project_, experiment, registry_) == ResultState::stale)
+        if (is_stale(project_, experiment, registry_, known_ ? *known_ : ContentHashes{}))
             say(Severity::note, where + "its kept result is stale; render it again");
     }
 
@@ -109,14 +110,15 @@ class Checker {
     const Project& project_;
     const fs::path& folder_;
     const Registry& registry_;
+    const ContentHashes* known_;
     std::vector<Message> messages_;
 };
 
 }  // namespace
 
-std::vector<Message> check(const ReadProject& read, const fs::path& project_folder,
-                           const Registry& registry) {
-    return Checker(read, project_folder, registry).run();
+std::vector<Message> check(const ReadProject& read, const fs::path& project_folder, const Registry& registry,
+                           const ContentHashes* known) {
+    return Checker(read, project_folder, registry, known).run();
 }
 
 std::string why_not_runnable(const Project& project, const Experiment& experiment, const Registry& registry,

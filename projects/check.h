@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "projects/document_json.h"
+#include "projects/scene_files.h"
 #include "renderers/core/report.h"
 
 namespace ir::projects {
 
 /// Everything that a user should know about a project, most serious first: missing or changed scenes, unknown
-/// keys and methods, references to nothing, an older schema, newer method versions, stale results.
+/// keys and methods, references to nothing, an older schema, newer method versions, stale results. With
+/// `known` no scene is read (see status() in scene_files.h).
 std::vector<Message> check(const ReadProject& read, const std::filesystem::path& project_folder,
-                           const Registry& registry);
+                           const Registry& registry, const ContentHashes* known = nullptr);
 
 /// Why the experiment cannot run in this build, or empty: unknown method, missing scene, camera or lights.
 std::string why_not_runnable(const Project& project, const Experiment& experiment, const Registry& registry,

@@ -28,7 +28,7 @@ std::string hash_bytes(std::string_view bytes) {
     return hexadecimal(XXH3_128bits(bytes.data(), bytes.size()));
 }
 
-std::string hash_file(const std::filesystem::path& file) {
+std::string hash_file(const std::filesystem::path& file, const std::stop_token& stop) {
     std::error_code ignored;
     // Devices and pipes may never end.
     if (!std::filesystem::is_regular_file(file, ignored))
@@ -38,8 +38,10 @@ std::string hash_file(const std::filesystem::path& file) {
     const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
     XXH3_128bits_reset(state.get());
     std::vector<char> block(1u << 20);
-    while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0)
+    while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0) {
+        if (stop.stop_requested()) throw Cancelled();
         XXH3_128bits_update(state.get(), block.data(), static_cast<std::size_t>(stream.gcount()));
+    }
     if (stream.bad()) throw InputError(file.string(), "", "cannot be read to its end; check the disk");
     return hexadecimal(XXH3_128bits_digest(state.get()));
 }

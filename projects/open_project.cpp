@@ -1,7 +1,10 @@
 #include "projects/open_project.h"
 
+#include <algorithm>
+
 #include "projects/check.h"
 #include "projects/hash.h"
+#include "projects/results.h"
 #include "projects/scene_files.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
@@ -58,11 +61,45 @@ void OpenProject::load() {
     recovery_.reset();
     // While another process edits, the autosave is that one's.
     if (!read_only_) recovery_ = find_recovery(folder_, registry_, files_);
+    contents_.clear();
+    look_at_files();
     check_again();
 }
 
 void OpenProject::check_again() {
-    messages_ = check({project_, schema_in_file_, reading_messages_}, folder_, registry_);
+    messages_ = check({project_, schema_in_file_, reading_messages_}, folder_, registry_, &contents_);
+}
+
+void OpenProject::look_at_files() {
+    requested_sources_ = sources_of(project_);
+    hasher_.request(requested_sources_, folder_);
+}
+
+/// An edit named a file that nobody looked at yet.
+void OpenProject::look_at_new_files() {
+    const auto sources = sources_of(project_);
+    if (!std::includes(requested_sources_.begin(), requested_sources_.end(), sources.begin(), sources.end()))
+        look_at_files();
+}
+
+bool OpenProject::poll_files() {
+    if (!hasher_.take(contents_)) return false;
+    check_again();
+    return true;
+}
+
+void OpenProject::wait_for_files() {
+    hasher_.wait();
+    poll_files();
+}
+
+std::vector<std::string> OpenProject::stale_experiments() const {
+    return projects::stale_experiments(project_, registry_, contents_);
+}
+
+void OpenProject::changed() {
+    ++revision_;
+    look_at_new_files();
 }
 
 void OpenProject::require_writable() const {
@@ -71,19 +108,19 @@ void OpenProject::require_writable() const {
 
 bool OpenProject::edit(EditPtr edit) {
     require_writable();
-    const bool changed = undo_.push(project_, std::move(edit));
-    if (changed) ++revision_;
-    return changed;
+    const bool is_change = undo_.push(project_, std::move(edit));
+    if (is_change) changed();
+    return is_change;
 }
 
 void OpenProject::undo() {
     undo_.undo(project_);
-    ++revision_;
+    changed();
 }
 
 void OpenProject::redo() {
     undo_.redo(project_);
-    ++revision_;
+    changed();
 }
 
 void OpenProject::mark_kept(const std::string& experiment, const std::string& key) {
@@ -182,6 +219,8 @@ void OpenProject::save_as(const fs::path& given) {
     lock_ = std::move(lock);
     read_only_ = false;
     if (moved) undo_.clear();
+    contents_.clear();
+    look_at_files();
     check_again();
 }
 
@@ -205,6 +244,7 @@ void OpenProject::take_recovery() {
     recovered_ = true;
     has_autosave_ = true;
     autosaved_revision_ = revision_;
+    look_at_files();
     check_again();
 }
 

@@ -8,6 +8,7 @@
 
 #include "projects/autosave.h"
 #include "projects/lock.h"
+#include "projects/scene_hasher.h"
 #include "projects/store.h"
 #include "projects/undo_stack.h"
 
@@ -35,6 +36,21 @@ class OpenProject {
     /// From reading and check(): for the banner and the log.
     const std::vector<Message>& messages() const { return messages_; }
     void check_again();
+
+    /// Scenes, maps and images are hashed on a thread of their own: opening never waits for them. Takes over
+    /// what it found since the last call; returns whether messages(), states of files or stale_experiments()
+    /// may have changed. Called when `on_news` says so, or now and then.
+    bool poll_files();
+    /// `on_news` is called on the hashing thread and only passes the word on; empty: no more calls.
+    void set_on_files_read(std::function<void()> on_news) { hasher_.set_on_news(std::move(on_news)); }
+    /// Looks at all files again (the window became active, a file was located); unchanged ones are not read.
+    void look_at_files();
+    bool is_reading_files() const { return hasher_.is_busy(); }
+    void wait_for_files();  ///< blocks until all are read: for commands and tests
+    /// What is known of the files, for status(…, folder(), &contents()) in scene_files.h.
+    const ContentHashes& contents() const { return contents_; }
+    /// Experiments whose kept result is no longer what they would render now.
+    std::vector<std::string> stale_experiments() const;
 
     /// Applies and remembers. Throws UsageError when read-only.
     bool edit(EditPtr edit);
@@ -66,6 +82,8 @@ class OpenProject {
 
   private:
     void load();
+    void changed();
+    void look_at_new_files();
     void require_writable() const;
     void write(const std::string& expected_hash);
     void drop_autosave();
@@ -81,10 +99,13 @@ class OpenProject {
     Project project_;
     UndoStack undo_;
     std::vector<Message> messages_;
+    ContentHashes contents_;
+    std::set<std::string> requested_sources_;
     std::optional<Recovery> recovery_;
     std::string file_hash_;
     std::size_t autosaved_revision_ = 0, revision_ = 0;
     AutosaveThread autosave_;
+    SceneHasher hasher_;
 };
 
 }  // namespace ir::projects

@@ -134,6 +134,21 @@ ResultState result_state(const Project& project, const Experiment& experiment, c
                                                                                  : ResultState::stale;
 }
 
+bool is_stale(const Project& project, const Experiment& experiment, const Registry& registry,
+              const ContentHashes& contents) {
+    if (experiment.last_kept_key.empty()) return false;
+    return result_state(with_contents(project, contents), experiment, registry) == ResultState::stale;
+}
+
+std::vector<std::string> stale_experiments(const Project& project, const Registry& registry,
+                                           const ContentHashes& contents) {
+    std::vector<std::string> stale;
+    const Project now = with_contents(project, contents);
+    for (const auto& experiment : now.experiments)
+        if (result_state(now, experiment, registry) == ResultState::stale) stale.push_back(experiment.id);
+    return stale;
+}
+
 std::vector<std::string> differences(const Json& inputs_before, const Json& inputs_now) {
     std::vector<std::string> result;
     compare("", inputs_before, inputs_now, result);

@@ -6,6 +6,7 @@
 
 #include "projects/document.h"
 #include "projects/file_system.h"
+#include "projects/scene_files.h"
 #include "renderers/core/method.h"
 #include "renderers/core/report.h"
 
@@ -21,6 +22,14 @@ std::string result_key(const Project& project, const Experiment& experiment, con
 enum class ResultState { none, current, stale };
 /// By the experiment's last kept key.
 ResultState result_state(const Project& project, const Experiment& experiment, const Registry& registry);
+/// Whether a result was kept and something that the picture depends on changed since. With `contents`
+/// (OpenProject::contents()) a scene file that changed on disk counts, accepted or not. Reads no file: cheap
+/// enough for every edit.
+bool is_stale(const Project& project, const Experiment& experiment, const Registry& registry,
+              const ContentHashes& contents = {});
+/// Ids of all such experiments, in their order.
+std::vector<std::string> stale_experiments(const Project& project, const Registry& registry,
+                                           const ContentHashes& contents = {});
 
 /// Keys of picture_inputs that differ: "values.samples: 16 → 64". For --verify and the stale badge.
 std::vector<std::string> differences(const Json& inputs_before, const Json& inputs_now);

@@ -1,9 +1,10 @@
 #include "projects/scene_files.h"
 
 #include <algorithm>
+#include <optional>
 
-#include "projects/gltf_references.h"
 #include "projects/hash.h"
+#include "projects/hash_cache.h"
 #include "renderers/core/error.h"
 
 namespace ir::projects {
@@ -13,19 +14,38 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view builtin_prefix = "builtin:";
 
-FileStatus status_of(const std::string& source, const std::string& recorded, const fs::path& project_folder) {
+/// The hash of what a source contains now: empty when it is missing, nothing when it is not known.
+std::optional<std::string> hash_now(const std::string& source, const fs::path& project_folder,
+                                    const ContentHashes* known) {
+    std::error_code ignored;
+    if (!known || is_builtin(source)) {
+        try {
+            return scene_hash(source, project_folder);
+        } catch (const InputError&) {
+            return "";
+        }
+    }
+    if (!fs::is_regular_file(resolve(source, project_folder), ignored)) return "";
+    const auto found = known->find(source);
+    // An empty hash of a file that is there now is one of an earlier look.
+    if (found == known->end() || found->second.empty()) return std::nullopt;
+    return found->second;
+}
+
+FileStatus status_of(const std::string& source, const std::string& recorded, const fs::path& project_folder,
+                     const ContentHashes* known) {
     FileStatus result;
     result.source = source;
     if (!is_builtin(source)) result.resolved = resolve(source, project_folder);
-    try {
-        result.hash_now = scene_hash(source, project_folder);
-    } catch (const InputError&) {
+    const auto hash = hash_now(source, project_folder, known);
+    result.hash_now = hash.value_or("");
+    if (!hash)
+        result.state = FileState::unread;
+    else if (hash->empty())
         result.state = FileState::missing;
-        return result;
-    }
-    if (recorded.empty())
+    else if (recorded.empty())
         result.state = FileState::unhashed;
-    else if (recorded != result.hash_now)
+    else if (recorded != *hash)
         result.state = FileState::changed;
     return result;
 }
@@ -50,8 +70,18 @@ std::string canonical_builtin(const std::string& source) {
 }  // namespace
 
 std::string to_string(FileState state) {
-    static constexpr std::array names{"ok", "missing", "changed", "not hashed yet"};
+    static constexpr std::array names{"ok", "missing", "changed", "not hashed yet", "not read yet"};
     return names.at(static_cast<std::size_t>(state));
+}
+
+std::set<std::string> sources_of(const Project& project) {
+    std::set<std::string> sources;
+    for (const auto& scene : project.scenes)
+        for (const auto& part : scene.parts) sources.insert(part.source);
+    for (const auto& set : project.lights)
+        if (set.environment.kind == Environment::Kind::map) sources.insert(set.environment.source);
+    for (const auto& image : project.images) sources.insert(image.source);
+    return sources;
 }
 
 bool is_builtin(const std::string& source) {
@@ -60,7 +90,10 @@ bool is_builtin(const std::string& source) {
 
 fs::path resolve(const std::string& source, const fs::path& project_folder) {
     const fs::path path(source);
-    return (path.is_absolute() ? path : fs::absolute(project_folder) / path).lexically_normal();
+    if (path.is_absolute()) return path.lexically_normal();
+    // A project that was never saved has no folder yet.
+    const auto base = project_folder.empty() ? fs::current_path() : fs::absolute(project_folder);
+    return (base / path).lexically_normal();
 }
 
 std::string relative_source(const fs::path& file, const fs::path& project_folder) {
@@ -75,38 +108,41 @@ std::string loadable_source(const std::string& source, const fs::path& project_f
 
 std::vector<fs::path> files_of(const fs::path& file) {
     std::vector<fs::path> files{file};
-    for (const auto& reference : gltf_references(file)) {
+    for (const auto& reference : shared_hash_cache().references(file)) {
         const auto path = (file.parent_path() / reference).lexically_normal();
         if (std::find(files.begin(), files.end(), path) == files.end()) files.push_back(path);
     }
     return files;
 }
 
-std::string scene_hash(const std::string& source, const fs::path& project_folder) {
+std::string scene_hash(const std::string& source, const fs::path& project_folder,
+                       const std::stop_token& stop) {
     if (is_builtin(source)) return hash_bytes(canonical_builtin(source));
+    auto& cache = shared_hash_cache();
     const auto files = files_of(resolve(source, project_folder));
-    const auto own = hash_file(files.front());
+    const auto own = cache.hash(files.front(), stop);
     if (files.size() == 1) return own;
     std::string all = own;
     for (std::size_t i = 1; i < files.size(); ++i) {
         std::error_code ignored;
         // A missing texture is a difference like any other; the loader says what it means.
-        all += fs::is_regular_file(files[i], ignored) ? hash_file(files[i]) : std::string("missing");
+        all += fs::is_regular_file(files[i], ignored) ? cache.hash(files[i], stop) : std::string("missing");
     }
     return hash_bytes(all);
 }
 
-FileStatus status(const ScenePart& part, const fs::path& project_folder) {
-    return status_of(part.source, part.content_hash, project_folder);
+FileStatus status(const ScenePart& part, const fs::path& project_folder, const ContentHashes* known) {
+    return status_of(part.source, part.content_hash, project_folder, known);
 }
 
-FileStatus status(const Environment& environment, const fs::path& project_folder) {
+FileStatus status(const Environment& environment, const fs::path& project_folder,
+                  const ContentHashes* known) {
     if (environment.kind != Environment::Kind::map) return {};
-    return status_of(environment.source, environment.content_hash, project_folder);
+    return status_of(environment.source, environment.content_hash, project_folder, known);
 }
 
-FileStatus status(const ForeignImage& image, const fs::path& project_folder) {
-    return status_of(image.source, image.content_hash, project_folder);
+FileStatus status(const ForeignImage& image, const fs::path& project_folder, const ContentHashes* known) {
+    return status_of(image.source, image.content_hash, project_folder, known);
 }
 
 Scene located(const Scene& scene, std::size_t part, const fs::path& file, const fs::path& project_folder) {
@@ -115,12 +151,27 @@ Scene located(const Scene& scene, std::size_t part, const fs::path& file, const 
     return result;
 }
 
-Scene with_current_hashes(const Scene& scene, const fs::path& project_folder) {
+Scene with_current_hashes(const Scene& scene, const fs::path& project_folder, const ContentHashes* known) {
     Scene result = scene;
     for (auto& part : result.parts) {
-        const auto now = status(part, project_folder);
-        if (now.state != FileState::missing) part.content_hash = now.hash_now;
+        const auto now = status(part, project_folder, known);
+        if (!now.hash_now.empty()) part.content_hash = now.hash_now;
     }
+    return result;
+}
+
+Project with_contents(const Project& project, const ContentHashes& known) {
+    Project result = project;
+    const auto accept = [&](const std::string& source, std::string& hash) {
+        const auto found = known.find(source);
+        if (found != known.end() && !found->second.empty()) hash = found->second;
+    };
+    for (auto& scene : result.scenes)
+        for (auto& part : scene.parts) accept(part.source, part.content_hash);
+    for (auto& set : result.lights)
+        if (set.environment.kind == Environment::Kind::map)
+            accept(set.environment.source, set.environment.content_hash);
+    for (auto& image : result.images) accept(image.source, image.content_hash);
     return result;
 }
 

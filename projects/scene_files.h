@@ -1,6 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <set>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -8,18 +11,27 @@
 
 namespace ir::projects {
 
-enum class FileState { ok, missing, changed, unhashed };
+/// unhashed: nothing is recorded to compare with; unread: the file is there and its content not yet known.
+enum class FileState { ok, missing, changed, unhashed, unread };
 std::string to_string(FileState state);
+
+/// What the files behind a document's sources contain now: hash by source as the document writes it. A source
+/// that is not in it was not read yet; an empty hash is a file that cannot be read.
+using ContentHashes = std::map<std::string, std::string>;
+
+/// All sources of a document: parts of scenes, environment maps, foreign images.
+std::set<std::string> sources_of(const Project& project);
 
 struct FileStatus {
     FileState state = FileState::ok;
     std::string source;              ///< as the document says
     std::filesystem::path resolved;  ///< absolute; empty for built-in scenes
-    std::string hash_now;            ///< empty when missing
+    std::string hash_now;            ///< empty when missing or unread
 };
 
 bool is_builtin(const std::string& source);
-/// Absolute path of a source that is a file. Relative ones start at the project folder.
+/// Absolute path of a source that is a file. Relative ones start at the project folder, or at the current one
+/// while the project was never saved and its folder is empty.
 std::filesystem::path resolve(const std::string& source, const std::filesystem::path& project_folder);
 /// `file` as the document should hold it: relative to the project folder, '/' as separator; absolute only
 /// where no relative path exists.
@@ -28,21 +40,33 @@ std::string relative_source(const std::filesystem::path& file, const std::filesy
 std::string loadable_source(const std::string& source, const std::filesystem::path& project_folder);
 
 /// Content hash of a source: built-in scenes by name, version and options; files by their bytes and, for
-/// glTF, those of the buffers and images they refer to. Throws InputError when a file cannot be read.
-std::string scene_hash(const std::string& source, const std::filesystem::path& project_folder);
+/// glTF, those of the buffers and images they refer to. Reads only what shared_hash_cache() does not know:
+/// may take long for large scenes. Throws InputError when a file cannot be read, Cancelled once stopped.
+std::string scene_hash(const std::string& source, const std::filesystem::path& project_folder,
+                       const std::stop_token& stop = {});
 /// A glTF file and the files that it refers to, the file itself first.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& file);
 
-FileStatus status(const ScenePart& part, const std::filesystem::path& project_folder);
-FileStatus status(const Environment& environment, const std::filesystem::path& project_folder);
-FileStatus status(const ForeignImage& image, const std::filesystem::path& project_folder);
+/// With `known` nothing is read: the state is that of the known hashes, and `unread` where there is none (a
+/// missing file is seen at once). Without, files are read: not on the GUI thread.
+FileStatus status(const ScenePart& part, const std::filesystem::path& project_folder,
+                  const ContentHashes* known = nullptr);
+FileStatus status(const Environment& environment, const std::filesystem::path& project_folder,
+                  const ContentHashes* known = nullptr);
+FileStatus status(const ForeignImage& image, const std::filesystem::path& project_folder,
+                  const ContentHashes* known = nullptr);
 
 /// Locate…: the scene with `part` pointing to `file`; with the recorded hash kept, so that another file than
 /// the old one shows as changed. Apply with edits::change_scene.
 Scene located(const Scene& scene, std::size_t part, const std::filesystem::path& file,
               const std::filesystem::path& project_folder);
-/// The scene with all hashes as the files are now: "accept". Missing files keep the recorded hash.
-Scene with_current_hashes(const Scene& scene, const std::filesystem::path& project_folder);
+/// The scene with all hashes as the files are now: "accept". Missing (and unread) files keep the recorded
+/// hash.
+Scene with_current_hashes(const Scene& scene, const std::filesystem::path& project_folder,
+                          const ContentHashes* known = nullptr);
+/// The document as if every known content had been accepted: whose result keys are those of the files as they
+/// are now.
+Project with_contents(const Project& project, const ContentHashes& known);
 /// The document with hashes recorded for all sources that have none yet and whose files exist: to be called
 /// after adding files and before keeping results.
 Project with_missing_hashes(const Project& project, const std::filesystem::path& project_folder);

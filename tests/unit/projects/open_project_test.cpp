@@ -142,6 +142,7 @@ TEST_F(OpenProjectTest, MissingAndChangedScenesOpenWithMessages) {
     testing::write_text(folder / "scenes/organ.glb", "another organ");
     testing::write_text(folder / "moved.glb", "content of scenes/church.glb");
     OpenProject open(folder, registry());
+    open.wait_for_files();
     EXPECT_TRUE(mentions(open.messages(), "'scenes/church.glb' is missing"));
     EXPECT_EQ(open.messages()[0].severity, Severity::error);
     EXPECT_TRUE(mentions(open.messages(), "'scenes/organ.glb' is not the file that was recorded"));

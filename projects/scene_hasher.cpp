@@ -1,0 +1,81 @@
+#include "projects/scene_hasher.h"
+
+#include "renderers/core/error.h"
+
+namespace ir::projects {
+
+SceneHasher::SceneHasher(std::function<void()> on_news)
+    : on_news_(std::move(on_news)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+SceneHasher::~SceneHasher() {
+    thread_.request_stop();
+    const std::lock_guard guard(mutex_);
+    waiting_.clear();
+    stop_reading_.request_stop();
+}
+
+void SceneHasher::set_on_news(std::function<void()> on_news) {
+    const std::lock_guard guard(mutex_);
+    on_news_ = std::move(on_news);
+}
+
+void SceneHasher::request(std::set<std::string> sources, const std::filesystem::path& project_folder) {
+    {
+        const std::lock_guard guard(mutex_);
+        ++request_;
+        stop_reading_.request_stop();
+        stop_reading_ = {};
+        folder_ = project_folder;
+        waiting_.assign(sources.begin(), sources.end());
+        found_.clear();
+    }
+    changed_.notify_all();
+}
+
+bool SceneHasher::take(ContentHashes& hashes) {
+    const std::lock_guard guard(mutex_);
+    bool is_news = false;
+    for (const auto& [source, hash] : std::exchange(found_, {})) {
+        const auto [known, is_new] = hashes.emplace(source, hash);
+        is_news = is_news || is_new || known->second != hash;
+        known->second = hash;
+    }
+    return is_news;
+}
+
+bool SceneHasher::is_busy() const {
+    const std::lock_guard guard(mutex_);
+    return reading_ || !waiting_.empty();
+}
+
+void SceneHasher::wait() {
+    std::unique_lock guard(mutex_);
+    changed_.wait(guard, [this] { return !reading_ && waiting_.empty(); });
+}
+
+void SceneHasher::run(const std::stop_token& thread_stops) {
+    std::unique_lock guard(mutex_);
+    while (changed_.wait(guard, thread_stops, [this] { return !waiting_.empty(); })) {
+        const std::string source = std::move(waiting_.front());
+        waiting_.pop_front();
+        reading_ = true;
+        const auto folder = folder_;
+        const auto request = request_;
+        const auto stop = stop_reading_.get_token();
+        guard.unlock();
+        std::string hash;
+        try {
+            hash = scene_hash(source, folder, stop);
+        } catch (const std::exception&) {
+            // Missing, unreadable or no longer wanted.
+        }
+        guard.lock();
+        reading_ = false;
+        const bool is_wanted = request == request_ && !thread_stops.stop_requested();
+        if (is_wanted) found_[source] = std::move(hash);
+        changed_.notify_all();
+        if (is_wanted && on_news_) on_news_();
+    }
+}
+
+}  // namespace ir::projects
