@@ -7,15 +7,15 @@
 #include <QWidget>
 
 #include "widgets/image/image_view.h"
+#include "widgets/space/space_overlay.h"
 #include "widgets/space/space_scene.h"
 
 class QAction;
-class QLabel;
-class QToolButton;
+class QToolBar;
 
 namespace ir::widgets {
 
-class SpaceOverlay;
+class PicturePacer;
 
 /// A picture of buffers in space with a camera that a hand can move. It draws nothing itself: it asks for
 /// pictures and shows those that arrive, each until the next one is there. Left drag orbits, Shift-drag (or
@@ -73,7 +73,8 @@ class SpaceView : public QWidget {
     void frame_all();
 
   signals:
-    /// At most one is under way: the next follows when its picture (or note) came, or after 200 ms.
+    /// At most one is under way: the next follows when its picture (or note) came, or after 200 ms. Sizes of
+    /// points and lines are in pixels of the picture here.
     void view_wanted(const ir::widgets::SpaceScene& scene, QSize device_px);
     /// A person changed camera, scene or centres (a gesture counts once, at its end).
     void scene_changed(const ir::widgets::SpaceScene& scene);
@@ -83,18 +84,58 @@ class SpaceView : public QWidget {
     void element_hovered(int layer, qint64 element);
 
   protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent*) override;
     void showEvent(QShowEvent*) override;
+    void hideEvent(QHideEvent*) override;
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseMoveEvent(QMouseEvent*) override;
+    void mouseReleaseEvent(QMouseEvent*) override;
+    void mouseDoubleClickEvent(QMouseEvent*) override;
+    void wheelEvent(QWheelEvent*) override;
     void keyPressEvent(QKeyEvent*) override;
     void keyReleaseEvent(QKeyEvent*) override;
+    void leaveEvent(QEvent*) override;
     void focusOutEvent(QFocusEvent*) override;
     void changeEvent(QEvent*) override;
 
   private:
-    SpaceScene scene_;
+    enum class Drag { none, press, orbit, slide, look };
+    void make_tools();
+    void update_tools();
+    void scene_updated();
+    void send_request();
+    void update_overlay();
+    void update_hover();
+    Drag drag_for(const QMouseEvent& event) const;
+    void drag_camera(QPointF delta);
+    bool can_move() const;
+    void move_camera(const CameraPose& pose);
+    void finish_gesture();
+    void fly_step();
+    QString hover_text(const Element& element) const;
+
+    SpaceScene scene_, sent_;
     SpacePicture picture_;
+    OverlayState overlay_;
     ImageView* image_;
+    QWidget* overlay_widget_;
+    QToolBar* tools_;
+    QAction *experiment_camera_, *free_camera_, *frame_, *show_scene_, *show_centres_;
+    PicturePacer* pacer_;
+    int divisor_ = 1;    ///< of the size of the last request: moving pictures may be coarser
+    bool slow_ = false;  ///< pictures take too long to follow a hand
+    std::optional<CameraPose> experiment_pose_;
+    CameraPose sphere_pose_;
+    SpaceBox bounds_;
+    std::vector<SpaceSelector> selectors_;
+    Element hovered_;
+    QString hover_values_;
+    Drag drag_ = Drag::none;
+    QPointF last_position_, press_position_;
+    bool gesture_ = false, cursor_inside_ = false;
+    QSet<int> keys_;
+    QTimer fly_timer_, settle_timer_;
+    QElapsedTimer fly_clock_;
 };
 
 }  // namespace ir::widgets

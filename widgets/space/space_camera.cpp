@@ -1,0 +1,70 @@
+#include "widgets/space/space_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ir::widgets {
+namespace {
+
+double half_angle(const CameraPose& pose) {
+    return pose.fov_y_degrees * std::numbers::pi / 360;
+}
+
+}  // namespace
+
+CameraAxes camera_axes(const CameraPose& pose) {
+    const glm::dvec3 forward = glm::normalize(pose.target - pose.eye);
+    glm::dvec3 right = glm::cross(forward, pose.up);
+    if (glm::length(right) < 1e-9) {  // looking along up: any right will do
+        const glm::dvec3 other = std::abs(forward.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
+        right = glm::cross(forward, other);
+    }
+    right = glm::normalize(right);
+    return {right, glm::cross(right, forward), forward};
+}
+
+double height_at_target(const CameraPose& pose) {
+    if (pose.orthographic) return pose.height;
+    return 2 * glm::length(pose.target - pose.eye) * std::tan(half_angle(pose));
+}
+
+CameraPose dollied_towards(const CameraPose& pose, QPointF at, double factor) {
+    const double gained = (1 - factor) / factor;  // in heights of the nearer picture
+    return slid(dollied(pose, factor), at.x() * gained, at.y() * gained);
+}
+
+CameraPose framed(const CameraPose& pose, const SpaceBox& box, double aspect) {
+    const double radius = std::max(glm::length(box.high - box.low) / 2, 1e-6);
+    const double narrow = std::min(aspect, 1.0);
+    CameraPose result = pose;
+    result.target = (box.low + box.high) / 2.0;
+    const double half = std::atan(std::tan(half_angle(pose)) * narrow);
+    result.eye = result.target - camera_axes(pose).forward * (radius / std::sin(half));
+    if (pose.orthographic) result.height = 2 * radius / narrow;
+    return result;
+}
+
+CameraPose sphere_pose() {
+    CameraPose pose;
+    pose.eye = glm::normalize(glm::dvec3(1, 0.6, 1.6)) * 3.2;
+    pose.target = {0, 0, 0};
+    pose.fov_y_degrees = 40;
+    return pose;
+}
+
+CameraPose sphere_dollied(const CameraPose& pose, double factor) {
+    constexpr double nearest = 1.3, furthest = 20;
+    const double distance = glm::length(pose.eye);
+    return dollied(pose, std::clamp(distance * factor, nearest, furthest) / distance);
+}
+
+double round_length(double most) {
+    if (!(most > 0) || !std::isfinite(most)) return 0;
+    const double ten = std::pow(10, std::floor(std::log10(most)));
+    for (const double times : {5.0, 2.0})
+        if (times * ten <= most) return times * ten;
+    return ten;
+}
+
+}  // namespace ir::widgets

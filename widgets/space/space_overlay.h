@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QPainter>
+#include <QWidget>
+
+#include "widgets/space/space_scene.h"
+
+namespace ir::widgets {
+
+/// What a 3D view writes over its picture. Owned by the view, read by its overlay.
+struct OverlayState {
+    SpaceScene scene;
+    std::vector<LayerInfo> infos;  ///< of the picture shown
+    std::vector<int> indices;      ///< by info: layer of the scene, -1 gone
+    CameraPose camera;             ///< that the picture was drawn with
+    bool has_picture = false;
+    QString note;  ///< why there is no newer picture
+    QString hover;
+    QPointF hover_at;
+};
+
+/// Paints tripod, scale, legends, notes and the text at the cursor; `area` is the picture's in logical
+/// pixels.
+void paint_space_overlay(QPainter& painter, const OverlayState& state, const QRectF& area);
+
+/// A transparent widget that paints the above.
+QWidget* make_space_overlay(const OverlayState& state, QWidget* parent);
+
+/// "812", "12.3 k", "3.2 M".
+QString count_text(std::uint64_t count);
+/// "every 7th of 3.2 M points", or "3.2 M points".
+QString amount_text(OutputKind kind, std::uint64_t elements, std::uint64_t stride);
+/// "depth", "radiance [2]", "facing", "one colour".
+QString colour_text(const SpaceLayer& layer, const std::vector<Field>& fields);
+
+}  // namespace ir::widgets

@@ -1,0 +1,140 @@
+#include "widgets/space/space_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace ir::widgets {
+namespace {
+
+constexpr std::size_t scalar_bytes = 4;
+
+const Field* find_field(const std::vector<Field>& fields, const std::string& name) {
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.name == name; });
+    return found == fields.end() ? nullptr : &*found;
+}
+
+/// Whole numbers are names of things or counts; where something was measured it is the better colour.
+bool is_measured(const Field& field) {
+    return field.type == FieldType::f32;
+}
+
+const Field* best_value(const AvailableBuffer& buffer) {
+    if (buffer.kind != OutputKind::sphere_values)
+        for (const char* name : {"layer", "bounce", "depth", "distance"})
+            if (const Field* field = find_field(buffer.fields, name)) return field;
+    const auto first = [&](auto&& accepted) -> const Field* {
+        for (const Field& field : buffer.fields)
+            if (!is_geometry(buffer.kind, field) && accepted(field)) return &field;
+        return nullptr;
+    };
+    const bool sphere = buffer.kind == OutputKind::sphere_values;
+    if (const Field* field =
+            first([&](const Field& f) { return is_measured(f) && (sphere || f.count == 1); }))
+        return field;
+    if (const Field* field = first([](const Field& f) { return f.count == 1; })) return field;
+    return first([](const Field&) { return true; });
+}
+
+double scalar_at(const std::byte* at, FieldType type) {
+    std::array<std::byte, scalar_bytes> raw;
+    std::memcpy(raw.data(), at, raw.size());
+    switch (type) {
+        case FieldType::u32:
+            return std::bit_cast<std::uint32_t>(raw);
+        case FieldType::i32:
+            return std::bit_cast<std::int32_t>(raw);
+        case FieldType::f32:
+            break;
+    }
+    return std::bit_cast<float>(raw);
+}
+
+void include(std::optional<FieldRange>& range, double value) {
+    if (!std::isfinite(value)) return;
+    if (!range) range = FieldRange{value, value};
+    range->low = std::min(range->low, value);
+    range->high = std::max(range->high, value);
+}
+
+}  // namespace
+
+bool is_spatial(OutputKind kind) {
+    return kind == OutputKind::point_set || kind == OutputKind::line_set || kind == OutputKind::glyphs ||
+           kind == OutputKind::sphere_values;
+}
+
+bool is_geometry(OutputKind kind, const Field& field) {
+    const auto one_of = [&](std::initializer_list<const char*> names) {
+        return std::any_of(names.begin(), names.end(), [&](const char* name) { return field.name == name; });
+    };
+    switch (kind) {
+        case OutputKind::point_set:
+            return one_of({"position", "normal"});
+        case OutputKind::line_set:
+            return one_of({"start", "end"});
+        case OutputKind::glyphs:
+            return one_of({"centre", "normal", "axis_u", "axis_v", "axis_w"});
+        case OutputKind::sphere_values:
+            return one_of({"centre", "colatitude", "longitude"});
+        default:
+            return false;
+    }
+}
+
+SpaceLayer default_layer(const AvailableBuffer& buffer) {
+    SpaceLayer layer;
+    layer.key = buffer.key;
+    layer.label = buffer.label.empty() ? buffer.key : buffer.label;
+    layer.kind = buffer.kind;
+    if (const Field* field = best_value(buffer)) {
+        layer.colour_by = field->name;
+        // Neighbouring layers and bounces must differ to be told apart.
+        if (field->name == "layer" || field->name == "bounce") layer.colour_map = "turbo";
+    } else if (buffer.kind == OutputKind::point_set && find_field(buffer.fields, "normal")) {
+        layer.colour_by = SpaceLayer::facing;
+    }
+    return layer;
+}
+
+bool shows_sphere(const SpaceScene& scene) {
+    return std::any_of(scene.layers.begin(), scene.layers.end(), [](const SpaceLayer& layer) {
+        return layer.visible && layer.kind == OutputKind::sphere_values;
+    });
+}
+
+std::vector<std::optional<FieldRange>> field_ranges(const std::vector<Field>& fields,
+                                                    std::span<const std::byte> elements) {
+    std::vector<std::optional<FieldRange>> ranges(fields.size());
+    std::size_t stride = 0;
+    for (const Field& field : fields) stride += std::size_t(std::max(1, field.count)) * scalar_bytes;
+    if (stride == 0) return ranges;
+    for (std::size_t start = 0; start + stride <= elements.size(); start += stride) {
+        std::size_t offset = start;
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            include(ranges[i], scalar_at(elements.data() + offset, fields[i].type));
+            offset += std::size_t(std::max(1, fields[i].count)) * scalar_bytes;
+        }
+    }
+    return ranges;
+}
+
+std::vector<int> scene_indices(const std::vector<LayerInfo>& drawn, const std::vector<SpaceLayer>& layers) {
+    std::vector<int> indices;
+    std::vector<bool> taken(layers.size(), false);
+    for (const LayerInfo& info : drawn) {
+        indices.push_back(-1);
+        for (std::size_t i = 0; i < layers.size(); ++i) {
+            if (taken[i] || !layers[i].visible || layers[i].key != info.key) continue;
+            taken[i] = true;
+            indices.back() = int(i);
+            break;
+        }
+    }
+    return indices;
+}
+
+}  // namespace ir::widgets

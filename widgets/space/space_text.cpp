@@ -1,0 +1,55 @@
+#include <algorithm>
+
+#include "widgets/space/space_overlay.h"
+
+namespace ir::widgets {
+namespace {
+
+QString noun(OutputKind kind) {
+    switch (kind) {
+        case OutputKind::point_set:
+            return QStringLiteral("points");
+        case OutputKind::line_set:
+            return QStringLiteral("lines");
+        case OutputKind::glyphs:
+            return QStringLiteral("glyphs");
+        case OutputKind::sphere_values:
+            return QStringLiteral("directions");
+        default:
+            return QStringLiteral("elements");
+    }
+}
+
+QString ordinal(std::uint64_t n) {
+    const bool teen = n % 100 >= 11 && n % 100 <= 13;
+    const char* ending = teen ? "th" : n % 10 == 1 ? "st" : n % 10 == 2 ? "nd" : n % 10 == 3 ? "rd" : "th";
+    return QString::number(n) + QLatin1String(ending);
+}
+
+}  // namespace
+
+QString count_text(std::uint64_t count) {
+    if (count < 10'000) return QString::number(count);
+    const auto scaled = [&](double unit, const char* letter) {
+        const double value = double(count) / unit;
+        return QString::number(value, 'f', value < 100 ? 1 : 0) + QLatin1Char(' ') + QLatin1String(letter);
+    };
+    return count < 1'000'000 ? scaled(1e3, "k") : count < 1'000'000'000 ? scaled(1e6, "M") : scaled(1e9, "G");
+}
+
+QString amount_text(OutputKind kind, std::uint64_t elements, std::uint64_t stride) {
+    const QString all = count_text(elements) + QLatin1Char(' ') + noun(kind);
+    return stride <= 1 ? all : QStringLiteral("every %1 of %2").arg(ordinal(stride), all);
+}
+
+QString colour_text(const SpaceLayer& layer, const std::vector<Field>& fields) {
+    if (layer.colour_by.empty()) return QStringLiteral("one colour");
+    if (layer.colour_by == SpaceLayer::facing) return QStringLiteral("facing");
+    const QString name = QString::fromStdString(layer.colour_by);
+    const auto field =
+        std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == layer.colour_by; });
+    const bool many = field != fields.end() && field->count > 1;
+    return many ? QStringLiteral("%1 [%2]").arg(name).arg(layer.component) : name;
+}
+
+}  // namespace ir::widgets
