@@ -25,6 +25,10 @@
 /// them.
 namespace ir::passes::viewers {
 
+/// The grey behind a 3D view, linear in the picture: this sRGB code, which is also what surrounds images in
+/// the 2D views, so that a view has no frame.
+inline constexpr int surround_code = 118;
+
 /// Shows only elements whose field (first component) lies in low … high.
 struct Filter {
     std::string field;
@@ -34,13 +38,13 @@ struct Filter {
 
 /// One buffer as the viewer draws it.
 struct Layer {
-    std::string key;        ///< resource
-    std::string colour_by;  ///< field; "facing" (sign of normal · view, needs normal); empty: one colour
-    int component = 0;      ///< of that field
-    std::optional<double> low, high;  ///< range of the colour map; absent: from the elements drawn
+    std::string key;             ///< resource
+    std::string colour_by = {};  ///< field; "facing" (sign of normal · view, needs normal); empty: one colour
+    int component = 0;           ///< of that field
+    std::optional<double> low = {}, high = {};  ///< range of the colour map; absent: from the elements drawn
     std::string colour_map = "viridis";
     float size_px = 3;  ///< of points and lines
-    std::vector<Filter> filters;
+    std::vector<Filter> filters = {};
     std::int64_t selected = -1;  ///< element that is marked
     bool operator==(const Layer&) const = default;
 };
@@ -48,7 +52,7 @@ struct Layer {
 struct Scene3D {
     std::optional<scene::Camera> camera;  ///< absent: the experiment's
     int width = 0, height = 0;
-    bool show_scene = true;                   ///< flat shaded; never behind a sphere of values
+    bool show_scene = true;                   ///< flat shaded; not where all layers are spheres of values
     bool show_centres = true;                 ///< of regions on the sphere
     std::uint64_t most_elements = 4'000'000;  ///< per layer; beyond, every n-th is drawn and counted
     std::vector<Layer> layers;
@@ -56,7 +60,7 @@ struct Scene3D {
 
 /// What became of a layer.
 struct DrawnLayer {
-    std::string key, note;  ///< why it is not drawn; empty: it is
+    std::string key, note;  ///< why it is not drawn, or not as asked; empty: all is well
     OutputKind kind = OutputKind::table;
     std::vector<Field> fields;
     std::uint64_t elements = 0;  ///< in the buffer

@@ -1,0 +1,166 @@
+#include "renderers/passes/viewers/layer_painter.h"
+
+#include <algorithm>
+#include <numbers>
+#include <span>
+
+#include "renderers/image/colour_map.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
+
+namespace ir::passes::viewers {
+namespace {
+
+constexpr int elements_binding = 0, block_binding = 1;
+constexpr int map_unit = 0, regions_unit = 1;
+constexpr int corners = 6;  ///< vertices of a quad
+
+gl::ImageShape map_shape() {
+    gl::ImageShape shape;
+    shape.width = 256;
+    shape.format = gl::Format::rgba32f;
+    return shape;
+}
+
+std::string shader_name(Primitive primitive) {
+    switch (primitive) {
+        case Primitive::points:
+            return "points";
+        case Primitive::lines:
+            return "lines";
+        case Primitive::ellipsoids:
+            return "ellipsoids";
+        default:
+            return "flat_glyphs";
+    }
+}
+
+}  // namespace
+
+LayerPainter::LayerPainter(const Tools& tools) : tools_(tools), measures_(tools.device) {
+    tools_.api.CreateVertexArrays(1, &vertex_array_);
+}
+
+LayerPainter::~LayerPainter() {
+    tools_.api.DeleteVertexArrays(1, &vertex_array_);
+    for (const auto& [name, texture] : maps_) tools_.device.destroy_image(texture);
+}
+
+gl::Name LayerPainter::map_texture(const std::string& name) {
+    const auto known = maps_.find(name);
+    if (known != maps_.end()) return known->second;
+    std::vector<glm::vec4> texels;
+    for (const auto& entry : colour_map(name))
+        texels.emplace_back(linear_from_srgb(entry[0] / 255.0f), linear_from_srgb(entry[1] / 255.0f),
+                            linear_from_srgb(entry[2] / 255.0f), 1);
+    const auto texture = tools_.device.create_image(map_shape(), "colour map " + name);
+    tools_.device.write_image(texture, map_shape(), 0, 0, std::as_bytes(std::span(texels)));
+    return maps_[name] = texture;
+}
+
+void LayerPainter::write_block(const LayerPlan& plan, std::size_t index) {
+    while (blocks_.size() <= index) blocks_.push_back(std::make_unique<DeviceStore>(tools_.device));
+    blocks_[index]->write(std::as_bytes(std::span(&plan.block, 1)), "3D view, layer");
+    tools_.api.BindBufferBase(GL_SHADER_STORAGE_BUFFER, elements_binding, plan.buffer);
+    tools_.api.BindBufferBase(GL_SHADER_STORAGE_BUFFER, block_binding, blocks_[index]->name());
+}
+
+const gl::Program& LayerPainter::begin(const LayerPlan& plan, std::size_t index, const Sight& sight,
+                                       std::vector<std::string> files) {
+    write_block(plan, index);
+    const auto& program = tools_.programs.get({std::move(files)});
+    program.use();
+    set_eye(program, sight);
+    tools_.api.BindVertexArray(vertex_array_);
+    return program;
+}
+
+void LayerPainter::draw(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,
+                        bool show_centres) {
+    if (plan.primitive == Primitive::sphere) return draw_sphere(plan, index, sight, target, show_centres);
+    const auto& gl = tools_.api;
+    const auto shader = shader_name(plan.primitive);
+    const auto& program = begin(plan, index, sight,
+                                {"passes/viewers/" + shader + ".vert", "passes/viewers/" + shader + ".frag"});
+    set_projection(program, sight);
+    program.set("layer_number", plan.block.number);
+    gl.BindTextureUnit(map_unit, map_texture(plan.wanted.colour_map));
+    gl.BindSampler(map_unit, 0);
+    program.set("colour_map", map_unit);
+    const auto count = static_cast<GLsizei>(plan.block.drawn);
+    if (plan.primitive == Primitive::points) {
+        program.set("point_px", plan.block.size_px);
+        gl.Enable(GL_PROGRAM_POINT_SIZE);
+        gl.DrawArrays(GL_POINTS, 0, count);
+        gl.Disable(GL_PROGRAM_POINT_SIZE);
+        return;
+    }
+    if (plan.primitive == Primitive::lines) {
+        program.set("line_px", plan.block.size_px);
+    } else {
+        set_shade(program, sight);
+        if (plan.primitive == Primitive::ellipsoids)
+            set_pixel_rays(program, sight.view);
+        else
+            program.set("round", plan.primitive == Primitive::discs ? 1 : 0);
+    }
+    gl.DrawArrays(GL_TRIANGLES, 0, corners * count);
+}
+
+void LayerPainter::draw_sphere(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,
+                               bool show_centres) {
+    const auto& gl = tools_.api;
+    const int width = sight.view.width, height = sight.view.height;
+    const auto regions = target.regions();
+    const auto& find = begin(plan, index, sight, {"passes/viewers/sphere.comp"});
+    set_pixel_rays(find, sight.view);
+    find.set("picture_size", glm::ivec2(width, height));
+    gl.BindImageTexture(0, regions, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32UI);
+    find.dispatch(width, height);
+    gl.BindImageTexture(0, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32UI);
+    gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+
+    const auto& program = begin(plan, index, sight, {"lib/full_screen.vert", "passes/viewers/sphere.frag"});
+    set_pixel_rays(program, sight.view);
+    set_projection(program, sight);
+    set_shade(program, sight);
+    gl.BindTextureUnit(map_unit, map_texture(plan.wanted.colour_map));
+    gl.BindSampler(map_unit, 0);
+    gl.BindTextureUnit(regions_unit, regions);
+    gl.BindSampler(regions_unit, 0);
+    program.set("colour_map", map_unit);
+    program.set("regions", regions_unit);
+    program.set("selected", static_cast<int>(std::clamp<std::int64_t>(plan.wanted.selected, -1, INT32_MAX)));
+    program.set("show_centres", show_centres ? 1 : 0);
+    // of a sphere at the middle of the picture; regions cover it twice, in front and behind
+    const auto& projection = sight.view.clip_from_view;
+    const float depth = sight.orthographic ? 1 : std::max(1.0f, glm::length(sight.view.eye_ws));
+    const float radius_px = 0.5f * static_cast<float>(height) * projection[1][1] / depth;
+    program.set("mean_region_px", 2 * std::numbers::pi_v<float> * radius_px * radius_px /
+                                      static_cast<float>(std::max<std::uint32_t>(1, plan.block.drawn)));
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.BindTextureUnit(regions_unit, 0);
+}
+
+void LayerPainter::mark(const LayerPlan& plan, std::size_t index, const Sight& sight) {
+    const auto selected = plan.wanted.selected;
+    if (selected < 0 || static_cast<std::uint64_t>(selected) >= plan.drawn.elements) return;
+    if (plan.primitive == Primitive::sphere) return;  // marked where its region is drawn
+    const auto& gl = tools_.api;
+    const auto& program = begin(plan, index, sight, {"passes/viewers/mark.vert", "passes/viewers/mark.frag"});
+    const int segments = plan.primitive == Primitive::lines            ? 1
+                         : plan.primitive == Primitive::parallelograms ? 4
+                                                                       : 64;
+    set_projection(program, sight);
+    program.set("marked", static_cast<unsigned>(selected));
+    program.set("segments", segments);
+    program.set("ring_px", 0.5f * plan.block.size_px + 5);
+    const float own_px = plan.primitive == Primitive::lines ? plan.block.size_px : 0;
+    const std::pair<float, glm::vec3> bands[] = {{own_px + 5, glm::vec3(0)}, {own_px + 2, glm::vec3(1)}};
+    for (const auto& [width_px, colour] : bands) {
+        program.set("band_px", width_px);
+        program.set("mark_colour", colour);
+        gl.DrawArrays(GL_TRIANGLES, 0, corners * segments);
+    }
+}
+
+}  // namespace ir::passes::viewers

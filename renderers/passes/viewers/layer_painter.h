@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderers/passes/viewers/layer_plan.h"
+#include "renderers/passes/viewers/target.h"
+#include "renderers/passes/viewers/tools.h"
+
+namespace ir::passes::viewers {
+
+/// Measures and draws layers that are planned, straight from the buffers that hold them.
+class LayerPainter {
+  public:
+    explicit LayerPainter(const Tools& tools);
+    ~LayerPainter();
+    LayerPainter(const LayerPainter&) = delete;
+
+    /// Finds what the layers' elements span: their bounds, and the ranges of colours, which are written into
+    /// the plans. Extends `bounds`; `eye` is that of the camera (for "facing").
+    void measure(std::vector<LayerPlan>& plans, const Sight& eye, scene::Bounds& bounds);
+    void draw(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,
+              bool show_centres);
+    /// Outlines the selected element, on top of everything.
+    void mark(const LayerPlan& plan, std::size_t index, const Sight& sight);
+
+  private:
+    gl::Name map_texture(const std::string& name);
+    const gl::Program& begin(const LayerPlan& plan, std::size_t index, const Sight& sight,
+                             std::vector<std::string> files);
+    void draw_sphere(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,
+                     bool show_centres);
+    void write_block(const LayerPlan& plan, std::size_t index);
+    Tools tools_;
+    GLuint vertex_array_ = 0;
+    std::vector<std::unique_ptr<DeviceStore>> blocks_;  ///< by layer
+    DeviceStore measures_;
+    std::map<std::string, gl::Name> maps_;
+};
+
+}  // namespace ir::passes::viewers

@@ -1,0 +1,87 @@
+#include "renderers/passes/viewers/target.h"
+
+#include <cstring>
+#include <span>
+
+#include "renderers/core/error.h"
+#include "renderers/image/colour_map.h"
+
+namespace ir::passes::viewers {
+
+void Target::release() {
+    if (framebuffer_) api_.DeleteFramebuffers(1, &framebuffer_);
+    for (auto* image : {&colour_, &ids_, &depth_, &regions_}) {
+        if (*image) device_.destroy_image(*image);
+        *image = 0;
+    }
+    framebuffer_ = 0;
+}
+
+void Target::make(int width, int height) {
+    const auto shape = [&](gl::Format format) {
+        gl::ImageShape made;
+        made.width = width;
+        made.height = height;
+        made.format = format;
+        return made;
+    };
+    colour_shape_ = shape(gl::Format::rgba32f);
+    id_shape_ = shape(gl::Format::rg32ui);
+    depth_shape_ = shape(gl::Format::depth32f);
+    region_shape_ = shape(gl::Format::r32ui);
+    colour_ = device_.create_image(colour_shape_, "3D view, colour");
+    ids_ = device_.create_image(id_shape_, "3D view, layer and element");
+    depth_ = device_.create_image(depth_shape_, "3D view, depth");
+    api_.CreateFramebuffers(1, &framebuffer_);
+    api_.NamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, colour_, 0);
+    api_.NamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT1, ids_, 0);
+    api_.NamedFramebufferTexture(framebuffer_, GL_DEPTH_ATTACHMENT, depth_, 0);
+    const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    api_.NamedFramebufferDrawBuffers(framebuffer_, 2, buffers);
+    if (api_.CheckNamedFramebufferStatus(framebuffer_, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error("the driver cannot draw a 3D view of " + std::to_string(width) + " × " +
+                    std::to_string(height) + " pixels");
+}
+
+void Target::begin(int width, int height) {
+    if (!framebuffer_ || colour_shape_.width != width || colour_shape_.height != height) {
+        release();
+        make(width, height);
+    }
+    api_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    api_.Viewport(0, 0, width, height);
+    const float grey = linear_from_srgb(surround_code / 255.0f);
+    const float background[4] = {grey, grey, grey, 1}, far = 1;
+    const GLuint nothing[4] = {0, 0, 0, 0};
+    api_.ClearBufferfv(GL_COLOR, 0, background);
+    api_.ClearBufferuiv(GL_COLOR, 1, nothing);
+    api_.ClearBufferfv(GL_DEPTH, 0, &far);
+}
+
+void Target::end() const {
+    api_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+gl::Name Target::regions() {
+    if (!regions_) regions_ = device_.create_image(region_shape_, "3D view, regions of a sphere");
+    return regions_;
+}
+
+void Target::read(Picture3D& picture) const {
+    const auto pixels =
+        static_cast<std::size_t>(colour_shape_.width) * static_cast<std::size_t>(colour_shape_.height);
+    std::vector<glm::vec4> colours(pixels);
+    device_.read_image(colour_, colour_shape_, 0, 0, std::as_writable_bytes(std::span(colours)));
+    std::vector<glm::uvec2> ids(pixels);
+    device_.read_image(ids_, id_shape_, 0, 0, std::as_writable_bytes(std::span(ids)));
+    picture.colour = Image(colour_shape_.width, colour_shape_.height, 3);
+    picture.layer.resize(pixels);
+    picture.element.resize(pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        std::memcpy(&picture.colour.pixels[3 * i], &colours[i], 3 * sizeof(float));
+        picture.layer[i] = static_cast<std::int32_t>(ids[i].x) - 1;
+        picture.element[i] = ids[i].x == 0 ? -1 : static_cast<std::int64_t>(ids[i].y);
+    }
+}
+
+}  // namespace ir::passes::viewers

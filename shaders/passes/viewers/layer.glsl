@@ -1,0 +1,76 @@
+// One layer of a 3D view: its elements where the method left them, and what is to be done with them.
+// renderers/passes/viewers/layer_plan.h has the twin of LayerBlock.
+
+struct Filter { int offset, type; uint low, high; };
+
+layout(std430, binding = 0) readonly buffer Elements { uint element_words[]; };
+layout(std430, binding = 1) readonly buffer LayerBlock {
+    uint words, step, drawn, number;
+    int place_0, place_1, place_2, place_3;
+    int normal, colatitude, longitude;
+    int colour_offset, colour_type, colour_mode;
+    float low, high;
+    float size_px;
+    float red, green, blue;
+    int primitive;
+    int filter_count;
+    Filter filters[8];
+} layer;
+
+const int PRIMITIVE_POINTS = 0, PRIMITIVE_LINES = 1, PRIMITIVE_DISCS = 2, PRIMITIVE_PARALLELOGRAMS = 3,
+          PRIMITIVE_ELLIPSOIDS = 4, PRIMITIVE_SPHERE = 5;
+const int TYPE_U32 = 0, TYPE_I32 = 1, TYPE_F32 = 2;
+const int COLOUR_SINGLE = 0, COLOUR_FIELD = 1, COLOUR_FACING = 2;
+
+uniform vec3 eye_ws, view_axis_ws;
+uniform bool orthographic;
+
+// Where element number `index` begins.
+uint element_base(uint index) { return index * layer.words; }
+
+float float_at(uint base, int offset) { return uintBitsToFloat(element_words[base + uint(offset)]); }
+
+vec3 vector_at(uint base, int offset) {
+    return vec3(float_at(base, offset), float_at(base, offset + 1), float_at(base, offset + 2));
+}
+
+// By bits: compilers may assume that there are no others.
+bool is_finite(float x) { return (floatBitsToUint(x) & 0x7f800000u) != 0x7f800000u; }
+bool is_finite(vec3 v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
+
+float number_at(uint base, int offset, int type) {
+    uint bits = element_words[base + uint(offset)];
+    return type == TYPE_F32 ? uintBitsToFloat(bits) : type == TYPE_I32 ? float(int(bits)) : float(bits);
+}
+
+// Whether the element lies in the ranges of all filters.
+bool passes_filters(uint base) {
+    for (int i = 0; i < layer.filter_count; ++i) {
+        uint bits = element_words[base + uint(layer.filters[i].offset)];
+        uint low = layer.filters[i].low, high = layer.filters[i].high;
+        bool inside;
+        if (layer.filters[i].type == TYPE_F32) {
+            float x = uintBitsToFloat(bits);
+            inside = (bits & 0x7fffffffu) <= 0x7f800000u && x >= uintBitsToFloat(low) && x <= uintBitsToFloat(high);
+        } else if (layer.filters[i].type == TYPE_I32) {
+            inside = int(bits) >= int(low) && int(bits) <= int(high);
+        } else {
+            inside = bits >= low && bits <= high;
+        }
+        if (!inside) return false;
+    }
+    return true;
+}
+
+vec3 towards_viewer(vec3 position_ws) { return orthographic ? -view_axis_ws : eye_ws - position_ws; }
+
+// 1 where the element's normal looks at the viewer, -1 where away.
+float facing(uint base, vec3 position_ws) {
+    return sign(dot(vector_at(base, layer.normal), towards_viewer(position_ws)));
+}
+
+// The number that colours the element; may be anything, also not a number.
+float colour_number(uint base, vec3 position_ws) {
+    return layer.colour_mode == COLOUR_FACING ? facing(base, position_ws)
+                                              : number_at(base, layer.colour_offset, layer.colour_type);
+}

@@ -1,0 +1,15 @@
+#include "passes/viewers/shade.glsl"
+
+layout(location = 0) in vec3 position_ws;
+layout(location = 0) out vec4 out_colour;
+layout(location = 1) out uvec2 out_id;
+
+const vec3 front = vec3(0.46), back = vec3(0.47, 0.38, 0.34);
+
+void main() {
+    vec3 across = cross(dFdx(position_ws), dFdy(position_ws));
+    float size = length(across);
+    vec3 normal_ws = size > 0.0 ? across / size : shade_light_ws;
+    out_colour = vec4((gl_FrontFacing ? front : back) * strong_shade(normal_ws, position_ws), 1);
+    out_id = uvec2(0);
+}

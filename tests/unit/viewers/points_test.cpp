@@ -1,0 +1,53 @@
+#include "tests/unit/viewers/viewer_fixture.h"
+
+namespace ir::test {
+namespace {
+
+constexpr int width = 160, height = 120;
+
+class PointsTest : public ViewerTest {
+  protected:
+    static TestBuffer point_buffer() { return {"points", OutputKind::point_set, {position_field}}; }
+};
+
+TEST_F(PointsTest, StandWhereTheCameraSeesThemAndCarryTheirElement) {
+    const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0.5, -1}, {-1.2, -0.8, 1}, {0.3, 1.1, 2}};
+    auto buffer = point_buffer();
+    for (const auto position : positions) buffer.add(position);
+    run({buffer});
+    for (const bool orthographic : {false, true}) {
+        camera_.orthographic = orthographic;
+        camera_.height = 4;
+        const auto picture = draw({{.key = "points", .size_px = 5}}, width, height);
+        ASSERT_EQ(picture.layers.at(0).note, "");
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const auto place = place_px(camera_, width, height, positions[i]);
+            EXPECT_EQ(element_at(picture, place), static_cast<std::int64_t>(i)) << i;
+            EXPECT_EQ(picture.layer.at(pixel(picture, place)), 0);
+            EXPECT_NEAR(static_cast<double>(pixels_of(picture, static_cast<std::int64_t>(i))), 20, 5) << i;
+        }
+        EXPECT_EQ(element_at(picture, {2, 2}), -1);
+        EXPECT_EQ(picture.layer.front(), -1);
+    }
+}
+
+TEST_F(PointsTest, AreHiddenByTheSceneAndByNearerPoints) {
+    add_square({0, 0, 0}, {0, 0, 1}, 2);
+    auto buffer = point_buffer();
+    buffer.add(glm::vec3(0.5, 0, -0.2));  // 0: behind the square
+    buffer.add(glm::vec3(-0.5, 0, 0));    // 1: on it
+    buffer.add(glm::vec3(0, 0.5, 0.5));   // 2: before it
+    buffer.add(glm::vec3(0, 0.45, 1));    // 3: on the same pixel, nearer
+    run({buffer});
+    auto picture = draw({{.key = "points", .size_px = 5}}, width, height);
+    EXPECT_EQ(pixels_of(picture, 0), 0);
+    EXPECT_EQ(element_at(picture, place_px(camera_, width, height, {-0.5, 0, 0})), 1);
+    EXPECT_EQ(element_at(picture, place_px(camera_, width, height, {0, 0.45, 1})), 3);
+    EXPECT_EQ(picture.layer.at(pixel(picture, {width / 2, height / 2})), -1);
+
+    picture = draw({{.key = "points", .size_px = 5}}, width, height, false);
+    EXPECT_GT(pixels_of(picture, 0), 0) << "without the scene nothing hides it";
+}
+
+}  // namespace
+}  // namespace ir::test
