@@ -84,12 +84,13 @@ void Execution::load() {
     method_ = &method;
     settings_ = std::move(settings);
     scene_ = std::move(loaded);
+    inputs_ = {};  // they point into the old scene
     world_time_ = std::nan("");
     previous_view_.reset();
     frame_ = 0;
 }
 
-void Execution::update(Experiment experiment) {
+bool Execution::update(Experiment experiment) {
     const auto& old = experiment_;
     const bool reload =
         experiment.composition() != old.composition() || experiment.method != old.method ||
@@ -118,6 +119,7 @@ void Execution::update(Experiment experiment) {
         throw;
     }
     if (changed) restart();
+    return changed;
 }
 
 void Execution::restart() {
@@ -153,6 +155,7 @@ FrameReport Execution::run_frame(const graph::FrameOptions& options) {
     inputs.frame = frame_;
     inputs.time = time;
     inputs.threads = machine_.options().threads;
+    inputs.inspection = inspection_;
     auto report = graph_->run(*method_, settings_, inputs, options);
     if (report.complete) {
         previous_view_ = inputs.view;

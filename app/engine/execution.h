@@ -70,8 +70,12 @@ class Execution {
     const scene::Scene& scene() const { return *scene_; }
     const scene::World& world() const { return world_; }
 
-    /// Changes what can be changed without losing buffers; resets the history where the picture changes.
-    void update(Experiment experiment);
+    /// Changes what can be changed without losing buffers; resets the history where the picture changes, and
+    /// returns whether it did.
+    bool update(Experiment experiment);
+
+    /// What the next frame explains.
+    void inspect(Inspection inspection) { inspection_ = std::move(inspection); }
 
     /// Back to an empty history; buffers stay.
     void restart();
@@ -81,7 +85,9 @@ class Execution {
     int committed_frames() const { return frame_; }
 
     graph::Graph& graph() { return *graph_; }
-    /// What the last frame was made from (valid until the next one).
+    const graph::Graph& graph() const { return *graph_; }
+    /// What the last frame was made from (valid until the next one); without a scene before the first, and
+    /// after update() has loaded another scene.
     const graph::FrameInputs& inputs() const { return inputs_; }
     /// The main result and its valid mask after the last frame.
     Image main_result() const;
@@ -107,6 +113,7 @@ class Execution {
     std::unique_ptr<graph::Graph> graph_;
     std::optional<scene::View> previous_view_;
     Settings settings_;
+    Inspection inspection_;
     graph::FrameInputs inputs_;
     int frame_ = 0;
 };

@@ -108,6 +108,7 @@ struct ExportRequest {
 
 struct SceneSummary {
     std::string name, content_hash;
+    std::string composition_key;  ///< scene::composition_key of the parts asked for
     std::vector<std::string> cameras, lights, materials, warnings;
     struct NodeRow {
         std::string name;

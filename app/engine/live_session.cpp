@@ -2,75 +2,95 @@
 
 #include <algorithm>
 
+#include "renderers/core/error.h"
+
 namespace ir::engine {
 namespace {
 
-bool contains(const std::vector<std::string>& keys, const std::string& key) {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
+/// Keys and patterns of everything that a request shows or needs.
+std::vector<std::string> patterns_of(const LiveRequest& request) {
+    auto patterns = request.kept;
+    patterns.insert(patterns.end(), request.buffers.begin(), request.buffers.end());
+    for (const auto& part : request.parts)
+        if (!part.key.empty()) patterns.push_back(part.key);
+    return patterns;
 }
 
-constexpr int thumbnail_width = 96;
+bool contains(const std::vector<std::string>& texts, const std::string& text) {
+    return std::find(texts.begin(), texts.end(), text) != texts.end();
+}
+
+bool lacks(const FrameReport& report, const std::string& pattern) {
+    return std::any_of(report.resources.begin(), report.resources.end(), [&](const auto& resource) {
+        return !resource.available && graph::matches(pattern, resource.key);
+    });
+}
 
 }  // namespace
 
-Image thumbnail(const Image& image, int width) {
-    const int w = std::min(width, image.width);
-    if (w < 1 || image.height < 1) return {};
-    const int h = std::max(1, static_cast<int>(static_cast<long long>(image.height) * w / image.width));
-    Image result(w, h, image.channels);
-    for (int y = 0; y < h; ++y)
-        for (int x = 0; x < w; ++x)
-            for (int c = 0; c < image.channels; ++c)
-                result.at(x, y, c) = image.at(static_cast<int>((x + 0.5) * image.width / w),
-                                              static_cast<int>((y + 0.5) * image.height / h), c);
-    return result;
+void LiveSession::want(Entry& entry, const LiveRequest& request) {
+    bool missing = false;
+    for (const auto& pattern : patterns_of(request)) {
+        if (contains(entry.wanted, pattern)) continue;
+        entry.wanted.push_back(pattern);
+        missing = missing || lacks(entry.report, pattern);
+    }
+    // What was culled is had by running the same frames again with it.
+    if (missing) entry.execution->restart();
 }
 
-LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial, const CancelToken& cancel,
-                                const ProgressCallback& progress) {
+void LiveSession::run_frame(Entry& entry, const LiveRequest& request, const Step& step) {
+    graph::FrameOptions options;
+    options.wanted = entry.wanted;
+    options.growth = graph::Growth::next_frame;
+    options.memory_budget = request.memory_budget;
+    options.cancel = step.cancel;
+    options.progress = step.progress;
+    options.between_slices = step.between_slices;
+    options.rebuild = entry.rebuild;
+    entry.whole = false;
+    entry.report = entry.execution->run_frame(options);
+    entry.whole = entry.report.complete;
+    entry.rebuild = entry.rebuild && !entry.report.complete;
+}
+
+LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial, const Step& step) {
     auto& entry = entries_[request.tag];
     if (!entry.execution)
         entry.execution = std::make_unique<Execution>(machine_, request.experiment);
-    else
-        entry.execution->update(request.experiment);
+    else if (entry.execution->update(request.experiment))
+        entry.wanted.clear();  // what nobody looks at any more is not computed again
     auto& execution = *entry.execution;
-    const auto& main_key = execution.method().outputs.front().key;
-    const auto shown = request.shown.empty() ? main_key : request.shown;
-    if (!contains(entry.wanted, shown) && shown != main_key) {
-        entry.wanted.push_back(shown);
-        const auto known = std::find_if(entry.report.resources.begin(), entry.report.resources.end(),
-                                        [&](const auto& resource) { return resource.key == shown; });
-        // A culled buffer is had by running the same frames again with it.
-        if (known != entry.report.resources.end() && !known->available) execution.restart();
-    }
+    execution.inspect(request.inspection);
+    want(entry, request);
+    if (execution.committed_frames() < request.experiment.frames) run_frame(entry, request, step);
     LiveResult result;
     result.tag = request.tag;
     result.serial = serial;
     result.frames = request.experiment.frames;
-    if (execution.committed_frames() < request.experiment.frames) {
-        graph::FrameOptions options;
-        options.wanted = entry.wanted;
-        options.growth = graph::Growth::next_frame;
-        options.memory_budget = request.memory_budget;
-        options.cancel = &cancel;
-        options.progress = progress;
-        options.rebuild = entry.rebuild;
-        entry.report = execution.run_frame(options);
-        entry.rebuild = entry.rebuild && !entry.report.complete;
-    }
     result.frame = execution.committed_frames();
     result.finished = result.frame >= request.experiment.frames;
+    result.inspection = request.inspection;
     result.report = entry.report;
-    result.shown = shown;
+    result.camera = execution.camera();
     machine_.context().make_current();
-    result.image = execution.graph().read_image(shown, request.level, request.layer).value_or(Image());
-    result.valid = execution.graph().read_image("valid").value_or(Image());
-    if (request.thumbnails && result.finished)
-        for (const auto& resource : entry.report.resources)
-            if (resource.available && resource.width > 0)
-                if (const auto image = execution.graph().read_image(resource.key))
-                    result.thumbnails[resource.key] = thumbnail(*image, thumbnail_width);
+    read_back(result, request, execution);
     return result;
+}
+
+void LiveSession::export_layers(const ExportRequest& request) const {
+    const auto found = entries_.find(request.tag);
+    if (found == entries_.end() || !found->second.whole)
+        throw Error("there is no complete picture to export; render it first");
+    const auto& entry = found->second;
+    for (const auto& pattern : request.patterns)
+        if (std::none_of(entry.report.resources.begin(), entry.report.resources.end(),
+                         [&](const auto& resource) {
+                             return resource.available && graph::matches(pattern, resource.key);
+                         }))
+            throw Error("no buffer that was computed matches '" + pattern + "'");
+    machine_.context().make_current();
+    write_exr(request.file, entry.execution->layers(request.patterns), entry.execution->attributes());
 }
 
 void LiveSession::forget_results() {
@@ -79,28 +99,6 @@ void LiveSession::forget_results() {
         entry.execution->restart();
         entry.rebuild = true;
     }
-}
-
-SceneSummary summarise(const scene::Scene& scene) {
-    SceneSummary summary;
-    summary.name = scene.name;
-    summary.content_hash = scene.content_hash;
-    summary.triangles = scene.instanced_triangles();
-    summary.textures = scene.textures.size();
-    for (const auto& camera : scene.cameras) summary.cameras.push_back(camera.name);
-    summary.camera_values = scene.cameras;
-    for (const auto& light : scene.lights) summary.lights.push_back(light.name);
-    for (const auto& material : scene.materials) summary.materials.push_back(material.name);
-    for (const auto& warning : scene.warnings) summary.warnings.push_back(warning.text);
-    for (const auto& node : scene.nodes) {
-        SceneSummary::NodeRow row{node.name, node.parent, 0};
-        for (const int mesh : node.meshes) row.triangles += scene.meshes[mesh].indices.size() / 3;
-        summary.nodes.push_back(std::move(row));
-    }
-    const auto world = scene::flatten(scene, 0, 0);
-    summary.bounds = world.bounds;
-    summary.camera_values = world.cameras;
-    return summary;
 }
 
 }  // namespace ir::engine

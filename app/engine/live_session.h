@@ -1,10 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
-#include "app/engine/render_thread.h"
+#include "app/engine/execution.h"
+#include "app/engine/live.h"
 
 namespace ir::engine {
 
@@ -13,10 +16,23 @@ class LiveSession {
   public:
     explicit LiveSession(Machine& machine) : machine_(machine) {}
 
+    struct Step {
+        const CancelToken* cancel = nullptr;
+        ProgressCallback progress;
+        std::function<void()> between_slices;  ///< serves draw() and probe()
+    };
     /// Runs the next frame that the request needs, or none when everything is there, and reads back what is
-    /// shown.
-    LiveResult advance(const LiveRequest& request, std::uint64_t serial, const CancelToken& cancel,
-                       const ProgressCallback& progress);
+    /// asked for. Throws as Execution::run_frame.
+    LiveResult advance(const LiveRequest& request, std::uint64_t serial, const Step& step);
+
+    /// Frees an execution.
+    void release(const std::string& tag) { entries_.erase(tag); }
+
+    /// Texels as they are now, also between the slices of a frame. No rows where nothing was rendered.
+    ProbeResult probe(const ProbeRequest& request) const;
+
+    /// Writes the last frame, which must be whole. Throws Error.
+    void export_layers(const ExportRequest& request) const;
 
     /// Forgets results and all contents that passes keep (after a shader changed), keeping scenes.
     void forget_results();
@@ -24,13 +40,20 @@ class LiveSession {
   private:
     struct Entry {
         std::unique_ptr<Execution> execution;
-        std::vector<std::string> wanted;  ///< what was shown since the execution started
+        std::vector<std::string> wanted;  ///< patterns asked for since the history was empty
         FrameReport report;
         bool rebuild = false;  ///< kept contents are of an older shader
+        bool whole = false;    ///< the contents are those of one complete frame
     };
+    void want(Entry& entry, const LiveRequest& request);
+    void run_frame(Entry& entry, const LiveRequest& request, const Step& step);
+
     Machine& machine_;
     std::map<std::string, Entry> entries_;
 };
+
+/// What a request asks to see of an execution's contents.
+void read_back(LiveResult& result, const LiveRequest& request, const Execution& execution);
 
 /// A reduced copy, at most `width` pixels wide, of an image.
 Image thumbnail(const Image& image, int width);

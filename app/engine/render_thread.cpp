@@ -1,53 +1,32 @@
 #include "app/engine/render_thread.h"
 
-#include <chrono>
-#include <condition_variable>
-#include <deque>
-#include <map>
-#include <mutex>
 #include <thread>
 
 #include "app/engine/live_session.h"
+#include "app/engine/render_queue.h"
 
 namespace ir::engine {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// A newer request lets the frame that runs finish, so that a dragged camera shows pictures on its way,
-/// unless that frame already runs this long.
-constexpr auto patience = std::chrono::milliseconds(1500);
-constexpr auto shader_poll = std::chrono::milliseconds(700);
-
-struct Waiting {
-    LiveRequest request;
-    std::uint64_t serial = 0;
-};
-
-}  // namespace
 
 struct RenderThread::State {
     Machine::Options options;
     Callbacks callbacks;
-    std::mutex mutex;
-    std::condition_variable wake;
-    std::map<std::string, Waiting> waiting;  ///< newest request by tag
-    std::deque<std::vector<scene::Part>> scenes;
-    std::map<std::string, Waiting> latest;  ///< by tag, to run again after a reload
-    std::string running_tag;
-    Clock::time_point running_since;
-    CancelToken cancel;
-    std::uint64_t serial = 0;
-    bool reload = false, stop = false;
+    RenderQueue queue;
+    std::unique_ptr<Machine> machine;
+    std::unique_ptr<LiveSession> session;
     std::thread thread;
 
     void render_loop();
-    void render_request(LiveSession& session, Waiting job);
-    void render_scene(Machine& machine, const std::vector<scene::Part>& parts);
-    void render_reload(Machine& machine, LiveSession& session);
-    bool newer_is_waiting(const std::string& tag) {
-        const std::lock_guard lock(mutex);
-        return stop || waiting.count(tag) > 0;
+    bool render_start();
+    void render_work(const RenderQueue::Work& work);
+    void render_views();
+    void render_frame(const RenderQueue::Job& job);
+    void render_scene(const std::vector<scene::Part>& parts);
+    void render_export(const ExportRequest& request);
+    void render_reload();
+
+    template <class Function, class... Values>
+    static void tell(const Function& callback, Values&&... values) {
+        if (callback) callback(std::forward<Values>(values)...);
     }
 };
 
@@ -59,148 +38,136 @@ RenderThread::RenderThread(Machine::Options options, Callbacks callbacks)
 }
 
 RenderThread::~RenderThread() {
-    {
-        const std::lock_guard lock(state_->mutex);
-        state_->stop = true;
-        state_->cancel.cancel();
-    }
-    state_->wake.notify_all();
+    state_->queue.stop();
     state_->thread.join();
 }
 
 std::uint64_t RenderThread::request(LiveRequest request) {
-    const std::lock_guard lock(state_->mutex);
-    const auto serial = ++state_->serial;
-    const auto tag = request.tag;
-    state_->waiting[tag] = {std::move(request), serial};
-    if (state_->running_tag == tag && Clock::now() - state_->running_since > patience)
-        state_->cancel.cancel();
-    state_->wake.notify_all();
-    return serial;
+    return state_->queue.request(std::move(request));
 }
-
-void RenderThread::load_scene(std::vector<scene::Part> parts) {
-    const std::lock_guard lock(state_->mutex);
-    state_->scenes.push_back(std::move(parts));
-    state_->wake.notify_all();
+void RenderThread::release(const std::string& tag) {
+    state_->queue.release(tag);
 }
-
 void RenderThread::cancel(const std::string& tag) {
-    const std::lock_guard lock(state_->mutex);
-    state_->waiting.erase(tag);
-    if (state_->running_tag == tag) state_->cancel.cancel();
+    state_->queue.cancel(tag);
+}
+std::uint64_t RenderThread::draw(SceneViewRequest request) {
+    return state_->queue.draw(std::move(request));
+}
+void RenderThread::probe(ProbeRequest request) {
+    state_->queue.probe(std::move(request));
+}
+void RenderThread::export_layers(ExportRequest request) {
+    state_->queue.export_layers(std::move(request));
+}
+void RenderThread::load_scene(std::vector<scene::Part> parts) {
+    state_->queue.load_scene(std::move(parts));
+}
+void RenderThread::reload_shaders() {
+    state_->queue.reload_shaders();
 }
 
-void RenderThread::reload_shaders() {
-    const std::lock_guard lock(state_->mutex);
-    state_->reload = true;
-    state_->wake.notify_all();
+bool RenderThread::State::render_start() {
+    session.reset();
+    machine.reset();
+    try {
+        machine = std::make_unique<Machine>(options);
+    } catch (const std::exception& error) {
+        tell(callbacks.on_no_device, error.what());
+        return false;
+    }
+    session = std::make_unique<LiveSession>(*machine);
+    const auto& info = machine->context().info();
+    tell(callbacks.on_ready, gl::to_string(info.backend), info.renderer);
+    return true;
 }
 
 void RenderThread::State::render_loop() {
-    std::unique_ptr<Machine> machine;
-    std::unique_ptr<LiveSession> session;
-    const auto start = [&] {
-        session.reset();
-        machine.reset();
-        machine = std::make_unique<Machine>(options);
-        session = std::make_unique<LiveSession>(*machine);
-        const auto& info = machine->context().info();
-        if (callbacks.on_ready) callbacks.on_ready(gl::to_string(info.backend), info.renderer);
-    };
-    try {
-        start();
-    } catch (const std::exception& error) {
-        if (callbacks.on_no_device) callbacks.on_no_device(error.what());
-        return;
+    bool started = render_start();
+    while (started) {
+        const auto work = queue.take();
+        if (work.stop) break;
+        render_work(work);
+        if (!machine->context().is_lost()) continue;
+        tell(callbacks.on_messages,
+             std::vector<Message>{
+                 {Severity::warning, "gl", "the OpenGL context was lost and is made anew", {}}});
+        started = render_start();
+        queue.run_all_again();
     }
-    for (;;) {
-        Waiting job;
-        std::vector<scene::Part> scene;
-        bool has_job = false, has_scene = false, check_shaders = false;
-        {
-            std::unique_lock lock(mutex);
-            const bool woken = wake.wait_for(
-                lock, shader_poll, [&] { return stop || reload || !waiting.empty() || !scenes.empty(); });
-            if (stop) return;
-            check_shaders = reload || !woken;
-            reload = false;
-            if (!scenes.empty()) {
-                scene = scenes.front();
-                scenes.pop_front();
-                has_scene = true;
-            } else if (!waiting.empty()) {
-                job = std::move(waiting.begin()->second);
-                waiting.erase(waiting.begin());
-                latest[job.request.tag] = job;
-                running_tag = job.request.tag;
-                running_since = Clock::now();
-                cancel.reset();
-                has_job = true;
-            }
-        }
-        if (has_scene) render_scene(*machine, scene);
-        if (has_job) render_request(*session, std::move(job));
-        if (check_shaders) render_reload(*machine, *session);
-        {
-            const std::lock_guard lock(mutex);
-            running_tag.clear();
-        }
-        if (machine->context().is_lost()) {
-            if (callbacks.on_messages)
-                callbacks.on_messages(
-                    {{Severity::warning, "gl", "the OpenGL context was lost and is made anew"}});
-            try {
-                start();
-            } catch (const std::exception& error) {
-                if (callbacks.on_no_device) callbacks.on_no_device(error.what());
-                return;
-            }
-            const std::lock_guard lock(mutex);
-            for (const auto& [tag, again] : latest) waiting.try_emplace(tag, again);
-        }
+    session.reset();
+    machine.reset();
+}
+
+void RenderThread::State::render_work(const RenderQueue::Work& work) {
+    for (const auto& tag : work.released) session->release(tag);
+    for (const auto& tag : work.cancelled) tell(callbacks.on_failure, tag, "cancelled", true);
+    render_views();
+    if (work.file) render_export(*work.file);
+    if (work.scene) render_scene(*work.scene);
+    if (work.job) render_frame(*work.job);
+    if (work.check_shaders) render_reload();
+}
+
+void RenderThread::State::render_views() {
+    const auto& cancel = queue.cancel_token();
+    while (!cancel.is_cancelled()) {
+        const auto request = queue.take_probe();
+        if (!request) return;
+        tell(callbacks.on_probe, session->probe(*request));
     }
 }
 
-void RenderThread::State::render_request(LiveSession& session, Waiting job) {
+void RenderThread::State::render_frame(const RenderQueue::Job& job) {
+    using Outcome = RenderQueue::Outcome;
     const auto& tag = job.request.tag;
-    const ProgressCallback progress = [&](const std::string& what, double fraction) {
-        if (callbacks.on_progress) callbacks.on_progress(tag, what, fraction);
+    LiveSession::Step step;
+    step.cancel = &queue.cancel_token();
+    step.progress = [&](const std::string& what, double fraction) {
+        tell(callbacks.on_progress, tag, what, fraction);
     };
+    step.between_slices = [this] { render_views(); };
     try {
-        for (;;) {
-            auto result = session.advance(job.request, job.serial, cancel, progress);
-            const bool finished = result.finished;
-            if (callbacks.on_result) callbacks.on_result(std::move(result));
-            if (finished || newer_is_waiting(tag)) return;
-            const std::lock_guard lock(mutex);
-            running_since = Clock::now();
-        }
+        auto result = session->advance(job.request, job.serial, step);
+        const bool finished = result.finished;
+        tell(callbacks.on_result, std::move(result));
+        if (queue.finish(job, finished ? Outcome::finished : Outcome::more))
+            tell(callbacks.on_failure, tag, "cancelled", true);
     } catch (const Cancelled&) {
-        if (!newer_is_waiting(tag) && callbacks.on_failure) callbacks.on_failure(tag, "cancelled", true);
+        if (queue.finish(job, Outcome::failed)) tell(callbacks.on_failure, tag, "cancelled", true);
     } catch (const std::exception& error) {
-        if (callbacks.on_failure) callbacks.on_failure(tag, error.what(), false);
+        if (queue.finish(job, Outcome::failed)) tell(callbacks.on_failure, tag, error.what(), false);
     }
 }
 
-void RenderThread::State::render_scene(Machine& machine, const std::vector<scene::Part>& parts) {
+void RenderThread::State::render_scene(const std::vector<scene::Part>& parts) {
     try {
-        const auto scene = machine.scenes().load(parts);
-        if (callbacks.on_scene) callbacks.on_scene(summarise(*scene));
+        auto summary = summarise(*machine->scenes().load(parts));
+        summary.composition_key = scene::composition_key(parts);
+        tell(callbacks.on_scene, std::move(summary));
     } catch (const std::exception& error) {
-        if (callbacks.on_failure) callbacks.on_failure("scene", error.what(), false);
+        tell(callbacks.on_failure, "scene", error.what(), false);
     }
 }
 
-void RenderThread::State::render_reload(Machine& machine, LiveSession& session) {
-    machine.context().make_current();
+void RenderThread::State::render_export(const ExportRequest& request) {
+    std::string failure;
+    try {
+        session->export_layers(request);
+    } catch (const std::exception& error) {
+        failure = error.what();
+    }
+    tell(callbacks.on_exported, request.tag, request.file, failure);
+}
+
+void RenderThread::State::render_reload() {
+    machine->context().make_current();
     bool changed = false;
-    auto messages = machine.programs().reload_changed(&changed);
-    if (!messages.empty() && callbacks.on_messages) callbacks.on_messages(std::move(messages));
+    auto messages = machine->programs().reload_changed(&changed);
+    if (!messages.empty()) tell(callbacks.on_messages, std::move(messages));
     if (!changed) return;
-    session.forget_results();
-    const std::lock_guard lock(mutex);
-    for (const auto& [tag, again] : latest) waiting.try_emplace(tag, again);
+    session->forget_results();
+    queue.run_all_again();
 }
 
 }  // namespace ir::engine

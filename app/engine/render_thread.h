@@ -5,54 +5,23 @@
 #include <string>
 
 #include "app/engine/execution.h"
+#include "app/engine/live.h"
 
 namespace ir::engine {
-
-/// What a view asks to see of an experiment.
-struct LiveRequest {
-    std::string tag;  ///< requests of one tag replace each other; the newest wins
-    Experiment experiment;
-    std::string shown;  ///< resource key to send back; empty: the main result
-    int level = 0, layer = 0;
-    bool thumbnails = false;  ///< also send a small image of each image resource
-    std::uint64_t memory_budget = 0;
-};
-
-/// Sent back, on the render thread, through the callbacks given to the constructor; a window posts them to
-/// its own.
-struct LiveResult {
-    std::string tag;
-    std::uint64_t serial = 0;  ///< of the request
-    int frame = 0, frames = 1;
-    std::string shown;
-    Image image;                              ///< the shown resource (empty when it is not available)
-    Image valid;                              ///< 1 channel, may be empty
-    std::map<std::string, Image> thumbnails;  ///< at most 96 pixels wide, by resource key
-    FrameReport report;
-    bool finished = false;  ///< all frames asked for are committed
-};
-
-struct SceneSummary {
-    std::string name, content_hash;
-    std::vector<std::string> cameras, lights, materials, warnings;
-    struct NodeRow {
-        std::string name;
-        int parent = -1;
-        std::size_t triangles = 0;
-    };
-    std::vector<NodeRow> nodes;
-    std::size_t triangles = 0, textures = 0;
-    scene::Bounds bounds;
-    std::vector<scene::Camera> camera_values;
-};
 
 /// The thread that owns the context. Function names with render_ run on it; all others are called from the
 /// window's thread and return at once.
 class RenderThread {
   public:
+    /// All are called on the render thread; a window posts them to its own.
     struct Callbacks {
         std::function<void(LiveResult)> on_result;
+        std::function<void(SceneViewResult)> on_scene_view;
+        std::function<void(ProbeResult)> on_probe;
+        /// `error` is empty when the file was written.
+        std::function<void(std::string tag, std::string file, std::string error)> on_exported;
         std::function<void(std::string tag, std::string what, double fraction)> on_progress;
+        /// Of a request by its tag, of a scene as tag "scene".
         std::function<void(std::string tag, std::string error, bool cancelled)> on_failure;
         std::function<void(SceneSummary)> on_scene;
         std::function<void(std::vector<Message>)> on_messages;  ///< shader reloads, GL
@@ -62,11 +31,22 @@ class RenderThread {
     RenderThread(Machine::Options options, Callbacks callbacks);
     ~RenderThread();  ///< cancels and joins
 
-    /// Drops an older request of the same tag that waits or runs. Returns the request's serial.
+    /// Drops an older request of the same tag that waits or runs. After each frame it is the next tag's turn.
+    /// Returns the request's serial.
     std::uint64_t request(LiveRequest request);
+    /// Nobody looks at this tag any more: its execution is freed, and no answer follows.
+    void release(const std::string& tag);
+    /// Drops what waits of this tag and stops its frame that runs; on_failure says when.
+    void cancel(const std::string& tag);
+
+    /// Served between the slices of any frame. Return the request's serial.
+    std::uint64_t draw(SceneViewRequest request);
+    void probe(ProbeRequest request);
+    /// Waits until nothing of the tag is left to render.
+    void export_layers(ExportRequest request);
+
     /// Loads a scene and reports its summary.
     void load_scene(std::vector<scene::Part> parts);
-    void cancel(const std::string& tag);
     /// Asks for reload of changed shaders; affected executions run again.
     void reload_shaders();
 

@@ -16,12 +16,21 @@ class Renderer : public QObject {
   public:
     using QObject::QObject;
     virtual std::uint64_t request(engine::LiveRequest request) = 0;
-    virtual void load_scene(const std::vector<scene::Part>& parts) = 0;
     virtual void cancel(const std::string& tag) = 0;
+    /// Nobody looks at this tag any more.
+    virtual void release(const std::string& tag) = 0;
+    virtual std::uint64_t draw(engine::SceneViewRequest request) = 0;
+    virtual void probe(engine::ProbeRequest request) = 0;
+    virtual void export_layers(engine::ExportRequest request) = 0;
+    virtual void load_scene(const std::vector<scene::Part>& parts) = 0;
     virtual void reload_shaders() = 0;
 
   signals:
     void result_arrived(std::shared_ptr<const ir::engine::LiveResult> result);
+    void scene_view_arrived(std::shared_ptr<const ir::engine::SceneViewResult> result);
+    void probe_arrived(std::shared_ptr<const ir::engine::ProbeResult> result);
+    /// `error` is empty when the file was written.
+    void exported(const std::string& tag, const std::string& file, const std::string& error);
     void progressed(const std::string& tag, const std::string& what, double fraction);
     void failed(const std::string& tag, const std::string& error, bool cancelled);
     void scene_arrived(const ir::engine::SceneSummary& scene);
@@ -31,7 +40,7 @@ class Renderer : public QObject {
 };
 
 /// The real one: posts the render thread's callbacks to the window's thread. Results that the window had no
-/// time for are replaced by newer ones.
+/// time for are replaced by newer ones of their tag.
 std::unique_ptr<Renderer> make_thread_renderer(const engine::Machine::Options& options);
 
 }  // namespace ir::gui

@@ -35,6 +35,7 @@ Session::Session(Renderer& renderer, const Registry& registry, QObject* parent)
                 if (tag == live_tag && state_ == State::rendering) emit progressed(what, fraction);
             });
     connect(&renderer_, &Renderer::scene_arrived, this, [this](const engine::SceneSummary& scene) {
+        if (scene.composition_key != scene_key_) return;
         scene_ = scene;
         for (const auto& warning : scene.warnings) emit message({Severity::warning, "scene", warning});
         emit scene_changed();
@@ -110,6 +111,12 @@ void Session::show_buffer(const std::string& key) {
     update_request();
 }
 
+std::string Session::shown_key(const engine::LiveResult& result) const {
+    const auto& key = result.images.empty() ? shown_ : result.images.begin()->first.key;
+    const auto* described = method();
+    return !key.empty() || !described ? key : described->outputs.front().key;
+}
+
 void Session::show_part(int level, int layer) {
     level_ = level;
     layer_ = layer;
@@ -179,9 +186,7 @@ void Session::send_request(const engine::Experiment& experiment, const std::stri
     engine::LiveRequest request;
     request.tag = live_tag;
     request.experiment = experiment;
-    request.shown = shown_;
-    request.level = level_;
-    request.layer = layer_;
+    request.parts = {{shown_, level_, layer_}};
     request.thumbnails = thumbnails_;
     signature_ = signature;
     serial_ = renderer_.request(std::move(request));

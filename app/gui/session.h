@@ -57,6 +57,8 @@ class Session : public QObject {
     // What is shown.
     void show_buffer(const std::string& key);  ///< empty: the main result
     const std::string& shown_buffer() const { return shown_; }
+    /// The key of the resource that a result shows, the main result's included.
+    std::string shown_key(const engine::LiveResult& result) const;
     void show_part(int level, int layer);
     void set_thumbnails_wanted(bool wanted);
     State state() const { return state_; }

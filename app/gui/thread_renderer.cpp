@@ -1,10 +1,32 @@
+#include <map>
 #include <mutex>
-#include <optional>
 
 #include "app/gui/renderer.h"
 
 namespace ir::gui {
 namespace {
+
+/// The newest value of each tag on its way from the render thread to the window's. Fast methods make results
+/// quicker than a window draws them: only the newest waits in the event queue.
+template <class Value>
+class Newest {
+  public:
+    /// Whether nothing of the tag was waiting, so that somebody has to come for it.
+    bool put(const std::string& tag, Value value) {
+        const std::lock_guard lock(mutex_);
+        return waiting_.insert_or_assign(tag, std::move(value)).second;
+    }
+    /// A tag that was dropped meanwhile holds a default value.
+    Value take(const std::string& tag) {
+        const std::lock_guard lock(mutex_);
+        auto node = waiting_.extract(tag);
+        return node.empty() ? Value() : std::move(node.mapped());
+    }
+
+  private:
+    std::mutex mutex_;
+    std::map<std::string, Value> waiting_;
+};
 
 class ThreadRenderer final : public Renderer {
   public:
@@ -15,13 +37,23 @@ class ThreadRenderer final : public Renderer {
     std::uint64_t request(engine::LiveRequest request) override {
         return thread_->request(std::move(request));
     }
-    void load_scene(const std::vector<scene::Part>& parts) override { thread_->load_scene(parts); }
     void cancel(const std::string& tag) override { thread_->cancel(tag); }
+    void release(const std::string& tag) override {
+        thread_->release(tag);
+        results_.take(tag);
+        probes_.take(tag);
+    }
+    std::uint64_t draw(engine::SceneViewRequest request) override {
+        return thread_->draw(std::move(request));
+    }
+    void probe(engine::ProbeRequest request) override { thread_->probe(std::move(request)); }
+    void export_layers(engine::ExportRequest request) override { thread_->export_layers(std::move(request)); }
+    void load_scene(const std::vector<scene::Part>& parts) override { thread_->load_scene(parts); }
     void reload_shaders() override { thread_->reload_shaders(); }
 
   private:
     struct Progress {
-        std::string tag, what;
+        std::string what;
         double fraction = 0;
     };
 
@@ -30,11 +62,40 @@ class ThreadRenderer final : public Renderer {
         QMetaObject::invokeMethod(this, std::move(function), Qt::QueuedConnection);
     }
 
+    /// Posts `signal(value)` unless an older value of the tag is still on its way: then it replaces that.
+    template <class Result, class Signal>
+    void render_newest(Newest<std::shared_ptr<const Result>>& newest, Result result, Signal signal) {
+        const auto tag = result.tag;
+        if (!newest.put(tag, std::make_shared<const Result>(std::move(result)))) return;
+        post([this, &newest, tag, signal] {
+            if (auto value = newest.take(tag)) emit(this->*signal)(std::move(value));
+        });
+    }
+
+    void render_progress(const std::string& tag, Progress progress) {
+        if (!progress_.put(tag, std::move(progress))) return;
+        post([this, tag] {
+            const auto newest = progress_.take(tag);
+            emit progressed(tag, newest.what, newest.fraction);
+        });
+    }
+
     engine::RenderThread::Callbacks callbacks() {
         engine::RenderThread::Callbacks c;
-        c.on_result = [this](engine::LiveResult result) { render_result(std::move(result)); };
+        c.on_result = [this](engine::LiveResult result) {
+            render_newest(results_, std::move(result), &Renderer::result_arrived);
+        };
+        c.on_scene_view = [this](engine::SceneViewResult result) {
+            render_newest(views_, std::move(result), &Renderer::scene_view_arrived);
+        };
+        c.on_probe = [this](engine::ProbeResult result) {
+            render_newest(probes_, std::move(result), &Renderer::probe_arrived);
+        };
+        c.on_exported = [this](std::string tag, std::string file, std::string error) {
+            post([this, tag, file, error] { emit exported(tag, file, error); });
+        };
         c.on_progress = [this](std::string tag, std::string what, double fraction) {
-            render_progress({std::move(tag), std::move(what), fraction});
+            render_progress(tag, {std::move(what), fraction});
         };
         c.on_failure = [this](std::string tag, std::string error, bool cancelled) {
             post([this, tag, error, cancelled] { emit failed(tag, error, cancelled); });
@@ -52,41 +113,10 @@ class ThreadRenderer final : public Renderer {
         return c;
     }
 
-    // Fast methods make results quicker than a window draws them: only the newest waits in the queue.
-    void render_result(engine::LiveResult result) {
-        auto shared = std::make_shared<const engine::LiveResult>(std::move(result));
-        const std::lock_guard lock(mutex_);
-        const bool posted = waiting_result_ != nullptr;
-        waiting_result_ = std::move(shared);
-        if (!posted) post([this] { deliver_result(); });
-    }
-    void deliver_result() {
-        std::shared_ptr<const engine::LiveResult> result;
-        {
-            const std::lock_guard lock(mutex_);
-            result.swap(waiting_result_);
-        }
-        emit result_arrived(result);
-    }
-    void render_progress(Progress progress) {
-        const std::lock_guard lock(mutex_);
-        const bool posted = waiting_progress_.has_value();
-        waiting_progress_ = std::move(progress);
-        if (!posted) post([this] { deliver_progress(); });
-    }
-    void deliver_progress() {
-        Progress progress;
-        {
-            const std::lock_guard lock(mutex_);
-            progress = *waiting_progress_;
-            waiting_progress_.reset();
-        }
-        emit progressed(progress.tag, progress.what, progress.fraction);
-    }
-
-    std::mutex mutex_;
-    std::shared_ptr<const engine::LiveResult> waiting_result_;
-    std::optional<Progress> waiting_progress_;
+    Newest<std::shared_ptr<const engine::LiveResult>> results_;
+    Newest<std::shared_ptr<const engine::SceneViewResult>> views_;
+    Newest<std::shared_ptr<const engine::ProbeResult>> probes_;
+    Newest<Progress> progress_;
     std::unique_ptr<engine::RenderThread> thread_;  // last member: starts when the rest exists
 };
 

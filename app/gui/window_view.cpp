@@ -22,6 +22,12 @@ const ResourceReport* find_resource(const FrameReport& report, const std::string
     return found == report.resources.end() ? nullptr : &*found;
 }
 
+/// Empty when what is shown was not computed or has no picture.
+const Image& image_of(const engine::LiveResult& result) {
+    static const Image none;
+    return result.images.empty() ? none : result.images.begin()->second;
+}
+
 QString why_no_picture(const ResourceReport* resource) {
     if (!resource) return MainWindow::tr("This method has no buffer of that name.");
     if (!resource->available)
@@ -68,7 +74,7 @@ void MainWindow::connect_view() {
     connect(view_, &ImageView::camera_gesture_finished, this, [this] { session_.finish_camera_move(); });
     connect(display_bar_, &widgets::DisplayBar::display_chosen, this, &MainWindow::choose_display);
     connect(display_bar_, &widgets::DisplayBar::automatic_chosen, this, [this] {
-        if (session_.result()) chosen_displays_.erase(session_.result()->shown);
+        if (session_.result()) chosen_displays_.erase(session_.shown_key(*session_.result()));
         exposure_ = 0;
         update_display();
     });
@@ -82,32 +88,34 @@ void MainWindow::connect_view() {
 }
 
 void MainWindow::show_picture(std::shared_ptr<const engine::LiveResult> result) {
-    const auto* resource = find_resource(result->report, result->shown);
-    const QString name =
-        resource && !resource->label.empty() ? text_of(resource->label) : text_of(result->shown);
-    if (result->image.empty()) {
+    const auto shown = session_.shown_key(*result);
+    const auto& image = image_of(*result);
+    const auto* resource = find_resource(result->report, shown);
+    const QString name = resource && !resource->label.empty() ? text_of(resource->label) : text_of(shown);
+    if (image.empty()) {
         view_->set_note(why_no_picture(resource));
     } else {
         const Semantic semantic = resource ? resource->semantic : Semantic::generic;
-        display_bar_->set_image(name, semantic, result->image.channels);
-        view_->set_image(result->image, semantic);
+        display_bar_->set_image(name, semantic, image.channels);
+        view_->set_image(image, semantic);
         update_display();
     }
-    values_->set_picture(result->image, resource ? resource->semantic : Semantic::generic, name,
+    values_->set_picture(image, resource ? resource->semantic : Semantic::generic, name,
                          resource ? text_of(resource->unit) : QString());
     update_lists(*result);
 }
 
 void MainWindow::update_display() {
     const auto* result = session_.result();
-    if (!result || result->image.empty()) return;
-    const auto* resource = find_resource(result->report, result->shown);
-    const auto chosen = chosen_displays_.find(result->shown);
+    if (!result || image_of(*result).empty()) return;
+    const auto shown = session_.shown_key(*result);
+    const auto* resource = find_resource(result->report, shown);
+    const auto chosen = chosen_displays_.find(shown);
     const bool automatic = chosen == chosen_displays_.end();
-    widgets::Display display = automatic
-                                   ? widgets::display_for(resource ? resource->semantic : Semantic::generic,
-                                                          resource ? resource->colour_map : "", result->image)
-                                   : chosen->second;
+    widgets::Display display =
+        automatic ? widgets::display_for(resource ? resource->semantic : Semantic::generic,
+                                         resource ? resource->colour_map : "", image_of(*result))
+                  : chosen->second;
     display.exposure = exposure_;
     display.mark_bad = mark_bad_;
     view_->set_display(display);
@@ -119,7 +127,7 @@ void MainWindow::choose_display(const widgets::Display& display) {
     // Exposure is one for all buffers; the rest belongs to the buffer.
     const bool only_exposure = display.exposure != exposure_;
     exposure_ = display.exposure;
-    if (!only_exposure) chosen_displays_[session_.result()->shown] = display;
+    if (!only_exposure) chosen_displays_[session_.shown_key(*session_.result())] = display;
     update_display();
 }
 
@@ -134,7 +142,7 @@ void MainWindow::step_buffer(int step) {
     std::vector<std::string> keys;
     for (const auto& pass : buffers_->model().rows())
         for (const auto& row : pass.children) keys.push_back(row.key);
-    const auto now = std::find(keys.begin(), keys.end(), result->shown);
+    const auto now = std::find(keys.begin(), keys.end(), session_.shown_key(*result));
     if (keys.empty()) return;
     const auto count = int(keys.size());
     const int at = now == keys.end() ? 0 : (int(now - keys.begin()) + step + count) % count;
@@ -148,7 +156,7 @@ void MainWindow::update_lists(const engine::LiveResult& result) {
                                                   resource ? resource->colour_map : "", image);
         thumbnails_[key] = widgets::to_qimage(image, display);
     }
-    buffers_->set_rows(widgets::buffer_rows(result.report, thumbnails_, result.shown));
+    buffers_->set_rows(widgets::buffer_rows(result.report, thumbnails_, session_.shown_key(result)));
     timings_->set_rows(widgets::timing_rows(result.report));
     counters_->set_rows(widgets::counter_rows(result.report));
 }

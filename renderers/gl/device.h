@@ -51,6 +51,9 @@ class Device {
     /// One level and layer, tightly packed in the format's own type, row 0 first.
     virtual void read_image(Name image, const ImageShape& shape, int level, int layer,
                             std::span<std::byte> to) = 0;
+    /// One texel, in the format's own type.
+    virtual void read_texel(Name image, const ImageShape& shape, int level, int layer, int x, int y,
+                            std::span<std::byte> to) = 0;
     virtual void write_image(Name image, const ImageShape& shape, int level, int layer,
                              std::span<const std::byte> from) = 0;
     virtual void read_buffer(Name buffer, std::uint64_t offset, std::span<std::byte> to) = 0;

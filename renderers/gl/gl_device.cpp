@@ -83,6 +83,13 @@ class GlDevice final : public Device {
                                 static_cast<GLsizei>(to.size()), to.data());
     }
 
+    void read_texel(Name image, const ImageShape& shape, int level, int layer, int x, int y,
+                    std::span<std::byte> to) override {
+        const auto& format = info(shape.format);
+        api_.GetTextureSubImage(image, level, x, y, layer, 1, 1, 1, format.format, format.type,
+                                static_cast<GLsizei>(to.size()), to.data());
+    }
+
     void write_image(Name image, const ImageShape& shape, int level, int layer,
                      std::span<const std::byte> from) override {
         check_size(shape, level, layer, from.size());

@@ -59,6 +59,15 @@ class NullDevice final : public Device {
         std::copy(range.begin(), range.end(), to.begin());
     }
 
+    void read_texel(Name image, const ImageShape& shape, int level, int layer, int x, int y,
+                    std::span<std::byte> to) override {
+        const int width = shape.level_width(level), height = shape.level_height(level);
+        const auto bytes = static_cast<std::size_t>(info(shape.format).bytes);
+        const auto range = image_range(image, shape, level, layer, bytes * width * height);
+        const auto texel = range.subspan(bytes * (static_cast<std::size_t>(y) * width + x), to.size());
+        std::copy(texel.begin(), texel.end(), to.begin());
+    }
+
     void write_image(Name image, const ImageShape& shape, int level, int layer,
                      std::span<const std::byte> from) override {
         const auto range = image_range(image, shape, level, layer, from.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -59,8 +60,12 @@ class Graph {
     /// Contents of an image resource as floats (integers are converted), one level and layer. Empty when the
     /// resource does not exist or its pass was culled.
     std::optional<Image> read_image(const std::string& key, int level = 0, int layer = 0) const;
-    /// Raw elements of a buffer resource.
-    std::optional<std::vector<std::byte>> read_buffer(const std::string& key) const;
+    /// All channels of one texel of level 0; empty where read_image is, and outside. Also between the slices
+    /// of a frame, when contents may be half new.
+    std::optional<std::vector<float>> read_texel(const std::string& key, int x, int y, int layer = 0) const;
+    /// Raw elements of a buffer resource, at most the first `most_bytes`.
+    std::optional<std::vector<std::byte>> read_buffer(
+        const std::string& key, std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max()) const;
     const BufferDesc* buffer_desc(const std::string& key) const;
     /// For viewers that draw from buffers without copying them; empty where there are no contents. Between
     /// the slices of a frame, elements in use are those of the frame before, and contents may be half new.

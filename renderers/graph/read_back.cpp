@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
@@ -52,14 +53,38 @@ std::optional<Image> Graph::read_image(const std::string& key, int level, int la
     return image;
 }
 
-std::optional<std::vector<std::byte>> Graph::read_buffer(const std::string& key) const {
+std::optional<std::vector<float>> Graph::read_texel(const std::string& key, int x, int y, int layer) const {
     auto* physical = state_->pool.find(key);
-    if (!physical || physical->is_image) return std::nullopt;
+    if (!physical || !physical->is_image || !physical->has_contents()) return std::nullopt;
+    const auto& shape = physical->shape;
+    if (x < 0 || x >= shape.width || y < 0 || y >= shape.height || layer < 0 ||
+        layer >= std::max(1, shape.layers))
+        return std::nullopt;
+    const auto& format = gl::info(shape.format);
+    const auto& copy = physical->now();
+    std::vector<std::byte> raw(static_cast<std::size_t>(format.bytes));
+    if (copy.on_host) {
+        const auto texel = (static_cast<std::size_t>(layer) * shape.height + y) * shape.width + x;
+        std::memcpy(raw.data(), copy.host.data() + texel * raw.size(), raw.size());
+    } else {
+        state_->device.read_texel(copy.name, shape, 0, layer, x, y, raw);
+    }
+    std::vector<float> values(static_cast<std::size_t>(format.channels));
+    for (std::size_t c = 0; c < values.size(); ++c)
+        values[c] = component(raw.data() + c * raw.size() / values.size(), format);
+    return values;
+}
+
+std::optional<std::vector<std::byte>> Graph::read_buffer(const std::string& key,
+                                                         std::uint64_t most_bytes) const {
+    auto* physical = state_->pool.find(key);
+    if (!physical || physical->is_image || !physical->has_contents()) return std::nullopt;
     auto& copy = physical->now();
-    if (!copy.on_device && !copy.on_host) return std::nullopt;
-    if (copy.on_host) return copy.host;
-    std::vector<std::byte> bytes(physical->copy_bytes());
-    state_->device.read_buffer(copy.name, 0, bytes);
+    std::vector<std::byte> bytes(std::min(physical->copy_bytes(), most_bytes));
+    if (copy.on_host)
+        std::memcpy(bytes.data(), copy.host.data(), bytes.size());
+    else if (!bytes.empty())
+        state_->device.read_buffer(copy.name, 0, bytes);
     return bytes;
 }
 

@@ -127,7 +127,7 @@ TEST(EndToEnd, EveryBufferOfTheExperimentCanBeShown) {
         ASSERT_TRUE(real.wait()) << resource.key;
         EXPECT_EQ(real.window.session().state(), Session::State::done)
             << resource.key << real.window.session().state_text();
-        EXPECT_EQ(real.window.session().result()->shown, resource.key);
+        EXPECT_EQ(real.window.session().shown_key(*real.window.session().result()), resource.key);
         EXPECT_EQ(real.window.view().image().empty(), resource.width == 0) << resource.key;
     }
 }

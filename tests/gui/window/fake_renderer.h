@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QTimer>
+#include <algorithm>
 #include <map>
 
 #include "app/engine/execution.h"
@@ -51,9 +52,10 @@ class FakeRenderer final : public Renderer {
         return serial;
     }
     void load_scene(const std::vector<scene::Part>& parts) override {
-        QTimer::singleShot(0, this, [this, name = scene::composition_name(parts)] {
+        QTimer::singleShot(0, this, [this, parts] {
             engine::SceneSummary summary;
-            summary.name = name;
+            summary.name = scene::composition_name(parts);
+            summary.composition_key = scene::composition_key(parts);
             summary.cameras = {"front", "side"};
             summary.camera_values.resize(2);
             summary.camera_values[0].name = "front";
@@ -69,6 +71,13 @@ class FakeRenderer final : public Renderer {
         ++cancels;
         if (hold) QTimer::singleShot(0, this, [this, tag] { emit failed(tag, "cancelled", true); });
     }
+    void release(const std::string& tag) override { releases.push_back(tag); }
+    std::uint64_t draw(engine::SceneViewRequest request) override {
+        views.push_back(std::move(request));
+        return views.size();
+    }
+    void probe(engine::ProbeRequest request) override { probes.push_back(std::move(request)); }
+    void export_layers(engine::ExportRequest request) override { exports.push_back(std::move(request)); }
     void reload_shaders() override {}
 
     void answer(const engine::LiveRequest& request, std::uint64_t serial) {
@@ -76,13 +85,17 @@ class FakeRenderer final : public Renderer {
         result->tag = request.tag;
         result->serial = serial;
         result->frame = result->frames = request.experiment.frames;
-        result->shown = request.shown.empty() ? "picture" : request.shown;
         const auto level = request.experiment.settings.find("level");
         const double value =
             level == request.experiment.settings.end() ? 0.25 : std::get<double>(level->second);
-        const bool colour = result->shown == "picture";
-        result->image =
-            Image(request.experiment.width, request.experiment.height, colour ? 3 : 1, float(value));
+        result->inspection = request.inspection;
+        std::vector<std::string> computed{"picture"};
+        for (const auto& part : request.parts) {
+            const bool colour = part.key.empty() || part.key == "picture";
+            if (!colour) computed.push_back(part.key);
+            result->images[part] =
+                Image(request.experiment.width, request.experiment.height, colour ? 3 : 1, float(value));
+        }
         result->finished = true;
         result->report.backend = "fake";
         PassReport pass;
@@ -98,13 +111,17 @@ class FakeRenderer final : public Renderer {
             resource.semantic = output.semantic;
             resource.width = request.experiment.width;
             resource.height = request.experiment.height;
-            resource.available = output.key == result->shown || output.key == "picture";
+            resource.available = std::find(computed.begin(), computed.end(), output.key) != computed.end();
             result->report.resources.push_back(resource);
         }
         emit result_arrived(result);
     }
 
     std::vector<engine::LiveRequest> requests;
+    std::vector<engine::SceneViewRequest> views;
+    std::vector<engine::ProbeRequest> probes;
+    std::vector<engine::ExportRequest> exports;
+    std::vector<std::string> releases;
     bool hold = false;
     int cancels = 0;
 };

@@ -138,7 +138,7 @@ TEST_F(WindowTest, AClickedBufferIsShownAndComputed) {
     view->scrollTo(depth);
     QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, view->visualRect(depth).center());
     ASSERT_TRUE(settle());
-    EXPECT_EQ(renderer.requests.back().shown, "depth");
+    EXPECT_EQ(renderer.requests.back().parts.front().key, "depth");
     EXPECT_EQ(window.view().image().channels, 1);
     EXPECT_EQ(window.view().semantic(), Semantic::depth);
 }

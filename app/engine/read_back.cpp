@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/engine/live_session.h"
+#include "renderers/image/atlas.h"
+
+namespace ir::engine {
+namespace {
+
+constexpr int thumbnail_width = 96;
+
+const ResourceReport* find(const FrameReport& report, const std::string& key) {
+    const auto found = std::find_if(report.resources.begin(), report.resources.end(),
+                                    [&](const auto& resource) { return resource.key == key; });
+    return found == report.resources.end() ? nullptr : &*found;
+}
+
+/// The levels or layers asked for, side by side; nothing where the first of them is not there.
+std::optional<Image> read_atlas(const graph::Graph& graph, const ResourceReport& resource, Part part) {
+    const bool all_levels = part.level == Part::all, all_layers = part.layer == Part::all;
+    const int first_level = all_levels ? 0 : part.level, first_layer = all_layers ? 0 : part.layer;
+    auto first = graph.read_image(resource.key, first_level, first_layer);
+    const int levels = all_levels ? resource.levels : 1, layers = all_layers ? resource.layers : 1;
+    if (!first || levels * layers == 1) return first;
+    const auto atlas = make_atlas(first->width, first->height, levels, layers);
+    Image result(atlas.width, atlas.height, first->channels);
+    for (const auto& tile : atlas.tiles) {
+        const auto picture =
+            graph.read_image(resource.key, first_level + tile.level, first_layer + tile.layer);
+        if (picture) paste(result, tile, *picture);
+    }
+    return result;
+}
+
+std::optional<BufferContents> read_contents(const graph::Graph& graph, const ResourceReport& resource) {
+    const auto* desc = graph.buffer_desc(resource.key);
+    if (!desc || !resource.available) return {};
+    BufferContents result;
+    result.fields = resource.fields;
+    result.elements = resource.elements;
+    const auto stride = std::uint64_t(std::max(1, graph::stride(*desc)));
+    const auto most = std::min(resource.elements, BufferContents::most_bytes / stride);
+    auto bytes = graph.read_buffer(resource.key, most * stride);
+    if (!bytes) return {};
+    result.bytes = std::move(*bytes);
+    return result;
+}
+
+ProbeResult::Row probe_row(const graph::Graph& graph, const ResourceReport& resource,
+                           const std::vector<ProbeRequest::Pixel>& pixels, int width, int height) {
+    ProbeResult::Row row{resource.key, resource.label, resource.unit, resource.semantic, false, 0, {}};
+    for (const auto& pixel : pixels) {
+        const int x = int(std::floor((pixel.x + 0.5) * resource.width / width));
+        const int y = int(std::floor((pixel.y + 0.5) * resource.height / height));
+        auto texel = graph.read_texel(resource.key, x, y);
+        if (texel) row.channels = int(texel->size());
+        row.available = row.available || texel;
+        row.values.push_back(texel.value_or(std::vector<float>()));
+    }
+    return row;
+}
+
+}  // namespace
+
+Image thumbnail(const Image& image, int width) {
+    const int w = std::min(width, image.width);
+    if (w < 1 || image.height < 1) return {};
+    const int h = std::max(1, static_cast<int>(static_cast<long long>(image.height) * w / image.width));
+    Image result(w, h, image.channels);
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x)
+            for (int c = 0; c < image.channels; ++c)
+                result.at(x, y, c) = image.at(static_cast<int>((x + 0.5) * image.width / w),
+                                              static_cast<int>((y + 0.5) * image.height / h), c);
+    return result;
+}
+
+void read_back(LiveResult& result, const LiveRequest& request, const Execution& execution) {
+    const auto& graph = execution.graph();
+    const auto& main_key = execution.method().outputs.front().key;
+    for (const auto& part : request.parts) {
+        const auto* resource = find(result.report, part.key.empty() ? main_key : part.key);
+        if (!resource || !resource->available || resource->width == 0) continue;
+        if (auto image = read_atlas(graph, *resource, part)) result.images[part] = std::move(*image);
+    }
+    for (const auto& key : request.buffers)
+        if (const auto* resource = find(result.report, key))
+            if (auto contents = read_contents(graph, *resource)) result.buffers[key] = std::move(*contents);
+    result.valid = graph.read_image("valid").value_or(Image());
+    if (!request.thumbnails || !result.finished) return;
+    for (const auto& resource : result.report.resources)
+        if (resource.available && resource.width > 0)
+            if (const auto image = graph.read_image(resource.key))
+                result.thumbnails[resource.key] = thumbnail(*image, thumbnail_width);
+}
+
+ProbeResult LiveSession::probe(const ProbeRequest& request) const {
+    ProbeResult result{request.tag, request.pixels, {}};
+    const auto found = entries_.find(request.tag);
+    if (found == entries_.end() || !found->second.execution) return result;
+    const auto& [execution, wanted, report, rebuild, whole] = found->second;
+    const auto* main = find(report, execution->method().outputs.front().key);
+    if (!main || main->width < 1 || main->height < 1) return result;
+    machine_.context().make_current();
+    for (const auto& resource : report.resources)
+        if (resource.width > 0)
+            result.rows.push_back(
+                probe_row(execution->graph(), resource, request.pixels, main->width, main->height));
+    return result;
+}
+
+}  // namespace ir::engine

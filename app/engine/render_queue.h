@@ -1,0 +1,89 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/engine/live.h"
+#include "renderers/core/progress.h"
+
+namespace ir::engine {
+
+/// What waits for the render thread. The window's side adds, the render thread takes; every function may be
+/// called from any thread.
+class RenderQueue {
+  public:
+    struct Job {
+        LiveRequest request;
+        std::uint64_t serial = 0;
+    };
+    struct View {
+        SceneViewRequest request;
+        std::uint64_t serial = 0;
+    };
+    /// What the render thread does next; the frame comes last.
+    struct Work {
+        bool stop = false, check_shaders = false;
+        std::vector<std::string> released, cancelled;  ///< tags
+        std::optional<std::vector<scene::Part>> scene;
+        std::optional<ExportRequest> file;
+        std::optional<Job> job;
+    };
+
+    std::uint64_t request(LiveRequest request);
+    std::uint64_t draw(SceneViewRequest request);
+    void probe(ProbeRequest request);
+    void export_layers(ExportRequest request);
+    void load_scene(std::vector<scene::Part> parts);
+    void release(const std::string& tag);
+    void cancel(const std::string& tag);
+    void reload_shaders();
+    void stop();
+
+    /// Waits for work, or for the time to look at shader files.
+    Work take();
+    /// After a frame of `job`: the tag's next frame waits for its turn unless this was the last one. Whether
+    /// somebody waits to hear that it failed, or that it was cancelled with frames left.
+    enum class Outcome { more, finished, failed };
+    bool finish(const Job& job, Outcome outcome);
+    std::optional<View> take_view();
+    std::optional<ProbeRequest> take_probe();
+    /// All requests that are known, again.
+    void run_all_again();
+    /// Of the frame that runs.
+    const CancelToken& cancel_token() const { return cancel_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    struct Known {
+        Job job;
+        bool active = false;  ///< frames are left to render
+    };
+    void give_turn(const std::string& tag);
+    bool has_work() const;
+    bool is_active(const std::string& tag) const;
+    void drop_turn(const std::string& tag);
+
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    std::map<std::string, Known> jobs_;  ///< newest by tag
+    std::deque<std::string> turns_;      ///< tags with frames to render, except the one that runs
+    std::map<std::string, View> views_;
+    std::map<std::string, ProbeRequest> probes_;
+    std::deque<ExportRequest> files_;
+    std::deque<std::vector<scene::Part>> scenes_;
+    std::vector<std::string> released_, cancelled_;
+    std::string running_tag_;
+    bool running_ = false;
+    Clock::time_point running_since_;
+    CancelToken cancel_;
+    std::uint64_t serial_ = 0;
+    bool reload_ = false, stop_ = false;
+};
+
+}  // namespace ir::engine
