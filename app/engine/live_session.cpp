@@ -28,6 +28,38 @@ bool lacks(const FrameReport& report, const std::string& pattern) {
 
 }  // namespace
 
+LiveSession::~LiveSession() {
+    machine_.context().make_current();
+    entries_.clear();
+}
+
+void LiveSession::release(const std::string& tag) {
+    machine_.context().make_current();
+    entries_.erase(tag);
+}
+
+SceneViewResult LiveSession::draw(const SceneViewRequest& request, std::uint64_t serial) {
+    SceneViewResult result{request.tag, serial, {}, {}};
+    const auto found = entries_.find(request.execution);
+    if (found == entries_.end() || !found->second.execution || !found->second.execution->inputs().scene) {
+        result.error = "nothing is rendered yet";
+        return result;
+    }
+    auto& [tag, entry] = *found;
+    auto& execution = *entry.execution;
+    try {
+        machine_.context().make_current();
+        if (!entry.viewer)
+            entry.viewer = std::make_unique<passes::viewers::Viewer>(machine_.context(), machine_.device(),
+                                                                     machine_.programs());
+        result.picture =
+            entry.viewer->draw(execution.graph(), execution.inputs(), execution.camera(), request.view);
+    } catch (const std::exception& error) {
+        result.error = error.what();
+    }
+    return result;
+}
+
 void LiveSession::want(Entry& entry, const LiveRequest& request) {
     bool missing = false;
     for (const auto& pattern : patterns_of(request)) {

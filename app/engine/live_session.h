@@ -8,6 +8,7 @@
 
 #include "app/engine/execution.h"
 #include "app/engine/live.h"
+#include "renderers/passes/viewers/draw.h"
 
 namespace ir::engine {
 
@@ -15,6 +16,7 @@ namespace ir::engine {
 class LiveSession {
   public:
     explicit LiveSession(Machine& machine) : machine_(machine) {}
+    ~LiveSession();
 
     struct Step {
         const CancelToken* cancel = nullptr;
@@ -26,7 +28,11 @@ class LiveSession {
     LiveResult advance(const LiveRequest& request, std::uint64_t serial, const Step& step);
 
     /// Frees an execution.
-    void release(const std::string& tag) { entries_.erase(tag); }
+    void release(const std::string& tag);
+
+    /// Draws buffers as they are now, also between the slices of a frame. What cannot be drawn is said in the
+    /// result.
+    SceneViewResult draw(const SceneViewRequest& request, std::uint64_t serial);
 
     /// Texels as they are now, also between the slices of a frame. No rows where nothing was rendered.
     ProbeResult probe(const ProbeRequest& request) const;
@@ -40,7 +46,8 @@ class LiveSession {
   private:
     struct Entry {
         std::unique_ptr<Execution> execution;
-        std::vector<std::string> wanted;  ///< patterns asked for since the history was empty
+        std::unique_ptr<passes::viewers::Viewer> viewer;  ///< made when it is first drawn
+        std::vector<std::string> wanted;                  ///< patterns asked for since the history was empty
         FrameReport report;
         bool rebuild = false;  ///< kept contents are of an older shader
         bool whole = false;    ///< the contents are those of one complete frame

@@ -98,7 +98,8 @@ ProbeResult LiveSession::probe(const ProbeRequest& request) const {
     ProbeResult result{request.tag, request.pixels, {}};
     const auto found = entries_.find(request.tag);
     if (found == entries_.end() || !found->second.execution) return result;
-    const auto& [execution, wanted, report, rebuild, whole] = found->second;
+    const auto& execution = found->second.execution;
+    const auto& report = found->second.report;
     const auto* main = find(report, execution->method().outputs.front().key);
     if (!main || main->width < 1 || main->height < 1) return result;
     machine_.context().make_current();

@@ -10,12 +10,12 @@ namespace {
 constexpr auto patience = std::chrono::milliseconds(1500);
 constexpr auto shader_poll = std::chrono::milliseconds(700);
 
-template <class Map>
-auto take_first(Map& map) -> std::optional<typename Map::mapped_type> {
-    if (map.empty()) return {};
-    auto value = std::move(map.begin()->second);
-    map.erase(map.begin());
-    return value;
+template <class Value>
+std::vector<Value> take_all(std::map<std::string, Value>& map) {
+    std::vector<Value> values;
+    for (auto& [tag, value] : map) values.push_back(std::move(value));
+    map.clear();
+    return values;
 }
 
 }  // namespace
@@ -150,6 +150,7 @@ void RenderQueue::give_turn(const std::string& tag) {
 bool RenderQueue::finish(const Job& job, Outcome outcome) {
     const std::lock_guard lock(mutex_);
     running_ = false;
+    if (!stop_) cancel_.reset();
     const auto known = jobs_.find(job.request.tag);
     if (known == jobs_.end()) return false;
     auto& active = known->second.active;
@@ -160,14 +161,9 @@ bool RenderQueue::finish(const Job& job, Outcome outcome) {
     return outcome == Outcome::failed ? newest : outcome == Outcome::more && cancelled;
 }
 
-std::optional<RenderQueue::View> RenderQueue::take_view() {
+RenderQueue::Looks RenderQueue::take_looks() {
     const std::lock_guard lock(mutex_);
-    return take_first(views_);
-}
-
-std::optional<ProbeRequest> RenderQueue::take_probe() {
-    const std::lock_guard lock(mutex_);
-    return take_first(probes_);
+    return {take_all(probes_), take_all(views_)};
 }
 
 void RenderQueue::run_all_again() {

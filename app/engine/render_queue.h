@@ -51,8 +51,12 @@ class RenderQueue {
     /// somebody waits to hear that it failed, or that it was cancelled with frames left.
     enum class Outcome { more, finished, failed };
     bool finish(const Job& job, Outcome outcome);
-    std::optional<View> take_view();
-    std::optional<ProbeRequest> take_probe();
+    /// What waits to be looked at now; what comes meanwhile waits until the next slice is done.
+    struct Looks {
+        std::vector<ProbeRequest> probes;
+        std::vector<View> views;
+    };
+    Looks take_looks();
     /// All requests that are known, again.
     void run_all_again();
     /// Of the frame that runs.

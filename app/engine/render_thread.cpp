@@ -110,12 +110,10 @@ void RenderThread::State::render_work(const RenderQueue::Work& work) {
 }
 
 void RenderThread::State::render_views() {
-    const auto& cancel = queue.cancel_token();
-    while (!cancel.is_cancelled()) {
-        const auto request = queue.take_probe();
-        if (!request) return;
-        tell(callbacks.on_probe, session->probe(*request));
-    }
+    const auto looks = queue.take_looks();
+    for (const auto& probe : looks.probes) tell(callbacks.on_probe, session->probe(probe));
+    for (const auto& view : looks.views)
+        tell(callbacks.on_scene_view, session->draw(view.request, view.serial));
 }
 
 void RenderThread::State::render_frame(const RenderQueue::Job& job) {
@@ -126,7 +124,10 @@ void RenderThread::State::render_frame(const RenderQueue::Job& job) {
     step.progress = [&](const std::string& what, double fraction) {
         tell(callbacks.on_progress, tag, what, fraction);
     };
-    step.between_slices = [this] { render_views(); };
+    // A frame that is being cancelled has no time for it.
+    step.between_slices = [this] {
+        if (!queue.cancel_token().is_cancelled()) render_views();
+    };
     try {
         auto result = session->advance(job.request, job.serial, step);
         const bool finished = result.finished;

@@ -65,6 +65,22 @@ void Graph::State::prepare_access(const Pass& pass, const Pass::Access& access) 
     if (on_gl) copy.host = {};
 }
 
+void Graph::State::serve_views(bool on_gl) {
+    const auto start = Clock::now();
+    options->between_slices();
+    if (context && !context->is_current()) context->make_current();
+    if (on_gl) reset_gl_state();
+    views_ms += ms_since(start);
+}
+
+void Graph::State::drop_contents(const Pass& pass) {
+    for (const auto& access : pass.accesses) {
+        if (!access.write || access.kind == Kind::object) continue;
+        auto& physical = access.kind == Kind::image ? *images[access.index] : *buffers[access.index];
+        physical.now().on_device = physical.now().on_host = false;
+    }
+}
+
 int Graph::State::run_slices(const Pass& pass, std::size_t index, PassContext& pass_context) {
     const bool on_gl = pass.queue == Queue::gl, sliced = pass.first_slice > 0;
     const auto known_rate = items_per_ms.find(pass.name);
@@ -93,11 +109,7 @@ int Graph::State::run_slices(const Pass& pass, std::size_t index, PassContext& p
             const double within = pass.items > 0 ? static_cast<double>(begin) / pass.items : 1;
             options->progress(pass.name, (index + within) / builder->passes().size());
         }
-        if (begin < pass.items && options->between_slices) {
-            options->between_slices();
-            if (context && !context->is_current()) context->make_current();
-            if (on_gl) reset_gl_state();
-        }
+        if (begin < pass.items && options->between_slices) serve_views(on_gl);
     } while (begin < pass.items);
     if (sliced && rate > 0) items_per_ms[pass.name] = rate;
     return slices;
@@ -117,9 +129,11 @@ PassReport Graph::State::run_pass(Graph& graph, const Pass& pass, std::size_t in
         device.begin_pass(pass.name);
     }
     const auto start = Clock::now();
+    views_ms = 0;
     try {
         result.slices = run_slices(pass, index, pass_context);
     } catch (...) {
+        drop_contents(pass);  // half written
         if (on_gl) {
             if (context && !context->is_current()) context->make_current();
             device.end_pass();
@@ -127,12 +141,15 @@ PassReport Graph::State::run_pass(Graph& graph, const Pass& pass, std::size_t in
         }
         throw;
     }
-    result.cpu_ms = ms_since(start);
+    result.cpu_ms = ms_since(start) - views_ms;
     if (on_gl) {
         device.barrier();
         const int ticket = device.end_pass();
         result.gpu_ms = device.software() ? device.pass_ms(ticket) : -1 - ticket;  // resolved after the frame
-        if (device.software()) result.cpu_ms = ms_since(start);
+        if (device.software()) {
+            result.gpu_ms = std::max(0.0, result.gpu_ms - views_ms);
+            result.cpu_ms = ms_since(start) - views_ms;
+        }
         delete_framebuffers();
     }
     keep_fingerprints(pass, index);

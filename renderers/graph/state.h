@@ -78,6 +78,7 @@ struct Graph::State {
     gl::Name parameter_buffer = 0;
     std::uint64_t parameter_bytes = 0;
     CancelToken never_cancelled;
+    double views_ms = 0;  ///< spent on views between the slices of the pass that runs
 
     FrameReport report;
 
@@ -116,6 +117,8 @@ struct Graph::State {
     PassReport run_pass(Graph& graph, const Pass& pass, std::size_t index);
     void prepare_access(const Pass& pass, const Pass::Access& access);
     int run_slices(const Pass& pass, std::size_t index, PassContext& pass_context);
+    void serve_views(bool on_gl);
+    void drop_contents(const Pass& pass);
 
     void fill_report(const std::vector<std::uint64_t>& counts);
     void reset_gl_state() const;
