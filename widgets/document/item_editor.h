@@ -1,22 +1,30 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 
 #include "widgets/document/item_form.h"
+#include "widgets/image/camera_motion.h"
 #include "widgets/parameters/experiment_panel.h"
 
 class QLabel;
-class QScrollArea;
 class QStackedWidget;
 
 namespace ir::widgets {
+
+class CameraEditor;
+class ComparisonEditor;
+class SceneEditor;
 
 /// Edits the item that is selected, whatever it is, by its values.
 class ItemEditor : public QWidget {
     Q_OBJECT
   public:
     explicit ItemEditor(QWidget* parent = nullptr);
+    ~ItemEditor() override;
     /// To be called after every change of the document. An item that is gone is no longer shown.
     void set_project(const projects::Project& project, const Registry& registry, bool read_only,
                      const QString& why);
@@ -37,7 +45,11 @@ class ItemEditor : public QWidget {
   signals:
     void edit_wanted(const ir::widgets::EditMaker& make);
     void gesture_finished();
+    /// A file is to be chosen for a part, a foreign image or a set of lights' environment map; then
+    /// makers::set_part_source and its like put it in.
     void browse_wanted(const ir::widgets::ItemRef& item);
+    /// Another file is to be added to a scene, as ProjectPanel::add_wanted.
+    void add_wanted(ir::widgets::ItemKind kind, const ir::widgets::ItemRef& owner);
 
   private:
     void add_form(std::initializer_list<ItemKind> kinds, ItemForm* form);
@@ -51,9 +63,10 @@ class ItemEditor : public QWidget {
     ItemRef item_;
     std::map<ItemKind, ItemForm*> forms_;
     QStackedWidget* stack_;
-    QLabel *title_, *empty_;
-    class CameraEditor* camera_;
-    class ComparisonEditor* comparison_;
+    QLabel* empty_;
+    CameraEditor* camera_;
+    ComparisonEditor* comparison_;
+    SceneEditor* scene_;
 };
 
 }  // namespace ir::widgets

@@ -7,9 +7,13 @@
 
 #include "widgets/document/edit_maker.h"
 #include "widgets/document/item_ref.h"
-#include "widgets/image/camera_motion.h"
+
+class QGridLayout;
+class QLabel;
 
 namespace ir::widgets {
+
+class TextField;
 
 /// A material of a part's file, as the file has it; absent members are not known.
 struct MaterialFacts {
@@ -38,7 +42,7 @@ struct ShownProject {
 class ItemForm : public QWidget {
     Q_OBJECT
   public:
-    explicit ItemForm(QWidget* parent) : QWidget(parent) {}
+    explicit ItemForm(QWidget* parent);
     /// Shows the item, which is in the project; emits nothing.
     virtual void show_item(const ShownProject& shown, const ItemRef& item) = 0;
 
@@ -49,14 +53,21 @@ class ItemForm : public QWidget {
     void browse_wanted(const ir::widgets::ItemRef& item);
 
   protected:
-    /// A change of one field; those of the same field merge until finish().
-    void change(const QString& field, const EditMaker& make);
-    /// A step of its own.
-    void step(const EditMaker& make);
-    void finish();
+    /// A row whose control edits the document. `tip` says what it means.
+    QLabel* row(QGridLayout* grid, const QString& label, QWidget* control, const QString& tip);
+    /// Controls outside rows that edit the document.
+    void add_control(QWidget* control);
+    /// Ends the undo step when the field is done.
+    void watch(QWidget* field);
+    /// All controls; where `why_not` is not empty they are disabled and say why.
+    void set_controls_usable(const QString& why_not);
+    /// A name, for kinds whose items have one.
+    TextField* name_row(QGridLayout* grid, ItemKind kind, const QString& tip);
+
+    std::string id_;  ///< of the item that is shown
 
   private:
-    QString field_;
+    std::vector<QWidget*> controls_;
 };
 
 }  // namespace ir::widgets

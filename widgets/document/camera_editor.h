@@ -1,0 +1,42 @@
+#pragma once
+
+#include "widgets/document/item_form.h"
+#include "widgets/image/camera_motion.h"
+
+class QToolButton;
+
+namespace ir::widgets {
+
+class ChoiceField;
+class NumberField;
+class VectorField;
+
+/// A camera: one of the scene's file by name, or a pose of its own by numbers and as one line of text.
+class CameraEditor : public ItemForm {
+    Q_OBJECT
+  public:
+    explicit CameraEditor(QWidget* parent = nullptr);
+    void show_item(const ShownProject& shown, const ItemRef& item) override;
+    /// Where "take from the view" finds the pose; nullopt while there is no picture.
+    void set_view_pose(std::function<std::optional<CameraPose>()> pose);
+
+  private:
+    void make_pose_rows(QGridLayout* grid);
+    void make_text_rows(QGridLayout* grid);
+    void show_sources(const ShownProject& shown, const projects::Camera& camera);
+    void choose_source(const QString& name);
+    void take_text(const QString& text);
+    VectorField* vector_row(QGridLayout* grid, const char* name, const QString& label, const QString& tip,
+                            glm::dvec3 projects::Camera::*member);
+
+    TextField *name_, *text_;
+    ChoiceField *source_, *projection_;
+    VectorField *eye_, *target_, *up_;
+    NumberField *fov_, *height_;
+    QLabel *fov_label_, *height_label_;
+    QToolButton *copy_, *paste_, *from_view_;
+    std::function<std::optional<CameraPose>()> view_pose_;
+    CameraPose pose_;
+};
+
+}  // namespace ir::widgets

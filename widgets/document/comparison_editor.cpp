@@ -1,0 +1,115 @@
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+
+#include "widgets/document/field_edit.h"
+#include "widgets/document/fields.h"
+#include "widgets/document/options.h"
+#include "widgets/document/plain_editors.h"
+
+namespace ir::widgets {
+namespace {
+
+using projects::Comparison;
+
+QString q(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+std::vector<Option> pictures(const projects::Project& project) {
+    auto options = named_options(project.experiments);
+    for (const auto& image : project.images)
+        options.push_back({q(image.id), QObject::tr("%1 (image)").arg(q(image.name)), q(image.source)});
+    return options;
+}
+
+/// Outputs of the method of A; those of a foreign image are not known.
+std::vector<Option> outputs(const ShownProject& shown, const Comparison& comparison) {
+    std::vector<Option> options{{QString(), QObject::tr("Main result"), {}}};
+    const auto* experiment = projects::find_item(shown.project.experiments, comparison.a);
+    const auto* method = experiment ? shown.registry.find(experiment->method) : nullptr;
+    if (!method) return options;
+    for (const auto& output : method->outputs)
+        options.push_back({q(output.key), q(output.label), q(output.doc)});
+    return options;
+}
+
+}  // namespace
+
+ComparisonEditor::ComparisonEditor(QWidget* parent) : ItemForm(parent) {
+    modes_ = {{QStringLiteral("wipe"), tr("Wipe"), {}},
+              {QStringLiteral("flip"), tr("A and B in turn"), {}},
+              {QStringLiteral("side-by-side"), tr("Side by side"), {}},
+              {QStringLiteral("difference"), tr("Difference"), {}},
+              {QStringLiteral("flip-metric"), tr("ꟻLIP metric"), {}}};
+    auto* grid = make_form_section(tr("Comparison"), this);
+    name_ = name_row(grid, ItemKind::comparison, tr("What the comparison is called"));
+    a_ =
+        choice_row(grid, "a", tr("A"), tr("First picture: an experiment or a foreign image"), &Comparison::a);
+    b_ = choice_row(grid, "b", tr("B"), tr("Second picture: an experiment or a foreign image"),
+                    &Comparison::b);
+    output_ =
+        choice_row(grid, "output", tr("Output"), tr("Which buffer of both is compared"), &Comparison::output);
+    mode_ = choice_row(grid, "mode", tr("Mode"), tr("How the two are shown"), &Comparison::mode);
+    make_range_rows(grid);
+    notes_ = new NotesField("notes", this);
+    row(grid, tr("Notes"), notes_, tr("What the comparison shows"));
+    connect(notes_, &NotesField::chosen, this, [this](const QString& text) {
+        emit edit_wanted(field_edit<Comparison>(
+            id_, "notes", [notes = text.toStdString()](Comparison& changed) { changed.notes = notes; }));
+    });
+}
+
+ChoiceField* ComparisonEditor::choice_row(QGridLayout* grid, const char* name, const QString& label,
+                                          const QString& tip, std::string Comparison::*member) {
+    auto* field = new ChoiceField(name, this);
+    row(grid, label, field, tip);
+    connect(field, &ChoiceField::chosen, this, [this, name, member](const QString& chosen) {
+        emit edit_wanted(field_edit<Comparison>(
+            id_, name,
+            [member, value = chosen.toStdString()](Comparison& changed) { changed.*member = value; }, false));
+    });
+    return field;
+}
+
+void ComparisonEditor::make_range_rows(QGridLayout* grid) {
+    automatic_ = new QCheckBox(tr("automatic"), this);
+    automatic_->setObjectName(QStringLiteral("automatic-range"));
+    row(grid, tr("Range"), automatic_, tr("Values that are shown: chosen from the picture, or from … to"));
+    connect(automatic_, &QCheckBox::clicked, this, [this](bool on) {
+        emit edit_wanted(field_edit<Comparison>(
+            id_, "range",
+            [on](Comparison& changed) {
+                changed.range = on ? std::nullopt : std::optional(glm::dvec2(0, 1));
+            },
+            false));
+    });
+    range_ = new VectorField("range", {QStringLiteral("from"), QStringLiteral("to")}, this);
+    row(grid, QString(), range_, tr("Values shown as the first and the last colour, in the output's unit"));
+    connect(range_, &VectorField::chosen, this, [this](int index, double value) {
+        emit edit_wanted(field_edit<Comparison>(id_, "range", [=](Comparison& changed) {
+            glm::dvec2 range = changed.range.value_or(glm::dvec2(0, 1));
+            range[index] = value;
+            changed.range = range;
+        }));
+    });
+}
+
+void ComparisonEditor::show_item(const ShownProject& shown, const ItemRef& item) {
+    id_ = item.id.toStdString();
+    const auto& comparison = *projects::find_item(shown.project.comparisons, id_);
+    set_controls_usable(shown.read_only ? shown.why_read_only : QString());
+    name_->show_text(q(comparison.name));
+    a_->show_options(pictures(shown.project), q(comparison.a));
+    b_->show_options(pictures(shown.project), q(comparison.b));
+    output_->show_options(outputs(shown, comparison), q(comparison.output));
+    mode_->show_options(modes_, q(comparison.mode));
+    automatic_->setChecked(!comparison.range);
+    const glm::dvec2 range = comparison.range.value_or(glm::dvec2(0, 1));
+    range_->show_values({range.x, range.y});
+    if (!comparison.range && !shown.read_only)
+        set_usable(range_, tr("The range is chosen from the picture."));
+    notes_->show_text(q(comparison.notes));
+}
+
+}  // namespace ir::widgets
