@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <atomic>
 #include <memory>
+#include <optional>
 
 #include "widgets/inspect/buffer_model.h"
 
@@ -14,27 +15,32 @@ class QToolButton;
 
 namespace ir::widgets {
 
-/// Any buffer as a table: filter, sort, jump, choose, save. Filtering and sorting happen on another thread.
+/// Any buffer as a table: filter, sort, jump, choose, save. Big buffers are filtered and sorted on another
+/// thread; until that is done the table shows what it listed before.
 class BufferTable : public QWidget {
     Q_OBJECT
   public:
     /// Sorting takes at most so many elements.
     static constexpr std::uint64_t most_sorted = 1'000'000;
+    /// Buffers of up to so many elements are filtered and sorted at once.
+    static constexpr std::uint64_t at_once = 20'000;
 
     explicit BufferTable(QWidget* parent = nullptr);
     ~BufferTable() override;
-    /// Contents of the same fields keep filter, order and chosen element.
+    /// Contents with the same fields keep filter, order and chosen element.
     void set_buffer(const QString& name, BufferData buffer);
     /// Nothing to show, and why ("Not computed.").
     void clear(const QString& reason = {});
     /// Scrolls to an element and chooses it; emits nothing. -1: none.
     void select_element(qint64 element);
-    qint64 selected_element() const;
+    qint64 selected_element() const { return chosen_; }
     /// As typed into the filter line.
     void set_filter(const QString& text);
     bool busy() const { return busy_; }
     BufferModel& model() { return *model_; }
     QTableView& view() { return *view_; }
+    /// What is listed, as comma-separated values. Throws Error when the file cannot be written.
+    void save_csv(const QString& file) const;
 
   signals:
     void element_selected(qint64 element);  ///< by a person; -1: none
@@ -42,41 +48,49 @@ class BufferTable : public QWidget {
     void settled();                         ///< filtering and sorting are done
 
   public slots:
+    /// The chosen rows as text, with the columns' names.
     void copy();
     /// Asks for a file and writes what is listed.
     void save();
 
-  public:
-    /// What is listed, as comma-separated values. Throws Error when the file cannot be written.
-    void save_csv(const QString& file) const;
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    struct Order {
-        int scalar = -1;  ///< -1: as in the buffer
+    /// How the table is to be listed.
+    struct Listing {
+        std::optional<BufferFilter> filter;
+        int sorted_by = -1;  ///< a scalar; -1: as in the buffer
         bool descending = false;
+        bool plain() const { return !filter && sorted_by < 0; }
     };
-    void make_bar(QWidget* parent, class QVBoxLayout* page);
+    QWidget* make_bar();
     void make_view();
+    /// Takes the filter line's text; says what is wrong with it.
+    void read_filter();
     /// Lists again after a change of contents, filter or order.
     void relist();
-    void take(std::uint64_t serial, std::optional<std::vector<std::uint32_t>> listed);
+    void start();
+    void take(std::uint64_t serial, std::optional<ElementList> listed);
     void sort_by(int column);
     void jump();
-    void update_status();
+    void chosen_by_person();
     void show_chosen();
+    void fit_columns();
+    void update_status();
 
     BufferModel* model_;
     QTableView* view_;
     QLineEdit *filter_ = nullptr, *element_ = nullptr;
     QToolButton *copy_ = nullptr, *save_ = nullptr;
-    QLabel *title_ = nullptr, *status_ = nullptr, *note_ = nullptr;
+    QLabel *title_ = nullptr, *status_ = nullptr, *problem_ = nullptr;
     QThreadPool pool_;
-    std::shared_ptr<std::atomic<bool>> cancelled_;
+    std::atomic<bool> cancelled_ = false;
     std::uint64_t serial_ = 0;
     QString name_, reason_;
-    Order order_;
+    Listing listing_;
     qint64 chosen_ = -1;
-    bool busy_ = false, showing_ = false;
+    bool busy_ = false, running_ = false, showing_ = false;
 };
 
 }  // namespace ir::widgets

@@ -3,9 +3,14 @@
 #include <QPoint>
 #include <QString>
 #include <QWidget>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
 
 namespace ir::widgets {
 
@@ -15,6 +20,7 @@ struct ExplainOutput {
     QString label, kind, doc;  ///< kind: "point_set", as core names it
     qint64 elements = -1;      ///< -1: not known, or an image
     bool available = false;    ///< false: not computed yet
+    bool operator==(const ExplainOutput&) const = default;
 };
 
 /// Something of which a method shows one by one.
@@ -23,6 +29,7 @@ struct ExplainSelector {
     QString label, doc;
     int count = 0;   ///< items 0 … count − 1
     int chosen = 0;  ///< Inspection::all: all of them
+    bool operator==(const ExplainSelector&) const = default;
 };
 
 /// What the method says about one pixel, and which of its items it shows.
@@ -30,14 +37,33 @@ class ExplainPanel : public QWidget {
     Q_OBJECT
   public:
     explicit ExplainPanel(QWidget* parent = nullptr);
-    /// All at once; emits nothing. Without a pixel the outputs that need one are listed greyed.
+    /// All at once; emits nothing. Without a pixel the buffers are listed, but cannot be shown.
     void set_content(std::optional<QPoint> pixel, const std::vector<ExplainOutput>& outputs,
                      const std::vector<ExplainSelector>& selectors);
 
   signals:
     void show_wanted(const QString& key);
-    void item_chosen(const QString& selector, int item);
-    void pixel_cleared();  ///< explain nothing any longer
+    void item_chosen(const QString& selector, int item);  ///< Inspection::all: all
+    void pixel_cleared();                                 ///< explain nothing any longer
+
+  private:
+    /// Widgets of the lists as long as their shape stays, so that focus and clicks survive each frame.
+    struct OutputRow;
+    struct SelectorRow;
+    void build();
+    QWidget* make_output(std::size_t number);
+    QWidget* make_selector(std::size_t number);
+    void update_pixel();
+
+    std::optional<QPoint> pixel_;
+    std::vector<ExplainOutput> outputs_;
+    std::vector<ExplainSelector> selectors_;
+    QLabel *title_ = nullptr, *help_ = nullptr;
+    QPushButton* clear_ = nullptr;
+    QVBoxLayout* lists_ = nullptr;
+    QWidget* content_ = nullptr;
+    std::vector<std::shared_ptr<OutputRow>> output_rows_;
+    std::vector<std::shared_ptr<SelectorRow>> selector_rows_;
 };
 
 }  // namespace ir::widgets

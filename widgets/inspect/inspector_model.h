@@ -1,7 +1,10 @@
 #pragma once
 
 #include <QAbstractItemModel>
+#include <QColor>
+#include <QIcon>
 #include <QPoint>
+#include <QSet>
 #include <QSortFilterProxyModel>
 #include <QString>
 #include <array>
@@ -32,8 +35,9 @@ struct Readings {
     std::vector<Buffer> buffers;
 };
 
-/// The colour of a pin's mark, by its number.
+/// The colour of a pin's mark, by its number from 0 on, and the mark itself with the number from 1 on.
 QColor pin_colour(int number);
+QIcon pin_icon(int number);
 
 /// Groups → buffers → channels; columns: name, cursor, one a pin. New readings of the same shape come in
 /// place, so that selection, scrolling and expansion stay.
@@ -54,6 +58,11 @@ class InspectorModel : public QAbstractItemModel {
     const Readings& readings() const { return readings_; }
     const std::vector<QPoint>& pins() const { return pins_; }
     QModelIndex index_of(const QString& key) const;
+    /// Says "being computed" of a buffer until it is available.
+    void mark_wanted(const QString& key);
+    int not_computed() const;
+    /// The pixel that a column stands for.
+    std::optional<QPoint> place_of(int column) const;
     /// A header line, then a line a buffer's channel: group, key, channel, unit, cursor, pins; all digits.
     /// `separator` is ',' for CSV (quoted where needed) or a tab.
     QString to_text(QChar separator) const;
@@ -72,16 +81,16 @@ class InspectorModel : public QAbstractItemModel {
         int parent = -1, row = 0;
         int buffer = -1, channel = -1;
         QString key, name;
-        std::vector<int> children;
+        std::vector<int> children = {};
     };
-    int add(Node node);
     std::vector<Node> build() const;
     void announce();
     const Node& node(const QModelIndex& index) const { return nodes_[std::size_t(index.internalId())]; }
+    const std::vector<int>& children(const QModelIndex& parent) const;
     /// Number of a column's pixel among the readings, -1 when it was not read.
     int pixel_of(int column) const;
-    std::optional<QPoint> place_of(int column) const;
     std::vector<float> values(const Node& node, int column) const;
+    QString value_text(const Node& node, int column) const;
     QVariant name_data(const Node& node, int role) const;
     QVariant value_data(const Node& node, int column, int role) const;
     QString tooltip(const Node& node) const;
@@ -90,6 +99,8 @@ class InspectorModel : public QAbstractItemModel {
     std::vector<QPoint> pins_;
     std::vector<Node> nodes_;
     std::vector<int> top_;
+    QSet<QString> wanted_;      ///< asked for, not there yet
+    bool world_known_ = false;  ///< once known its row stays, so that rows do not jump
 };
 
 /// Rows whose name, key or group contains a text.

@@ -8,6 +8,7 @@
 class QCheckBox;
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QToolButton;
 class QTreeView;
 
@@ -54,10 +55,15 @@ class InspectorPanel : public QWidget {
     void make_view();
     void clicked(const QModelIndex& at);
     void activated(const QModelIndex& at);
-    void show_header_menu(QPoint at);
+    void add_column_actions(QMenu& menu, int column);
+    void show_column_menu(int column, QPoint at);
     void show_menu(QPoint at);
-    /// The pixel that a column of the view stands for.
-    std::optional<QPoint> pixel_of(int column) const;
+    void copy_selection();
+    void point_at(QPoint at);
+    /// The chosen pin's pixel, else the one under the cursor.
+    std::optional<QPoint> chosen_pixel() const;
+    void remember_place();
+    void restore_all();
     void restore(const QModelIndex& parent);
     void fit_columns();
     void update_controls();
@@ -68,8 +74,11 @@ class InspectorPanel : public QWidget {
     QLineEdit* search_ = nullptr;
     QToolButton *pin_ = nullptr, *explain_ = nullptr, *clear_ = nullptr;
     QCheckBox* compute_all_ = nullptr;
-    QHash<QString, bool> open_;
+    QLabel* missing_ = nullptr;
+    QHash<QString, bool> open_;  ///< what a person folded or unfolded
+    std::vector<bool> sized_;    ///< columns that have their first width
     QString current_;
+    int current_column_ = 0, scrolled_ = 0;
     bool restoring_ = false;
 };
 
