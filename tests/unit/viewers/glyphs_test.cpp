@@ -1,0 +1,141 @@
+#include <numbers>
+
+#include "tests/unit/viewers/viewer_fixture.h"
+
+namespace ir::test {
+namespace {
+
+constexpr int width = 400, height = 300;
+constexpr float metres = 4;  ///< across the orthographic picture's height
+constexpr double pixels_per_square_metre = height / metres * height / metres;
+constexpr double pi = std::numbers::pi;
+
+class GlyphsTest : public ViewerTest {
+  protected:
+    void SetUp() override {
+        ViewerTest::SetUp();
+        camera_.orthographic = true;
+        camera_.height = metres;
+    }
+    static TestBuffer discs() {
+        return {
+            "glyphs",
+            OutputKind::glyphs,
+            {{"radius", FieldType::f32, 1}, {"normal", FieldType::f32, 3}, {"centre", FieldType::f32, 3}}};
+    }
+    static TestBuffer parallelograms() {
+        return {
+            "glyphs",
+            OutputKind::glyphs,
+            {{"centre", FieldType::f32, 3}, {"axis_u", FieldType::f32, 3}, {"axis_v", FieldType::f32, 3}}};
+    }
+    static TestBuffer ellipsoids() {
+        auto buffer = parallelograms();
+        buffer.fields.push_back({"axis_w", FieldType::f32, 3});
+        return buffer;
+    }
+    /// Runs and draws; the picture's pixels that show the element, in square metres.
+    double area(const TestBuffer& buffer, std::int64_t element = 0) {
+        run({buffer});
+        const auto picture = draw({{.key = "glyphs"}}, width, height);
+        EXPECT_EQ(picture.layers.at(0).note, "");
+        return static_cast<double>(pixels_of(picture, element)) / pixels_per_square_metre;
+    }
+};
+
+TEST_F(GlyphsTest, DiscsCoverTheirProjectedArea) {
+    const double radius = 1.1;
+    for (const double tilt : {0.0, 0.6, 1.2}) {
+        auto buffer = discs();
+        buffer.add(radius, glm::vec3(std::sin(tilt) * 0.6, std::sin(tilt) * 0.8, std::cos(tilt)) * 2.0f,
+                   glm::vec3(0.3, -0.2, 0));
+        const double expected = pi * radius * radius * std::cos(tilt);
+        EXPECT_NEAR(area(buffer), expected, 0.02 * expected) << tilt;
+    }
+}
+
+TEST_F(GlyphsTest, DiscsGrowWithNearness) {
+    camera_.orthographic = false;
+    auto buffer = discs();
+    buffer.add(0.8, glm::vec3(0, 0, 1), glm::vec3(0, 0, 1));
+    run({buffer});
+    const auto picture = draw({{.key = "glyphs"}}, width, height);
+    const double per_metre = 0.5 * height / std::tan(0.5 * camera_.fov_y) / 4;
+    const double expected = pi * 0.64 * per_metre * per_metre;
+    EXPECT_NEAR(static_cast<double>(pixels_of(picture, 0)), expected, 0.02 * expected);
+}
+
+TEST_F(GlyphsTest, ParallelogramsCoverTheirProjectedArea) {
+    const glm::vec3 u(0.9, 0.2, 0.5), v(-0.3, 1.1, -0.7);
+    auto buffer = parallelograms();
+    buffer.add(glm::vec3(0.1, 0.1, 0), u, v);
+    const double expected = 4 * std::abs(double(u.x) * v.y - double(u.y) * v.x);
+    EXPECT_NEAR(area(buffer), expected, 0.02 * expected);
+}
+
+/// The shadow of { centre + M x : |x| <= 1 } along z: an ellipse with the matrix of the upper two rows.
+double shadow_area(glm::dvec3 u, glm::dvec3 v, glm::dvec3 w) {
+    const glm::dvec3 x(u.x, v.x, w.x), y(u.y, v.y, w.y);
+    return pi * std::sqrt(glm::dot(x, x) * glm::dot(y, y) - glm::dot(x, y) * glm::dot(x, y));
+}
+
+TEST_F(GlyphsTest, EllipsoidsCoverTheirShadow) {
+    const glm::vec3 axes[][3] = {{{1, 0, 0}, {0, 0.5f, 0}, {0, 0, 0.7f}},
+                                 {{0.9f, 0.2f, 0.1f}, {0.1f, 0.3f, 0.8f}, {-0.2f, 0.7f, -0.3f}},
+                                 {{0.3f, 0.2f, 1.5f}, {0.9f, -0.3f, 0}, {0.2f, 0.8f, 0.1f}}};
+    for (const auto& [u, v, w] : axes) {
+        auto buffer = ellipsoids();
+        buffer.add(glm::vec3(-0.2, 0.1, 0), u, v, w);
+        const double expected = shadow_area(u, v, w);
+        EXPECT_NEAR(area(buffer), expected, 0.02 * expected);
+    }
+}
+
+TEST_F(GlyphsTest, FlatEllipsoidsAreDrawnAsDiscs) {
+    auto buffer = ellipsoids();
+    buffer.add(glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(0, 0.6, 0), glm::vec3(0));
+    EXPECT_NEAR(area(buffer), pi * 0.6, 0.02 * pi * 0.6);
+}
+
+TEST_F(GlyphsTest, SpheresInPerspectiveShowTheirOutline) {
+    camera_.orthographic = false;
+    auto buffer = ellipsoids();
+    const double radius = 1.2, distance = 5;
+    buffer.add(glm::vec3(0), glm::vec3(radius, 0, 0), glm::vec3(0, radius, 0), glm::vec3(0, 0, radius));
+    run({buffer});
+    const auto picture = draw({{.key = "glyphs"}}, width, height);
+    const double outline =
+        0.5 * height / std::tan(0.5 * camera_.fov_y) * std::tan(std::asin(radius / distance));
+    EXPECT_NEAR(static_cast<double>(pixels_of(picture, 0)), pi * outline * outline,
+                0.02 * pi * outline * outline);
+}
+
+TEST_F(GlyphsTest, EllipsoidsAreSeenFromWithin) {
+    camera_.orthographic = false;
+    auto buffer = ellipsoids();
+    buffer.add(glm::vec3(0, 0, 5), glm::vec3(2, 0, 0), glm::vec3(0, 2, 0), glm::vec3(0, 0, 2));
+    run({buffer});
+    const auto picture = draw({{.key = "glyphs"}}, 40, 30);
+    EXPECT_EQ(pixels_of(picture, 0), 40 * 30);
+}
+
+TEST_F(GlyphsTest, EllipsoidsMeetWhereTheirSurfacesCross) {
+    auto buffer = ellipsoids();
+    for (const float x : {-0.5f, 0.5f})
+        buffer.add(glm::vec3(x, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1));
+    run({buffer});
+    const auto picture = draw({{.key = "glyphs"}}, width, height);
+    EXPECT_EQ(element_at(picture, {width / 2 - 3, height / 2}), 0);
+    EXPECT_EQ(element_at(picture, {width / 2 + 3, height / 2}), 1);
+}
+
+TEST_F(GlyphsTest, OnesThatLieOnTheSceneAreSeen) {
+    add_square({0, 0, 0}, glm::normalize(glm::vec3(0.3, 0.5, 1)), 3);
+    auto buffer = discs();
+    buffer.add(0.5, glm::vec3(0.3, 0.5, 1), glm::vec3(0));
+    const double expected = pi * 0.25 / glm::length(glm::vec3(0.3, 0.5, 1));
+    EXPECT_NEAR(area(buffer), expected, 0.02 * expected);
+}
+
+}  // namespace
+}  // namespace ir::test
