@@ -16,8 +16,14 @@ struct Display {
     enum class Mode {
         colour,  ///< linear light: exposure, then the sRGB transfer function
         vector,  ///< components from low … high to 0 … 1, shown as they are
-        scalar,  ///< one channel from low … high through a colour map
+        scalar,  ///< from low … high through a colour map; of several channels the one of largest magnitude
         ids      ///< one channel: a colour per whole number
+    };
+    /// From light to what a screen can show, colour mode only, after the exposure.
+    enum class ToneMap {
+        none,      ///< clipped at 1
+        reinhard,  ///< L / (1 + L) of the luminance [Reinhard02 eq. 3]
+        filmic     ///< a curve with toe and shoulder, per component [Narkowicz15]
     };
     Mode mode = Mode::colour;
     std::string colour_map = "grey";
@@ -26,6 +32,12 @@ struct Display {
     int channel = -1;             ///< -1: all that fit; else this one alone
     bool mark_bad = true;         ///< NaN magenta, +Inf yellow, -Inf cyan, negative blue
     bool negative_is_bad = true;  ///< for quantities that cannot be negative
+    ToneMap tone_map = ToneMap::none;
+    /// Diagonal stripes where values are outside low … high (colour mode: outside 0 … 1 after the exposure):
+    /// blue and rising to the right below, red and falling above.
+    bool zebra = false;
+    bool hide_invalid =
+        false;  ///< pixels that the picture's mask excludes: a grey chequer instead of colours
     bool operator==(const Display&) const = default;
 };
 

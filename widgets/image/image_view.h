@@ -10,9 +10,9 @@
 
 namespace ir::widgets {
 
-/// One picture with zoom, pan, values and the tools that move its camera. Knows nothing of where pictures
-/// come from. The wheel always zooms the picture; the middle button or Space and the left one always move it;
-/// the tool says what the left button does otherwise.
+/// One picture (or two with a divider between them) with zoom, pan, values and the tools that move its
+/// camera. Knows nothing of where pictures come from. The wheel always zooms the picture; the middle button
+/// or Space and the left one always move it; the tool says what the left button does otherwise.
 class ImageView : public QWidget {
     Q_OBJECT
   public:
@@ -22,24 +22,56 @@ class ImageView : public QWidget {
 
     explicit ImageView(QWidget* parent = nullptr, Surface surface = Surface::best);
 
+    /// Shows a picture without copying it; zoom and place stay. Null: nothing at all.
+    void set_picture(std::shared_ptr<const Picture> picture);
+    /// Shows B right of the divider; null: the first picture alone. Throws UsageError for another size.
+    void set_second(std::shared_ptr<const Picture> picture);
     /// Takes the picture over; zoom and place stay.
     void set_image(Image image, Semantic semantic);
     /// No picture, and the reason in its place.
     void set_note(const QString& note);
     void set_display(const Display& display);
+    void set_second_display(const Display& display);
+    /// Names in the top corners; the second right of the divider.
+    void set_labels(const QString& label, const QString& second = {});
+    /// Where the divider is: a fraction of the picture's width, 0 … 1.
+    void set_wipe(double fraction);
+    void set_legend(bool on);
+    /// Marks a pixel that the cursor is on in another view; (-1, -1): none.
+    void set_cursor_mark(QPoint pixel);
+    void set_picked(QPoint pixel);
+    /// Takes zoom and place (or being fitted) over from another view of the same picture size. Emits nothing.
+    void follow(const ViewTransform& transform);
     void set_stale(bool stale);
     void set_camera(const CameraPose& pose) { pose_ = pose; }
     /// Metres per second of the fly camera.
     void set_fly_speed(double metres_per_second) { fly_speed_ = metres_per_second; }
 
-    const Image& image() const { return state_.image; }
-    const Display& display() const { return state_.display; }
-    Semantic semantic() const { return state_.semantic; }
+    const Image& image() const;  ///< empty without a picture
+    const std::shared_ptr<const Picture>& picture() const;
+    const std::shared_ptr<const Picture>& second() const;
+    const Display& display() const;
+    const Display& second_display() const;
+    Semantic semantic() const;
+    double wipe() const { return state_.wipe; }
+    bool legend() const { return state_.legend; }
+    const QString& label() const { return state_.label; }
+    const QString& note() const;
     const CameraPose& camera() const { return pose_; }
     const ViewTransform& transform() const { return state_.transform; }
     Tool tool() const { return tool_; }
     QPoint picked() const { return state_.picked; }
     const char* surface_kind() const { return canvas_->kind(); }
+    /// How often pixels went to the graphics memory (OpenGL) or through the colours (raster) so far.
+    int upload_count() const { return canvas_->upload_count(); }
+
+    enum class SnapshotScale {
+        as_shown,       ///< what is seen, in device pixels
+        picture_pixels  ///< the whole picture, a pixel each; a legend stands beside it
+    };
+    /// What is shown; overlays are labels, divider, grid, numbers and the picked pixel. The same on every
+    /// surface.
+    QImage snapshot(bool overlays, bool legend, SnapshotScale scale = SnapshotScale::as_shown) const;
 
   public slots:
     void set_tool(ir::widgets::ImageView::Tool tool);
@@ -55,6 +87,10 @@ class ImageView : public QWidget {
     void cursor_moved(QPoint pixel);
     void picked_changed(QPoint pixel);
     void zoom_changed(double zoom);
+    /// A person (or a slot above) zoomed or panned.
+    void transform_changed(const ir::widgets::ViewTransform& transform);
+    void wipe_moved(double fraction);
+    void activated();  ///< got the keyboard
     void camera_moved(const ir::widgets::CameraPose& pose);
     /// The hand let go: what came since the last one is one step.
     void camera_gesture_finished();
@@ -73,13 +109,13 @@ class ImageView : public QWidget {
     void changeEvent(QEvent*) override;
 
   private:
-    enum class Drag { none, pan, orbit, slide, look, pick };
+    enum class Drag { none, pan, orbit, slide, look, pick, wipe };
     Drag drag_for(const QMouseEvent& event) const;
     void drag_camera(QPointF delta);
     void move_camera(const CameraPose& pose);
     void finish_gesture();
     void fly_step();
-    void transform_changed();
+    void finish_transform();
     void repaint_all();
     void update_hint();
     void update_cursor_shape();

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "renderers/image/image.h"
+
+namespace ir {
+
+enum class DifferenceKind {
+    signed_,   ///< a - b
+    absolute,  ///< |a - b|
+    relative   ///< |a - b| / (|b| + relative_difference_floor)
+};
+
+/// Keeps the relative difference finite where the reference is black; in the images' unit.
+inline constexpr float relative_difference_floor = 0.01f;
+
+/// Differences, and where there are any.
+struct DifferenceImage {
+    Image image;  ///< NaN where there is no value
+    Image valid;  ///< 1 or 0, one channel; empty when every pixel has a value
+};
+
+/// Compares two images of equal size channel by channel; RGBA by RGB. A pixel that a mask (one channel, valid
+/// above 0.5; may be null) excludes in either image has no value: it must not read as an error of 0. NaN and
+/// Inf of valid pixels go through the arithmetic and stay visible. Throws UsageError for sizes that differ
+/// (naming both) and for channels that do.
+DifferenceImage difference(const Image& a, const Image& b, DifferenceKind kind,
+                           const Image* valid_a = nullptr, const Image* valid_b = nullptr);
+
+}  // namespace ir

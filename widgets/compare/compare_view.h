@@ -1,0 +1,115 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "renderers/image/difference.h"
+#include "widgets/image/image_view.h"
+
+namespace ir::widgets {
+
+class DifferenceWorker;
+class ViewLink;
+
+/// Two or more pictures of equal size against each other. The first is A, the second B; further ones take
+/// part in flip, side by side and stages. Keys: 1 … 9 show a picture for as long as they are held (single,
+/// wipe, flip, difference), Tab shows the next one (flip), X swaps A and B, L links and unlinks.
+class CompareView : public QWidget {
+    Q_OBJECT
+  public:
+    enum class Mode { single, side_by_side, wipe, flip, difference, stages };
+    Q_ENUM(Mode)
+
+    explicit CompareView(QWidget* parent = nullptr, ImageView::Surface surface = ImageView::Surface::best);
+    ~CompareView() override;
+
+    /// Zoom and place stay. Pictures that are the same object as before cost nothing.
+    void set_pictures(std::vector<std::shared_ptr<const Picture>> pictures);
+    /// One for each picture (missing ones are defaults). While linked, pictures of A's kind (semantic, unit
+    /// and channels) are shown with A's, so that equal colours mean equal values.
+    void set_displays(std::vector<Display> displays);
+    /// How differences are shown; none: from the kind and the values (`display_for_difference`).
+    void set_difference_display(std::optional<Display> display);
+    void set_mode(Mode mode);
+    void set_difference(DifferenceKind kind);
+    /// The divider, 0 … 1 of the picture's width.
+    void set_wipe(double fraction);
+    void set_legend(bool on);
+    void set_pixel_grid(bool on);
+    void set_tool(ImageView::Tool tool);
+    void set_camera(const CameraPose& pose);
+    void set_camera(int picture, const CameraPose& pose);
+    void set_fly_speed(double metres_per_second);
+    void set_picked(QPoint pixel);
+
+    Mode mode() const { return mode_; }
+    DifferenceKind difference_kind() const { return kind_; }
+    const std::vector<std::shared_ptr<const Picture>>& pictures() const { return pictures_; }
+    /// The display that a picture is shown with: its own, or A's while linked.
+    Display shown_display(int picture) const;
+    bool is_linked() const;
+    double wipe() const { return wipe_; }
+    /// Picture of the view that has (or last had) the keyboard.
+    int active_picture() const;
+    /// The difference of A and B that is shown; null without one (yet).
+    std::shared_ptr<const Picture> difference_picture() const;
+    /// How differences are shown at present.
+    const Display& difference_display() const;
+    /// Why the pictures cannot be compared in this mode; empty: they can.
+    QString refusal() const;
+
+    /// The only view of single, wipe, flip and difference; the one of A otherwise.
+    ImageView& main_view();
+    /// Views of this mode in the order of the pictures.
+    std::vector<ImageView*> views() const;
+    /// Stages: between picture i and i + 1.
+    std::vector<ImageView*> difference_views() const;
+    /// A worker is under way.
+    bool is_computing() const;
+
+    /// All panes as they are arranged; stages in full, also what is scrolled away.
+    QImage snapshot(bool overlays, bool legend,
+                    ImageView::SnapshotScale scale = ImageView::SnapshotScale::as_shown) const;
+
+  public slots:
+    /// Exchanges A and B with their displays. The owner exchanges its own record when `swapped` comes.
+    void swap();
+    void set_linked(bool linked);
+    void fit();
+    void actual_pixels();
+    void zoom_in();
+    void zoom_out();
+    void look_at(QPointF image_px, double zoom);
+    /// Flip: the next picture stays on.
+    void flip_next();
+
+  signals:
+    /// Pixel under the cursor and the picture (-1: a difference); (-1, -1) outside.
+    void cursor_moved(QPoint pixel, int picture);
+    void picked_changed(QPoint pixel);
+    void zoom_changed(double zoom);
+    void transform_changed(const ir::widgets::ViewTransform& transform);
+    /// While linked, the camera of all pictures; else of this one alone.
+    void camera_moved(const ir::widgets::CameraPose& pose, int picture);
+    void camera_gesture_finished(int picture);
+    void tool_changed(ir::widgets::ImageView::Tool tool);
+    void activated(int picture);
+    void swapped();
+    void linked_changed(bool linked);
+    void wipe_moved(double fraction);
+    void difference_shown();  ///< a new difference is on the screen
+
+  private:
+    Mode mode_ = Mode::single;
+    DifferenceKind kind_ = DifferenceKind::signed_;
+    double wipe_ = 0.5;
+    std::vector<std::shared_ptr<const Picture>> pictures_;
+};
+
+/// Signed: a diverging map from -m … m; absolute: 0 … m; relative: 0 … 1, or to m where that is less. m is
+/// the largest magnitude of the finite values.
+Display display_for_difference(DifferenceKind kind, const Image& difference);
+
+}  // namespace ir::widgets
