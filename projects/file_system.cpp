@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -31,7 +32,7 @@ class Descriptor {
 };
 
 std::string mend_for(int error) {
-    if (error == ENOSPC || error == EDQUOT) return "; free some space and try again";
+    if (error == ENOSPC || error == EDQUOT || error == EFBIG) return "; free some space and try again";
     if (error == EACCES || error == EPERM || error == EROFS) return "; choose a place that you may write to";
     return "";
 }
@@ -72,11 +73,21 @@ class RealFileSystem final : public FileSystem {
     void write(const fs::path& file, std::string_view bytes) override {
         const Descriptor descriptor(file, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
         if (!descriptor.is_open()) fail(file, "create");
-        while (!bytes.empty()) {
-            const auto count = ::write(descriptor.get(), bytes.data(), bytes.size());
+        write_all(file, descriptor, bytes);
+    }
+
+    void copy(const fs::path& from, const fs::path& to) override {
+        const Descriptor source(from, O_RDONLY);
+        if (!source.is_open()) fail(from, "open");
+        const Descriptor target(to, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
+        if (!target.is_open()) fail(to, "create");
+        std::vector<char> block(1u << 20);
+        while (true) {
+            const auto count = ::read(source.get(), block.data(), block.size());
             if (count < 0 && errno == EINTR) continue;
-            if (count < 0) fail(file, "write");
-            bytes.remove_prefix(static_cast<std::size_t>(count));
+            if (count < 0) fail(from, "read");
+            if (count == 0) return;
+            write_all(to, target, {block.data(), static_cast<std::size_t>(count)});
         }
     }
 
@@ -108,24 +119,43 @@ class RealFileSystem final : public FileSystem {
         fail(folder, "create");
     }
 
+    std::vector<fs::path> list(const fs::path& folder) override {
+        std::vector<fs::path> found;
+        std::error_code error;
+        fs::recursive_directory_iterator entry(folder, error), end;
+        for (; !error && entry != end; entry.increment(error))
+            if (entry->is_regular_file(error)) found.push_back(entry->path().lexically_relative(folder));
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+    void remove_all(const fs::path& folder) override {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+    }
+
     std::int64_t modified(const fs::path& file) override {
         struct stat info {};
         if (::stat(file.c_str(), &info) != 0) fail(file, "inspect");
         return std::int64_t{info.st_mtim.tv_sec} * 1'000'000'000 + info.st_mtim.tv_nsec;
     }
+
+  private:
+    static void write_all(const fs::path& file, const Descriptor& descriptor, std::string_view bytes) {
+        while (!bytes.empty()) {
+            const auto count = ::write(descriptor.get(), bytes.data(), bytes.size());
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0) fail(file, "write");
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        }
+    }
 };
 
-}  // namespace
-
-FileSystem& real_file_system() {
-    static RealFileSystem files;
-    return files;
-}
-
-void write_atomically(FileSystem& files, const fs::path& file, std::string_view bytes) {
+template <class Fill>
+void replace_atomically(FileSystem& files, const fs::path& file, Fill fill) {
     const fs::path temporary = file.string() + ".tmp";
     try {
-        files.write(temporary, bytes);
+        fill(temporary);
         files.sync(temporary);
         files.rename(temporary, file);
     } catch (const Error&) {
@@ -137,6 +167,22 @@ void write_atomically(FileSystem& files, const fs::path& file, std::string_view 
         throw;
     }
     files.sync_directory(file.parent_path());
+}
+
+}  // namespace
+
+FileSystem& real_file_system() {
+    static RealFileSystem files;
+    return files;
+}
+
+void write_atomically(FileSystem& files, const fs::path& file, std::string_view bytes) {
+    replace_atomically(files, file, [&](const fs::path& temporary) { files.write(temporary, bytes); });
+}
+
+void copy_atomically(FileSystem& files, const fs::path& from, const fs::path& to) {
+    files.create_directories(to.parent_path());
+    replace_atomically(files, to, [&](const fs::path& temporary) { files.copy(from, temporary); });
 }
 
 }  // namespace ir::projects

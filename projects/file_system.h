@@ -23,6 +23,13 @@ class FileSystem {
     virtual void rename(const std::filesystem::path& from, const std::filesystem::path& to) = 0;
     virtual void remove(const std::filesystem::path& file) = 0;  ///< absence is fine
     virtual void create_directories(const std::filesystem::path& folder) = 0;
+    /// Creates or truncates `to`, then writes the bytes of the file `from`, however many.
+    virtual void copy(const std::filesystem::path& from, const std::filesystem::path& to) = 0;
+    /// The files below a folder, relative to it, in order; none where there is no such folder. Links to
+    /// folders are not followed.
+    virtual std::vector<std::filesystem::path> list(const std::filesystem::path& folder) = 0;
+    /// Removes a folder and all in it, as far as that is possible.
+    virtual void remove_all(const std::filesystem::path& folder) = 0;
     /// Nanoseconds since an arbitrary epoch.
     virtual std::int64_t modified(const std::filesystem::path& file) = 0;
 };
@@ -33,5 +40,7 @@ FileSystem& real_file_system();
 /// Writes a temporary file beside `file`, syncs it, renames it over `file` and syncs the folder: afterwards,
 /// whatever happens, `file` holds the old or the new bytes. Removes the temporary file on failure.
 void write_atomically(FileSystem& files, const std::filesystem::path& file, std::string_view bytes);
+/// The same with the bytes of another file; creates the folder where it is missing.
+void copy_atomically(FileSystem& files, const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace ir::projects

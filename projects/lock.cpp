@@ -58,7 +58,7 @@ LockHolder this_process() {
     return {host_name(), ::getpid(), process_state(::getpid()).started, utc_now()};
 }
 
-bool is_gone(const LockHolder& holder) {
+bool has_ended(const LockHolder& holder) {
     if (holder.host != host_name()) return false;
     const auto state = process_state(holder.pid);
     if (!state.alive) return true;
@@ -146,7 +146,7 @@ Lock Lock::take(const fs::path& folder, bool by_force) {
     int error = create_lock(lock.file_, to_text(lock.self_));
     if (error == EEXIST) {
         lock.holder_ = read_holder(lock.file_);
-        const bool may_take = by_force || (lock.holder_ && is_gone(*lock.holder_));
+        const bool may_take = by_force || (lock.holder_ && has_ended(*lock.holder_));
         if (may_take && ::unlink(lock.file_.c_str()) == 0)
             error = create_lock(lock.file_, to_text(lock.self_));
     }
@@ -196,6 +196,11 @@ void Lock::release() {
 
 bool Lock::is_still_ours() const {
     return held_ && read_holder(file_) == self_;
+}
+
+bool Lock::is_gone() const {
+    std::error_code error;
+    return held_ && !fs::exists(fs::symlink_status(file_, error));
 }
 
 }  // namespace ir::projects

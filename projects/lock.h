@@ -35,6 +35,8 @@ class Lock {
     bool is_held() const { return held_; }
     /// Looks at the file again: somebody may have broken the lock.
     bool is_still_ours() const;
+    /// The file is not there: somebody removed it without taking the lock.
+    bool is_gone() const;
     /// Why not: one line for the banner, "open for writing by process 12 on host a since …".
     const std::string& reason() const { return reason_; }
     const std::optional<LockHolder>& holder() const { return holder_; }

@@ -1,6 +1,7 @@
 #include "projects/open_project.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "projects/check.h"
 #include "projects/hash.h"
@@ -14,15 +15,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What belongs to the project beside its document.
-void copy_companions(const fs::path& from, const fs::path& to) {
-    const auto options = fs::copy_options::recursive | fs::copy_options::overwrite_existing;
-    for (const char* name : {"results", "thumbnails", "session.json"}) {
-        std::error_code error;
-        if (!fs::exists(from / name, error)) continue;
-        fs::copy(from / name, to / name, options, error);
-        if (error) throw Error((to / name).string() + ": cannot be copied: " + error.message());
+/// What belongs to the project beside its document. Kept results join those that are there.
+void copy_companions(const fs::path& from, const fs::path& to, FileSystem& files) {
+    auto results = ResultIndex::load(to, files);
+    bool is_merged = true;
+    try {
+        const auto own = ResultIndex::load(from, files);
+        for (const auto& entry : own.entries()) results.put(entry);
+    } catch (const InputError&) {
+        is_merged = !results.entries().empty();  // a damaged index comes along where it replaces none
     }
+    for (const char* folder : {"results", "thumbnails"}) {
+        for (const auto& file : files.list(from / folder)) {
+            const bool is_index = folder == std::string_view("results") && file == "index.json";
+            if (!(is_index && is_merged) && file.extension() != ".tmp")
+                copy_atomically(files, from / folder / file, to / folder / file);
+        }
+    }
+    if (is_merged && !results.entries().empty()) results.save(to, files);
+    if (files.exists(from / "session.json"))
+        copy_atomically(files, from / "session.json", to / "session.json");
 }
 
 }  // namespace
@@ -44,7 +56,10 @@ OpenProject::OpenProject(const fs::path& given, const Registry& registry, FileSy
 OpenProject::~OpenProject() = default;
 
 void OpenProject::close() {
-    if (has_autosave_) drop_autosave();
+    if (!read_only_ && lock_.is_still_ours()) {
+        if (has_autosave_) drop_autosave();
+        forget_taken();
+    }
     lock_.release();
     read_only_ = true;
 }
@@ -58,9 +73,14 @@ void OpenProject::load() {
     project_ = std::move(loaded.project);
     undo_.clear();
     kept_since_save_ = recovered_ = false;
+    has_autosave_ = lost_lock_ = false;
     recovery_.reset();
+    older_recoveries_.clear();
+    taken_.clear();
     // While another process edits, the autosave is that one's.
-    if (!read_only_) recovery_ = find_recovery(folder_, registry_, files_);
+    if (!read_only_) older_recoveries_ = collect_recoveries(folder_, registry_, files_);
+    std::reverse(older_recoveries_.begin(), older_recoveries_.end());
+    next_recovery();
     contents_.clear();
     look_at_files();
     check_again();
@@ -134,6 +154,11 @@ void OpenProject::mark_kept(const std::string& experiment, const std::string& ke
 }
 
 void OpenProject::write(const std::string& expected_hash) {
+    autosave_.settle();
+    // It would be older than what is saved now, and no longer be offered.
+    if (recovery_ && recovery_->file == folder_ / autosave_file_name)
+        recovery_->file = put_autosave_aside(folder_, files_);
+    autosaved_revision_ = revision_ - 1;  // what was dropped is asked for again if saving fails
     try {
         file_hash_ = save_project(project_, folder_, expected_hash, files_);
     } catch (const Error&) {
@@ -149,10 +174,10 @@ void OpenProject::write(const std::string& expected_hash) {
     schema_in_file_ = schema_version;
     reading_messages_.clear();
     drop_autosave();
+    forget_taken();
 }
 
 void OpenProject::drop_autosave() {
-    recovery_.reset();
     has_autosave_ = false;
     try {
         autosave_.discard(folder_);
@@ -161,10 +186,29 @@ void OpenProject::drop_autosave() {
     }
 }
 
+/// What was taken over is saved now, or given up.
+void OpenProject::forget_taken() {
+    for (const auto& file : std::exchange(taken_, {})) {
+        try {
+            files_.remove(file);
+        } catch (const Error&) {
+            // It will be offered again: better than losing it.
+        }
+    }
+}
+
+bool OpenProject::holds_lock() {
+    if (lock_.is_still_ours()) return true;
+    // Somebody cleaned up; whether the document changed meanwhile is seen by its hash.
+    if (!lock_.is_gone()) return false;
+    lock_ = Lock::acquire(folder_);
+    return lock_.is_held();
+}
+
 void OpenProject::save(bool overwrite) {
     require_writable();
     if (folder_.empty()) throw UsageError("the project has no folder yet; use save as");
-    if (!lock_.is_still_ours())
+    if (!holds_lock())
         throw Error(folder_.string() + ": somebody else took the lock; save under another name");
     write(overwrite ? "" : file_hash_);
 }
@@ -191,65 +235,99 @@ void OpenProject::save_as(const fs::path& given) {
     const auto target = fs::absolute(folder_with_suffix(given)).lexically_normal();
     std::error_code ignored;
     if (!folder_.empty() && fs::equivalent(target, folder_, ignored)) return save(true);
+    const bool is_new = !files_.exists(target);
     files_.create_directories(target);
     auto lock = Lock::acquire(target);
     if (!lock.is_held()) throw Error(target.string() + ": cannot be saved there: " + lock.reason());
 
     const Project before = project_;
     const auto folder_before = folder_;
+    const auto hash_before = file_hash_;
+    const bool was_ours = !folder_.empty() && !read_only_ && lock_.is_still_ours();
     const bool moved = move_sources(target);
     if (folder_.empty() && (project_.name.empty() || project_.name == "Untitled"))
         project_.name = target.stem().string();
     try {
-        if (!folder_.empty()) copy_companions(folder_, target);
+        autosave_.settle();
+        if (!folder_.empty()) copy_companions(folder_, target, files_);
         folder_ = target;
         write("");
-    } catch (...) {
+    } catch (const std::exception&) {
         project_ = before;
         folder_ = folder_before;
+        file_hash_ = hash_before;
+        lock.release();
+        if (is_new) files_.remove_all(target);
         throw;
     }
-    if (!folder_before.empty() && !read_only_) {
-        // The old folder's autosave holds what is saved here now.
-        try {
-            remove_autosave(folder_before, files_);
-        } catch (const Error&) {
-        }
-    }
+    if (was_ours) leave(folder_before);
     lock_ = std::move(lock);
     read_only_ = false;
+    recovery_.reset();
+    older_recoveries_.clear();
     if (moved) undo_.clear();
     contents_.clear();
     look_at_files();
     check_again();
 }
 
+/// The folder's autosave holds what is saved elsewhere now.
+void OpenProject::leave(const fs::path& folder) {
+    if (recovery_ && recovery_->file == folder / autosave_file_name) return;
+    try {
+        remove_autosave(folder, files_);
+    } catch (const Error&) {
+        // It will be offered there: better than losing it.
+    }
+}
+
 void OpenProject::autosave() {
-    if (read_only_ || folder_.empty() || recovery_) return;  // an undecided recovery is not overwritten
-    if (!is_dirty()) {
-        if (has_autosave_) drop_autosave();
+    if (read_only_ || folder_.empty()) return;
+    if (recovery_ && recovery_->file == folder_ / autosave_file_name) return;  // it could not be put aside
+    if (!is_dirty() && !has_autosave_) return;
+    if (!holds_lock()) {  // the autosave is somebody else's now
+        if (!std::exchange(lost_lock_, true))
+            autosave_error_ =
+                folder_.string() +
+                ": somebody else took the lock, so nothing is autosaved; save under another name";
         return;
     }
-    if (has_autosave_ && autosaved_revision_ == revision_) return;
-    autosave_.request(project_, folder_, file_hash_);
+    if (!is_dirty()) return drop_autosave();
+    if (has_autosave_ && autosaved_revision_ == revision_ && !autosave_.has_failed()) return;
+    autosave_.request(project_, folder_, file_hash_, taken_);
     autosaved_revision_ = revision_;
     has_autosave_ = true;
+}
+
+std::string OpenProject::take_autosave_error() {
+    auto error = std::exchange(autosave_error_, {});
+    return error.empty() ? autosave_.take_error() : error;
+}
+
+void OpenProject::next_recovery() {
+    recovery_.reset();
+    if (older_recoveries_.empty()) return;
+    recovery_ = std::move(older_recoveries_.back());
+    older_recoveries_.pop_back();
 }
 
 void OpenProject::take_recovery() {
     if (!recovery_) return;
     project_ = std::move(recovery_->project);
-    recovery_.reset();
+    taken_.push_back(recovery_->file);
     undo_.clear();
     recovered_ = true;
-    has_autosave_ = true;
-    autosaved_revision_ = revision_;
+    ++revision_;
+    next_recovery();
     look_at_files();
     check_again();
 }
 
 void OpenProject::discard_recovery() {
-    drop_autosave();
+    if (!recovery_) return;
+    const auto file = recovery_->file;
+    next_recovery();
+    files_.remove(file);
 }
 
 void OpenProject::break_lock() {

@@ -65,14 +65,18 @@ class OpenProject {
 
     /// Throws Error (one line) and loses nothing on failure. `overwrite` also when the file on disk changed.
     void save(bool overwrite = false);
-    /// Into another folder, whose lock is taken; kept results are copied; relative sources are rewritten to
-    /// stay valid (then undo begins anew, because older states would point to the wrong place).
+    /// Into another folder, whose lock is taken; kept results are copied to those that are there; relative
+    /// sources are rewritten to stay valid (then undo begins anew, because older states would point to the
+    /// wrong place).
     void save_as(const std::filesystem::path& given);
-    /// To be called now and then (a timer): writes an autosave when there are unsaved changes.
+    /// To be called now and then (a timer): writes an autosave when there are unsaved changes, again when the
+    /// last one failed.
     void autosave();
-    std::string take_autosave_error() { return autosave_.take_error(); }
+    void wait_for_autosave() { autosave_.flush(); }
+    std::string take_autosave_error();  ///< one line or empty; every failure once
 
-    /// What a crashed session left; ask the user, then take or discard it.
+    /// What a crashed session left; ask the user, then take or discard it. It stays on the disk until then,
+    /// whatever is edited and saved meanwhile. Afterwards an older one may follow.
     const std::optional<Recovery>& recovery() const { return recovery_; }
     void take_recovery();
     void discard_recovery();
@@ -87,13 +91,18 @@ class OpenProject {
     void require_writable() const;
     void write(const std::string& expected_hash);
     void drop_autosave();
+    void next_recovery();
+    void forget_taken();
+    void leave(const std::filesystem::path& folder);
+    bool holds_lock();
     bool move_sources(const std::filesystem::path& to);
     const Registry& registry_;
     FileSystem& files_;
     std::filesystem::path folder_;
     Lock lock_;
     bool read_only_ = false, kept_since_save_ = false, recovered_ = false;
-    bool has_autosave_ = false;
+    bool has_autosave_ = false, lost_lock_ = false;
+    std::string autosave_error_;
     int schema_in_file_ = schema_version;
     std::vector<Message> reading_messages_;
     Project project_;
@@ -102,6 +111,8 @@ class OpenProject {
     ContentHashes contents_;
     std::set<std::string> requested_sources_;
     std::optional<Recovery> recovery_;
+    std::vector<Recovery> older_recoveries_;    ///< oldest first
+    std::vector<std::filesystem::path> taken_;  ///< recoveries that the document holds, not saved yet
     std::string file_hash_;
     std::size_t autosaved_revision_ = 0, revision_ = 0;
     AutosaveThread autosave_;

@@ -69,6 +69,22 @@ class MemoryFileSystem final : public FileSystem {
 
     void create_directories(const std::filesystem::path&) override { step(); }
 
+    void copy(const std::filesystem::path& from, const std::filesystem::path& to) override {
+        write(to, names_.at(from.string())->now);
+    }
+
+    std::vector<std::filesystem::path> list(const std::filesystem::path& folder) override {
+        std::vector<std::filesystem::path> found;
+        for (const auto& [name, node] : names_)
+            if (name.rfind(folder.string() + "/", 0) == 0)
+                found.push_back(std::filesystem::path(name).lexically_relative(folder));
+        return found;
+    }
+
+    void remove_all(const std::filesystem::path& folder) override {
+        for (const auto& file : list(folder)) remove(folder / file);
+    }
+
     std::int64_t modified(const std::filesystem::path& file) override {
         return names_.at(file.string())->changed;
     }

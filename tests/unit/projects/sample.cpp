@@ -161,9 +161,13 @@ Project sample_project() {
     return project;
 }
 
-TemporaryFolder::TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "interreflect-test-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
+TemporaryFolder::TemporaryFolder(Place place) {
+    const char* pattern = "interreflect-test-XXXXXX";
+    std::string name = std::string("/dev/shm/") + pattern;
+    if (place == Place::disk || !::mkdtemp(name.data())) {
+        name = (std::filesystem::temp_directory_path() / pattern).string();
+        if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
+    }
     path_ = name;
 }
 

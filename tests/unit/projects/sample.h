@@ -17,7 +17,10 @@ Project sample_project();
 /// A folder of its own for a test, removed at the end.
 class TemporaryFolder {
   public:
-    TemporaryFolder();
+    enum class Place { disk, memory };
+    /// In memory, where the machine has such a place: for tests that write a lot and model the disk
+    /// themselves.
+    explicit TemporaryFolder(Place place = Place::disk);
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
