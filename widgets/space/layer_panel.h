@@ -1,15 +1,22 @@
 #pragma once
 
 #include <QWidget>
+#include <map>
 #include <vector>
 
 #include "widgets/space/space_scene.h"
 
+class QLabel;
+class QMenu;
+class QToolButton;
 class QTreeView;
+class QVBoxLayout;
 
 namespace ir::widgets {
 
+class LayerDetails;
 class LayersModel;
+class SelectorRow;
 
 /// What a 3D view draws and how: items of selectors ("map 17 of 512"), layers with a tick each, and for the
 /// chosen layer its colours, size and filters.
@@ -33,6 +40,7 @@ class LayerPanel : public QWidget {
     void set_current_layer(int row);
     LayersModel& model() { return *model_; }
     QTreeView* view() { return view_; }
+    LayerDetails& details() { return *details_; }
 
   signals:
     /// A person changed something about the layers.
@@ -42,8 +50,26 @@ class LayerPanel : public QWidget {
     void current_layer_changed(int row);
 
   private:
+    void make_list();
+    void fill_add_menu();
+    void show_current();
+    void remember_ranges();
+    const std::vector<Field>& fields_of(const std::string& key) const;
+    QAction* add_action(const char* name, const QString& text, const QKeySequence& key);
+    void update_actions();
+
     LayersModel* model_;
     QTreeView* view_;
+    QVBoxLayout* selectors_;
+    std::vector<SelectorRow*> selector_rows_;
+    QToolButton* add_;
+    QMenu* add_menu_;
+    QAction *remove_, *up_, *down_;
+    LayerDetails* details_ = nullptr;
+    QLabel* nothing_ = nullptr;
+    std::vector<AvailableBuffer> available_;
+    std::map<std::string, std::vector<Field>> fields_;
+    std::map<std::string, std::vector<std::optional<FieldRange>>> ranges_;
 };
 
 }  // namespace ir::widgets

@@ -5,28 +5,14 @@
 #include <array>
 #include <cmath>
 
-#include "renderers/image/colour_map.h"
 #include "widgets/image/display.h"
+#include "widgets/space/overlay_parts.h"
 #include "widgets/space/space_camera.h"
 
 namespace ir::widgets {
 namespace {
 
-constexpr QColor badge_colour{20, 20, 20, 200}, text_colour{235, 235, 235}, dim_text_colour{175, 175, 175};
-constexpr double gap = 10, padding = 8;
-
-QFont small_font(const QPainter& painter, int pixels = 12, bool bold = false) {
-    QFont font = painter.font();
-    font.setPixelSize(pixels);
-    font.setBold(bold);
-    return font;
-}
-
-void paint_box(QPainter& painter, const QRectF& box) {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(badge_colour);
-    painter.drawRoundedRect(box, 4, 4);
-}
+using namespace overlay;
 
 /// Lines of text in a badge whose corner nearest to the area's own lies at `corner`.
 QRectF paint_lines(QPainter& painter, const QStringList& lines, QPointF top_left, double most_width) {
@@ -105,69 +91,6 @@ void paint_scale(QPainter& painter, const CameraPose& pose, const QRectF& area) 
                                    QPointF(left + length, y - 4)});
 }
 
-void paint_colour_bar(QPainter& painter, const QRectF& bar, const std::string& name) {
-    const ColourMap& map = colour_map(name);
-    QImage strip(int(map.size()), 1, QImage::Format_RGB32);
-    for (int i = 0; i < strip.width(); ++i)
-        strip.setPixelColor(i, 0,
-                            QColor(map[std::size_t(i)][0], map[std::size_t(i)][1], map[std::size_t(i)][2]));
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(bar, strip);
-    painter.setPen(QPen(QColor(0, 0, 0, 120), 1));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(bar);
-}
-
-struct Legend {
-    const SpaceLayer* layer;
-    const LayerInfo* info;
-    bool is_ramp() const {
-        return !layer->colour_by.empty() && layer->colour_by != SpaceLayer::facing && info->note.empty();
-    }
-};
-
-/// One layer: its label, what its colours mean, how many of its elements are drawn. Returns the bottom.
-double paint_legend(QPainter& painter, const Legend& legend, const QRectF& area, double top) {
-    const double width = std::min(230.0, area.width() - 2 * gap);
-    const double height = legend.is_ramp() ? 74 : 40;
-    const QRectF box(area.right() - gap - width, top, width, height);
-    paint_box(painter, box);
-    const QRectF inner = box.adjusted(padding, 4, -padding, -4);
-    const auto line = [&](double y, const QString& text, const QColor& colour, Qt::Alignment where) {
-        painter.setPen(colour);
-        painter.drawText(QRectF(inner.left(), inner.top() + y, inner.width(), 16), where | Qt::AlignVCenter,
-                         QFontMetricsF(painter.font()).elidedText(text, Qt::ElideRight, inner.width()));
-    };
-    painter.setFont(small_font(painter, 12, true));
-    const QString label = QString::fromStdString(legend.layer->label);
-    const QString meaning = colour_text(*legend.layer, legend.info->fields);
-    line(0, legend.layer->colour_by.empty() ? label : label + QStringLiteral(" · ") + meaning, text_colour,
-         Qt::AlignLeft);
-    painter.setFont(small_font(painter, 11));
-    double y = 17;
-    if (legend.is_ramp()) {
-        paint_colour_bar(painter, QRectF(inner.left(), inner.top() + y + 2, inner.width(), 10),
-                         legend.layer->colour_map);
-        line(y + 14, short_number(legend.info->low), text_colour, Qt::AlignLeft);
-        line(y + 14, short_number(legend.info->high), text_colour, Qt::AlignRight);
-        y += 32;
-    }
-    const QString last = legend.info->note.empty()
-                             ? amount_text(legend.layer->kind, legend.info->elements, legend.info->stride)
-                             : QString::fromStdString(legend.info->note);
-    line(y, last, legend.info->note.empty() ? dim_text_colour : QColor(232, 179, 74), Qt::AlignLeft);
-    return box.bottom();
-}
-
-void paint_legends(QPainter& painter, const OverlayState& state, const QRectF& area) {
-    double top = area.top() + gap;
-    for (std::size_t i = 0; i < state.infos.size() && i < state.indices.size(); ++i) {
-        if (state.indices[i] < 0 || top > area.bottom() - 140) continue;
-        const Legend legend{&state.scene.layers[std::size_t(state.indices[i])], &state.infos[i]};
-        top = paint_legend(painter, legend, area, top) + 6;
-    }
-}
-
 void paint_hover(QPainter& painter, const OverlayState& state, const QRectF& area) {
     if (state.hover.isEmpty()) return;
     const QStringList lines = state.hover.split(QLatin1Char('\n'));
@@ -217,5 +140,22 @@ void paint_space_overlay(QPainter& painter, const OverlayState& state, const QRe
 QWidget* make_space_overlay(const OverlayState& state, QWidget* parent) {
     return new Overlay(state, parent);
 }
+
+namespace overlay {
+
+QFont small_font(const QPainter& painter, int pixels, bool bold) {
+    QFont font = painter.font();
+    font.setPixelSize(pixels);
+    font.setBold(bold);
+    return font;
+}
+
+void paint_box(QPainter& painter, const QRectF& box) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(badge_colour);
+    painter.drawRoundedRect(box, 4, 4);
+}
+
+}  // namespace overlay
 
 }  // namespace ir::widgets

@@ -28,8 +28,10 @@ class SpacePane : public QWidget {
     void scene_changed(const ir::widgets::SpaceScene& scene);
 
   private:
+    void mark(int layer, std::int64_t element);
     SpaceView* view_;
     LayerPanel* panel_;
+    bool chosen_ = false;  ///< somebody decided about the layers
 };
 
 }  // namespace ir::widgets

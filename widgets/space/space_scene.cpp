@@ -96,6 +96,7 @@ SpaceLayer default_layer(const AvailableBuffer& buffer) {
         if (field->name == "layer" || field->name == "bounce") layer.colour_map = "turbo";
     } else if (buffer.kind == OutputKind::point_set && find_field(buffer.fields, "normal")) {
         layer.colour_by = SpaceLayer::facing;
+        layer.colour_map = "coolwarm";
     }
     return layer;
 }

@@ -62,7 +62,7 @@ struct FieldRange {
 /// What became of a layer, in the order of the visible layers.
 struct LayerInfo {
     std::string key;
-    std::string note;           ///< why it is not drawn; empty: it is
+    std::string note;           ///< why it is not drawn, or not as asked; empty: all is well
     std::vector<Field> fields;  ///< of the buffer's element
     /// By field, of its first component over all elements, filters or not; empty: unknown.
     std::vector<std::optional<FieldRange>> ranges = {};

@@ -274,7 +274,7 @@ void SpaceView::frame_all() {
     }
     std::optional<SpaceBox> box;
     for (const LayerInfo& info : picture_.layers) {
-        if (!info.bounds || !info.note.empty()) continue;
+        if (!info.bounds || info.elements == 0) continue;
         if (!box) box = info.bounds;
         box->low = glm::min(box->low, info.bounds->low);
         box->high = glm::max(box->high, info.bounds->high);

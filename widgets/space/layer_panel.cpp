@@ -1,0 +1,237 @@
+#include "widgets/space/layer_panel.h"
+
+#include <QAction>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/space/layer_details.h"
+#include "widgets/space/layers_model.h"
+#include "widgets/space/selector_row.h"
+#include "widgets/style/icons.h"
+
+namespace ir::widgets {
+
+LayerPanel::LayerPanel(QWidget* parent) : QWidget(parent), model_(new LayersModel(this)) {
+    setMinimumWidth(230);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    selectors_ = new QVBoxLayout;
+    column->addLayout(selectors_);
+    make_list();
+    nothing_ = new QLabel(tr("Add a layer to see points, lines, glyphs or a sphere of directions."), this);
+    nothing_->setWordWrap(true);
+    nothing_->setMargin(10);
+    nothing_->setAlignment(Qt::AlignTop);
+    column->addWidget(nothing_);
+    details_ = new LayerDetails;
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(details_);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFrameShape(QFrame::NoFrame);
+    column->addWidget(scroll, 1);
+    connect(model_, &LayersModel::layers_edited, this, [this] {
+        show_current();
+        emit layers_chosen(model_->layers());
+    });
+    connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
+        show_current();
+        emit current_layer_changed(current_layer());
+    });
+    connect(details_, &LayerDetails::layer_chosen, this, [this](const SpaceLayer& layer) {
+        model_->change_layer(current_layer(), layer);
+        show_current();
+    });
+    show_current();
+}
+
+void LayerPanel::make_list() {
+    view_ = new QTreeView(this);
+    view_->setModel(model_);
+    view_->setRootIsDecorated(false);
+    view_->setUniformRowHeights(true);
+    view_->setDragDropMode(QAbstractItemView::InternalMove);
+    view_->setAccessibleName(tr("Layers"));
+    view_->setMaximumHeight(168);
+    view_->setMinimumHeight(84);
+    view_->header()->setStretchLastSection(false);
+    view_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    view_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    auto* tools = new QWidget(this);
+    auto* row = new QHBoxLayout(tools);
+    row->setContentsMargins(6, 4, 6, 4);
+    row->setSpacing(2);
+    add_ = new QToolButton(tools);
+    add_->setObjectName(QStringLiteral("add_layer"));
+    add_->setText(tr("Add layer"));
+    add_->setIcon(icon("add"));
+    add_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    add_->setPopupMode(QToolButton::InstantPopup);
+    add_menu_ = new QMenu(add_);
+    add_menu_->setToolTipsVisible(true);
+    add_->setMenu(add_menu_);
+    row->addWidget(add_);
+    row->addStretch(1);
+    up_ = add_action("up", tr("Move up: under the others"), QKeySequence(Qt::ALT | Qt::Key_Up));
+    down_ = add_action("down", tr("Move down: over the others"), QKeySequence(Qt::ALT | Qt::Key_Down));
+    remove_ = add_action("clear", tr("Remove the layer"), QKeySequence::Delete);
+    for (QAction* action : {up_, down_, remove_}) {
+        auto* button = new QToolButton(tools);
+        button->setDefaultAction(action);
+        button->setAutoRaise(true);
+        row->addWidget(button);
+    }
+    const auto move_by = [this](int step) {
+        const int row = current_layer();
+        model_->move_layer(row, row + step);
+        update_actions();
+    };
+    connect(up_, &QAction::triggered, this, [move_by] { move_by(-1); });
+    connect(down_, &QAction::triggered, this, [move_by] { move_by(1); });
+    connect(remove_, &QAction::triggered, this, [this] { model_->remove_layer(current_layer()); });
+    layout()->addWidget(tools);
+    layout()->addWidget(view_);
+    set_available({});
+}
+
+QAction* LayerPanel::add_action(const char* name, const QString& text, const QKeySequence& key) {
+    auto* action = new QAction(icon(name), text, view_);
+    action->setObjectName(QLatin1String(name));
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    action->setToolTip(QStringLiteral("%1 (%2)").arg(text, key.toString(QKeySequence::NativeText)));
+    view_->addAction(action);
+    return action;
+}
+
+void LayerPanel::set_available(const std::vector<AvailableBuffer>& buffers) {
+    available_ = buffers;
+    for (const AvailableBuffer& buffer : buffers) fields_[buffer.key] = buffer.fields;
+    add_->setEnabled(!buffers.empty());
+    add_->setToolTip(buffers.empty() ? tr("This method has no points, lines, glyphs or directions to show")
+                                     : tr("Show another buffer, or the same one in other colours"));
+    fill_add_menu();
+    show_current();
+}
+
+void LayerPanel::fill_add_menu() {
+    add_menu_->clear();
+    for (const AvailableBuffer& buffer : available_) {
+        auto* action = add_menu_->addAction(
+            QStringLiteral("%1  (%2)")
+                .arg(QString::fromStdString(buffer.label), QString::fromStdString(to_string(buffer.kind))));
+        action->setToolTip(QString::fromStdString(buffer.doc));
+        action->setData(QString::fromStdString(buffer.key));
+        connect(action, &QAction::triggered, this, [this, buffer] {
+            model_->add_layer(default_layer(buffer));
+            set_current_layer(model_->rowCount() - 1);
+        });
+    }
+}
+
+void LayerPanel::set_layers(const std::vector<SpaceLayer>& layers) {
+    const int row = current_layer();
+    model_->set_layers(layers);
+    if (current_layer() < 0 && !layers.empty()) set_current_layer(std::clamp(row, 0, int(layers.size()) - 1));
+    show_current();
+}
+
+const std::vector<SpaceLayer>& LayerPanel::layers() const {
+    return model_->layers();
+}
+
+void LayerPanel::set_layer_infos(const std::vector<LayerInfo>& infos) {
+    for (const LayerInfo& info : infos)
+        if (!info.fields.empty()) fields_[info.key] = info.fields;
+    model_->set_infos(infos);
+    remember_ranges();
+    show_current();
+}
+
+void LayerPanel::remember_ranges() {
+    for (int row = 0; row < model_->rowCount(); ++row) {
+        const LayerInfo* info = model_->info(row);
+        if (!info || info->elements == 0) continue;
+        auto& ranges = ranges_[info->key];
+        ranges.resize(info->fields.size());
+        const SpaceLayer& layer = model_->layers()[std::size_t(row)];
+        for (std::size_t i = 0; i < ranges.size(); ++i) {
+            if (i < info->ranges.size() && info->ranges[i]) ranges[i] = info->ranges[i];
+            const bool measured = info->fields[i].name == layer.colour_by && layer.component == 0;
+            if (!info->ranges.empty() || !measured || info->least > info->most) continue;
+            // Through filters only a part is seen: what was known before may reach further.
+            FieldRange seen{info->least, info->most};
+            if (ranges[i] && !layer.filters.empty()) {
+                seen.low = std::min(seen.low, ranges[i]->low);
+                seen.high = std::max(seen.high, ranges[i]->high);
+            }
+            ranges[i] = seen;
+        }
+    }
+}
+
+void LayerPanel::set_field_ranges(const std::string& key,
+                                  const std::vector<std::optional<FieldRange>>& ranges) {
+    ranges_[key] = ranges;
+    show_current();
+}
+
+void LayerPanel::set_selectors(const std::vector<SpaceSelector>& selectors) {
+    while (selector_rows_.size() > selectors.size()) {
+        delete selector_rows_.back();
+        selector_rows_.pop_back();
+    }
+    while (selector_rows_.size() < selectors.size()) {
+        auto* row = new SelectorRow(this);
+        connect(row, &SelectorRow::item_chosen, this, [this, row](int item) {
+            emit item_chosen(QString::fromStdString(row->selector().key), item);
+        });
+        selectors_->addWidget(row);
+        selector_rows_.push_back(row);
+    }
+    for (std::size_t i = 0; i < selectors.size(); ++i) selector_rows_[i]->set_selector(selectors[i]);
+}
+
+int LayerPanel::current_layer() const {
+    return view_->currentIndex().isValid() ? view_->currentIndex().row() : -1;
+}
+
+void LayerPanel::set_current_layer(int row) {
+    view_->setCurrentIndex(model_->index(row, 0));
+}
+
+const std::vector<Field>& LayerPanel::fields_of(const std::string& key) const {
+    static const std::vector<Field> none;
+    const auto found = fields_.find(key);
+    return found == fields_.end() ? none : found->second;
+}
+
+void LayerPanel::update_actions() {
+    const int row = current_layer();
+    remove_->setEnabled(row >= 0);
+    up_->setEnabled(row > 0);
+    down_->setEnabled(row >= 0 && row + 1 < model_->rowCount());
+}
+
+void LayerPanel::show_current() {
+    if (!details_) return;  // while it is being made
+    const int row = current_layer();
+    update_actions();
+    nothing_->setVisible(model_->rowCount() == 0);
+    details_->setVisible(row >= 0);
+    if (row < 0) return;
+    const SpaceLayer& layer = model_->layers()[std::size_t(row)];
+    const auto found = ranges_.find(layer.key);
+    static const std::vector<std::optional<FieldRange>> unknown;
+    details_->show_layer(layer, fields_of(layer.key), found == ranges_.end() ? unknown : found->second,
+                         model_->info(row));
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,107 @@
+#include <algorithm>
+
+#include "renderers/image/colour_map.h"
+#include "widgets/image/display.h"
+#include "widgets/space/overlay_parts.h"
+
+namespace ir::widgets::overlay {
+namespace {
+
+constexpr double line_height = 16, bar_height = 10, most_width = 230;
+
+/// One layer's legend, painted or only measured.
+class Legend {
+  public:
+    Legend(QPainter& painter, const SpaceLayer& layer, const LayerInfo& info, const QRectF& box)
+        : painter_(painter), layer_(layer), info_(info), inner_(box.adjusted(padding, 4, -padding, -4)) {}
+
+    double height() { return walk(false) + 8; }
+    void paint() { walk(true); }
+
+  private:
+    double walk(bool paint) {
+        painting_ = paint;
+        y_ = 0;
+        const QString label = QString::fromStdString(layer_.label);
+        painter_.setFont(small_font(painter_, 12, true));
+        line(layer_.colour_by.empty() ? label
+                                      : label + QStringLiteral(" · ") + colour_text(layer_, info_.fields),
+             text_colour);
+        painter_.setFont(small_font(painter_, 11));
+        if (!layer_.colour_by.empty() && info_.elements > 0) ramp();
+        if (info_.elements > 0) line(amount_text(layer_.kind, info_.elements, info_.stride), dim_text_colour);
+        if (!info_.note.empty()) paragraph(QString::fromStdString(info_.note));
+        return y_;
+    }
+    void line(const QString& text, const QColor& colour) {
+        if (painting_) write(text, colour, Qt::AlignLeft);
+        y_ += line_height;
+    }
+    void write(const QString& text, const QColor& colour, Qt::Alignment where) {
+        painter_.setPen(colour);
+        painter_.drawText(QRectF(inner_.left(), inner_.top() + y_, inner_.width(), line_height),
+                          where | Qt::AlignVCenter,
+                          QFontMetricsF(painter_.font()).elidedText(text, Qt::ElideRight, inner_.width()));
+    }
+    void paragraph(const QString& text) {
+        const QRectF room(inner_.left(), inner_.top() + y_ + 1, inner_.width(), 6 * line_height);
+        const QRectF taken = painter_.boundingRect(room, Qt::TextWordWrap, text);
+        painter_.setPen(warning_colour);
+        if (painting_) painter_.drawText(room, Qt::TextWordWrap, text);
+        y_ += std::min(taken.height(), room.height()) + 1;
+    }
+    void ramp() {
+        const QRectF bar(inner_.left(), inner_.top() + y_ + 3, inner_.width(), bar_height);
+        if (painting_) paint_bar(bar);
+        y_ += bar_height + 4;
+        if (painting_) {
+            const bool facing = layer_.colour_by == SpaceLayer::facing;
+            write(facing ? QStringLiteral("turned away") : short_number(info_.low), text_colour,
+                  Qt::AlignLeft);
+            write(facing ? QStringLiteral("towards you") : short_number(info_.high), text_colour,
+                  Qt::AlignRight);
+        }
+        y_ += line_height;
+    }
+    void paint_bar(const QRectF& bar) {
+        const auto& known = colour_map_names();
+        const bool is_known = std::find(known.begin(), known.end(), layer_.colour_map) != known.end();
+        const ColourMap& map = colour_map(is_known ? layer_.colour_map : "viridis");
+        QImage strip(int(map.size()), 1, QImage::Format_RGB32);
+        for (int i = 0; i < strip.width(); ++i) {
+            const auto& c = map[std::size_t(i)];
+            strip.setPixelColor(i, 0, QColor(c[0], c[1], c[2]));
+        }
+        painter_.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter_.drawImage(bar, strip);
+        painter_.setPen(QPen(QColor(0, 0, 0, 120), 1));
+        painter_.setBrush(Qt::NoBrush);
+        painter_.drawRect(bar);
+    }
+
+    QPainter& painter_;
+    const SpaceLayer& layer_;
+    const LayerInfo& info_;
+    QRectF inner_;
+    double y_ = 0;
+    bool painting_ = false;
+};
+
+}  // namespace
+
+void paint_legends(QPainter& painter, const OverlayState& state, const QRectF& area) {
+    const double width = std::min(most_width, area.width() - 2 * gap);
+    double top = area.top() + gap;
+    for (std::size_t i = 0; i < state.infos.size() && i < state.indices.size(); ++i) {
+        if (state.indices[i] < 0) continue;
+        QRectF box(area.right() - gap - width, top, width, 0);
+        Legend legend(painter, state.scene.layers[std::size_t(state.indices[i])], state.infos[i], box);
+        box.setHeight(legend.height());
+        if (box.bottom() > area.bottom() - 60) return;  // the scale stands there
+        paint_box(painter, box);
+        legend.paint();
+        top = box.bottom() + 6;
+    }
+}
+
+}  // namespace ir::widgets::overlay
