@@ -62,8 +62,8 @@ struct FieldRange {
 /// What became of a layer, in the order of the visible layers.
 struct LayerInfo {
     std::string key;
-    std::string note;           ///< why it is not drawn, or not as asked; empty: all is well
-    std::vector<Field> fields;  ///< of the buffer's element
+    std::string note = {};           ///< why it is not drawn, or not as asked; empty: all is well
+    std::vector<Field> fields = {};  ///< of the buffer's element
     /// By field, of its first component over all elements, filters or not; empty: unknown.
     std::vector<std::optional<FieldRange>> ranges = {};
     std::uint64_t elements = 0;           ///< in the buffer
@@ -86,8 +86,8 @@ struct SpacePicture {
 struct AvailableBuffer {
     std::string key, label;
     OutputKind kind = OutputKind::point_set;
-    std::string doc;
-    std::vector<Field> fields;
+    std::string doc = {};
+    std::vector<Field> fields = {};
     bool operator==(const AvailableBuffer&) const = default;
 };
 
@@ -95,7 +95,7 @@ struct AvailableBuffer {
 /// selector's key.
 struct SpaceSelector {
     static constexpr int all = -1;
-    std::string key, label, doc;
+    std::string key, label = {}, doc = {};
     int count = 1;
     int item = 0;  ///< from 0 on, or `all`
     bool operator==(const SpaceSelector&) const = default;
