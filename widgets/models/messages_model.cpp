@@ -1,5 +1,7 @@
 #include "widgets/models/messages_model.h"
 
+#include <QGuiApplication>
+#include <QPalette>
 #include <algorithm>
 
 #include "widgets/style/icons.h"
@@ -20,13 +22,14 @@ QString severity_name(Severity severity) {
 void MessagesModel::add(const Message& message) {
     const auto same = std::find_if(lines_.begin(), lines_.end(), [&](const Line& line) {
         return line.message.severity == message.severity && line.message.source == message.source &&
-               line.message.text == message.text;
+               line.message.text == message.text && line.message.place == message.place;
     });
     if (same != lines_.end()) {
         ++same->times;
         same->time = QDateTime::currentDateTime();
         const int row = int(same - lines_.begin());
         emit dataChanged(index(row, 0), index(row, column_count - 1));
+        emit counts_changed();
         return;
     }
     if (lines_.size() >= limit) {
@@ -53,6 +56,18 @@ int MessagesModel::count(Severity severity) const {
                              [&](const Line& line) { return line.message.severity == severity; }));
 }
 
+std::vector<MessagesModel::SourceCount> MessagesModel::sources() const {
+    std::vector<SourceCount> result;
+    for (const Line& line : lines_) {
+        const auto same = [&](const SourceCount& count) { return count.source == line.message.source; };
+        auto found = std::find_if(result.begin(), result.end(), same);
+        if (found == result.end()) found = result.insert(result.end(), {line.message.source});
+        found->count += line.times;
+        found->worst = std::max(found->worst, line.message.severity);
+    }
+    return result;
+}
+
 QString MessagesModel::text(const QModelIndexList& rows) const {
     std::vector<int> numbers;
     for (const auto& row : rows) numbers.push_back(row.row());
@@ -61,10 +76,13 @@ QString MessagesModel::text(const QModelIndexList& rows) const {
     QStringList lines;
     for (int row : numbers) {
         const Line& line = lines_.at(std::size_t(row));
-        lines << QStringLiteral("%1 %2: %3: %4")
-                     .arg(line.time.toString(Qt::ISODate), severity_name(line.message.severity),
-                          QString::fromStdString(line.message.source),
-                          QString::fromStdString(line.message.text));
+        QString text =
+            QStringLiteral("%1 %2: %3: %4")
+                .arg(line.time.toString(Qt::ISODate), severity_name(line.message.severity),
+                     QString::fromStdString(line.message.source), QString::fromStdString(line.message.text));
+        if (!line.message.place.empty())
+            text += QStringLiteral(" [%1]").arg(QString::fromStdString(line.message.place));
+        lines << text;
     }
     return lines.join(QLatin1Char('\n'));
 }
@@ -82,7 +100,13 @@ QVariant MessagesModel::data(const QModelIndex& index, int role) const {
     const Line& line = lines_.at(std::size_t(index.row()));
     const QString text = QString::fromStdString(line.message.text);
     if (role == severity_role) return int(line.message.severity);
-    if (role == Qt::ToolTipRole) return text;
+    const QString place = QString::fromStdString(line.message.place);
+    if (role == place_role) return place;
+    if (role == source_role) return QString::fromStdString(line.message.source);
+    if (role == Qt::ToolTipRole)
+        return place.isEmpty() ? text : tr("%1\n\nDouble click: go to %2").arg(text, place);
+    if (role == Qt::ForegroundRole && index.column() == source_column && !place.isEmpty())
+        return QGuiApplication::palette().color(QPalette::Link);
     if (role == Qt::DecorationRole && index.column() == severity_column)
         return icon(line.message.severity == Severity::error     ? "error"
                     : line.message.severity == Severity::warning ? "warning"
@@ -115,9 +139,15 @@ void MessagesFilter::set_text(const QString& text) {
     invalidateFilter();
 }
 
+void MessagesFilter::set_source(const QString& source) {
+    source_ = source;
+    invalidateFilter();
+}
+
 bool MessagesFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
     const QModelIndex line = sourceModel()->index(row, MessagesModel::text_column, parent);
     if (!shown_[line.data(MessagesModel::severity_role).toInt()]) return false;
+    if (!source_.isEmpty() && line.data(MessagesModel::source_role).toString() != source_) return false;
     return text_.isEmpty() || line.data().toString().contains(text_, Qt::CaseInsensitive);
 }
 

@@ -3,16 +3,32 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
+namespace {
+
+const char* severity_icon(Severity severity) {
+    switch (severity) {
+        case Severity::error:
+            return "error";
+        case Severity::warning:
+            return "warning";
+        default:
+            return "note";
+    }
+}
+
+}  // namespace
 
 MessagesPanel::MessagesPanel(QWidget* parent)
     : QWidget(parent),
@@ -33,12 +49,21 @@ MessagesPanel::MessagesPanel(QWidget* parent)
 
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(4, 2, 4, 2);
-    buttons_[int(Severity::error)] = make_severity_button(Severity::error, "error");
-    buttons_[int(Severity::warning)] = make_severity_button(Severity::warning, "warning");
-    buttons_[int(Severity::note)] = make_severity_button(Severity::note, "note");
+    buttons_[int(Severity::error)] = make_severity_button(Severity::error);
+    buttons_[int(Severity::warning)] = make_severity_button(Severity::warning);
+    buttons_[int(Severity::note)] = make_severity_button(Severity::note);
     for (auto severity : {Severity::error, Severity::warning, Severity::note})
         bar->addWidget(buttons_[int(severity)]);
+    sources_ = new QComboBox(this);
+    sources_->setObjectName(QStringLiteral("sources"));
+    sources_->setToolTip(tr("Show the messages of one source"));
+    sources_->setAccessibleName(sources_->toolTip());
+    sources_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    connect(sources_, &QComboBox::activated, this,
+            [this] { filter_->set_source(sources_->currentData().toString()); });
+    bar->addWidget(sources_);
     auto* search = new QLineEdit(this);
+    search->setMinimumWidth(60);
     search->setPlaceholderText(tr("Filter"));
     search->setClearButtonEnabled(true);
     connect(search, &QLineEdit::textChanged, filter_, &MessagesFilter::set_text);
@@ -60,19 +85,38 @@ MessagesPanel::MessagesPanel(QWidget* parent)
     layout->setSpacing(0);
     layout->addLayout(bar);
     layout->addWidget(view_);
-    auto* copy_action = new QAction(tr("Copy"), view_);
-    copy_action->setShortcut(QKeySequence::Copy);
-    copy_action->setShortcutContext(Qt::WidgetShortcut);
-    connect(copy_action, &QAction::triggered, this, &MessagesPanel::copy);
-    view_->addAction(copy_action);
-    view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    add_actions();
     connect(model_, &MessagesModel::counts_changed, this, &MessagesPanel::update_counts);
     update_counts();
 }
 
-QToolButton* MessagesPanel::make_severity_button(Severity severity, const char* icon_name) {
+void MessagesPanel::add_actions() {
+    go_ = new QAction(tr("Go to what it is about"), view_);
+    connect(go_, &QAction::triggered, this, [this] { go(view_->currentIndex()); });
+    auto* copy_action = new QAction(tr("Copy"), view_);
+    copy_action->setShortcut(QKeySequence::Copy);
+    copy_action->setShortcutContext(Qt::WidgetShortcut);
+    connect(copy_action, &QAction::triggered, this, &MessagesPanel::copy);
+    view_->addActions({go_, copy_action});
+    view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(view_, &QTableView::activated, this, &MessagesPanel::go);
+    const auto update = [this] {
+        go_->setEnabled(!view_->currentIndex().data(MessagesModel::place_role).toString().isEmpty());
+    };
+    connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this, update);
+    connect(model_, &QAbstractItemModel::modelReset, this, update);
+    update();
+}
+
+void MessagesPanel::go(const QModelIndex& at) {
+    if (!at.isValid()) return;
+    const Message message = model_->message(filter_->mapToSource(at).row());
+    if (!message.place.empty()) emit go_to(message);
+}
+
+QToolButton* MessagesPanel::make_severity_button(Severity severity) {
     auto* button = new QToolButton(this);
-    button->setIcon(icon(icon_name));
+    button->setIcon(icon(severity_icon(severity)));
     button->setCheckable(true);
     button->setChecked(true);
     button->setAutoRaise(true);
@@ -89,6 +133,29 @@ void MessagesPanel::update_counts() {
     set(Severity::error, tr("errors"));
     set(Severity::warning, tr("warnings"));
     set(Severity::note, tr("notes"));
+    update_sources();
+}
+
+void MessagesPanel::update_sources() {
+    const auto sources = model_->sources();
+    int all = 0;
+    for (const auto& source : sources) all += source.count;
+    const auto set = [this](int row, const QString& text, const QString& source, const char* icon_name) {
+        if (row >= sources_->count()) sources_->addItem(QString());
+        sources_->setItemText(row, text);
+        sources_->setItemData(row, source);
+        sources_->setItemIcon(row, icon_name ? icon(icon_name) : QIcon());
+    };
+    set(0, tr("All sources (%1)").arg(all), {}, nullptr);
+    int row = 1;
+    for (const auto& source : sources) {
+        const QString name = QString::fromStdString(source.source);
+        set(row++, QStringLiteral("%1 (%2)").arg(name).arg(source.count), name, severity_icon(source.worst));
+    }
+    while (sources_->count() > row) sources_->removeItem(row);
+    const int chosen = sources_->findData(filter_->source());
+    sources_->setCurrentIndex(std::max(chosen, 0));
+    if (chosen < 0) filter_->set_source({});
 }
 
 void MessagesPanel::add(const Message& message) {

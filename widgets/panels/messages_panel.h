@@ -4,13 +4,15 @@
 
 #include "widgets/models/messages_model.h"
 
+class QAction;
+class QComboBox;
 class QLineEdit;
 class QTableView;
 class QToolButton;
 
 namespace ir::widgets {
 
-/// Messages with filters by severity and text, copy and clear.
+/// Messages with filters by severity, source and text, going to what they are about, copy and clear.
 class MessagesPanel : public QWidget {
     Q_OBJECT
   public:
@@ -18,6 +20,7 @@ class MessagesPanel : public QWidget {
     void add(const Message& message);
     MessagesModel& model() { return *model_; }
     MessagesFilter& filter() { return *filter_; }
+    QTableView& view() { return *view_; }
 
   signals:
     /// Double click or Enter on a message that has a place.
@@ -28,12 +31,17 @@ class MessagesPanel : public QWidget {
     void clear();
 
   private:
-    QToolButton* make_severity_button(Severity severity, const char* icon_name);
+    QToolButton* make_severity_button(Severity severity);
+    void add_actions();
     void update_counts();
+    void update_sources();
+    void go(const QModelIndex& at);
     MessagesModel* model_;
     MessagesFilter* filter_;
     QTableView* view_;
     QToolButton* buttons_[3];
+    QComboBox* sources_;
+    QAction* go_ = nullptr;
 };
 
 }  // namespace ir::widgets

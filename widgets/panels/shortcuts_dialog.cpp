@@ -3,63 +3,107 @@
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QLineEdit>
-#include <QTableWidget>
+#include <QMenu>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 
 namespace ir::widgets {
 namespace {
 
-QString plain_text(const QAction& action) {
-    QString text = action.text();
+QString plain_text(QString text) {
+    // "&&" is a real ampersand, a single one marks the letter.
+    text.replace(QStringLiteral("&&"), QString(QChar(0)));
     text.remove(QLatin1Char('&'));
-    return text;
+    return text.replace(QChar(0), QLatin1Char('&'));
 }
 
-void add_line(QTableWidget& table, const QString& what, const QString& how) {
-    const int row = table.rowCount();
-    table.insertRow(row);
-    table.setItem(row, 0, new QTableWidgetItem(what));
-    table.setItem(row, 1, new QTableWidgetItem(how));
+const QMenu* menu_of(const QAction& action) {
+    for (const QObject* owner : action.associatedObjects())
+        if (const auto* menu = qobject_cast<const QMenu*>(owner)) return menu;
+    return nullptr;
+}
+
+/// "View", "File › Recent"; "Other" for actions that no menu holds.
+QString menu_title(const QAction& action) {
+    QStringList titles;
+    for (const QMenu* menu = menu_of(action); menu; menu = menu_of(*menu->menuAction()))
+        titles.prepend(plain_text(menu->title()));
+    return titles.isEmpty() ? ShortcutsDialog::tr("Other") : titles.join(QStringLiteral(" › "));
+}
+
+QString keys_of(const QAction& action) {
+    QStringList keys;
+    for (const auto& key : action.shortcuts()) keys << key.toString(QKeySequence::NativeText);
+    return keys.join(ShortcutsDialog::tr(" or "));
 }
 
 }  // namespace
 
 ShortcutsDialog::ShortcutsDialog(const QList<QAction*>& actions,
                                  const QList<QPair<QString, QString>>& gestures, QWidget* parent)
-    : QDialog(parent) {
+    : QDialog(parent), tree_(new QTreeWidget(this)) {
     setWindowTitle(tr("Keyboard shortcuts"));
-    resize(560, 620);
-    auto* search = new QLineEdit(this);
-    search->setPlaceholderText(tr("Search"));
-    search->setClearButtonEnabled(true);
-    auto* table = new QTableWidget(0, 2, this);
-    table->setHorizontalHeaderLabels({tr("Action"), tr("Keys")});
-    table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-    table->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    table->verticalHeader()->hide();
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setShowGrid(false);
-    table->setAlternatingRowColors(true);
-    for (const auto* action : actions) {
-        QStringList keys;
-        for (const auto& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
-        if (!action->isSeparator() && !keys.isEmpty())
-            add_line(*table, plain_text(*action), keys.join(tr(" or ")));
-    }
-    for (const auto& [what, how] : gestures) add_line(*table, what, how);
-    connect(search, &QLineEdit::textChanged, table, [table](const QString& text) {
-        for (int row = 0; row < table->rowCount(); ++row)
-            table->setRowHidden(row, !table->item(row, 0)->text().contains(text, Qt::CaseInsensitive) &&
-                                         !table->item(row, 1)->text().contains(text, Qt::CaseInsensitive));
-    });
+    resize(560, 640);
+    auto* search_line = new QLineEdit(this);
+    search_line->setPlaceholderText(tr("Search for an action or a key"));
+    search_line->setClearButtonEnabled(true);
+    tree_->setHeaderLabels({tr("Action"), tr("Keys")});
+    tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    tree_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    tree_->header()->setStretchLastSection(false);
+    tree_->setAlternatingRowColors(true);
+    tree_->setRootIsDecorated(false);
+    tree_->setUniformRowHeights(true);
+    tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    for (const auto* action : actions)
+        if (!action->isSeparator() && !action->text().isEmpty() && !action->menu())
+            add_line(menu_title(*action), plain_text(action->text()), keys_of(*action));
+    for (const auto& [what, how] : gestures) add_line(tr("Mouse and held keys"), what, how);
+    tree_->expandAll();
+    connect(search_line, &QLineEdit::textChanged, this, &ShortcutsDialog::search);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
-    layout->addWidget(search);
-    layout->addWidget(table);
+    layout->addWidget(search_line);
+    layout->addWidget(tree_);
     layout->addWidget(buttons);
+    search_line->setFocus();
+}
+
+QTreeWidgetItem* ShortcutsDialog::group(const QString& title) {
+    for (int i = 0; i < tree_->topLevelItemCount(); ++i)
+        if (tree_->topLevelItem(i)->text(0) == title) return tree_->topLevelItem(i);
+    auto* item = new QTreeWidgetItem(tree_, {title});
+    QFont font = tree_->font();
+    font.setBold(true);
+    item->setFont(0, font);
+    item->setFlags(Qt::ItemIsEnabled);
+    item->setFirstColumnSpanned(true);
+    return item;
+}
+
+void ShortcutsDialog::add_line(const QString& group_title, const QString& what, const QString& how) {
+    auto* parent = group(group_title);
+    for (int i = 0; i < parent->childCount(); ++i)
+        if (parent->child(i)->text(0) == what && parent->child(i)->text(1) == how) return;
+    auto* item = new QTreeWidgetItem(parent, {what, how});
+    if (how.isEmpty()) item->setForeground(0, palette().color(QPalette::PlaceholderText));
+}
+
+void ShortcutsDialog::search(const QString& text) {
+    for (int g = 0; g < tree_->topLevelItemCount(); ++g) {
+        auto* parent = tree_->topLevelItem(g);
+        const bool whole_group = parent->text(0).contains(text, Qt::CaseInsensitive);
+        int shown = 0;
+        for (int i = 0; i < parent->childCount(); ++i) {
+            auto* item = parent->child(i);
+            const bool fits = whole_group || item->text(0).contains(text, Qt::CaseInsensitive) ||
+                              item->text(1).contains(text, Qt::CaseInsensitive);
+            item->setHidden(!fits);
+            shown += fits;
+        }
+        parent->setHidden(shown == 0);
+    }
 }
 
 }  // namespace ir::widgets

@@ -30,11 +30,11 @@ class WelcomePage : public QWidget {
     Q_OBJECT
   public:
     explicit WelcomePage(QWidget* parent = nullptr);
-    /// Paths; shown by name, with the path as tooltip.
-    void set_samples(const QStringList& paths);
-    void set_recent(const QStringList& paths);
     void set_samples(const std::vector<SampleProject>& samples);
     void set_recent(const std::vector<RecentProject>& projects);
+    /// Paths alone; shown by name.
+    void set_samples(const QStringList& paths);
+    void set_recent(const QStringList& paths);
 
   signals:
     void new_chosen();
@@ -44,7 +44,7 @@ class WelcomePage : public QWidget {
     void recent_removed(const QString& path);
 
   private:
-    void fill(QVBoxLayout* list, const QStringList& paths, const QString& empty);
+    QWidget* make_start();
     QVBoxLayout *samples_, *recent_;
 };
 

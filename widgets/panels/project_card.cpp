@@ -1,0 +1,111 @@
+#include "widgets/panels/project_card.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QTextLayout>
+#include <algorithm>
+
+#include "widgets/style/icons.h"
+
+namespace ir::widgets {
+namespace {
+
+constexpr int picture_width = 84, picture_height = 56, margin = 7;
+
+/// Draws at most `most` lines, the last one elided.
+void draw_lines(QPainter& painter, const QRect& box, const QString& text, int most) {
+    QTextLayout layout(text, painter.font());
+    layout.beginLayout();
+    const QFontMetrics metrics = painter.fontMetrics();
+    int y = box.top();
+    for (int number = 0; number < most; ++number) {
+        QTextLine line = layout.createLine();
+        if (!line.isValid()) break;
+        line.setLineWidth(box.width());
+        QString part = text.mid(line.textStart(), line.textLength());
+        if (number == most - 1 && line.textStart() + line.textLength() < text.size())
+            part = metrics.elidedText(text.mid(line.textStart()), Qt::ElideRight, box.width());
+        painter.drawText(QPoint(box.left(), y + metrics.ascent()), part);
+        y += metrics.lineSpacing();
+    }
+    layout.endLayout();
+}
+
+}  // namespace
+
+ProjectCard::ProjectCard(const Content& content, QWidget* parent)
+    : QAbstractButton(parent), content_(content) {
+    setText(content.name);
+    setAccessibleName(content.name);
+    setAccessibleDescription(content.note);
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::PointingHandCursor);
+    setAttribute(Qt::WA_Hover);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+QSize ProjectCard::sizeHint() const {
+    const int text = fontMetrics().lineSpacing() * (2 + note_lines()) + 4;
+    return {300, std::max(picture_height, text) + 2 * margin};
+}
+
+int ProjectCard::note_lines() const {
+    return content_.note.isEmpty() ? 0 : content_.detail.isEmpty() ? 3 : 1;
+}
+
+void ProjectCard::paint_picture(QPainter& painter, const QRect& box) const {
+    painter.fillRect(box, palette().color(QPalette::Dark));
+    if (content_.thumbnail.isNull()) {
+        const int side = 28;
+        QRect place(0, 0, side, side);
+        place.moveCenter(box.center());
+        painter.setOpacity(isEnabled() ? 0.5 : 0.25);
+        widgets::icon("open").paint(&painter, place);
+        painter.setOpacity(1);
+        return;
+    }
+    QRect place(QPoint(), content_.thumbnail.size().scaled(box.size(), Qt::KeepAspectRatio));
+    place.moveCenter(box.center());
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(place, content_.thumbnail);
+}
+
+void ProjectCard::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool lit = isEnabled() && (underMouse() || hasFocus());
+    painter.setPen(hasFocus() ? QPen(palette().color(QPalette::Highlight), 2) : QPen(Qt::NoPen));
+    painter.setBrush(palette().color(isDown() ? QPalette::Mid : lit ? QPalette::Midlight : QPalette::Window));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+    const QRect picture(margin, (height() - picture_height) / 2, picture_width, picture_height);
+    paint_picture(painter, picture);
+
+    QRect text = rect().adjusted(picture.right() + 1 + margin + 3, margin, -margin, -margin);
+    QFont bold = font();
+    bold.setBold(true);
+    painter.setFont(bold);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignTop,
+                     painter.fontMetrics().elidedText(content_.name, Qt::ElideRight, text.width()));
+    painter.setFont(font());
+    painter.setPen(palette().color(QPalette::PlaceholderText).lighter(isEnabled() ? 125 : 100));
+    text.setTop(text.top() + fontMetrics().lineSpacing() + 2);
+    if (!content_.note.isEmpty()) draw_lines(painter, text, content_.note, note_lines());
+    if (content_.detail.isEmpty()) return;
+    text.setTop(text.top() + note_lines() * fontMetrics().lineSpacing());
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignTop,
+                     fontMetrics().elidedText(content_.detail, Qt::ElideMiddle, text.width()));
+}
+
+void ProjectCard::keyPressEvent(QKeyEvent* event) {
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    enter ? click() : QAbstractButton::keyPressEvent(event);
+}
+
+bool ProjectCard::event(QEvent* event) {
+    const auto type = event->type();
+    if (type == QEvent::HoverEnter || type == QEvent::HoverLeave) update();
+    return QAbstractButton::event(event);
+}
+
+}  // namespace ir::widgets
