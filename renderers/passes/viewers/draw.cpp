@@ -67,7 +67,7 @@ struct Viewer::State {
     State(gl::Context& context, gl::Device& device, gl::ProgramLibrary& programs)
         : context(context),
           tools{context.api(), device, programs},
-          target(context.api(), device),
+          target(tools),
           mesh(tools),
           painter(tools) {}
 
@@ -83,6 +83,12 @@ struct Viewer::State {
             throw UsageError(
                 "a 3D view of " + std::to_string(view.width) + " × " + std::to_string(view.height) +
                 " pixels cannot be drawn: both sides must be from 1 to " + std::to_string(limit));
+    }
+
+    /// As asked, as far as images can be so large.
+    int oversampling(const Scene3D& view) const {
+        const int limit = context.info().max_texture_size / std::max(view.width, view.height);
+        return std::clamp(view.oversampling, 1, std::min(limit, 4));
     }
 
     std::vector<LayerPlan> plan(const graph::Graph& graph, const Scene3D& view) const {
@@ -125,16 +131,17 @@ Picture3D Viewer::draw(graph::Graph& graph, const graph::FrameInputs& inputs, co
     if (inputs.world && !only_spheres) bounds = inputs.world->bounds;
     if (has_primitive(plans, true)) include_unit_sphere(bounds);
     reset_state(gl);
-    s.painter.measure(plans, make_sight(picture.camera, view.width, view.height, bounds), bounds);
-    const auto sight = make_sight(picture.camera, view.width, view.height, bounds);
+    s.painter.measure(plans, make_sight(picture.camera, view.width, view.height, 1, bounds), bounds);
+    const int oversampling = s.oversampling(view);
+    const auto sight = make_sight(picture.camera, view.width, view.height, oversampling, bounds);
 
-    s.target.begin(view.width, view.height);
+    s.target.begin(view.width, view.height, oversampling);
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LEQUAL);
     // What is nearer than the near plane or far off is drawn, too; what an orthographic camera has behind it
     // is not.
     if (!sight.orthographic) gl.Enable(GL_DEPTH_CLAMP);
-    if (show_scene) s.mesh.draw(graph, inputs, sight, widest_px(plans));
+    if (show_scene) s.mesh.draw(graph, inputs, sight, static_cast<float>(oversampling) * widest_px(plans));
     s.paint(plans, sight, view.show_centres);
     s.target.end();
     reset_state(gl);

@@ -87,15 +87,16 @@ void LayerPainter::draw(const LayerPlan& plan, std::size_t index, const Sight& s
     gl.BindSampler(map_unit, 0);
     program.set("colour_map", map_unit);
     const auto count = static_cast<GLsizei>(plan.block.drawn);
+    const auto samples = static_cast<float>(sight.pixel_samples);
     if (plan.primitive == Primitive::points) {
-        program.set("point_px", plan.block.size_px);
+        program.set("point_px", plan.block.size_px * samples);
         gl.Enable(GL_PROGRAM_POINT_SIZE);
         gl.DrawArrays(GL_POINTS, 0, count);
         gl.Disable(GL_PROGRAM_POINT_SIZE);
         return;
     }
     if (plan.primitive == Primitive::lines) {
-        program.set("line_px", plan.block.size_px);
+        program.set("line_px", plan.block.size_px * samples);
     } else {
         set_shade(program, sight);
         if (plan.primitive == Primitive::ellipsoids)
@@ -131,10 +132,12 @@ void LayerPainter::draw_sphere(const LayerPlan& plan, std::size_t index, const S
     program.set("regions", regions_unit);
     program.set("selected", static_cast<int>(std::clamp<std::int64_t>(plan.wanted.selected, -1, INT32_MAX)));
     program.set("show_centres", show_centres ? 1 : 0);
+    program.set("pixel_samples", sight.pixel_samples);
     // of a sphere at the middle of the picture; regions cover it twice, in front and behind
     const auto& projection = sight.view.clip_from_view;
     const float depth = sight.orthographic ? 1 : std::max(1.0f, glm::length(sight.view.eye_ws));
-    const float radius_px = 0.5f * static_cast<float>(height) * projection[1][1] / depth;
+    const float radius_px =
+        0.5f * static_cast<float>(height / sight.pixel_samples) * projection[1][1] / depth;
     program.set("mean_region_px", 2 * std::numbers::pi_v<float> * radius_px * radius_px /
                                       static_cast<float>(std::max<std::uint32_t>(1, plan.block.drawn)));
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -153,11 +156,12 @@ void LayerPainter::mark(const LayerPlan& plan, std::size_t index, const Sight& s
     set_projection(program, sight);
     program.set("marked", static_cast<unsigned>(selected));
     program.set("segments", segments);
-    program.set("ring_px", 0.5f * plan.block.size_px + 5);
+    const auto samples = static_cast<float>(sight.pixel_samples);
+    program.set("ring_px", samples * (0.5f * plan.block.size_px + 5));
     const float own_px = plan.primitive == Primitive::lines ? plan.block.size_px : 0;
     const std::pair<float, glm::vec3> bands[] = {{own_px + 5, glm::vec3(0)}, {own_px + 2, glm::vec3(1)}};
     for (const auto& [width_px, colour] : bands) {
-        program.set("band_px", width_px);
+        program.set("band_px", samples * width_px);
         program.set("mark_colour", colour);
         gl.DrawArrays(GL_TRIANGLES, 0, corners * segments);
     }

@@ -8,9 +8,21 @@
 
 namespace ir::passes::viewers {
 
+namespace {
+
+gl::ImageShape shape(int width, int height, gl::Format format) {
+    gl::ImageShape made;
+    made.width = width;
+    made.height = height;
+    made.format = format;
+    return made;
+}
+
+}  // namespace
+
 void Target::release() {
     if (framebuffer_) api_.DeleteFramebuffers(1, &framebuffer_);
-    for (auto* image : {&colour_, &ids_, &depth_, &regions_}) {
+    for (auto* image : {&colour_, &ids_, &depth_, &regions_, &mean_colour_, &mean_ids_}) {
         if (*image) device_.destroy_image(*image);
         *image = 0;
     }
@@ -18,20 +30,9 @@ void Target::release() {
 }
 
 void Target::make(int width, int height) {
-    const auto shape = [&](gl::Format format) {
-        gl::ImageShape made;
-        made.width = width;
-        made.height = height;
-        made.format = format;
-        return made;
-    };
-    colour_shape_ = shape(gl::Format::rgba32f);
-    id_shape_ = shape(gl::Format::rg32ui);
-    depth_shape_ = shape(gl::Format::depth32f);
-    region_shape_ = shape(gl::Format::r32ui);
-    colour_ = device_.create_image(colour_shape_, "3D view, colour");
-    ids_ = device_.create_image(id_shape_, "3D view, layer and element");
-    depth_ = device_.create_image(depth_shape_, "3D view, depth");
+    colour_ = device_.create_image(shape(width, height, gl::Format::rgba32f), "3D view, colour");
+    ids_ = device_.create_image(shape(width, height, gl::Format::rg32ui), "3D view, layer and element");
+    depth_ = device_.create_image(shape(width, height, gl::Format::depth32f), "3D view, depth");
     api_.CreateFramebuffers(1, &framebuffer_);
     api_.NamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, colour_, 0);
     api_.NamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT1, ids_, 0);
@@ -43,13 +44,17 @@ void Target::make(int width, int height) {
                     std::to_string(height) + " pixels");
 }
 
-void Target::begin(int width, int height) {
-    if (!framebuffer_ || colour_shape_.width != width || colour_shape_.height != height) {
+void Target::begin(int width, int height, int oversampling) {
+    const int across = width * oversampling, down = height * oversampling;
+    if (!framebuffer_ || width_ != width || height_ != height || oversampling_ != oversampling) {
         release();
-        make(width, height);
+        make(across, down);
+        width_ = width;
+        height_ = height;
+        oversampling_ = oversampling;
     }
     api_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    api_.Viewport(0, 0, width, height);
+    api_.Viewport(0, 0, across, down);
     const float grey = linear_from_srgb(surround_code / 255.0f);
     const float background[4] = {grey, grey, grey, 1}, far = 1;
     const GLuint nothing[4] = {0, 0, 0, 0};
@@ -63,18 +68,50 @@ void Target::end() const {
 }
 
 gl::Name Target::regions() {
-    if (!regions_) regions_ = device_.create_image(region_shape_, "3D view, regions of a sphere");
+    if (!regions_)
+        regions_ =
+            device_.create_image(shape(width_ * oversampling_, height_ * oversampling_, gl::Format::r32ui),
+                                 "3D view, regions of a sphere");
     return regions_;
 }
 
-void Target::read(Picture3D& picture) const {
-    const auto pixels =
-        static_cast<std::size_t>(colour_shape_.width) * static_cast<std::size_t>(colour_shape_.height);
+void Target::average() {
+    if (!mean_colour_) {
+        mean_colour_ =
+            device_.create_image(shape(width_, height_, gl::Format::rgba32f), "3D view, mean colour");
+        mean_ids_ =
+            device_.create_image(shape(width_, height_, gl::Format::rg32ui), "3D view, ids of pixels");
+    }
+    const auto& program = programs_.get({{"passes/viewers/average.comp"}});
+    program.use();
+    for (const GLuint unit : {0u, 1u}) {
+        api_.BindTextureUnit(unit, unit == 0 ? colour_ : ids_);
+        api_.BindSampler(unit, 0);
+    }
+    program.set("colour_samples", 0);
+    program.set("id_samples", 1);
+    program.set("oversampling", oversampling_);
+    api_.BindImageTexture(0, mean_colour_, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    api_.BindImageTexture(1, mean_ids_, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32UI);
+    program.dispatch(width_, height_);
+    api_.BindImageTexture(0, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    api_.BindImageTexture(1, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32UI);
+    for (const GLuint unit : {0u, 1u}) api_.BindTextureUnit(unit, 0);
+    api_.UseProgram(0);
+    api_.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
+void Target::read(Picture3D& picture) {
+    const bool averaged = oversampling_ > 1;
+    if (averaged) average();
+    const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     std::vector<glm::vec4> colours(pixels);
-    device_.read_image(colour_, colour_shape_, 0, 0, std::as_writable_bytes(std::span(colours)));
+    device_.read_image(averaged ? mean_colour_ : colour_, shape(width_, height_, gl::Format::rgba32f), 0, 0,
+                       std::as_writable_bytes(std::span(colours)));
     std::vector<glm::uvec2> ids(pixels);
-    device_.read_image(ids_, id_shape_, 0, 0, std::as_writable_bytes(std::span(ids)));
-    picture.colour = Image(colour_shape_.width, colour_shape_.height, 3);
+    device_.read_image(averaged ? mean_ids_ : ids_, shape(width_, height_, gl::Format::rg32ui), 0, 0,
+                       std::as_writable_bytes(std::span(ids)));
+    picture.colour = Image(width_, height_, 3);
     picture.layer.resize(pixels);
     picture.element.resize(pixels);
     for (std::size_t i = 0; i < pixels; ++i) {

@@ -1,25 +1,24 @@
 #pragma once
 
-#include <glm/glm.hpp>
-
-#include "renderers/gl/device.h"
 #include "renderers/passes/viewers/scene_3d.h"
+#include "renderers/passes/viewers/tools.h"
 
 namespace ir::passes::viewers {
 
 /// The images that a 3D view is drawn to: colour, which layer and element, depth.
 class Target {
   public:
-    Target(const gl::Api& api, gl::Device& device) : api_(api), device_(device) {}
+    explicit Target(const Tools& tools) : api_(tools.api), device_(tools.device), programs_(tools.programs) {}
     ~Target() { release(); }
     Target(const Target&) = delete;
 
     /// Makes the images where the size has changed, binds and clears them.
-    void begin(int width, int height);
+    /// `oversampling` samples along a side of each pixel.
+    void begin(int width, int height, int oversampling);
     /// Unbinds them.
     void end() const;
-    /// Brings colours and ids to the host.
-    void read(Picture3D& picture) const;
+    /// Averages the samples and brings colours and ids to the host.
+    void read(Picture3D& picture);
 
     /// An image of unsigned numbers of the same size: element plus 1 at each pixel.
     gl::Name regions();
@@ -27,10 +26,13 @@ class Target {
   private:
     void release();
     void make(int width, int height);
+    void average();
     const gl::Api& api_;
     gl::Device& device_;
-    gl::ImageShape colour_shape_, id_shape_, depth_shape_, region_shape_;
-    gl::Name colour_ = 0, ids_ = 0, depth_ = 0, regions_ = 0;
+    gl::ProgramLibrary& programs_;
+    int width_ = 0, height_ = 0, oversampling_ = 1;
+    gl::Name colour_ = 0, ids_ = 0, depth_ = 0, regions_ = 0;  ///< of samples
+    gl::Name mean_colour_ = 0, mean_ids_ = 0;                  ///< of pixels, where they have several samples
     GLuint framebuffer_ = 0;
 };
 

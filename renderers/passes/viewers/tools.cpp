@@ -2,9 +2,11 @@
 
 namespace ir::passes::viewers {
 
-Sight make_sight(const scene::Camera& camera, int width, int height, const scene::Bounds& bounds) {
+Sight make_sight(const scene::Camera& camera, int width, int height, int oversampling,
+                 const scene::Bounds& bounds) {
     Sight sight;
-    sight.view = scene::make_view(camera, width, height, bounds);
+    sight.view = scene::make_view(camera, width * oversampling, height * oversampling, bounds);
+    sight.pixel_samples = oversampling;
     sight.orthographic = camera.orthographic;
     const auto world_from_view = glm::transpose(glm::mat3(sight.view.view_from_world));
     sight.axis_ws = -world_from_view[2];

@@ -44,13 +44,16 @@ class DeviceStore {
 
 /// A view and what shaders want to know of it.
 struct Sight {
-    scene::View view;
+    scene::View view;       ///< its size in samples
+    int pixel_samples = 1;  ///< along a side of a pixel
     bool orthographic = false;
     glm::vec3 axis_ws{0, 0, -1};  ///< of view
     glm::vec3 light_ws{0, 0, 1};  ///< towards the light that shades, unit length
 };
 
-Sight make_sight(const scene::Camera& camera, int width, int height, const scene::Bounds& bounds);
+/// Width and height in pixels.
+Sight make_sight(const scene::Camera& camera, int width, int height, int oversampling,
+                 const scene::Bounds& bounds);
 
 /// The uniforms of shaders/passes/viewers/project.glsl, shade.glsl, and the eye of layer.glsl.
 void set_projection(const gl::Program& program, const Sight& sight);

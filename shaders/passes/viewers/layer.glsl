@@ -10,7 +10,7 @@ layout(std430, binding = 1) readonly buffer LayerBlock {
     int normal, colatitude, longitude;
     int colour_offset, colour_type, colour_mode;
     float low, high;
-    float size_px;
+    float size_px;  // of a point or line
     float red, green, blue;
     int primitive;
     int filter_count;

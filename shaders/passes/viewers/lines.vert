@@ -3,6 +3,8 @@
 #include "passes/viewers/colour.glsl"
 #include "passes/viewers/project.glsl"
 
+uniform float line_px;
+
 layout(location = 0) flat out vec3 colour;
 layout(location = 1) flat out uint element;
 layout(location = 2) noperspective out float across;  // -1…1
@@ -20,5 +22,5 @@ void main() {
     colour = element_colour(base, 0.5 * (start_ws + end_ws));
     vec2 corner = quad_corner(gl_VertexID % 6);
     across = corner.y;
-    gl_Position = band_corner(a, b, corner, layer.size_px, 0.5);
+    gl_Position = band_corner(a, b, corner, line_px, 0.5 * line_px / layer.size_px);
 }

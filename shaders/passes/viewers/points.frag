@@ -10,10 +10,11 @@ layout(location = 1) out uvec2 out_id;
 
 void main() {
     float from_centre_px = length(gl_PointCoord - 0.5) * point_px;
-    if (point_px >= 2.5 && from_centre_px > 0.5 * point_px) discard;
-    // small points have no room for a rim of a whole pixel
-    float rim_px = clamp(0.25 * point_px, 0.0, 1.5);
-    float rim = smoothstep(0.5 * point_px - rim_px - 0.75, 0.5 * point_px - 0.25, from_centre_px);
-    out_colour = vec4(colour * (point_px >= 2.5 ? mix(1.0, 0.35, rim) : 1.0), 1);
+    // a little less than half, so that points of three pixels lose their corners
+    float radius_px = 0.5 * point_px - 0.1;
+    if (point_px >= 2.5 && from_centre_px > radius_px) discard;
+    // small points have no room for a rim, and would only be dark
+    float rim = smoothstep(0.55, 0.95, from_centre_px / radius_px) * smoothstep(2.5, 7.0, point_px);
+    out_colour = vec4(colour * mix(1.0, 0.35, rim), 1);
     out_id = uvec2(layer_number, element);
 }

@@ -4,7 +4,7 @@ layout(location = 0) in vec3 position_ws;
 layout(location = 0) out vec4 out_colour;
 layout(location = 1) out uvec2 out_id;
 
-const vec3 front = vec3(0.46), back = vec3(0.47, 0.38, 0.34);
+const vec3 front = vec3(0.42), back = vec3(0.45, 0.35, 0.30);
 
 void main() {
     vec3 across = cross(dFdx(position_ws), dFdy(position_ws));

@@ -10,12 +10,13 @@ uniform usampler2D regions;
 uniform int selected;  // element, or -1
 uniform bool show_centres;
 uniform float mean_region_px;  // pixels of the picture to a region
+uniform int pixel_samples;     // samples along a side of a pixel
 
 layout(location = 0) out vec4 out_colour;
 layout(location = 1) out uvec2 out_id;
 
 const vec3 no_region = vec3(0.27);
-const float dot_px = 2.2;  // radius
+const float dot_px = 2.2;  // radius, in pixels
 
 uint region_at(ivec2 pixel) {
     return texelFetch(regions, clamp(pixel, ivec2(0), ivec2(size_px) - 1), 0).r;
@@ -38,7 +39,7 @@ int selection_edge(ivec2 pixel, uint own) {
     for (int y = -3; y <= 3; ++y)
         for (int x = -3; x <= 3; ++x) {
             if (x * x + y * y > 10) continue;
-            bool is_wanted = region_at(pixel + ivec2(x, y)) == wanted;
+            bool is_wanted = region_at(pixel + pixel_samples * ivec2(x, y)) == wanted;
             if (own == wanted && !is_wanted) return 1;
             if (own != wanted && is_wanted && x * x + y * y <= 5) return -1;
         }
@@ -49,7 +50,7 @@ float centre_dot(uint element) {
     vec4 clip = clip_position(normalize(vector_at(element_base(element), layer.place_0)));
     vec2 ndc = clip.xy / clip.w;
     vec2 centre_px = (vec2(ndc.x, -ndc.y) * 0.5 + 0.5) * size_px;
-    return 1.0 - smoothstep(dot_px - 0.5, dot_px + 0.5, distance(centre_px, gl_FragCoord.xy));
+    return 1.0 - smoothstep(dot_px - 0.5, dot_px + 0.5, distance(centre_px, gl_FragCoord.xy) / float(pixel_samples));
 }
 
 void main() {

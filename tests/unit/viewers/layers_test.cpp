@@ -226,6 +226,27 @@ TEST_F(LayersTest, RefusesSizesThatCannotBeDrawn) {
     EXPECT_EQ(draw({{.key = "row"}}, 1, 1).element.size(), 1u);
 }
 
+TEST_F(LayersTest, OversamplingSmoothsEdgesAndKeepsElements) {
+    add_square({0, 0, 0}, {0.1, 0.2, 1}, 0.9);
+    run({row()});
+    Scene3D view{.width = width, .height = height, .layers = {{.key = "row", .size_px = 7}}};
+    const auto plain = draw(view);
+    view.oversampling = 3;
+    const auto smooth = draw(view);
+    ASSERT_EQ(smooth.colour.pixels.size(), plain.colour.pixels.size());
+    int other_elements = 0, other_colours = 0;
+    for (std::size_t i = 0; i < plain.element.size(); ++i) {
+        other_elements += smooth.element[i] != plain.element[i];
+        other_colours += std::abs(smooth.colour.pixels[3 * i] - plain.colour.pixels[3 * i]) > 0.02f;
+    }
+    EXPECT_LT(other_elements, 40) << "widths are in pixels, and ids those of the pixels' middles";
+    EXPECT_GT(other_colours, 20);
+    EXPECT_LT(other_colours, 1000);
+    expect_colour(colour_at(smooth, spot_px(3)), colour_at(plain, spot_px(3)));
+    view.oversampling = 1000;  // as far as it goes
+    EXPECT_EQ(draw(view).element.size(), plain.element.size());
+}
+
 TEST_F(LayersTest, MarksTheSelectedElementOfEachKind) {
     const Field start{"start", FieldType::f32, 3}, end{"end", FieldType::f32, 3},
         centre{"centre", FieldType::f32, 3}, u{"axis_u", FieldType::f32, 3}, v{"axis_v", FieldType::f32, 3},

@@ -78,7 +78,7 @@ TEST_F(SphereTest, ShowsTheRegionWhoseBoundsHoldTheDirection) {
                 const auto element = picture.element[static_cast<std::size_t>(y * width + x)];
                 if (element >= 0) {
                     ++asked;
-                    EXPECT_GT(depth_in(regions.at(static_cast<std::size_t>(element)), d), -1e-5)
+                    EXPECT_GT(depth_in(regions.at(static_cast<std::size_t>(element)), d), -angle_error)
                         << x << ' ' << y;
                 } else {
                     ++uncovered;
