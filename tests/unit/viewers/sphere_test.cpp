@@ -8,7 +8,7 @@ namespace ir::test {
 namespace {
 
 constexpr int width = 200, height = 160;
-constexpr double angle_error = 5e-5;  ///< of directions in single precision; a pixel is 0.014 wide
+constexpr double angle_error = 1e-5;  ///< of directions in single precision; a pixel is 0.014 wide
 
 class SphereTest : public ViewerTest {
   protected:
