@@ -4,6 +4,8 @@
 #include "renderers/graph/method.h"
 
 #include "renderers/methods/ldm-ao/benchmark.h"
+#include "renderers/methods/ldm-ao/explain.h"
+#include "renderers/methods/ldm-ao/map_views.h"
 #include "renderers/methods/ldm-ao/parameters.h"
 #include "renderers/methods/ldm-ao/passes.h"
 #include "renderers/passes/direct/direct_light.h"
@@ -22,6 +24,10 @@ MethodDescription description() {
         "directions and from the maps' texels.";
     d.papers = {"Aalund15", "Leopardi06", "Lefebvre14"};
     d.background = 1;
+    d.selectors = {{.key = map_selector,
+                    .label = "Map",
+                    .doc = "The layered depth map that is shown, and asked for the pixel.",
+                    .count = "directions"}};
     d.outputs = {
         {.key = "accessibility",
          .label = "Accessibility",
@@ -37,18 +43,24 @@ MethodDescription description() {
         {.key = "ldm.layers",
          .label = "Layers of a map",
          .semantic = Semantic::count,
-         .doc = "Depths at each texel of the map shown."},
+         .doc = "Depths at each texel of the map chosen; of all maps the most.",
+         .explains = true},
         {.key = "ldm.points",
-         .label = "Points of a map",
+         .label = "Points of maps",
          .kind = OutputKind::point_set,
          .semantic = Semantic::position,
          .unit = "m",
-         .doc = "All depths of the map shown, as points of the scene."},
+         .doc = "All depths of the maps chosen, as points of the scene. normal: of the triangle, on the side "
+                "that sees its corners counter-clockwise. facing: 1 where that side looks to where the map "
+                "looks from, else -1. depth: metres along the map's direction, from the scene's near end. "
+                "layer: 0 is the first along that direction.",
+         .explains = true},
         {.key = "ldm.directions",
          .label = "Directions",
          .kind = OutputKind::sphere_values,
-         .doc = "The partition of the sphere: centres, and bounds of the regions in radians. Each direction "
-                "stands for its opposite too."},
+         .doc = "The partition of the sphere into 2N regions: each map's direction (side 1) and its opposite "
+                "(side -1), as this frame uses them, and bounds of the regions in radians. A set that is "
+                "turned at random has no bounds."},
         {.key = "ldm.self_hits",
          .label = "Own entry found",
          .semantic = Semantic::probability,
@@ -65,6 +77,7 @@ MethodDescription description() {
              "Part of the directions in which an entry ahead of the tangent plane was taken for the point's "
              "own: where light may leak."},
     };
+    for (auto& output : explanation_outputs()) d.outputs.push_back(std::move(output));
     return d;
 }
 
@@ -81,12 +94,18 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     if (parameters.progressive) options.rotation = passes::ldm::random_rotation(inputs.seed, inputs.frame);
     const auto maps = passes::ldm::declare_maps(builder, options);
     const auto images = declare_images(builder, parameters);
-    show_directions(builder, *maps);
+    const auto chosen = chosen_maps(inputs.inspection, *maps);
+    const auto directions = show_directions(builder, maps);
+    const auto layers = declare_layers(builder, *maps);
+    const auto points = passes::ldm::declare_points(builder, *maps, chosen);
+    const auto explanation = declare_explanation(builder, *maps, chosen);
     for (int batch = 0; batch < maps->layout.batches(); ++batch) {
         passes::ldm::build_maps(builder, scene, maps, batch);
         trace(builder, gbuffer, maps, batch, images);
         trace_views(builder, gbuffer, maps, batch, images);
-        show_map(builder, maps, batch, parameters.shown_map, images);
+        show_layers(builder, maps, batch, chosen, layers);
+        passes::ldm::find_points(builder, scene, maps, batch, points);
+        explain(builder, gbuffer, maps, batch, directions, chosen, explanation);
     }
     resolve(builder, images, parameters);
     resolve_views(builder, images);

@@ -130,13 +130,7 @@ ParameterTable<Parameters> parameter_table() {
                      "output “lit”.",
               .unit = "W/(m² sr)",
               .hard = {0, 1e6},
-              .soft = {0, 2}})
-        .add(&Parameters::shown_map,
-             {.key = "shown_map",
-              .label = "Map shown",
-              .doc = "Number of the map whose layers and points are shown; beyond the last one the last.",
-              .hard = {0, 4095},
-              .soft = {0, 127}});
+              .soft = {0, 2}});
     return table;
 }
 

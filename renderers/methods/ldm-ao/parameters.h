@@ -20,7 +20,6 @@ struct Parameters {
     float normal_offset = 1;
     bool progressive = false;
     float ambient = 0.5f;
-    int shown_map = 0;
 };
 
 ParameterTable<Parameters> parameter_table();

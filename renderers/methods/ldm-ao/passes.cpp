@@ -107,27 +107,6 @@ Images declare_images(graph::GraphBuilder& builder, const Parameters& parameters
     images.leaks = part("ldm.leaks", "Possible leaks",
                         "Part of the directions in which an entry ahead of the tangent plane was taken for "
                         "the point's own.");
-    images.layers =
-        builder.image({.text = {.key = "ldm.layers",
-                                .label = "Layers of a map",
-                                .doc = "Depths at each texel of the map shown.",
-                                .semantic = Semantic::count},
-                       .format = gl::Format::r32ui,
-                       .extent = graph::Extent::fixed(parameters.resolution, parameters.resolution)});
-    const auto texels = static_cast<std::uint64_t>(parameters.resolution) * parameters.resolution;
-    images.points = builder.buffer(
-        {.text = {.key = "ldm.points",
-                  .label = "Points of a map",
-                  .doc = "Depths of the map shown as points in world space, with their depth in quanta.",
-                  .semantic = Semantic::position,
-                  .unit = "m"},
-         .kind = OutputKind::point_set,
-         .fields = {{"position", graph::FieldType::f32, 3}, {"depth", graph::FieldType::f32}},
-         .elements = texels * ldm::expected_layers,
-         .growable = true,
-         .lower = "resolution"});
-    images.points_asked =
-        builder.counter({.key = "ldm.shown_points", .label = "Points shown", .growth_of = images.points});
     return images;
 }
 
@@ -196,60 +175,6 @@ void lit(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const pas
             context.bind_texture(static_cast<int>(i), sources[i]);
         context.bind_storage_image(0, result);
         dispatch_over(context, program, result);
-    });
-}
-
-void show_directions(graph::GraphBuilder& builder, const ldm::Maps& maps) {
-    using graph::FieldType;
-    const auto buffer = builder.buffer(
-        {.text = {.key = "ldm.directions",
-                  .label = "Directions",
-                  .doc = "Centres of the regions, and their bounds in radians: colatitude from +Y, longitude "
-                         "from +X towards +Z. Before any random rotation."},
-         .kind = OutputKind::sphere_values,
-         .fields = {{"centre", FieldType::f32, 3},
-                    {"colatitude", FieldType::f32, 2},
-                    {"longitude", FieldType::f32, 2}},
-         .elements = maps.directions.size()});
-    builder.pass("directions")
-        .writes(buffer)
-        .execute([buffer, directions = maps.directions](graph::PassContext& context) {
-            std::vector<float> values;
-            for (const auto& d : directions)
-                for (const double value : {d.centre.x, d.centre.y, d.centre.z, d.colatitude_min,
-                                           d.colatitude_max, d.longitude_min, d.longitude_max})
-                    values.push_back(static_cast<float>(value));
-            context.upload(buffer, std::as_bytes(std::span(values)));
-        });
-}
-
-void show_map(graph::GraphBuilder& builder, MapsPointer maps, int batch, int shown, const Images& images) {
-    const int frame = std::min(shown, maps->layout.maps - 1), map = frame - maps->first_map(batch);
-    if (map < 0 || map >= maps->batch_maps(batch)) return;
-    const auto run = [=](graph::PassContext& context, bool points) {
-        gl::ProgramSource source{{"methods/ldm-ao/layers.comp"}};
-        source.defines = ldm::bind_maps(context, *maps, 0, 1);
-        if (points) source.defines["POINTS"] = "1";
-        const auto& program = context.program(source);
-        program.use();
-        program.set("frame_index", static_cast<unsigned>(frame));
-        program.set("map", static_cast<unsigned>(map));
-        program.set("resolution", maps->layout.resolution);
-        if (points) {
-            context.bind_buffer(5, images.points);
-            context.bind_counter(6, images.points_asked);
-        } else {
-            context.bind_storage_image(0, images.layers);
-        }
-        program.dispatch(maps->layout.resolution, maps->layout.resolution);
-    };
-    auto layers = builder.pass("layers");
-    ldm::reads_maps(layers, *maps);
-    layers.writes(images.layers).execute([=](graph::PassContext& context) { run(context, false); });
-    auto points = builder.pass("points");
-    ldm::reads_maps(points, *maps);
-    points.writes(images.points).counts(images.points_asked).execute([=](graph::PassContext& context) {
-        run(context, true);
     });
 }
 

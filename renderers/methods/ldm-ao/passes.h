@@ -18,9 +18,6 @@ struct Images {
     graph::ImageRef accessibility;              ///< r32f
     graph::ImageRef view_counts;                ///< "ldm.self_hit_counts" rgba32f
     graph::ImageRef self_hits, missing, leaks;  ///< r32f, parts of the directions
-    graph::ImageRef layers;                     ///< r32ui, of one map
-    graph::BufferRef points;                    ///< of one map
-    graph::CounterRef points_asked;
 };
 
 Images declare_images(graph::GraphBuilder& builder, const Parameters& parameters);
@@ -38,9 +35,4 @@ void resolve_views(graph::GraphBuilder& builder, const Images& images);
 /// Pass "lit", which writes the output of that name.
 void lit(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const passes::DirectLight& direct,
          const Images& images);
-/// Pass "directions", which writes "ldm.directions".
-void show_directions(graph::GraphBuilder& builder, const passes::ldm::Maps& maps);
-/// Passes "layers" and "points" of map number `shown`, if it belongs to the batch.
-void show_map(graph::GraphBuilder& builder, MapsPointer maps, int batch, int shown, const Images& images);
-
 }  // namespace ir::methods::ldm_ao

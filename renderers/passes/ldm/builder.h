@@ -36,14 +36,19 @@ struct Maps {
     graph::BufferRef frame_buffer;  ///< "ldm.frames"
     FragmentList list;
     graph::BufferRef large;  ///< strips of large triangles (compute builder)
+    /// Where fragments go that only tell points which way their surface looks; invalid where maps are built
+    /// (points.h).
+    graph::BufferRef face_points, face_texels;
     graph::CounterRef fragments_asked, large_asked, generated, kept, dropped, texels, bytes;
 
     int first_map(int batch) const { return batch * layout.batch_maps; }
     int batch_maps(int batch) const { return std::min(layout.batch_maps, layout.maps - first_map(batch)); }
     /// Fragments go into linked lists as they are drawn, in one pass over the scene, as published.
     bool inserts_directly() const {
-        return options.builder == BuilderKind::raster && options.storage == StorageKind::linked_lists;
+        return options.builder == BuilderKind::raster && options.storage == StorageKind::linked_lists &&
+               !finds_faces();
     }
+    bool finds_faces() const { return face_points.index >= 0; }
     /// " 2 of 4" for names of passes, empty where there is one batch.
     std::string batch_name(int batch) const;
 };

@@ -8,7 +8,10 @@ namespace {
 gl::ProgramSource source_for(const Maps& maps, std::vector<std::string> files, bool masked) {
     gl::ProgramSource source{std::move(files)};
     if (masked) source.defines["MASKED"] = "1";
-    if (maps.storage->needs_arrivals()) source.defines["LDM_ARRIVALS"] = "1";
+    if (maps.finds_faces())
+        source.defines["LDM_FACES"] = "1";
+    else if (maps.storage->needs_arrivals())
+        source.defines["LDM_ARRIVALS"] = "1";
     return source;
 }
 
@@ -18,6 +21,12 @@ void for_both_kinds(const graph::PassContext& context, std::int64_t first, std::
     const std::int64_t opaque = context.inputs().world->opaque_triangles;
     if (first < opaque) run(first, std::min(end, opaque), false);
     if (end > opaque) run(std::max(first, opaque), end, true);
+}
+
+void set_faces(const gl::Program& program, const FaceTarget* faces) {
+    if (!faces) return;
+    program.set("face_texel", faces->first_texel);
+    program.set("face_stride", faces->stride);
 }
 
 /// Hands u, v and depth of the frames of a chunk's maps to a compute rasteriser.
@@ -42,6 +51,10 @@ void bind_rasteriser(const graph::PassContext& context, const SceneBuffers& scen
     context.bind_buffer(3, maps.list.state);
     if (maps.list.fragments.index >= 0) context.bind_buffer(4, maps.list.fragments);
     if (maps.list.counts.index >= 0) context.bind_buffer(5, maps.list.counts);
+    if (maps.finds_faces()) {
+        context.bind_buffer(4, maps.face_points);
+        context.bind_buffer(5, maps.face_texels);
+    }
     if (maps.large.index >= 0) context.bind_buffer(6, maps.large);
     context.bind_buffer(7, scene.triangle_materials);
     context.bind_buffer(8, scene.uv0);
@@ -53,7 +66,8 @@ void bind_rasteriser(const graph::PassContext& context, const SceneBuffers& scen
 }
 
 void draw_triangles(const graph::PassContext& context, const SceneBuffers& scene, const Maps& maps,
-                    const Chunk& chunk, int first_map, std::int64_t first, std::int64_t end) {
+                    const Chunk& chunk, int first_map, std::int64_t first, std::int64_t end,
+                    const FaceTarget* faces) {
     const auto& gl = context.api();
     context.bind_empty_framebuffer(maps.layout.resolution, maps.layout.resolution);
     context.bind_empty_vertex_array();
@@ -67,6 +81,7 @@ void draw_triangles(const graph::PassContext& context, const SceneBuffers& scene
         program.set("first_instance", 0u);
         program.set("first_triangle", static_cast<unsigned>(begin));
         program.set("resolution", maps.layout.resolution);
+        set_faces(program, faces);
         if (maps.inserts_directly())
             program.set("batch_texel", static_cast<unsigned>(chunk.first_map * maps.layout.map_texels()));
         gl.DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * (stop - begin)), GL_UNSIGNED_INT,
@@ -76,13 +91,14 @@ void draw_triangles(const graph::PassContext& context, const SceneBuffers& scene
 }
 
 void dispatch_triangles(const graph::PassContext& context, const Maps& maps, const Chunk& chunk,
-                        int first_map, std::int64_t first, std::int64_t end) {
+                        int first_map, std::int64_t first, std::int64_t end, const FaceTarget* faces) {
     for_both_kinds(context, first, end, [&](std::int64_t begin, std::int64_t stop, bool masked) {
         const auto& program = context.program(source_for(maps, {"passes/ldm/rasterise.comp"}, masked));
         program.use();
         program.set("map_count", static_cast<unsigned>(chunk.maps));
         set_frame_rows(context, program, maps, first_map, chunk.maps);
         program.set("resolution", maps.layout.resolution);
+        set_faces(program, faces);
         constexpr std::int64_t most = 1 << 21;  // invocations of one dispatch
         for (std::int64_t at = begin; at < stop; at += most) {
             const auto last = std::min(stop, at + most);
@@ -94,7 +110,7 @@ void dispatch_triangles(const graph::PassContext& context, const Maps& maps, con
 }
 
 void dispatch_large_triangles(const graph::PassContext& context, const Maps& maps, const Chunk& chunk,
-                              int first_map) {
+                              int first_map, const FaceTarget* faces) {
     const auto& world = *context.inputs().world;
     for (const bool masked : {false, true}) {
         if (masked && world.opaque_triangles == world.triangles()) continue;
@@ -102,6 +118,7 @@ void dispatch_large_triangles(const graph::PassContext& context, const Maps& map
         program.use();
         set_frame_rows(context, program, maps, first_map, chunk.maps);
         program.set("resolution", maps.layout.resolution);
+        set_faces(program, faces);
         program.set("opaque_triangles", world.opaque_triangles);
         dispatch_indirect(context, maps.list.state, large_groups_word);
     }

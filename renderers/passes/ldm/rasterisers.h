@@ -5,20 +5,27 @@
 
 namespace ir::passes::ldm {
 
+/// For fragments that tell points their faces (Maps::finds_faces): uniforms of faces.glsl.
+struct FaceTarget {
+    std::uint32_t first_texel = 0, stride = 1;
+};
+
 /// Binds what passes/ldm/builder.glsl names.
 void bind_rasteriser(const graph::PassContext& context, const SceneBuffers& scene, const Maps& maps);
 
 /// Raster builder: draws triangles first … end - 1 into all maps of a chunk at once. `first_map` counts among
 /// all frames.
 void draw_triangles(const graph::PassContext& context, const SceneBuffers& scene, const Maps& maps,
-                    const Chunk& chunk, int first_map, std::int64_t first, std::int64_t end);
+                    const Chunk& chunk, int first_map, std::int64_t first, std::int64_t end,
+                    const FaceTarget* faces = nullptr);
 
 /// Compute builder: the same in a compute shader; large triangles are only listed.
 void dispatch_triangles(const graph::PassContext& context, const Maps& maps, const Chunk& chunk,
-                        int first_map, std::int64_t first, std::int64_t end);
+                        int first_map, std::int64_t first, std::int64_t end,
+                        const FaceTarget* faces = nullptr);
 
 /// Rasterises the listed large triangles of a chunk.
 void dispatch_large_triangles(const graph::PassContext& context, const Maps& maps, const Chunk& chunk,
-                              int first_map);
+                              int first_map, const FaceTarget* faces = nullptr);
 
 }  // namespace ir::passes::ldm

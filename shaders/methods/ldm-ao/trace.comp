@@ -5,6 +5,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/ldm/frames.glsl"
 #include "passes/ldm/storage.glsl"
 #include "passes/ldm/trace.glsl"
+#include "methods/ldm-ao/visibility.glsl"
 
 layout(binding = 0) uniform sampler2D position_texture;
 layout(binding = 1) uniform sampler2D normal_texture;
@@ -18,13 +19,6 @@ layout(binding = 0, rg32f) uniform image2D sums;
 /// Of the dispatch's maps. Uniforms cost software drivers one load for all invocations, buffers one for each.
 uniform vec4 frame_rows[16 * 6];
 uniform uint first_frame, first_map, map_count;  // among all maps; in the batch
-
-/// 1 beyond d_max; below it 0 or (d/d_max)². [Aalund15 §3.3]
-float visibility(float distance_ws) {
-    if (params.falloff == FALLOFF_HARD) return 0.0;
-    float part = distance_ws / params.max_distance;
-    return part * part;
-}
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

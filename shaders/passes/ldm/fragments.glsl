@@ -1,8 +1,12 @@
 // The list that both builders append fragments to: what is known of a fragment is its texel (counted through
 // the chunk's maps) and its depth in quanta. Before including, choose the binding points LDM_STATE,
-// LDM_FRAGMENTS and LDM_COUNTS.
+// LDM_FRAGMENTS and LDM_COUNTS. With LDM_FACES, which needs triangle.glsl first, fragments are not listed: they tell
+// points which way their surface looks.
 #include "passes/ldm/state.glsl"
 
+#ifdef LDM_FACES
+#include "passes/ldm/faces.glsl"
+#else
 /// x: texel, y: order of arrival at the texel (where LDM_ARRIVALS is defined) << 16 | depth.
 layout(std430, binding = LDM_FRAGMENTS) buffer LdmFragments { uvec2 fragments[]; };
 #ifdef LDM_ARRIVALS
@@ -22,6 +26,7 @@ void put_fragment(uint place, uint texel, uint depth) {
 #endif
     if (place < uint(fragments.length())) fragments[place] = uvec2(texel, arrival << 16 | depth);
 }
+#endif
 
 /// Depths are rounded here and nowhere else, so that all storages hold the same numbers.
 uint quantised(float depth) {

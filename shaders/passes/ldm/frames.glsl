@@ -11,3 +11,16 @@ struct MapFrame {
 layout(std430, binding = LDM_FRAMES) readonly buffer LdmFrames { MapFrame ldm_frames[]; };
 
 const int LDM_MAX_DEPTH = 65535;
+const float LDM_DEPTH_MARGIN = 64.0;
+
+/// Metres from the scene's near end to a depth in quanta.
+float ldm_metres(MapFrame frame, uint depth) {
+    return (float(depth) - LDM_DEPTH_MARGIN) * frame.direction.w;
+}
+
+/// World-space centre of a texel at a depth in quanta.
+vec3 ldm_texel_centre_ws(MapFrame frame, ivec2 texel, float depth) {
+    return frame.step_u.xyz * (float(texel.x) + 0.5 - frame.u.w) +
+           frame.step_v.xyz * (float(texel.y) + 0.5 - frame.v.w) +
+           frame.direction.xyz * frame.direction.w * (depth - frame.depth.w);
+}

@@ -4,8 +4,8 @@
 // are cut into strips of rows for the next step.
 layout(local_size_x = 64) in;
 #include "passes/ldm/builder.glsl"
-#include "passes/ldm/fragments.glsl"
 #include "passes/ldm/triangle_rows.glsl"
+#include "passes/ldm/fragments.glsl"
 #ifdef MASKED
 #include "passes/ldm/mask.glsl"
 #endif
@@ -91,6 +91,9 @@ void main() {
     if (triangle >= end_triangle) return;
     uvec3 corners = scene_triangle(triangle);
     vec3 a = scene_position_ws(corners.x), b = scene_position_ws(corners.y), c = scene_position_ws(corners.z);
+#ifdef LDM_FACES
+    set_face(corners);
+#endif
     uint maps = 0u;
     for (uint i = 0u; i < map_count; ++i) {
         vec4 u = frame_rows[3u * i], v = frame_rows[3u * i + 1u];

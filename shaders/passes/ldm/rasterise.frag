@@ -1,7 +1,7 @@
 // Raster builder: every fragment is kept.
 #include "passes/ldm/builder.glsl"
-#include "passes/ldm/fragments.glsl"
 #include "passes/ldm/triangle.glsl"
+#include "passes/ldm/fragments.glsl"
 #ifdef MASKED
 #include "passes/ldm/mask.glsl"
 #endif
@@ -38,6 +38,9 @@ void main() {
         float most = max(max(t.depth.x, t.depth.y), t.depth.z);
         depth = depth >= least ? min(depth, most) : least;  // also where it is not a number
     }
+#ifdef LDM_FACES
+    set_face(scene_triangle(triangle));
+#endif
     ivec2 texel = ivec2(gl_FragCoord.xy);
     uint index = (map * uint(resolution) + uint(texel.y)) * uint(resolution) + uint(texel.x);
 #ifdef DIRECT

@@ -2,9 +2,9 @@
 // Edge functions are whole numbers below 2^53, exact in double.
 layout(local_size_x = 64) in;
 #include "passes/ldm/builder.glsl"
+#include "passes/ldm/triangle_rows.glsl"
 #include "passes/ldm/fragments.glsl"
 #include "passes/ldm/list_index.glsl"
-#include "passes/ldm/triangle_rows.glsl"
 #ifdef MASKED
 #include "passes/ldm/mask.glsl"
 #endif
@@ -62,6 +62,9 @@ void main() {
     if (triangle >= opaque_triangles) return;
 #endif
     uvec3 corners = scene_triangle(triangle);
+#ifdef LDM_FACES
+    set_face(corners);
+#endif
     MapTriangle t = projected(scene_position_ws(corners.x), scene_position_ws(corners.y),
                               scene_position_ws(corners.z), map);
     dvec2 a = dvec2(t.a), b = dvec2(t.b), c = dvec2(t.c);

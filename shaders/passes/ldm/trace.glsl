@@ -65,13 +65,22 @@ LdmHit ldm_ask(uint map, ivec2 texel, int resolution, float plane, float toleran
     return hit;
 }
 
-/// Self-hit rule "tangent-plane". `forward`: ω = v, else -v; n·ω > 0. Hits at `reach` quanta and beyond do not
-/// count; where it is infinite, the distance is that of any hit.
-LdmHit ldm_trace_tangent(MapFrame frame, uint map, int resolution, vec3 position_ws, vec3 normal_ws,
-                         bool forward, float reach, LdmRule rule) {
+/// What a map is asked for a point.
+struct LdmQuestion {
+    ivec2 texel;
+    bool outside;     // of the map: open
+    float plane;      // depth from which distances count: of x's tangent plane at the texel's centre, or of x,
+                      // moved along its normal
+    float tolerance;  // entries this near to the plane are x's own (tangent-plane)
+    float start;      // depth beyond which entries are hits (tangent-plane)
+};
+
+/// Self-hit rule "tangent-plane". `forward`: ω = v, else -v; n·ω > 0.
+LdmQuestion ldm_question_tangent(MapFrame frame, int resolution, vec3 position_ws, vec3 normal_ws, bool forward,
+                                 LdmRule rule) {
     vec3 p = ldm_project(frame, position_ws);
     ivec2 texel = ivec2(floor(p.xy));
-    if (ldm_is_outside(texel, resolution)) return LdmHit(false, 0.0, true, false, 0);
+    if (ldm_is_outside(texel, resolution)) return LdmQuestion(texel, true, p.z, 0.0, p.z);
     float facing = max(abs(dot(normal_ws, frame.direction.xyz)), LDM_LEAST_FACING);
     // Depth along ω that the tangent plane gains per texel.
     vec2 slope = vec2(dot(normal_ws, frame.step_u.xyz), dot(normal_ws, frame.step_v.xyz)) /
@@ -93,28 +102,42 @@ LdmHit ldm_trace_tangent(MapFrame frame, uint map, int resolution, vec3 position
     float tolerance =
         rule.quanta + min(rule.slope * (abs(slope.x) + abs(slope.y)), LDM_MOST_TOLERANCE * texel_quanta);
     float start = max(gain + tolerance, 0.0), along = forward ? 1.0 : -1.0;
-    return ldm_ask(map, texel, resolution, p.z + along * gain, tolerance, p.z + along * start, forward, reach,
-                   isinf(reach));
+    return LdmQuestion(texel, false, p.z + along * gain, tolerance, p.z + along * start);
 }
 
-/// Self-hit rule "normal-offset": x is moved along n by offset · sin∠(n, v), the entry nearest to it is taken
-/// for its own, and the next one is the hit.
-LdmHit ldm_trace_offset(MapFrame frame, uint map, int resolution, vec3 position_ws, vec3 normal_ws,
-                        bool forward, float reach, LdmRule rule) {
+/// Self-hit rule "normal-offset": x is moved along n by offset · sin∠(n, v).
+LdmQuestion ldm_question_offset(MapFrame frame, int resolution, vec3 position_ws, vec3 normal_ws, LdmRule rule) {
     float cosine = dot(normal_ws, frame.direction.xyz);
     float texel_size = max(length(frame.step_u.xyz), length(frame.step_v.xyz));
     float distance_ws = rule.offset * texel_size * sqrt(max(0.0, 1.0 - cosine * cosine));
     vec3 p = ldm_project(frame, position_ws + distance_ws * normal_ws);
     ivec2 texel = ivec2(floor(p.xy));
-    if (ldm_is_outside(texel, resolution)) return LdmHit(false, 0.0, true, false, 0);
-    LdmNeighbours near = ldm_neighbours(map, texel, resolution, ldm_quantum(ceil(p.z)));
-    bool before_is_own = p.z - float(near.before) < float(near.behind) - p.z;
+    return LdmQuestion(texel, ldm_is_outside(texel, resolution), p.z, 0.0, p.z);
+}
+
+/// The answer by rule "tangent-plane". Hits at `reach` quanta and beyond do not count; where it is infinite,
+/// the distance is that of any hit.
+LdmHit ldm_trace_tangent(MapFrame frame, uint map, int resolution, vec3 position_ws, vec3 normal_ws,
+                         bool forward, float reach, LdmRule rule) {
+    LdmQuestion q = ldm_question_tangent(frame, resolution, position_ws, normal_ws, forward, rule);
+    if (q.outside) return LdmHit(false, 0.0, true, false, 0);
+    return ldm_ask(map, q.texel, resolution, q.plane, q.tolerance, q.start, forward, reach, isinf(reach));
+}
+
+/// The answer by rule "normal-offset": the entry nearest to x, once moved, is taken for its own, and the next
+/// one is the hit.
+LdmHit ldm_trace_offset(MapFrame frame, uint map, int resolution, vec3 position_ws, vec3 normal_ws,
+                        bool forward, float reach, LdmRule rule) {
+    LdmQuestion q = ldm_question_offset(frame, resolution, position_ws, normal_ws, rule);
+    if (q.outside) return LdmHit(false, 0.0, true, false, 0);
+    LdmNeighbours near = ldm_neighbours(map, q.texel, resolution, ldm_quantum(ceil(q.plane)));
+    bool before_is_own = q.plane - float(near.before) < float(near.behind) - q.plane;
     int own = before_is_own ? near.before : near.behind;
     LdmHit hit = LdmHit(false, 0.0, false, false, 0);
     hit.own = own != LDM_NONE_BEFORE && own != LDM_NONE_BEHIND;
     if (!hit.own) return hit;
 #ifdef LDM_VIEWS
-    hit.rejected = (forward ? float(own) > p.z + 1.5 : float(own) < p.z - 1.5) ? 1 : 0;
+    hit.rejected = (forward ? float(own) > q.plane + 1.5 : float(own) < q.plane - 1.5) ? 1 : 0;
 #endif
     if (forward && before_is_own) {
         hit.found = near.behind != LDM_NONE_BEHIND;
@@ -123,7 +146,7 @@ LdmHit ldm_trace_offset(MapFrame frame, uint map, int resolution, vec3 position_
         hit.found = near.before != LDM_NONE_BEFORE;
         hit.distance = float(own - near.before);
     } else {
-        near = ldm_neighbours(map, texel, resolution, forward ? own + 1 : own);
+        near = ldm_neighbours(map, q.texel, resolution, forward ? own + 1 : own);
         hit.found = forward ? near.behind != LDM_NONE_BEHIND : near.before != LDM_NONE_BEFORE;
         hit.distance = forward ? float(near.behind - own) : float(own - near.before);
     }

@@ -160,7 +160,9 @@ TEST_F(LdmAo, DoesNotLeakThroughWallsOfTwoTexels) {
     for (const auto* name : {"wall-4", "wall-2", "wall-1", "wall-half"}) {
         const double leaked = mean(render(camera(name), 64, 64, maps(128, 200)));
         std::printf("leaked through %s: %g\n", name, leaked);
-        if (name == std::string("wall-4") || name == std::string("wall-2")) EXPECT_EQ(leaked, 0) << name;
+        if (name == std::string("wall-4") || name == std::string("wall-2")) {
+            EXPECT_EQ(leaked, 0) << name;
+        }
     }
 }
 

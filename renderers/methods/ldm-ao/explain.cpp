@@ -1,0 +1,226 @@
+#include "renderers/methods/ldm-ao/explain.h"
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/ldm-ao/map_views.h"
+
+namespace ir::methods::ldm_ao {
+namespace {
+
+namespace ldm = passes::ldm;
+using graph::Field;
+using graph::FieldType;
+
+/// Entries that are reserved for each map chosen, and lines of the walk.
+constexpr std::uint64_t expected_entries = 64;
+
+const std::string empty_without_surface =
+    " Empty while no pixel is picked, and where the pixel shows no surface.";
+
+void use(const graph::PassContext& context, const gl::Program& program, const passes::GBuffer& gbuffer) {
+    program.use();
+    context.bind_texture(0, gbuffer.position);
+    context.bind_texture(1, gbuffer.normal);
+    context.bind_texture(2, gbuffer.geometric_normal);
+    const auto& inputs = context.inputs();
+    const auto& picked = inputs.inspection;
+    const bool inside = picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
+    program.set("pixel", inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1));
+    program.set("scene_min", inputs.world->bounds.min);
+    program.set("scene_max", inputs.world->bounds.max);
+}
+
+void explain_hits(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
+                  graph::BufferRef directions, const Explanation& explanation) {
+    auto pass = builder.pass("explain hits" + maps->batch_name(batch));
+    ldm::reads_maps(pass, *maps);
+    pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal, directions);
+    pass.writes(explanation.hits, explanation.rays);
+    pass.counts(explanation.hit_count).counts(explanation.ray_count);
+    pass.execute([=](graph::PassContext& context) {
+        gl::ProgramSource source{{"methods/ldm-ao/explain_hits.comp"}};
+        source.defines = ldm::bind_maps(context, *maps, 0, 1);
+        int words = 0;
+        for (const auto& field : region_fields(*maps)) words += field.count;
+        source.defines["REGION_WORDS"] = std::to_string(words) + "u";
+        const auto& program = context.method_program(source);
+        use(context, program, gbuffer);
+        context.bind_buffer(4, directions);
+        context.bind_buffer(5, explanation.hits);
+        context.bind_buffer(6, explanation.rays);
+        context.bind_counter(7, explanation.hit_count);
+        context.bind_counter(8, explanation.ray_count);
+        program.set("first_frame", static_cast<unsigned>(maps->first_map(batch)));
+        program.set("map_count", static_cast<unsigned>(maps->batch_maps(batch)));
+        program.set("all_maps", static_cast<unsigned>(maps->layout.maps));
+        program.dispatch(maps->batch_maps(batch));
+    });
+}
+
+void explain_entries(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps,
+                     int batch, ldm::MapRange chosen, const Explanation& explanation) {
+    const auto range = chosen.in_batch(*maps, batch);
+    if (range.count == 0) return;
+    auto pass = builder.pass("explain entries" + maps->batch_name(batch));
+    ldm::reads_maps(pass, *maps);
+    pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal);
+    pass.writes(explanation.entries, explanation.walk, explanation.texel);
+    pass.counts(explanation.entry_count).counts(explanation.walk_count).counts(explanation.texel_count);
+    pass.execute([=](graph::PassContext& context) {
+        gl::ProgramSource source{{"methods/ldm-ao/explain_entries.comp"}};
+        source.defines = ldm::bind_maps(context, *maps, 0, 1);
+        const auto& program = context.method_program(source);
+        use(context, program, gbuffer);
+        context.bind_buffer(4, explanation.entries);
+        context.bind_buffer(5, explanation.walk);
+        context.bind_buffer(6, explanation.texel);
+        context.bind_counter(7, explanation.entry_count);
+        context.bind_counter(8, explanation.walk_count);
+        context.bind_counter(9, explanation.texel_count);
+        // One after another, so that elements come in the order of the maps.
+        for (int map = range.first; map < range.first + range.count; ++map) {
+            program.set("frame_index", static_cast<unsigned>(map));
+            program.set("map", static_cast<unsigned>(map - maps->first_map(batch)));
+            program.dispatch(1);
+            context.barrier();
+        }
+    });
+}
+
+graph::ResourceText text_of(const std::string& key) {
+    for (const auto& output : explanation_outputs())
+        if (output.key == key) return {output.key, output.label, output.doc, output.semantic, output.unit};
+    throw std::logic_error("no output " + key);
+}
+
+graph::CounterRef count_of(graph::GraphBuilder& builder, const std::string& what, const std::string& label,
+                           graph::BufferRef buffer) {
+    return builder.counter({.key = "ldm.explain." + what + "_count",
+                            .label = label,
+                            .doc = "0 while no pixel is picked, and where the pixel shows no surface.",
+                            .growth_of = buffer});
+}
+
+}  // namespace
+
+std::vector<OutputDescription> explanation_outputs() {
+    return {
+        {.key = "ldm.explain.hits",
+         .label = "Hits by direction",
+         .kind = OutputKind::sphere_values,
+         .doc =
+             "What each of the 2N directions finds from the pixel's point. hit: 1 hit, 0 miss, -1 below the "
+             "surface, not asked. distance: metres to the hit, or to the largest distance or the scene's "
+             "end. contribution: what the direction adds to the pixel's accessibility of this frame. "
+             "own_found: 1 where the point's own entry was in the map." +
+             empty_without_surface,
+         .explains = true},
+        {.key = "ldm.explain.rays",
+         .label = "Rays of the pixel",
+         .kind = OutputKind::line_set,
+         .unit = "m",
+         .doc = "One line per map: from the pixel's point along the direction above its surface to what it "
+                "hits, or to the largest distance or the scene's end. hit as for the directions; lines below "
+                "the surface have no length. side: 1 along the map's direction, -1 against it." +
+                empty_without_surface,
+         .explains = true},
+        {.key = "ldm.explain.entries",
+         .label = "Entries under the pixel",
+         .kind = OutputKind::point_set,
+         .semantic = Semantic::position,
+         .unit = "m",
+         .doc = "All depths at the texel that the map chosen is asked for the pixel's point. depth: metres "
+                "along "
+                "the map's direction, from the point. layer: 0 is the first along that direction. role: 0 "
+                "none, 1 the point's own, 2 hit along the direction, 3 hit against it." +
+                empty_without_surface,
+         .explains = true},
+        {.key = "ldm.explain.walk",
+         .label = "Walk through the map",
+         .kind = OutputKind::line_set,
+         .unit = "m",
+         .doc =
+             "From the pixel's point along (role 0) and against (role 1) the direction of the map chosen to "
+             "what is found there, or to the largest distance or the scene's end; hit says which. above: 1 "
+             "for the direction above the surface, which counts. Then (role 2) from entry to entry of the "
+             "texel, up to the one where a search from the front ends; step counts them." +
+             empty_without_surface,
+         .explains = true},
+        {.key = "ldm.explain.texel",
+         .label = "Texel asked",
+         .kind = OutputKind::glyphs,
+         .unit = "m",
+         .doc =
+             "The outline of the texel that the map chosen is asked, where the point's surface crosses its "
+             "middle." +
+             empty_without_surface,
+         .explains = true},
+    };
+}
+
+Explanation declare_explanation(graph::GraphBuilder& builder, const ldm::Maps& maps, ldm::MapRange chosen) {
+    const Field map{"map", FieldType::u32}, start{"start", FieldType::f32, 3}, end{"end", FieldType::f32, 3};
+    const auto maps_chosen = static_cast<std::uint64_t>(chosen.count);
+    // Growable, so that counters tell how many elements are in use.
+    Explanation e;
+    auto hit_fields = region_fields(maps);
+    for (const char* name : {"hit", "distance", "contribution"}) hit_fields.push_back({name, FieldType::f32});
+    hit_fields.push_back({"own_found", FieldType::u32});
+    e.hits = builder.buffer({.text = text_of("ldm.explain.hits"),
+                             .kind = OutputKind::sphere_values,
+                             .fields = hit_fields,
+                             .elements = 2 * maps.directions.size(),
+                             .growable = true});
+    e.rays = builder.buffer({.text = text_of("ldm.explain.rays"),
+                             .kind = OutputKind::line_set,
+                             .fields = {start,
+                                        end,
+                                        {"hit", FieldType::i32},
+                                        {"distance", FieldType::f32},
+                                        {"contribution", FieldType::f32},
+                                        map,
+                                        {"side", FieldType::i32}},
+                             .elements = maps.directions.size(),
+                             .growable = true});
+    e.entries = builder.buffer({.text = text_of("ldm.explain.entries"),
+                                .kind = OutputKind::point_set,
+                                .fields = {{"position", FieldType::f32, 3},
+                                           {"depth", FieldType::f32},
+                                           {"layer", FieldType::u32},
+                                           {"role", FieldType::u32},
+                                           map},
+                                .elements = maps_chosen * expected_entries,
+                                .growable = true});
+    e.walk = builder.buffer({.text = text_of("ldm.explain.walk"),
+                             .kind = OutputKind::line_set,
+                             .fields = {start,
+                                        end,
+                                        {"role", FieldType::u32},
+                                        {"step", FieldType::u32},
+                                        {"hit", FieldType::u32},
+                                        {"above", FieldType::u32},
+                                        map},
+                             .elements = maps_chosen * expected_entries,
+                             .growable = true});
+    e.texel = builder.buffer({.text = text_of("ldm.explain.texel"),
+                              .kind = OutputKind::glyphs,
+                              .fields = {{"centre", FieldType::f32, 3},
+                                         {"axis_u", FieldType::f32, 3},
+                                         {"axis_v", FieldType::f32, 3},
+                                         map},
+                              .elements = maps_chosen,
+                              .growable = true});
+    e.hit_count = count_of(builder, "hit", "Directions explained", e.hits);
+    e.ray_count = count_of(builder, "ray", "Rays explained", e.rays);
+    e.entry_count = count_of(builder, "entry", "Entries under the pixel", e.entries);
+    e.walk_count = count_of(builder, "walk", "Lines of the walk", e.walk);
+    e.texel_count = count_of(builder, "texel", "Texels asked", e.texel);
+    return e;
+}
+
+void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
+             graph::BufferRef directions, ldm::MapRange chosen, const Explanation& explanation) {
+    explain_hits(builder, gbuffer, maps, batch, directions, explanation);
+    explain_entries(builder, gbuffer, maps, batch, chosen, explanation);
+}
+
+}  // namespace ir::methods::ldm_ao

@@ -1,0 +1,219 @@
+#include "renderers/passes/ldm/points.h"
+
+#include <numeric>
+
+#include "renderers/passes/ldm/rasterisers.h"
+
+namespace ir::passes::ldm {
+namespace {
+
+using graph::FieldType;
+
+constexpr std::uint64_t most_points = 4'000'000;
+constexpr std::uint64_t point_bytes = 40;  ///< shaders/passes/ldm/point.glsl
+
+std::uint64_t texels_in(const Maps& maps, MapRange range) {
+    return static_cast<std::uint64_t>(range.count) * maps.layout.map_texels();
+}
+
+std::uint64_t shown_texels(const Maps& maps, MapRange range, std::uint64_t stride) {
+    return (texels_in(maps, range) + stride - 1) / stride;
+}
+
+std::uint64_t choose_stride(const Maps& maps, MapRange shown, std::uint64_t max_buffer_bytes) {
+    const auto most = std::min(most_points, max_buffer_bytes / (2 * point_bytes));
+    const auto expected = texels_in(maps, shown) * expected_layers;
+    auto stride = std::max<std::uint64_t>(1, (expected + most - 1) / most);
+    // Else whole columns would be left out.
+    while (stride > 1 && std::gcd(stride, static_cast<std::uint64_t>(maps.layout.resolution)) != 1) ++stride;
+    return stride;
+}
+
+void write_points(const graph::PassContext& context, const Maps& maps, int batch, MapRange range,
+                  const Points& points) {
+    const auto texels = shown_texels(maps, range, points.stride);
+    const auto over_texels = [&](bool count) {
+        gl::ProgramSource source{{"passes/ldm/points.comp"}};
+        source.defines = bind_maps(context, maps, 0, 1);
+        if (count) source.defines["COUNT"] = "1";
+        context.bind_buffer(5, points.texels);
+        if (!count) context.bind_buffer(6, points.points);
+        const auto& program = context.program(source);
+        program.use();
+        program.set("first_frame", static_cast<unsigned>(range.first));
+        program.set("first_map", static_cast<unsigned>(range.first - maps.first_map(batch)));
+        program.set("map_count", static_cast<unsigned>(range.count));
+        program.set("stride", static_cast<unsigned>(points.stride));
+        program.set("resolution", maps.layout.resolution);
+        program.dispatch(static_cast<std::int64_t>(texels));
+        context.barrier();
+    };
+    over_texels(true);
+    context.bind_buffer(5, points.texels);
+    context.bind_counter(6, points.count);
+    const auto& places = context.program({{"passes/ldm/point_places.comp"}});
+    places.use();
+    places.set("texel_count", static_cast<unsigned>(texels));
+    places.dispatch(1);
+    context.barrier();
+    over_texels(false);
+}
+
+/// Rasterises the maps shown of a batch again. Items: each is one triangle in all maps of one chunk.
+class FaceSearch {
+  public:
+    FaceSearch(const SceneBuffers& scene, const Maps& maps, MapRange range, const Points& points)
+        : scene_(scene), maps_(maps), range_(range), points_(points) {
+        maps_.list = {points.state, {}, {}};
+        maps_.face_points = points.points;
+        maps_.face_texels = points.texels;
+        if (maps_.options.builder == BuilderKind::compute) maps_.large = points.strips;
+    }
+
+    std::int64_t chunks() const {
+        return (range_.count + maps_.layout.chunk_maps - 1) / maps_.layout.chunk_maps;
+    }
+
+    void run(const graph::PassContext& context, const graph::Slice& slice) const {
+        const auto triangles = static_cast<std::int64_t>(context.inputs().world->triangles());
+        for (std::int64_t begin = slice.begin; begin < slice.end;) {
+            const auto index = begin / triangles, end = std::min(slice.end, (index + 1) * triangles);
+            if (begin == index * triangles) context.clear(points_.state);
+            const auto chunk = chunk_at(index);
+            rasterise(context, chunk, begin - index * triangles, end - index * triangles);
+            if (end == (index + 1) * triangles && maps_.options.builder == BuilderKind::compute)
+                rasterise_large(context, chunk);
+            begin = end;
+        }
+    }
+
+  private:
+    /// Maps count from the first one shown.
+    Chunk chunk_at(std::int64_t index) const {
+        const auto first = static_cast<int>(index) * maps_.layout.chunk_maps;
+        return {first, std::min(maps_.layout.chunk_maps, range_.count - first)};
+    }
+
+    FaceTarget target(const Chunk& chunk) const {
+        return {static_cast<std::uint32_t>(texels_in(maps_, {0, chunk.first_map})),
+                static_cast<std::uint32_t>(points_.stride)};
+    }
+
+    void rasterise(const graph::PassContext& context, const Chunk& chunk, std::int64_t first,
+                   std::int64_t end) const {
+        bind_rasteriser(context, scene_, maps_);
+        const int first_map = range_.first + chunk.first_map;
+        const auto faces = target(chunk);
+        if (maps_.options.builder == BuilderKind::raster)
+            draw_triangles(context, scene_, maps_, chunk, first_map, first, end, &faces);
+        else
+            dispatch_triangles(context, maps_, chunk, first_map, first, end, &faces);
+        context.barrier();
+    }
+
+    void rasterise_large(const graph::PassContext& context, const Chunk& chunk) const {
+        context.bind_counter(9, points_.strips_asked);
+        const auto& prepare = context.program({{"passes/ldm/prepare.comp"}, {{"PREPARE_LARGE", "1"}}});
+        prepare.use();
+        prepare.set("large_capacity", static_cast<unsigned>(context.capacity(points_.strips)));
+        prepare.dispatch(1);
+        context.barrier();
+        bind_rasteriser(context, scene_, maps_);
+        const auto faces = target(chunk);
+        dispatch_large_triangles(context, maps_, chunk, range_.first + chunk.first_map, &faces);
+        context.barrier();
+    }
+
+    SceneBuffers scene_;
+    Maps maps_;
+    MapRange range_;
+    Points points_;
+};
+
+void declare_scratch(graph::GraphBuilder& builder, const Maps& maps, Points& points) {
+    const MapRange largest{0, std::min(points.maps.count, maps.layout.batch_maps)};
+    points.texels =
+        builder.buffer({.text = {.key = "ldm.point_texels",
+                                 .label = "First points of texels",
+                                 .doc = "Number of the first point of each texel that is shown, and where "
+                                        "the last one's end, of the batch of maps that came last."},
+                        .fields = {{"first", FieldType::u32}},
+                        .elements = shown_texels(maps, largest, points.stride) + 1});
+    points.state = builder.buffer({.text = {.key = "ldm.point_state",
+                                            .label = "State of finding faces",
+                                            .doc = "What the steps of rasterising again tell each other."},
+                                   .fields = {{"word", FieldType::u32}},
+                                   .elements = state_words});
+    if (maps.options.builder != BuilderKind::compute) return;
+    points.strips =
+        builder.buffer({.text = {.key = "ldm.point_strips",
+                                 .label = "Strips of large triangles for faces",
+                                 .doc = "Triangle, and map | strip << 8, of the chunk of maps that was "
+                                        "rasterised last."},
+                        .fields = {{"triangle", FieldType::u32}, {"map_strip", FieldType::u32}},
+                        .elements = std::max<std::uint64_t>(1 << 14, maps.layout.map_texels() / 2),
+                        .growable = true,
+                        .lower = "resolution"});
+    points.strips_asked = builder.counter({.key = "ldm.point_strips_asked",
+                                           .label = "Strips of the largest chunk for faces",
+                                           .growth_of = points.strips});
+}
+
+}  // namespace
+
+MapRange MapRange::in_batch(const Maps& maps, int batch) const {
+    const int begin = std::max(first, maps.first_map(batch));
+    const int end = std::min(first + count, maps.first_map(batch) + maps.batch_maps(batch));
+    return {begin, std::max(0, end - begin)};
+}
+
+Points declare_points(graph::GraphBuilder& builder, const Maps& maps, MapRange shown) {
+    Points points;
+    points.maps = shown;
+    points.stride = choose_stride(maps, shown, builder.max_buffer_bytes());
+    points.points = builder.buffer({.text = {.key = "ldm.points",
+                                             .label = "Points of maps",
+                                             .doc = "Depths of the maps shown as points in world space.",
+                                             .semantic = Semantic::position,
+                                             .unit = "m"},
+                                    .kind = OutputKind::point_set,
+                                    .fields = {{"position", FieldType::f32, 3},
+                                               {"normal", FieldType::f32, 3},
+                                               {"facing", FieldType::f32},
+                                               {"depth", FieldType::f32},
+                                               {"layer", FieldType::u32},
+                                               {"map", FieldType::u32}},
+                                    .elements = shown_texels(maps, shown, points.stride) * expected_layers,
+                                    .growable = true,
+                                    .lower = "resolution"});
+    points.count =
+        builder.counter({.key = "ldm.shown_points", .label = "Points shown", .growth_of = points.points});
+    declare_scratch(builder, maps, points);
+    if (points.stride > 1)
+        builder.note("of the maps shown, every " + std::to_string(points.stride) +
+                     ". texel has points, so that about " + std::to_string(most_points / 1'000'000) +
+                     " million result");
+    return points;
+}
+
+void find_points(graph::GraphBuilder& builder, const SceneBuffers& scene, std::shared_ptr<const Maps> maps,
+                 int batch, const Points& points) {
+    const auto range = points.maps.in_batch(*maps, batch);
+    if (range.count == 0) return;
+    auto places = builder.pass("points" + maps->batch_name(batch));
+    reads_maps(places, *maps);
+    places.writes(points.texels, points.points).counts(points.count);
+    places.execute([=](graph::PassContext& context) { write_points(context, *maps, batch, range, points); });
+
+    auto faces = builder.pass("point faces" + maps->batch_name(batch));
+    faces.reads(maps->frame_buffer, points.texels, scene.positions, scene.indices, scene.triangle_materials,
+                scene.uv0, scene.uv1, scene.materials, scene.opacity, scene.opacity_words);
+    faces.writes(points.points, points.state);
+    if (points.strips.index >= 0) faces.writes(points.strips).counts(points.strips_asked);
+    const auto search = std::make_shared<FaceSearch>(scene, *maps, range, points);
+    faces.execute_sliced(
+        search->chunks() * static_cast<std::int64_t>(builder.inputs().world->triangles()),
+        [search](graph::PassContext& context, graph::Slice slice) { search->run(context, slice); });
+}
+
+}  // namespace ir::passes::ldm

@@ -1,0 +1,128 @@
+// Walks through the sequence at the texel that one map is asked for a pixel: all entries with what they are to the
+// pixel's point, the walk as lines, and the texel's outline. [Aalund15 §3.1, Fig. 4]
+layout(local_size_x = 1) in;
+#include "methods/ldm-ao/explained.glsl"
+#include "passes/ldm/band.glsl"
+
+/// position 3, depth, layer, role, map
+layout(std430, binding = 4) writeonly buffer Entries { uint entries[]; };
+/// start 3, end 3, role, step, hit, above, map
+layout(std430, binding = 5) writeonly buffer Walk { uint walk[]; };
+/// centre 3, axis_u 3, axis_v 3, map
+layout(std430, binding = 6) writeonly buffer Texels { uint texels[]; };
+layout(std430, binding = 7) buffer EntryCount { uint entry_count; };
+layout(std430, binding = 8) buffer WalkCount { uint walk_count; };
+layout(std430, binding = 9) buffer TexelCount { uint texel_count; };
+
+uniform uint frame_index, map;  // among all maps; in the batch
+
+const uint OTHER = 0u, OWN = 1u, HIT_ALONG_V = 2u, HIT_AGAINST_V = 3u;
+const uint ALONG_V = 0u, AGAINST_V = 1u, SEARCH = 2u;
+
+void write_entry(vec3 position, float depth_ws, uint layer, uint role) {
+    uint word = 7u * entry_count++;
+    if (word + 7u > uint(entries.length())) return;
+    for (int i = 0; i < 3; ++i) entries[word + uint(i)] = floatBitsToUint(position[i]);
+    entries[word + 3u] = floatBitsToUint(depth_ws);
+    entries[word + 4u] = layer;
+    entries[word + 5u] = role;
+    entries[word + 6u] = frame_index;
+}
+
+void write_walk(vec3 start, vec3 end, uint role, uint step_number, bool hit, bool above) {
+    uint word = 11u * walk_count++;
+    if (word + 11u > uint(walk.length())) return;
+    for (int i = 0; i < 3; ++i) {
+        walk[word + uint(i)] = floatBitsToUint(start[i]);
+        walk[word + 3u + uint(i)] = floatBitsToUint(end[i]);
+    }
+    walk[word + 6u] = role;
+    walk[word + 7u] = step_number;
+    walk[word + 8u] = hit ? 1u : 0u;
+    walk[word + 9u] = above ? 1u : 0u;
+    walk[word + 10u] = frame_index;
+}
+
+void write_texel(MapFrame frame, LdmBand band) {
+    uint word = 10u * texel_count++;
+    if (word + 10u > uint(texels.length())) return;
+    vec3 centre = ldm_texel_centre_ws(frame, band.texel, band.plane);
+    for (int i = 0; i < 3; ++i) {
+        texels[word + uint(i)] = floatBitsToUint(centre[i]);
+        texels[word + 3u + uint(i)] = floatBitsToUint(0.5 * frame.step_u[i]);
+        texels[word + 6u + uint(i)] = floatBitsToUint(0.5 * frame.step_v[i]);
+    }
+    texels[word + 9u] = frame_index;
+}
+
+/// What the sequence holds around the point.
+struct Around {
+    int before, behind;  // the entries next to its own
+    bool has_before, has_behind;
+};
+
+Around find_around(LdmBand band, float reach) {
+    Around around = Around(0, 0, false, false);
+    for (LdmCursor c = ldm_first(map, band.texel, params.resolution); ldm_valid(c); c = ldm_next(c)) {
+        int depth = ldm_depth(c);
+        if (float(depth) < band.low) {
+            around.before = depth;
+            around.has_before = band.plane - float(depth) < reach;
+        } else if (float(depth) > band.high) {
+            around.behind = depth;
+            around.has_behind = float(depth) - band.plane < reach;
+            break;
+        }
+    }
+    return around;
+}
+
+uint role_of(int depth, LdmBand band, Around around) {
+    if (float(depth) >= band.low && float(depth) <= band.high) return OWN;
+    if (around.has_behind && depth == around.behind) return HIT_ALONG_V;
+    if (around.has_before && depth == around.before) return HIT_AGAINST_V;
+    return OTHER;
+}
+
+void write_sequence(MapFrame frame, vec3 point, LdmBand band, Around around) {
+    float own_depth = ldm_project(frame, point).z;
+    uint layer = 0u;
+    vec3 last = vec3(0.0);
+    bool searching = true;
+    for (LdmCursor c = ldm_first(map, band.texel, params.resolution); ldm_valid(c); c = ldm_next(c)) {
+        int depth = ldm_depth(c);
+        vec3 position = ldm_texel_centre_ws(frame, band.texel, float(depth));
+        write_entry(position, (float(depth) - own_depth) * frame.direction.w, layer, role_of(depth, band, around));
+        if (layer > 0u && searching) write_walk(last, position, SEARCH, layer, true, true);
+        searching = searching && depth < band.stop;
+        last = position;
+        ++layer;
+    }
+}
+
+void write_result(MapFrame frame, vec3 point, uint role, bool hit, float quanta, bool above) {
+    vec3 direction = role == ALONG_V ? frame.direction.xyz : -frame.direction.xyz;
+    float length_ws = hit ? max(quanta, 0.0) * frame.direction.w : open_length(point, direction);
+    write_walk(point, point + length_ws * direction, role, 0u, hit, above);
+}
+
+void main() {
+    Surface x = explained_surface();
+    if (!x.exists) return;
+    MapFrame frame = ldm_frames[frame_index];
+    bool forward = dot(x.normal, frame.direction.xyz) > 0.0;
+    float facing = dot(x.geometric_normal, frame.direction.xyz);
+    bool above = forward ? facing > 0.0 : facing < 0.0;
+    LdmBand band = ldm_band(params.self_hit == SELF_HIT_TANGENT_PLANE, frame, map, params.resolution, x.position,
+                            x.geometric_normal, facing > 0.0, self_hit_rule());
+    Around around = Around(0, 0, false, false);
+    if (!band.outside) {
+        around = find_around(band, reach_quanta(frame));
+        write_texel(frame, band);
+    }
+    write_result(frame, x.position, ALONG_V, around.has_behind, float(around.behind) - band.plane,
+                 above && forward);
+    write_result(frame, x.position, AGAINST_V, around.has_before, band.plane - float(around.before),
+                 above && !forward);
+    if (!band.outside) write_sequence(frame, x.position, band, around);
+}

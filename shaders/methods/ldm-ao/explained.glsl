@@ -1,0 +1,47 @@
+// What the programs that explain one pixel share.
+#include "passes/ldm/frames.glsl"
+#include "passes/ldm/storage.glsl"
+#define LDM_VIEWS
+#include "passes/ldm/trace.glsl"
+
+layout(binding = 0) uniform sampler2D position_texture;
+layout(binding = 1) uniform sampler2D normal_texture;
+layout(binding = 2) uniform sampler2D geometric_normal_texture;
+
+uniform ivec2 pixel;  // negative: none
+uniform vec3 scene_min, scene_max;
+
+struct Surface {
+    bool exists;
+    vec3 position, normal, geometric_normal;
+};
+
+Surface explained_surface() {
+    if (pixel.x < 0) return Surface(false, vec3(0.0), vec3(0.0), vec3(0.0));
+    vec3 geometric_normal = texelFetch(geometric_normal_texture, pixel, 0).xyz;
+    return Surface(geometric_normal != vec3(0.0), texelFetch(position_texture, pixel, 0).xyz,
+                   normalize(texelFetch(normal_texture, pixel, 0).xyz), geometric_normal);
+}
+
+LdmRule self_hit_rule() {
+    return LdmRule(params.self_hit_tolerance, params.slope_tolerance, params.normal_offset, params.largest_dip);
+}
+
+/// Beyond any depth, but finite: distances are those of first hits also without a limit.
+const float FAR_QUANTA = 1e7;
+
+float reach_quanta(MapFrame frame) {
+    return params.max_distance > 0.0 ? params.max_distance / frame.direction.w : FAR_QUANTA;
+}
+
+/// Metres to the end of what is drawn of a ray that hits nothing: d_max, or where it leaves the scene's bounds.
+float open_length(vec3 position_ws, vec3 direction) {
+    if (params.max_distance > 0.0) return params.max_distance;
+    float length_ws = distance(scene_min, scene_max);
+    for (int i = 0; i < 3; ++i) {
+        if (direction[i] == 0.0) continue;
+        float wall = direction[i] > 0.0 ? scene_max[i] : scene_min[i];
+        length_ws = min(length_ws, max((wall - position_ws[i]) / direction[i], 0.0));
+    }
+    return length_ws;
+}

@@ -1,0 +1,6 @@
+/// 1 beyond d_max; below it 0 or (d/d_max)². [Aalund15 §3.3]
+float visibility(float distance_ws) {
+    if (params.falloff == FALLOFF_HARD) return 0.0;
+    float part = distance_ws / params.max_distance;
+    return part * part;
+}

@@ -1,0 +1,166 @@
+// The points, layers and directions of layered depth maps that ldm-ao shows.
+#include <numbers>
+#include <numeric>
+
+#include "tests/image/methods/ldm_explain.h"
+
+namespace ir::test {
+namespace {
+
+double sum_of(const Image& image) {
+    return std::accumulate(image.pixels.begin(), image.pixels.end(), 0.0);
+}
+
+Settings built_by(const std::string& builder, const std::string& storage, Settings settings) {
+    settings["builder"] = builder;
+    settings["storage"] = storage;
+    return settings;
+}
+
+/// Metres per quantum of the scene's longest depth range.
+double quantum_of(const scene::World& world) {
+    return glm::length(world.bounds.max - world.bounds.min) / 65000;
+}
+
+TEST_F(LdmExplain, PointsLieOnTheSceneAndAreSortedByTexel) {
+    load("builtin:cornell");
+    const int resolution = 70;
+    for (const std::string builder : {"compute", "raster"})
+        for (const std::string storage : {"arrays", "linked-lists"})
+            for (const int map : {0, 11}) {
+                render(built_by(builder, storage, maps(12, resolution)), choose(map));
+                const auto points = elements("ldm.points");
+                const auto v = elements("ldm.directions").vector(2 * map, "centre");
+                EXPECT_EQ(points.size(), report.counters["ldm.shown_points"]);
+                EXPECT_EQ(points.size(), sum_of(image("ldm.layers")));
+                EXPECT_GT(points.size(), 2000u);
+                const double texel = glm::length(world.bounds.max - world.bounds.min) / resolution;
+                for (std::size_t i = 0; i < points.size(); ++i) {
+                    EXPECT_EQ(points.integer(i, "map"), map);
+                    if (points.integer(i, "layer") > 0) {
+                        EXPECT_EQ(points.integer(i, "layer"), points.integer(i - 1, "layer") + 1);
+                        EXPECT_GE(points.number(i, "depth"), points.number(i - 1, "depth"));
+                    }
+                    const auto normal = points.vector(i, "normal");
+                    EXPECT_NEAR(glm::length(normal), 1, 1e-5);
+                    EXPECT_EQ(points.number(i, "facing"), glm::dot(normal, v) < 0 ? 1 : -1);
+                    if (i % 13 != 0) continue;
+                    // Snapping moves what is seen by 1/256 texel.
+                    const double slope = 1 / std::max(std::abs(glm::dot(normal, v)), 0.01);
+                    double nearest = 1e9;
+                    for (const auto& c : crossings(world, points.vector(i, "position"), v, 0.05))
+                        nearest = std::min(nearest, std::abs(c.distance));
+                    EXPECT_LT(nearest, quantum_of(world) + 0.01 * texel * slope) << i;
+                }
+            }
+}
+
+TEST_F(LdmExplain, FacingAlternatesInAClosedBlock) {
+    load("builtin:crevice");
+    for (const std::string builder : {"compute", "raster"})
+        for (const int map : {0, 3, 9}) {
+            render(built_by(builder, "arrays", maps(12, 100)), choose(map));
+            const auto points = elements("ldm.points");
+            const double quantum = quantum_of(world);
+            std::size_t wrong = 0;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const bool front = points.integer(i, "layer") % 2 == 0;
+                wrong += points.number(i, "facing") != (front ? 1.0f : -1.0f);
+            }
+            // Where an edge's two sides have equal depths, either may come first.
+            std::size_t equal = 0;
+            for (std::size_t i = 1; i < points.size(); ++i)
+                equal += points.integer(i, "layer") > 0 &&
+                         points.number(i, "depth") - points.number(i - 1, "depth") < 0.5 * quantum;
+            EXPECT_LE(wrong, 2 * equal) << builder << map;
+            EXPECT_LT(equal, points.size() / 200) << builder << map;
+            EXPECT_GT(points.size(), 4000u);
+        }
+}
+
+TEST_F(LdmExplain, AllMapsShowAllNodesAlsoInBatchesAndGrownBuffers) {
+    load("builtin:cornell");
+    const auto settings = maps(24, 60);
+    render(settings, choose(Inspection::all));
+    const auto whole = elements("ldm.points");
+    EXPECT_EQ(whole.size(), report.counters["ldm.nodes"]);
+    std::vector<int> seen(24, 0);
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        ++seen.at(static_cast<std::size_t>(whole.integer(i, "map")));
+        ASSERT_NE(whole.number(i, "facing"), 0) << i;
+    }
+    EXPECT_GT(*std::min_element(seen.begin(), seen.end()), 1000);
+    const auto most = image("ldm.layers");
+    // Batches make maps smaller, but not points.
+    std::uint64_t of_points = 0;
+    for (const auto& resource : report.resources)
+        if (resource.key == "ldm.points") of_points = resource.bytes;
+    const auto budget = of_points + (report.peak_memory_bytes - of_points) * 7 / 10;
+
+    graph::FrameOptions options;
+    options.initial_capacity = 0.01;
+    reset();
+    render(settings, choose(Inspection::all), options);
+    EXPECT_EQ(elements("ldm.points").size(), whole.size());
+
+    options = {};
+    options.memory_budget = budget;
+    reset();
+    render(settings, choose(Inspection::all), options);
+    EXPECT_GT(report.counters["batches"], 1);
+    const auto parts = elements("ldm.points");
+    ASSERT_EQ(parts.size(), whole.size());
+    for (std::size_t i = 0; i < whole.size(); i += 11)
+        for (const char* field : {"depth", "layer", "map"})
+            EXPECT_EQ(parts.integer(i, field), whole.integer(i, field)) << field;
+    EXPECT_EQ(image("ldm.layers").pixels, most.pixels);
+    EXPECT_EQ(seen[7], [&] {
+        render(settings, choose(7));
+        return static_cast<int>(elements("ldm.points").size());
+    }());
+}
+
+TEST_F(LdmExplain, ManyMapsShowEverySoManythTexelAndSaySo) {
+    load("builtin:plane");
+    render(maps(200, 90), choose(Inspection::all));
+    const double part = elements("ldm.points").size() / report.counters["ldm.nodes"];
+    EXPECT_LT(part, 0.3);
+    EXPECT_GT(part, 0.1);
+    bool said = false;
+    for (const auto& message : report.messages)
+        said = said || message.text.find("texel has points") != std::string::npos;
+    EXPECT_TRUE(said);
+}
+
+TEST_F(LdmExplain, DirectionsAreThoseOfTheMapsAndTheirOpposites) {
+    load("builtin:cornell");
+    for (const bool turned : {false, true}) {
+        render(maps(33, 16, {{"progressive", turned}}), {}, {}, 3);
+        const auto directions = elements("ldm.directions"), frames = elements("ldm.frames");
+        ASSERT_EQ(directions.size(), 66u);
+        EXPECT_EQ(directions.has("colatitude"), !turned);
+        for (std::size_t i = 0; i < 66; ++i) {
+            const int side = i % 2 == 0 ? 1 : -1;
+            EXPECT_EQ(directions.integer(i, "map"), static_cast<int>(i / 2));
+            EXPECT_EQ(directions.integer(i, "side"), side);
+            const auto centre = directions.vector(i, "centre");
+            EXPECT_LT(glm::length(centre - double(side) * frames.vector(i / 2, "direction")), 1e-6);
+            if (turned) continue;
+            const double colatitude = std::acos(std::clamp(centre.y, -1.0, 1.0));
+            EXPECT_GE(colatitude, directions.number(i, "colatitude", 0) - 1e-5);
+            EXPECT_LE(colatitude, directions.number(i, "colatitude", 1) + 1e-5);
+            const double begin = directions.number(i, "longitude", 0),
+                         end = directions.number(i, "longitude", 1);
+            double longitude = std::atan2(centre.z, centre.x);
+            while (longitude < begin - 1e-5) longitude += 2 * std::numbers::pi;
+            EXPECT_LE(longitude, end + 1e-5);
+            const double area = (std::cos(directions.number(i, "colatitude", 0)) -
+                                 std::cos(directions.number(i, "colatitude", 1))) *
+                                (end - begin);
+            EXPECT_NEAR(area, 2 * std::numbers::pi / 33, 1e-5);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ir::test
