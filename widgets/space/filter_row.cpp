@@ -42,8 +42,7 @@ FilterRow::FilterRow(const Field& field, QWidget* parent) : QWidget(parent), fie
     const auto make_field = [&](const QString& tip) {
         auto* number = new NumberField(this);
         number->set_whole(field.type != FieldType::f32);
-        number->setMinimumWidth(56);
-        number->setMaximumWidth(84);
+        number->setFixedWidth(68);
         number->setButtonSymbols(QAbstractSpinBox::NoButtons);
         number->setToolTip(tip);
         number->setAccessibleName(tip);
@@ -57,6 +56,9 @@ FilterRow::FilterRow(const Field& field, QWidget* parent) : QWidget(parent), fie
     forward_ = make_step(this, Qt::RightArrow, tr("One step up"));
     everything_ = make_button(this, "range", tr("Show every %1").arg(name));
     remove_ = make_button(this, "cancel", tr("Filter by %1 no longer").arg(name));
+    QSizePolicy keeps_place = remove_->sizePolicy();
+    keeps_place.setRetainSizeWhenHidden(true);  // rows with and without it line up
+    remove_->setSizePolicy(keeps_place);
     grid->addWidget(new QLabel(name, this), 0, 0, 1, 2);
     grid->addWidget(low_, 0, 2);
     grid->addWidget(new QLabel(QStringLiteral("–"), this), 0, 3);

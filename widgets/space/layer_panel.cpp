@@ -31,12 +31,13 @@ LayerPanel::LayerPanel(QWidget* parent) : QWidget(parent), model_(new LayersMode
     nothing_->setAlignment(Qt::AlignTop);
     column->addWidget(nothing_);
     details_ = new LayerDetails;
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(details_);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFrameShape(QFrame::NoFrame);
-    column->addWidget(scroll, 1);
+    scroll_ = new QScrollArea(this);
+    scroll_->setWidget(details_);
+    scroll_->setWidgetResizable(true);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    column->addWidget(scroll_, 1);
+    column->addStretch(0);
     connect(model_, &LayersModel::layers_edited, this, [this] {
         show_current();
         emit layers_chosen(model_->layers());
@@ -59,8 +60,10 @@ void LayerPanel::make_list() {
     view_->setUniformRowHeights(true);
     view_->setDragDropMode(QAbstractItemView::InternalMove);
     view_->setAccessibleName(tr("Layers"));
-    view_->setMaximumHeight(168);
-    view_->setMinimumHeight(84);
+    // An empty box to tick must be seen against what lies behind it.
+    QPalette colours = view_->palette();
+    colours.setColor(QPalette::Base, colours.color(QPalette::Button));
+    view_->setPalette(colours);
     view_->header()->setStretchLastSection(false);
     view_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     view_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -225,7 +228,12 @@ void LayerPanel::show_current() {
     const int row = current_layer();
     update_actions();
     nothing_->setVisible(model_->rowCount() == 0);
+    // As high as its rows need, within reason: the rest is the details'.
+    const int line = std::max(20, view_->sizeHintForRow(0));
+    const int rows = std::clamp(model_->rowCount() + 1, 3, 7);
+    view_->setFixedHeight(view_->header()->sizeHint().height() + rows * line);
     details_->setVisible(row >= 0);
+    scroll_->setVisible(row >= 0);
     if (row < 0) return;
     const SpaceLayer& layer = model_->layers()[std::size_t(row)];
     const auto found = ranges_.find(layer.key);

@@ -8,6 +8,7 @@
 
 class QLabel;
 class QMenu;
+class QScrollArea;
 class QToolButton;
 class QTreeView;
 class QVBoxLayout;
@@ -67,6 +68,7 @@ class LayerPanel : public QWidget {
     QAction *remove_, *up_, *down_;
     LayerDetails* details_ = nullptr;
     QLabel* nothing_ = nullptr;
+    QScrollArea* scroll_ = nullptr;
     std::vector<AvailableBuffer> available_;
     std::map<std::string, std::vector<Field>> fields_;
     std::map<std::string, std::vector<std::optional<FieldRange>>> ranges_;

@@ -16,6 +16,9 @@ namespace {
 
 /// A picture that takes longer is drawn in half its size while the camera moves.
 constexpr qint64 slow_ms = 120;
+/// After so long without another one, a picture is drawn once more with smooth edges.
+constexpr int still_ms = 300;
+constexpr int still_oversampling = 2;
 /// Elements are picked up to so far from the cursor, logical pixels.
 constexpr double pick_reach = 3;
 
@@ -47,8 +50,16 @@ SpaceView::SpaceView(QWidget* parent, ImageView::Surface surface)
     settle_timer_.setSingleShot(true);
     connect(&fly_timer_, &QTimer::timeout, this, &SpaceView::fly_step);
     connect(&settle_timer_, &QTimer::timeout, this, &SpaceView::finish_gesture);
+    refine_timer_.setInterval(still_ms);
+    refine_timer_.setSingleShot(true);
+    connect(&refine_timer_, &QTimer::timeout, this, [this] {
+        if (gesture_ || picture_.colour.empty()) return;
+        refine_ = true;
+        pacer_->want();
+    });
     connect(pacer_, &PicturePacer::due, this, &SpaceView::send_request);
-    connect(pacer_, &PicturePacer::late, this, [this] { image_->set_stale(!gesture_); });
+    connect(pacer_, &PicturePacer::late, this,
+            [this] { image_->set_stale(!gesture_ && oversampling_ == 1); });
     update_tools();
 }
 
@@ -105,8 +116,19 @@ void SpaceView::update_tools() {
 
 void SpaceView::scene_updated() {
     update_tools();
-    pacer_->want();
+    want_picture();
     update_overlay();
+}
+
+void SpaceView::refine_later() {
+    // Finer screens need no smoother edges.
+    if (oversampling_ == 1 && devicePixelRatioF() < 1.5) refine_timer_.start();
+}
+
+void SpaceView::want_picture() {
+    refine_ = false;
+    refine_timer_.stop();
+    pacer_->want();
 }
 
 void SpaceView::set_scene(const SpaceScene& scene) {
@@ -122,7 +144,7 @@ void SpaceView::set_layers(const std::vector<SpaceLayer>& layers) {
 }
 
 void SpaceView::refresh() {
-    pacer_->want();
+    want_picture();
 }
 
 QRect SpaceView::picture_area() const {
@@ -136,24 +158,30 @@ QSize SpaceView::wanted_size() const {
 
 void SpaceView::send_request() {
     divisor_ = gesture_ && slow_ ? 2 : 1;
+    oversampling_ = refine_ ? still_oversampling : 1;
     sent_ = scene_;
     if (shows_sphere(scene_)) sent_.camera = sphere_pose_;
     for (SpaceLayer& layer : sent_.layers)
         layer.size_px = float(layer.size_px * devicePixelRatioF() / divisor_);
     const QSize size = wanted_size();
-    emit view_wanted(sent_, {std::max(1, size.width() / divisor_), std::max(1, size.height() / divisor_)});
+    emit view_wanted(sent_, {std::max(1, size.width() / divisor_), std::max(1, size.height() / divisor_)},
+                     oversampling_);
 }
 
 void SpaceView::set_picture(SpacePicture picture) {
     pacer_->answered();
     // Half the size is about a quarter of the time.
-    slow_ = divisor_ == 1 ? pacer_->last_ms() > slow_ms : pacer_->last_ms() * 3 > slow_ms;
+    if (oversampling_ == 1)
+        slow_ = divisor_ == 1 ? pacer_->last_ms() > slow_ms : pacer_->last_ms() * 3 > slow_ms;
     picture_ = std::move(picture);
     if (!sent_.camera) experiment_pose_ = picture_.camera;
     overlay_.note.clear();
     image_->set_image(picture_.colour, Semantic::radiance);
     image_->fit();
-    if (pacer_->is_idle()) image_->set_stale(false);
+    if (pacer_->is_idle()) {
+        image_->set_stale(false);
+        if (!gesture_) refine_later();
+    }
     update_overlay();
     update_hover();
     emit picture_shown(picture_.layers);

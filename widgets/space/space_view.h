@@ -74,8 +74,9 @@ class SpaceView : public QWidget {
 
   signals:
     /// At most one is under way: the next follows when its picture (or note) came, or after 200 ms. Sizes of
-    /// points and lines are in pixels of the picture here.
-    void view_wanted(const ir::widgets::SpaceScene& scene, QSize device_px);
+    /// points and lines are in pixels of the picture here. Oversampling is more than 1 for a picture that has
+    /// stood still for a while.
+    void view_wanted(const ir::widgets::SpaceScene& scene, QSize device_px, int oversampling);
     /// A person changed camera, scene or centres (a gesture counts once, at its end).
     void scene_changed(const ir::widgets::SpaceScene& scene);
     void picture_shown(const std::vector<ir::widgets::LayerInfo>& layers);
@@ -103,6 +104,8 @@ class SpaceView : public QWidget {
     void make_tools();
     void update_tools();
     void scene_updated();
+    void want_picture();
+    void refine_later();
     void send_request();
     void update_overlay();
     void update_hover();
@@ -122,8 +125,10 @@ class SpaceView : public QWidget {
     QToolBar* tools_;
     QAction *experiment_camera_, *free_camera_, *frame_, *show_scene_, *show_centres_;
     PicturePacer* pacer_;
-    int divisor_ = 1;    ///< of the size of the last request: moving pictures may be coarser
-    bool slow_ = false;  ///< pictures take too long to follow a hand
+    int divisor_ = 1;       ///< of the size of the last request: moving pictures may be coarser
+    int oversampling_ = 1;  ///< of the last request
+    bool refine_ = false;   ///< the next request is for the same picture with smooth edges
+    bool slow_ = false;     ///< pictures take too long to follow a hand
     std::optional<CameraPose> experiment_pose_;
     CameraPose sphere_pose_;
     SpaceBox bounds_;
@@ -134,7 +139,7 @@ class SpaceView : public QWidget {
     QPointF last_position_, press_position_;
     bool gesture_ = false, cursor_inside_ = false;
     QSet<int> keys_;
-    QTimer fly_timer_, settle_timer_;
+    QTimer fly_timer_, settle_timer_, refine_timer_;
     QElapsedTimer fly_clock_;
 };
 

@@ -40,7 +40,7 @@ void SpaceView::resizeEvent(QResizeEvent*) {
         },
         Qt::QueuedConnection);
     overlay_widget_->setGeometry(picture_area());
-    pacer_->want();
+    want_picture();
 }
 
 void SpaceView::showEvent(QShowEvent*) {
@@ -55,7 +55,7 @@ void SpaceView::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     // Another screen may have another scale.
     if (event->type() == QEvent::ParentChange || event->type() == QEvent::ScreenChangeInternal) {
-        if (pacer_ && wanted_size() != QSize(picture_.colour.width, picture_.colour.height)) pacer_->want();
+        if (pacer_ && wanted_size() != QSize(picture_.colour.width, picture_.colour.height)) want_picture();
     }
 }
 
@@ -176,7 +176,10 @@ void SpaceView::finish_gesture() {
     settle_timer_.stop();
     if (!gesture_) return;
     gesture_ = false;
-    if (divisor_ > 1) pacer_->want();  // the last picture was a coarse one
+    if (divisor_ > 1)
+        want_picture();  // the last picture was a coarse one
+    else if (pacer_->is_idle())
+        refine_later();
     emit scene_changed(scene_);
 }
 

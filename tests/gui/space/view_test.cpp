@@ -26,9 +26,10 @@ class SpaceViewTest : public testing::Test {
     void SetUp() override {
         space_.experiment.eye = {0, 0, 4};
         QObject::connect(&view_, &SpaceView::view_wanted, &view_,
-                         [this](const SpaceScene& scene, QSize size) {
+                         [this](const SpaceScene& scene, QSize size, int oversampling) {
                              wanted_.push_back(scene);
                              sizes_.push_back(size);
+                             oversamplings_.push_back(oversampling);
                              if (answers_) view_.set_picture(space_.draw(scene, size));
                          });
         scene_.layers = {FakeSpace::layer()};
@@ -68,6 +69,7 @@ class SpaceViewTest : public testing::Test {
     bool answers_ = true;
     std::vector<SpaceScene> wanted_;
     std::vector<QSize> sizes_;
+    std::vector<int> oversamplings_;
 };
 
 TEST_F(SpaceViewTest, AsksForPicturesOfItsSizeInDevicePixels) {
@@ -215,6 +217,18 @@ TEST_F(SpaceViewTest, SlowPicturesAreCoarseOnlyWhileTheCameraMoves) {
     QTest::mouseRelease(&view_, Qt::LeftButton, {}, middle() + QPoint(50, 0));
     ASSERT_TRUE(QTest::qWaitFor([&] { return wanted_.size() == 3; }));
     EXPECT_EQ(sizes_.back(), full);
+}
+
+TEST_F(SpaceViewTest, APictureThatStandsStillBecomesSmoothOnce) {
+    if (view_.devicePixelRatioF() >= 1.5) GTEST_SKIP() << "fine screens need no smoother edges";
+    EXPECT_EQ(oversamplings_.back(), 1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return oversamplings_.back() == 2; }, 2000));
+    const std::size_t count = wanted_.size();
+    QTest::qWait(400);
+    EXPECT_EQ(wanted_.size(), count);
+    drag(Qt::LeftButton, {}, {30, 0});
+    EXPECT_EQ(oversamplings_.back(), 1);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return oversamplings_.back() == 2; }, 2000));
 }
 
 TEST_F(SpaceViewTest, AClickPicksTheElementUnderIt) {
