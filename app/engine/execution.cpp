@@ -164,6 +164,13 @@ FrameReport Execution::run_frame(const graph::FrameOptions& options) {
     return report;
 }
 
+bool Execution::explain(const graph::FrameOptions& options) {
+    if (!inputs_.scene) return false;
+    machine_.context().make_current();
+    inputs_.inspection = inspection_;
+    return graph_->explain(*method_, settings_, inputs_, options);
+}
+
 std::string Execution::world_fingerprint() const {
     std::ostringstream text;
     text << std::hexfloat << scene_->content_hash << '@' << world_time_;

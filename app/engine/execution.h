@@ -74,7 +74,7 @@ class Execution {
     /// returns whether it did.
     bool update(Experiment experiment);
 
-    /// What the next frame explains.
+    /// What the next frame, or explain(), explains.
     void inspect(Inspection inspection) { inspection_ = std::move(inspection); }
 
     /// Back to an empty history; buffers stay.
@@ -82,6 +82,9 @@ class Execution {
 
     /// Runs the next frame. Throws as Graph::run.
     FrameReport run_frame(const graph::FrameOptions& options);
+    /// Computes what the last frame left out, and explains again after inspect(), on the contents of that
+    /// frame. Throws and returns as Graph::explain.
+    bool explain(const graph::FrameOptions& options);
     int committed_frames() const { return frame_; }
 
     graph::Graph& graph() { return *graph_; }

@@ -16,14 +16,22 @@ std::vector<std::string> patterns_of(const LiveRequest& request) {
     return patterns;
 }
 
+/// Whether any resource that a pattern matches satisfies `test`.
+template <class Test>
+bool any_match(const FrameReport& report, const std::string& pattern, Test test) {
+    return std::any_of(report.resources.begin(), report.resources.end(), [&](const auto& resource) {
+        return graph::matches(pattern, resource.key) && test(resource);
+    });
+}
+
 bool contains(const std::vector<std::string>& texts, const std::string& text) {
     return std::find(texts.begin(), texts.end(), text) != texts.end();
 }
 
-bool lacks(const FrameReport& report, const std::string& pattern) {
-    return std::any_of(report.resources.begin(), report.resources.end(), [&](const auto& resource) {
-        return !resource.available && graph::matches(pattern, resource.key);
-    });
+std::vector<std::string> joined(std::vector<std::string> texts, const std::vector<std::string>& more) {
+    for (const auto& text : more)
+        if (!contains(texts, text)) texts.push_back(text);
+    return texts;
 }
 
 }  // namespace
@@ -60,42 +68,89 @@ SceneViewResult LiveSession::draw(const SceneViewRequest& request, std::uint64_t
     return result;
 }
 
-void LiveSession::want(Entry& entry, const LiveRequest& request) {
-    bool missing = false;
-    for (const auto& pattern : patterns_of(request)) {
-        if (contains(entry.wanted, pattern)) continue;
-        entry.wanted.push_back(pattern);
-        missing = missing || lacks(entry.report, pattern);
-    }
-    // What was culled is had by running the same frames again with it.
-    if (missing) entry.execution->restart();
+/// Whether something is asked for that is there in no frame yet because nobody had asked for it.
+bool LiveSession::lacks(const Entry& entry, const LiveRequest& request) {
+    const auto patterns = patterns_of(request);
+    return std::any_of(patterns.begin(), patterns.end(), [&](const auto& pattern) {
+        return !contains(entry.tried, pattern) && any_match(entry.report, pattern, [](const auto& resource) {
+            return !resource.available && !resource.explains;
+        });
+    });
 }
 
-void LiveSession::run_frame(Entry& entry, const LiveRequest& request, const Step& step) {
+/// Whether all explanations asked for are of the request's inspection.
+bool LiveSession::is_explained(const Entry& entry, const LiveRequest& request) {
+    const auto patterns = patterns_of(request);
+    return std::none_of(patterns.begin(), patterns.end(), [&](const auto& pattern) {
+        const bool tried = entry.explained == request.inspection && contains(entry.tried, pattern);
+        return !tried &&
+               any_match(entry.report, pattern, [](const auto& resource) { return resource.explains; });
+    });
+}
+
+graph::FrameOptions LiveSession::frame_options(const Entry& entry, const LiveRequest& request,
+                                               const Step& step) {
     graph::FrameOptions options;
-    options.wanted = entry.wanted;
+    options.wanted = joined(entry.wanted, patterns_of(request));
     options.growth = graph::Growth::next_frame;
     options.memory_budget = request.memory_budget;
     options.cancel = step.cancel;
     options.progress = step.progress;
     options.between_slices = step.between_slices;
     options.rebuild = entry.rebuild;
+    return options;
+}
+
+bool LiveSession::explain(Entry& entry, const LiveRequest& request, const Step& step) {
+    const auto options = frame_options(entry, request, step);
+    entry.explained.reset();
+    if (!entry.execution->explain(options)) return false;
+    entry.report = entry.execution->graph().last_report();
+    entry.tried = options.wanted;
+    entry.explained = request.inspection;
+    return true;
+}
+
+void LiveSession::run_frame(Entry& entry, const LiveRequest& request, const Step& step) {
+    const auto options = frame_options(entry, request, step);
     entry.whole = false;
+    entry.explained.reset();
     entry.report = entry.execution->run_frame(options);
+    entry.tried = options.wanted;
     entry.whole = entry.report.complete;
+    entry.explained = request.inspection;
     entry.rebuild = entry.rebuild && !entry.report.complete;
 }
 
-LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial, const Step& step) {
-    auto& entry = entries_[request.tag];
+void LiveSession::update(Entry& entry, const LiveRequest& request) {
     if (!entry.execution)
         entry.execution = std::make_unique<Execution>(machine_, request.experiment);
     else if (entry.execution->update(request.experiment))
         entry.wanted.clear();  // what nobody looks at any more is not computed again
+    entry.execution->inspect(request.inspection);
+    // Explanations are computed only while they are asked for.
+    const auto& outputs = entry.execution->method().outputs;
+    for (const auto& pattern : patterns_of(request))
+        if (std::none_of(outputs.begin(), outputs.end(), [&](const auto& output) {
+                return output.explains && graph::matches(pattern, output.key);
+            }))
+            entry.wanted = joined(std::move(entry.wanted), {pattern});
+}
+
+LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial, const Step& step) {
+    auto& entry = entries_[request.tag];
+    update(entry, request);
     auto& execution = *entry.execution;
-    execution.inspect(request.inspection);
-    want(entry, request);
-    if (execution.committed_frames() < request.experiment.frames) run_frame(entry, request, step);
+    const bool lacking = execution.committed_frames() > 0 && lacks(entry, request);
+    if (execution.committed_frames() < request.experiment.frames) {
+        // What accumulates has to start with the others.
+        if (lacking) execution.restart();
+        run_frame(entry, request, step);
+    } else if ((lacking || !is_explained(entry, request)) && !explain(entry, request, step)) {
+        // What cannot be computed on the last frame is had by running the same frames again with it.
+        execution.restart();
+        run_frame(entry, request, step);
+    }
     LiveResult result;
     result.tag = request.tag;
     result.serial = serial;

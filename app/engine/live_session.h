@@ -48,12 +48,19 @@ class LiveSession {
         std::unique_ptr<Execution> execution;
         std::unique_ptr<passes::viewers::Viewer> viewer;  ///< made when it is first drawn
         std::vector<std::string> wanted;                  ///< patterns asked for since the history was empty
+        std::vector<std::string> tried;                   ///< what the report's frame was asked for
         FrameReport report;
-        bool rebuild = false;  ///< kept contents are of an older shader
-        bool whole = false;    ///< the contents are those of one complete frame
+        bool rebuild = false;                 ///< kept contents are of an older shader
+        bool whole = false;                   ///< the contents are those of one complete frame
+        std::optional<Inspection> explained;  ///< of the explanations that are there
     };
-    void want(Entry& entry, const LiveRequest& request);
-    void run_frame(Entry& entry, const LiveRequest& request, const Step& step);
+    static bool lacks(const Entry& entry, const LiveRequest& request);
+    static bool is_explained(const Entry& entry, const LiveRequest& request);
+    void update(Entry& entry, const LiveRequest& request);
+    static graph::FrameOptions frame_options(const Entry& entry, const LiveRequest& request,
+                                             const Step& step);
+    static bool explain(Entry& entry, const LiveRequest& request, const Step& step);
+    static void run_frame(Entry& entry, const LiveRequest& request, const Step& step);
 
     Machine& machine_;
     std::map<std::string, Entry> entries_;

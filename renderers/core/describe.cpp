@@ -86,6 +86,8 @@ std::string allowed_text(const ParameterDescription& p) {
     return text;
 }
 
+constexpr const char* explains_text = " Explains the pixel or items that are picked.";
+
 }  // namespace
 
 std::string describe_json(const MethodDescription& method) {
@@ -103,7 +105,14 @@ std::string describe_json(const MethodDescription& method) {
              {"unit", output.unit},
              {"colour_map",
               output.colour_map.empty() ? default_colour_map(output.semantic) : output.colour_map},
-             {"doc", output.doc}});
+             {"doc", output.doc},
+             {"explains", output.explains}});
+    json["selectors"] = Json::array();
+    for (const auto& selector : method.selectors)
+        json["selectors"].push_back({{"key", selector.key},
+                                     {"label", selector.label},
+                                     {"doc", selector.doc},
+                                     {"count", selector.count}});
     return json.dump(2);
 }
 
@@ -128,7 +137,14 @@ std::string describe_markdown(const MethodDescription& method) {
     text += "\n## Outputs\n\n| key | kind | semantic | unit | what it shows |\n|---|---|---|---|---|\n";
     for (const auto& o : method.outputs)
         text += "| `" + o.key + "` | " + to_string(o.kind) + " | " + to_string(o.semantic) + " | " + o.unit +
-                " | **" + o.label + ".** " + o.doc + " |\n";
+                " | **" + o.label + ".** " + o.doc + (o.explains ? explains_text : "") + " |\n";
+    if (method.selectors.empty()) return text;
+    text +=
+        "\n## Selectors\n\nWhat can be looked at one by one.\n\n| key | items | what is chosen "
+        "|\n|---|---|---|\n";
+    for (const auto& selector : method.selectors)
+        text += "| `" + selector.key + "` | 0 … `" + selector.count + "` − 1, or all | **" + selector.label +
+                ".** " + selector.doc + " |\n";
     return text;
 }
 

@@ -11,8 +11,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int max_growths_per_frame = 16;
-
 }  // namespace
 
 Graph::State::~State() {
@@ -36,11 +34,25 @@ const BufferDesc* Graph::buffer_desc(const std::string& key) const {
 }
 
 void Graph::reset_history() {
+    state_->committed.clear();
     state_->pool.forget_history();
 }
 
 const FrameReport& Graph::last_report() const {
     return state_->report;
+}
+
+WorkKey work_of(const Method& method, const Settings& settings, const FrameInputs& inputs,
+                const FrameOptions& options) {
+    return {method.description.id, settings,           inputs.world_fingerprint,
+            inputs.view.width,     inputs.view.height, options.memory_budget};
+}
+
+std::vector<std::string> wanted_of(const Method& method, const FrameOptions& options) {
+    auto wanted = options.wanted;
+    if (!method.description.outputs.empty()) wanted.push_back(method.description.outputs.front().key);
+    wanted.push_back("valid");
+    return wanted;
 }
 
 void Graph::State::begin_frame(const Method& m, const Settings& s, const FrameInputs& i,
@@ -54,12 +66,13 @@ void Graph::State::begin_frame(const Method& m, const Settings& s, const FrameIn
     report.device = device.device();
     report.frame = i.frame;
     growths = 0;
-    WorkKey key{m.description.id, s, i.world_fingerprint, i.view.width, i.view.height, o.memory_budget};
+    auto key = work_of(m, s, i, o);
     if (work_key != key) {
         batches = 1;
         items_per_ms.clear();
     }
     work_key = std::move(key);
+    committed.clear();
     pool.begin_frame();
 }
 
@@ -81,6 +94,7 @@ void Graph::State::run_passes(Graph& graph) {
     prepare_parameters();
     find_cached_passes();
     report.passes.clear();
+    views_ms.assign(builder->passes().size(), 0);
     for (std::size_t i = 0; i < builder->passes().size(); ++i) {
         const auto& pass = builder->passes()[i];
         PassReport row;
@@ -90,8 +104,15 @@ void Graph::State::run_passes(Graph& graph) {
         row.culled = !plan.pass_live[i];
         report.passes.push_back(plan.pass_live[i] && !cached[i] ? run_pass(graph, pass, i) : row);
     }
-    for (auto& pass : report.passes)
-        if (pass.gpu_ms < 0) pass.gpu_ms = device.pass_ms(static_cast<int>(-1 - pass.gpu_ms));
+    resolve_times();
+}
+
+void Graph::State::resolve_times() {
+    for (std::size_t i = 0; i < report.passes.size(); ++i) {
+        auto& ms = report.passes[i].gpu_ms;
+        if (ms < 0) ms = device.pass_ms(static_cast<int>(-1 - ms));
+        ms = std::max(0.0, ms - views_ms[i]);
+    }
 }
 
 void Graph::State::run_attempts(Graph& graph, const std::vector<std::string>& wanted) {
@@ -135,9 +156,7 @@ FrameReport Graph::run(const Method& method, const Settings& settings, const Fra
     auto& s = *state_;
     const auto complete = completed(method.description.parameters, settings);
     const auto start = Clock::now();
-    auto wanted = options.wanted;
-    if (!method.description.outputs.empty()) wanted.push_back(method.description.outputs.front().key);
-    wanted.push_back("valid");
+    const auto wanted = wanted_of(method, options);
     s.begin_frame(method, complete, inputs, options);
     try {
         s.run_attempts(*this, wanted);
@@ -146,7 +165,10 @@ FrameReport Graph::run(const Method& method, const Settings& settings, const Fra
         s.end_frame();
         throw;
     }
-    if (s.report.complete) s.pool.commit();
+    if (s.report.complete) {
+        s.pool.commit();
+        s.committed = wanted;
+    }
     s.report.wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     s.end_frame();
     return s.report;

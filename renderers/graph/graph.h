@@ -54,6 +54,15 @@ class Graph {
     FrameReport run(const Method& method, const Settings& settings, const FrameInputs& inputs,
                     const FrameOptions& options = {});
 
+    /// Computes what the last frame left out, and explains again what depends on the inspection: runs only
+    /// those passes, on the contents of the last committed frame, which must have been made from the same
+    /// settings and inputs but for the inspection. Results, history and frame number stay as they are; the
+    /// report of the last frame then lists what is there. False, and nothing changed, where this cannot be
+    /// had without a frame: none was committed, or something needed is overwritten within the frame, was
+    /// freed, or has a history of its own. Throws as run(); what was being computed is not available then.
+    bool explain(const Method& method, const Settings& settings, const FrameInputs& inputs,
+                 const FrameOptions& options = {});
+
     /// Forgets the committed frames; buffers stay allocated.
     void reset_history();
 

@@ -87,7 +87,8 @@ bool mark(const GraphBuilder& builder, Plan& plan) {
 
 }  // namespace
 
-Plan make_plan(const GraphBuilder& builder, const std::vector<std::string>& wanted) {
+Plan make_plan(const GraphBuilder& builder, const std::vector<std::string>& wanted,
+               const std::vector<std::string>& unwanted) {
     check_order(builder);
     Plan plan;
     plan.pass_live.resize(builder.passes().size());
@@ -97,6 +98,7 @@ Plan make_plan(const GraphBuilder& builder, const std::vector<std::string>& want
     plan.image_history.resize(builder.images().size());
     plan.buffer_history.resize(builder.buffers().size());
     const auto is_wanted = [&](const std::string& key) {
+        if (std::find(unwanted.begin(), unwanted.end(), key) != unwanted.end()) return false;
         return std::any_of(wanted.begin(), wanted.end(),
                            [&](const auto& pattern) { return matches(pattern, key); });
     };

@@ -15,8 +15,10 @@ struct Plan {
 };
 
 /// Checks the declaration (every read resource is written by an earlier pass; history is read only of what is
-/// written) and culls what nobody needs. Throws std::logic_error that names pass and resource.
-Plan make_plan(const GraphBuilder& builder, const std::vector<std::string>& wanted);
+/// written) and culls what nobody needs; resources of the keys `unwanted` are not wanted though a pattern
+/// matches them. Throws std::logic_error that names pass and resource.
+Plan make_plan(const GraphBuilder& builder, const std::vector<std::string>& wanted,
+               const std::vector<std::string>& unwanted = {});
 
 /// The size of an image of this frame.
 gl::ImageShape resolve(const ImageDesc& desc, const scene::View& view);

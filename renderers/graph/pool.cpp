@@ -71,6 +71,11 @@ Physical* Pool::find(const std::string& key) {
     return found == resources_.end() ? nullptr : &found->second;
 }
 
+const Physical* Pool::find(const std::string& key) const {
+    const auto found = resources_.find(key);
+    return found == resources_.end() ? nullptr : &found->second;
+}
+
 void Pool::free(const std::string& key) {
     const auto found = resources_.find(key);
     if (found == resources_.end()) return;
@@ -161,10 +166,21 @@ void Pool::abandon() {
 
 void Pool::commit() {
     for (auto& [key, physical] : resources_) {
+        physical.had_previous = physical.history && physical.produced && physical.before().committed;
         if (!physical.history || !physical.produced) continue;
         physical.now().committed = true;
         physical.before().committed = false;
     }
+}
+
+void Pool::show_previous() {
+    for (auto& [key, physical] : resources_)
+        if (physical.had_previous) physical.before().committed = true;
+}
+
+void Pool::hide_previous() {
+    for (auto& [key, physical] : resources_)
+        if (physical.had_previous) physical.before().committed = false;
 }
 
 void Pool::forget_history() {

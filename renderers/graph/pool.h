@@ -28,8 +28,9 @@ struct Physical {
     bool history = false;
     Copy copies[2];
     int current = 0;
-    std::string fingerprint;  ///< of the contents; empty: valid within the frame only
-    bool produced = false;    ///< written in this frame
+    std::string fingerprint;    ///< of the contents; empty: valid within the frame only
+    bool produced = false;      ///< written in this frame
+    bool had_previous = false;  ///< the last committed frame found a history
 
     Copy& now() { return copies[current]; }
     bool has_contents() const { return copies[current].on_device || copies[current].on_host; }
@@ -54,6 +55,7 @@ class Pool {
     Physical& buffer(const std::string& key, const std::string& label, std::uint64_t element_bytes,
                      std::uint64_t capacity, std::uint64_t estimate, bool history);
     Physical* find(const std::string& key);
+    const Physical* find(const std::string& key) const;
     void free(const std::string& key);
     void free_except(const std::vector<std::string>& keys);
 
@@ -68,6 +70,9 @@ class Pool {
     void begin_frame();    ///< turns committed contents into "previous" ones
     void begin_attempt();  ///< of the same frame: nothing is written yet
     void commit();
+    /// After a commit: what was "previous" in that frame is it again, until hide_previous().
+    void show_previous();
+    void hide_previous();
     void abandon();  ///< a frame that failed: the committed contents are the current ones again
     void forget_history();
     /// Device and host memory of one resource, of all.

@@ -65,12 +65,12 @@ void Graph::State::prepare_access(const Pass& pass, const Pass::Access& access) 
     if (on_gl) copy.host = {};
 }
 
-void Graph::State::serve_views(bool on_gl) {
+void Graph::State::serve_views(bool on_gl, std::size_t index) {
     const auto start = Clock::now();
     options->between_slices();
     if (context && !context->is_current()) context->make_current();
     if (on_gl) reset_gl_state();
-    views_ms += ms_since(start);
+    views_ms[index] += ms_since(start);
 }
 
 void Graph::State::drop_contents(const Pass& pass) {
@@ -109,7 +109,7 @@ int Graph::State::run_slices(const Pass& pass, std::size_t index, PassContext& p
             const double within = pass.items > 0 ? static_cast<double>(begin) / pass.items : 1;
             options->progress(pass.name, (index + within) / builder->passes().size());
         }
-        if (begin < pass.items && options->between_slices) serve_views(on_gl);
+        if (begin < pass.items && options->between_slices) serve_views(on_gl, index);
     } while (begin < pass.items);
     if (sliced && rate > 0) items_per_ms[pass.name] = rate;
     return slices;
@@ -129,7 +129,6 @@ PassReport Graph::State::run_pass(Graph& graph, const Pass& pass, std::size_t in
         device.begin_pass(pass.name);
     }
     const auto start = Clock::now();
-    views_ms = 0;
     try {
         result.slices = run_slices(pass, index, pass_context);
     } catch (...) {
@@ -141,15 +140,12 @@ PassReport Graph::State::run_pass(Graph& graph, const Pass& pass, std::size_t in
         }
         throw;
     }
-    result.cpu_ms = ms_since(start) - views_ms;
+    result.cpu_ms = ms_since(start) - views_ms[index];
     if (on_gl) {
         device.barrier();
         const int ticket = device.end_pass();
         result.gpu_ms = device.software() ? device.pass_ms(ticket) : -1 - ticket;  // resolved after the frame
-        if (device.software()) {
-            result.gpu_ms = std::max(0.0, result.gpu_ms - views_ms);
-            result.cpu_ms = ms_since(start) - views_ms;
-        }
+        if (device.software()) result.cpu_ms = ms_since(start) - views_ms[index];
         delete_framebuffers();
     }
     keep_fingerprints(pass, index);

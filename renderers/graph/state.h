@@ -3,6 +3,7 @@
 #include <atomic>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,11 @@ struct WorkKey {
     bool operator==(const WorkKey&) const = default;
 };
 
+WorkKey work_of(const Method& method, const Settings& settings, const FrameInputs& inputs,
+                const FrameOptions& options);
+/// Patterns of what a frame keeps: what is asked for, the main result and its mask.
+std::vector<std::string> wanted_of(const Method& method, const FrameOptions& options);
+
 /// What a Graph keeps, and what the frame in flight needs. PassContext works on it.
 struct Graph::State {
     State(gl::Device& d, gl::Context* c, gl::ProgramLibrary* p)
@@ -62,6 +68,7 @@ struct Graph::State {
     WorkKey work_key;
     int batches = 1;
     int growths = 0;
+    std::vector<std::string> committed;  ///< wanted of the frame whose contents are there; empty: none
 
     // The frame in flight.
     const Method* method = nullptr;
@@ -78,7 +85,7 @@ struct Graph::State {
     gl::Name parameter_buffer = 0;
     std::uint64_t parameter_bytes = 0;
     CancelToken never_cancelled;
-    double views_ms = 0;  ///< spent on views between the slices of the pass that runs
+    std::vector<double> views_ms;  ///< by pass: spent on views between its slices
 
     FrameReport report;
 
@@ -90,7 +97,22 @@ struct Graph::State {
     void run_attempts(Graph& graph, const std::vector<std::string>& wanted);
     bool divide_further();
     void run_passes(Graph& graph);
+    void resolve_times();
     void end_frame();
+
+    // explain.cpp: some passes again on the contents of the committed frame
+    struct Again {
+        Plan before;               ///< what the committed frame holds
+        std::vector<bool> passes;  ///< that run, of `plan`
+    };
+    std::optional<Again> plan_again(const std::vector<std::string>& wanted);
+    bool may_run_again(const Pass& pass, std::size_t index, const Again& again) const;
+    bool is_held(const Pass::Access& access, const Plan& before) const;
+    bool has_known_counts(const Again& again) const;
+    bool run_again(Graph& graph, const std::vector<std::string>& wanted);
+    void run_passes_again(Graph& graph, const Again& again);
+    void allocate_again(const Again& again);
+    void report_what_is_left();
 
     // frame_memory.cpp
     std::uint64_t capacity_of(const BufferDesc& desc) const;
@@ -117,13 +139,16 @@ struct Graph::State {
     PassReport run_pass(Graph& graph, const Pass& pass, std::size_t index);
     void prepare_access(const Pass& pass, const Pass::Access& access);
     int run_slices(const Pass& pass, std::size_t index, PassContext& pass_context);
-    void serve_views(bool on_gl);
+    void serve_views(bool on_gl, std::size_t index);
     void drop_contents(const Pass& pass);
 
     void fill_report(const std::vector<std::uint64_t>& counts);
     void reset_gl_state() const;
     void delete_framebuffers();
 };
+
+/// A frame that still overflows then never ends.
+inline constexpr int max_growths_per_frame = 16;
 
 /// Distance in bytes between counters in their buffer: a multiple of every driver's binding alignment.
 inline constexpr std::uint64_t counter_stride = 256;

@@ -1,0 +1,243 @@
+#include <algorithm>
+
+#include "renderers/core/error.h"
+#include "renderers/graph/state.h"
+
+namespace ir::graph {
+namespace {
+
+using Kind = Pass::Access::Kind;
+
+bool is_live(const Plan& plan, const Pass::Access& access) {
+    return access.kind == Kind::image    ? plan.image_live[access.index]
+           : access.kind == Kind::buffer ? plan.buffer_live[access.index]
+                                         : plan.object_live[access.index];
+}
+
+bool has_history(const Plan& plan, const Pass::Access& access) {
+    return access.kind == Kind::image    ? plan.image_history[access.index]
+           : access.kind == Kind::buffer ? plan.buffer_history[access.index]
+                                         : false;
+}
+
+/// Outputs that depend on what a person points at.
+std::vector<std::string> explanations(const MethodDescription& method) {
+    std::vector<std::string> keys;
+    for (const auto& output : method.outputs)
+        if (output.explains) keys.push_back(output.key);
+    return keys;
+}
+
+bool contains(const std::vector<std::string>& keys, const std::string& key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+std::vector<std::string> joined(std::vector<std::string> patterns, const std::vector<std::string>& more) {
+    for (const auto& pattern : more)
+        if (!contains(patterns, pattern)) patterns.push_back(pattern);
+    return patterns;
+}
+
+}  // namespace
+
+/// Whether the resource is in the pool as the committed frame left it.
+bool Graph::State::is_held(const Pass::Access& access, const Plan& before) const {
+    if (access.kind == Kind::object) return objects.count(builder->objects()[access.index].text.key) > 0;
+    if (access.kind == Kind::image) {
+        const auto& desc = builder->images()[access.index];
+        const auto* physical = pool.find(desc.text.key);
+        return physical && physical->is_image && physical->shape == resolve(desc, inputs->view) &&
+               physical->history == before.image_history[access.index] && physical->has_contents();
+    }
+    const auto& desc = builder->buffers()[access.index];
+    const auto* physical = pool.find(desc.text.key);
+    return physical && !physical->is_image &&
+           physical->element_bytes == static_cast<std::uint64_t>(stride(desc)) &&
+           physical->capacity == capacity_of(desc) &&
+           physical->history == before.buffer_history[access.index] && physical->has_contents();
+}
+
+bool Graph::State::may_run_again(const Pass& pass, std::size_t index, const Again& again) const {
+    const auto& before = again.before;
+    for (const auto& access : pass.accesses) {
+        if (access.write) {
+            // Running again must neither change what the frame computed nor what the next one builds on.
+            if (is_live(before, access) || has_history(plan, access)) return false;
+            continue;
+        }
+        if (!is_live(before, access)) continue;  // made by a pass that runs again, too
+        if (!is_held(access, before)) return false;
+        if (access.previous) {
+            if (!has_history(before, access)) return false;
+            continue;
+        }
+        for (std::size_t later = index + 1; later < builder->passes().size(); ++later)
+            if (before.pass_live[later])
+                for (const auto& other : builder->passes()[later].accesses)
+                    if (other.write && other.kind == access.kind && other.index == access.index) return false;
+    }
+    return true;
+}
+
+bool Graph::State::has_known_counts(const Again& again) const {
+    std::vector<bool> known(builder->counters().size());
+    for (std::size_t i = 0; i < builder->passes().size(); ++i) {
+        const auto& pass = builder->passes()[i];
+        if (!again.before.pass_live[i] || pass.counters.empty()) continue;
+        const auto counted = counts_of_passes.find(pass.name);
+        if (counted == counts_of_passes.end() || counted->second.size() != pass.counters.size()) return false;
+        for (const auto counter : pass.counters) known[counter.index] = true;
+    }
+    // A counter starts at zero: what adds to one of the frame's own would count wrongly.
+    for (std::size_t i = 0; i < builder->passes().size(); ++i)
+        for (const auto counter : builder->passes()[i].counters)
+            if (again.passes[i] && known[counter.index]) return false;
+    return true;
+}
+
+std::optional<Graph::State::Again> Graph::State::plan_again(const std::vector<std::string>& wanted) {
+    const auto explains = explanations(method->description);
+    Again again;
+    again.before = make_plan(*builder, committed, explains);
+    const auto all = joined(committed, wanted);
+    // Explanations that nobody asks for any more are left alone.
+    std::vector<std::string> unwanted;
+    for (const auto& key : explains)
+        if (std::none_of(wanted.begin(), wanted.end(),
+                         [&](const auto& pattern) { return matches(pattern, key); }))
+            unwanted.push_back(key);
+    plan = make_plan(*builder, all, unwanted);
+    const auto& passes = builder->passes();
+    for (std::size_t i = 0; i < passes.size(); ++i)
+        again.passes.push_back(plan.pass_live[i] && !again.before.pass_live[i]);
+    for (std::size_t i = 0; i < passes.size(); ++i)
+        if (again.passes[i] && !may_run_again(passes[i], i, again)) return {};
+    // What a pass of the frame itself writes cannot be had anew.
+    const auto asked_of_frame = [&](const auto& descs, const std::vector<bool>& live) {
+        for (std::size_t i = 0; i < descs.size(); ++i)
+            if (live[i] && contains(explains, descs[i].text.key) && !contains(unwanted, descs[i].text.key))
+                return true;
+        return false;
+    };
+    if (asked_of_frame(builder->images(), again.before.image_live) ||
+        asked_of_frame(builder->buffers(), again.before.buffer_live) || !has_known_counts(again) ||
+        !fits(plan_memory()))
+        return {};
+    return again;
+}
+
+void Graph::State::allocate_again(const Again& again) {
+    pool.begin_attempt();
+    buffer_descs.clear();
+    for (const auto& desc : builder->buffers()) buffer_descs[desc.text.key] = desc;
+    images.assign(builder->images().size(), nullptr);
+    buffers.assign(builder->buffers().size(), nullptr);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const auto& desc = builder->images()[i];
+        if (again.before.image_live[i])
+            images[i] = pool.find(desc.text.key);
+        else if (plan.image_live[i])
+            images[i] = &pool.image(desc.text.key, desc.text.label, resolve(desc, inputs->view), false);
+    }
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+        const auto& desc = builder->buffers()[i];
+        if (again.before.buffer_live[i])
+            buffers[i] = pool.find(desc.text.key);
+        else if (plan.buffer_live[i])
+            buffers[i] = &pool.buffer(desc.text.key, desc.text.label, stride(desc), capacity_of(desc),
+                                      desc.elements, false);
+    }
+}
+
+void Graph::State::run_passes_again(Graph& graph, const Again& again) {
+    const auto& passes = builder->passes();
+    allocate_again(again);
+    prepare_counters();
+    prepare_parameters();
+    find_cached_passes();
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        if (again.before.pass_live[i]) cached[i] = true;  // for its counters
+        if (again.passes[i] && !cached[i]) drop_contents(passes[i]);
+    }
+    const auto rows_before = std::move(report.passes);
+    report.passes.clear();
+    views_ms.assign(passes.size(), 0);
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        PassReport row;
+        const auto old = std::find_if(rows_before.begin(), rows_before.end(),
+                                      [&](const auto& known) { return known.name == passes[i].name; });
+        if (old != rows_before.end()) row = *old;
+        row.name = passes[i].name;
+        row.queue = passes[i].queue == Queue::gl ? "gl" : "cpu";
+        row.culled = !plan.pass_live[i];
+        row.reads.clear();
+        row.writes.clear();
+        report.passes.push_back(std::move(row));
+    }
+    for (std::size_t i = 0; i < passes.size(); ++i)
+        if (again.passes[i] && !cached[i]) report.passes[i] = run_pass(graph, passes[i], i);
+    resolve_times();
+}
+
+bool Graph::State::run_again(Graph& graph, const std::vector<std::string>& wanted) {
+    for (int attempt = 0; attempt <= max_growths_per_frame; ++attempt) {
+        GraphBuilder declared(*inputs, batches, device.max_buffer_bytes());
+        builder = &declared;
+        method->setup(declared, *settings);
+        const auto again = plan_again(wanted);
+        if (!again) return false;
+        const auto rows_before = report.passes;
+        try {
+            run_passes_again(graph, *again);
+        } catch (...) {
+            drop_unsure_fingerprints();
+            report.passes = rows_before;
+            report_what_is_left();
+            throw;
+        }
+        const auto counts = read_counters();
+        const bool overflow = grow(counts);
+        if (overflow) drop_unsure_fingerprints();
+        fill_report(counts);
+        if (!overflow) return true;
+    }
+    throw Error("method '" + method->description.id + "': buffers still overflow after " +
+                std::to_string(max_growths_per_frame) + " growths; please report this");
+}
+
+void Graph::State::report_what_is_left() {
+    for (auto& resource : report.resources) {
+        if (resource.format == "object") continue;
+        const auto* physical = pool.find(resource.key);
+        resource.available = resource.available && physical && physical->has_contents();
+    }
+}
+
+bool Graph::explain(const Method& method, const Settings& settings, const FrameInputs& inputs,
+                    const FrameOptions& options) {
+    auto& s = *state_;
+    const auto complete = completed(method.description.parameters, settings);
+    if (s.committed.empty() || s.work_key != work_of(method, complete, inputs, options)) return false;
+    const auto wanted = wanted_of(method, options);
+    s.method = &method;
+    s.settings = &complete;
+    s.inputs = &inputs;
+    s.options = &options;
+    s.pool.show_previous();
+    const auto end = [&] {
+        s.pool.hide_previous();
+        s.end_frame();
+    };
+    bool done = false;
+    try {
+        done = s.run_again(*this, wanted);
+    } catch (...) {
+        end();
+        throw;
+    }
+    end();
+    if (done) s.committed = joined(s.committed, wanted);
+    return done;
+}
+
+}  // namespace ir::graph
