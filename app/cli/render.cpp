@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "app/cli/command.h"
+#include "app/cli/inspection.h"
 #include "app/cli/render_project.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/execution.h"
@@ -17,6 +18,7 @@ namespace {
 
 struct Flags {
     MachineFlags machine;
+    InspectionFlags inspection;
     std::string project, scene, method, eye, target, up, camera, environment, out, json;
     std::vector<std::string> experiments, sets, lights, dumps;
     std::string size, seed_text;
@@ -110,18 +112,22 @@ engine::Experiment to_experiment(const Flags& flags) {
 
 int render_scene(const Flags& flags) {
     const auto experiment = to_experiment(flags);
+    const auto inspection = parse_inspection(flags.inspection, experiment);
     if (std::filesystem::path(flags.out).extension() != ".exr")
         throw UsageError("--out '" + flags.out + "' must end in .exr");
     require_folder_of(flags.out, "--out");
     if (!flags.json.empty() && flags.json != "-") require_folder_of(flags.json, "--json");
     engine::Machine machine(machine_options(flags.machine));
     engine::Execution execution(machine, experiment);
+    execution.inspect(inspection);
     const auto options = frame_options(flags.machine, flags.dumps, flags.initial_capacity, !flags.quiet);
     auto report = run_frames(execution, options);
     if (experiment.environment && !find(execution.method().parameters, "environment_light"))
         report.messages.push_back(
             {Severity::note, "render",
              "method '" + experiment.method + "' does not use the environment that --env gives"});
+    for (auto& warning : inspection_warnings(inspection, experiment))
+        report.messages.push_back(std::move(warning));
     warn_of_unmatched(flags.dumps, report);
     write_exr(flags.out, execution.layers(flags.dumps), execution.attributes());
     print_messages(execution, report);
@@ -155,10 +161,16 @@ void add_render(CLI::App& app, Run& run) {
                         "Light that replaces the scene's, such as point:position=0,2,0;flux=40");
     command->add_option("--env", flags->environment, "Environment: an image file, or radiance r,g,b");
     command->add_option("--seed", flags->seed_text, "Seed of everything random");
-    command->add_option("--frames", flags->frames, "Frames to run from empty history")
+    command
+        ->add_option("--frames", flags->frames,
+                     "Frames to run from empty history; each is 1/30 s after the one before")
         ->check(CLI::Range(1, 1000000));
     command->add_option("--time", flags->time, "Time of the first frame in seconds");
     command->add_option("--dump", flags->dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");
+    command->add_option("--pick", flags->inspection.pick,
+                        "Pixel x,y that outputs which explain are computed for");
+    command->add_option("--choose", flags->inspection.chooses,
+                        "Item that such outputs show, such as map=3 or map=all; repeat for more");
     command->add_option("--out", flags->out, "File.exr; for a project a folder")->required();
     command->add_option("--json", flags->json, "File for the statistics; - or nothing: standard output")
         ->expected(0, 1)
@@ -182,7 +194,8 @@ void add_render(CLI::App& app, Run& run) {
                              "with a PROJECT, whose experiments say it; change the project or give --scene "
                              "and --method");
                 return render_project({flags->machine, flags->project, flags->out, flags->experiments,
-                                       flags->dumps, flags->keep, !flags->quiet, flags->json});
+                                       flags->dumps, flags->inspection, flags->keep, !flags->quiet,
+                                       flags->json});
             }
             if (flags->scene.empty() || flags->method.empty())
                 throw UsageError("give a PROJECT, or --scene and --method");

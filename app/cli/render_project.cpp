@@ -40,12 +40,30 @@ Image without_alpha(const Image& image) {
     return result;
 }
 
+/// What the command line got wrong, not the project.
+class WrongFlags : public UsageError {
+    using UsageError::UsageError;
+};
+
+Inspection inspection_of(const ProjectRender& job, const engine::Experiment& experiment) {
+    try {
+        return parse_inspection(job.inspection, experiment);
+    } catch (const UsageError& error) {
+        throw WrongFlags(error.what());
+    }
+}
+
 /// Returns the statistics.
 std::string render_one(const ProjectRender& job, engine::Machine& machine, const projects::Project& project,
                        const projects::Experiment& experiment, const std::filesystem::path& folder,
                        projects::OpenProject* keep_in) {
-    engine::Execution execution(machine, engine::from_project(project, experiment, folder));
-    const auto report = run_frames(execution, frame_options(job.machine, job.dumps, 1, job.show_progress));
+    const auto resolved = engine::from_project(project, experiment, folder);
+    const auto inspection = inspection_of(job, resolved);
+    engine::Execution execution(machine, resolved);
+    execution.inspect(inspection);
+    auto report = run_frames(execution, frame_options(job.machine, job.dumps, 1, job.show_progress));
+    for (auto& warning : inspection_warnings(inspection, resolved))
+        report.messages.push_back(std::move(warning));
     warn_of_unmatched(job.dumps, report);
     const auto stem = std::filesystem::path(job.out) / experiment.id;
     const auto with = [&](const char* extension) { return std::filesystem::path(stem.string() + extension); };
@@ -90,6 +108,10 @@ int render_project(const ProjectRender& job) {
         } catch (const Error& error) {
             std::cerr << "interreflect-cli: " << job.project << ": experiment '" << id
                       << "': " << error.what() << "\n";
+            if (dynamic_cast<const WrongFlags*>(&error)) {
+                status = std::max<int>(status, wrong_usage);
+                continue;
+            }
             const bool file_at_fault =
                 dynamic_cast<const UsageError*>(&error) || dynamic_cast<const InputError*>(&error);
             status = std::max<int>(status, file_at_fault ? bad_input : failed);

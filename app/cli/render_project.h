@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/inspection.h"
 
 namespace ir::cli {
 
@@ -11,6 +12,7 @@ struct ProjectRender {
     MachineFlags machine;
     std::string project, out;
     std::vector<std::string> experiments, dumps;
+    InspectionFlags inspection;
     bool keep = false, show_progress = true;
     std::string json = {};  ///< file for all statistics, by experiment; "-": standard output
 };
