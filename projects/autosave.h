@@ -10,10 +10,9 @@
 
 #include "projects/document_json.h"
 #include "projects/file_system.h"
+#include "projects/store.h"
 
 namespace ir::projects {
-
-inline constexpr const char* autosave_file_name = "project.json.autosave";
 
 /// Writes the document beside the saved one. `base_hash` is the hash of the project.json that the changes
 /// started from (empty: never saved).

@@ -201,6 +201,7 @@ bool OpenProject::holds_lock() {
     if (lock_.is_still_ours()) return true;
     // Somebody cleaned up; whether the document changed meanwhile is seen by its hash.
     if (!lock_.is_gone()) return false;
+    lock_.release();
     lock_ = Lock::acquire(folder_);
     return lock_.is_held();
 }

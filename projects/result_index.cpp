@@ -141,7 +141,7 @@ std::vector<Message> check_results(const ResultIndex& index, const fs::path& pro
             const auto path = project_folder / results_name / file.path;
             std::error_code ignored;
             const std::string where =
-                "result of '" + printable(entry.experiment, 100) + "': " + path.string();
+                "result of '" + printable(entry.experiment, 100) + "': " + printable(path.string(), 400);
             if (!fs::is_regular_file(path, ignored))
                 messages.push_back({Severity::warning, "results", where + " is missing; render it again"});
             else if (!file.content_hash.empty() && hash_file(path) != file.content_hash)

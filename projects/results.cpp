@@ -5,6 +5,7 @@
 #include "projects/document_json.h"
 #include "projects/hash.h"
 #include "projects/scene_files.h"
+#include "projects/text.h"
 
 namespace ir::projects {
 namespace {
@@ -90,7 +91,7 @@ void put_method(Json& inputs, const Experiment& run, const Registry& registry) {
 }
 
 std::string shown(const Json& json) {
-    return json.is_string() ? json.get<std::string>() : canonical_json(json);
+    return printable(json.is_string() ? json.get<std::string>() : canonical_json(json));
 }
 
 void compare(const std::string& path, const Json& before, const Json& now, std::vector<std::string>& out) {
@@ -98,7 +99,9 @@ void compare(const std::string& path, const Json& before, const Json& now, std::
         if (before != now) out.push_back(path + ": " + shown(before) + " → " + shown(now));
         return;
     }
-    const auto inner = [&](const std::string& key) { return path.empty() ? key : path + "." + key; };
+    const auto inner = [&](const std::string& key) {
+        return (path.empty() ? "" : path + ".") + printable(key);
+    };
     for (auto it = before.begin(); it != before.end(); ++it) {
         if (now.contains(it.key()))
             compare(inner(it.key()), *it, now.at(it.key()), out);

@@ -54,9 +54,13 @@ LoadedProject load_project(const fs::path& given, const Registry& registry, File
     try {
         static_cast<ReadProject&>(loaded) = read_project(bytes, file.string(), registry);
     } catch (const InputError& error) {
-        if (!files.exists(loaded.folder / previous_file_name)) throw;
-        throw InputError(std::string(error.what()), "",
-                         std::string("the version before is in ") + previous_file_name);
+        const bool has_previous = files.exists(loaded.folder / previous_file_name);
+        const bool has_autosave = files.exists(loaded.folder / autosave_file_name);
+        if (!has_previous && !has_autosave) throw;
+        std::string left = has_previous ? std::string("the version before is in ") + previous_file_name : "";
+        if (has_autosave)
+            left += (left.empty() ? "" : ", ") + std::string("unsaved changes are in ") + autosave_file_name;
+        throw InputError(error.what(), "", left);
     }
     loaded.file_hash = hash_bytes(bytes);
     return loaded;

@@ -10,6 +10,7 @@ namespace ir::projects {
 
 inline constexpr const char* project_file_name = "project.json";
 inline constexpr const char* previous_file_name = "project.json.previous";
+inline constexpr const char* autosave_file_name = "project.json.autosave";
 inline constexpr const char* folder_suffix = ".interreflect";
 
 /// The folder of a project, given the folder or the project.json inside it. Throws InputError for anything

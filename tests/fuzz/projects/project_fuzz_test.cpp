@@ -1,15 +1,20 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <fstream>
+#include <functional>
 #include <random>
 #include <sstream>
 
+#include "projects/autosave.h"
 #include "projects/check.h"
 #include "projects/document_json.h"
 #include "projects/edits.h"
+#include "projects/hash.h"
 #include "projects/light_spec.h"
 #include "projects/results.h"
+#include "projects/session.h"
 #include "projects/sweep.h"
 #include "renderers/core/error.h"
 
@@ -171,31 +176,142 @@ bool survives(const std::string& text) {
     }
 }
 
-TEST(ProjectFuzz, FiveThousandMutationsOpenOrAreRefusedWithOneLine) {
-    const std::vector<std::string> seeds{file_text("schema-2.json"), file_text("schema-1.json")};
-    Random random(20240501);
+/// Every second mutation is one of the parsed tree, the others are of bytes.
+std::string mutated(const std::string& text, int number, Random& random) {
+    if (number % 2 != 0) return mutate_bytes(text, random);
+    Json json = parse_json(text, "seed");
+    for (std::size_t n = 1 + pick(random, 3); n > 0; --n) mutate_tree(json, random);
+    return json.dump(pick(random, 2) ? 2 : -1);
+}
+
+struct Outcomes {
     int opened = 0, refused = 0;
+};
+
+/// `opens` says whether a mutation was opened; it may refuse but not crash, and not take long.
+Outcomes fuzz(const std::vector<std::string>& seeds, int count, unsigned seed,
+              const std::function<bool(const std::string&)>& opens) {
+    Random random(seed);
+    Outcomes outcomes;
     std::chrono::duration<double> longest{0};
-    for (int i = 0; i < 5000; ++i) {
-        std::string text = seeds[pick(random, seeds.size())];
-        if (i % 2 == 0) {
-            Json json = parse_json(text, "seed");
-            for (std::size_t n = 1 + pick(random, 3); n > 0; --n) mutate_tree(json, random);
-            text = json.dump(pick(random, 2) ? 2 : -1);
-        } else {
-            text = mutate_bytes(text, random);
-        }
+    for (int i = 0; i < count; ++i) {
+        const auto text = mutated(seeds[pick(random, seeds.size())], i, random);
         const auto start = std::chrono::steady_clock::now();
-        (survives(text) ? opened : refused)++;
+        (opens(text) ? outcomes.opened : outcomes.refused)++;
         longest = std::max(longest, std::chrono::duration<double>(std::chrono::steady_clock::now() - start));
-        if (HasFailure()) FAIL() << "mutation " << i << ":\n" << text;
+        if (::testing::Test::HasFailure()) {
+            ADD_FAILURE() << "mutation " << i << ":\n" << text;
+            return outcomes;
+        }
     }
-    // Both outcomes are frequent, or the mutations would test nothing.
-    EXPECT_GT(opened, 500);
-    EXPECT_GT(refused, 500);
     EXPECT_LT(longest.count(), 5);  // generous: sanitizers and busy machines
-    RecordProperty("opened", opened);
-    RecordProperty("refused", refused);
+    return outcomes;
+}
+
+/// Both outcomes are frequent, or the mutations would test nothing.
+void expect_both(const Outcomes& outcomes) {
+    EXPECT_GT(outcomes.opened, (outcomes.opened + outcomes.refused) / 20);
+    EXPECT_GT(outcomes.refused, (outcomes.opened + outcomes.refused) / 20);
+}
+
+void expect_one_line(const std::string& line, const std::string& file) {
+    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+    EXPECT_EQ(line.rfind(file, 0), 0u) << line;
+    EXPECT_LT(line.size(), 1000u) << line;
+}
+
+/// One file in memory; everything else is absent.
+class OneFile final : public FileSystem {
+  public:
+    OneFile(std::filesystem::path name, std::string text) : name_(std::move(name)), text_(std::move(text)) {}
+    bool exists(const std::filesystem::path& path) override { return path == name_; }
+    std::string read(const std::filesystem::path& file, std::size_t) override {
+        if (file != name_) throw InputError(file.string(), "", "cannot be opened");
+        return text_;
+    }
+    std::int64_t modified(const std::filesystem::path&) override { return 0; }
+    std::vector<std::filesystem::path> list(const std::filesystem::path&) override { return {}; }
+    void write(const std::filesystem::path&, std::string_view) override { throw_written(); }
+    void sync(const std::filesystem::path&) override { throw_written(); }
+    void sync_directory(const std::filesystem::path&) override { throw_written(); }
+    void rename(const std::filesystem::path&, const std::filesystem::path&) override { throw_written(); }
+    void remove(const std::filesystem::path&) override { throw_written(); }
+    void remove_all(const std::filesystem::path&) override { throw_written(); }
+    void create_directories(const std::filesystem::path&) override { throw_written(); }
+    void copy(const std::filesystem::path&, const std::filesystem::path&) override { throw_written(); }
+
+  private:
+    [[noreturn]] static void throw_written() { throw std::logic_error("reading must not write"); }
+    std::filesystem::path name_;
+    std::string text_;
+};
+
+// 10,000 mutations in all: of the project file and of what stands beside it.
+
+TEST(ProjectFuzz, SixThousandMutationsOpenOrAreRefusedWithOneLine) {
+    expect_both(fuzz({file_text("schema-2.json"), file_text("schema-1.json")}, 6000, 20240501, survives));
+}
+
+TEST(AutosaveFuzz, FifteenHundredMutationsAreOfferedOrIgnored) {
+    const auto project = read_project(file_text("schema-2.json"), "seed", registry()).project;
+    const Json autosave = {{"base_hash", hash_bytes("base")},
+                           {"contains", {"project.json.recovery-1", "project.json.recovery-2"}},
+                           {"project", to_json(project)}};
+    expect_both(fuzz({pretty_json(autosave)}, 1500, 20240502, [](const std::string& text) {
+        OneFile files(std::filesystem::path("p") / autosave_file_name, text);
+        const auto recovery = find_recovery("p", registry(), files);
+        if (!recovery) return false;
+        EXPECT_EQ(recovery->summary.find('\n'), std::string::npos);
+        const auto written = write_project(recovery->project);
+        EXPECT_EQ(write_project(read_project(written, "again.json", registry()).project), written);
+        return true;
+    }));
+}
+
+TEST(ResultsFuzz, FifteenHundredMutationsAreReadOrRefusedWithOneLine) {
+    Json index = {{"schema", 1}, {"entries", Json::array()}};
+    for (const char* key : {"0011aabb", "2233ccdd"})
+        index["entries"].push_back(
+            {{"key", key},
+             {"experiment", "fog-nave"},
+             {"files",
+              {{{"role", "main"}, {"path", std::string(key) + "/main.exr"}, {"content_hash", "ff"}},
+               {{"role", "statistics"}, {"path", std::string(key) + "/statistics.json"}}}},
+             {"provenance",
+              {{"build", "0.1"}, {"driver", "d"}, {"backend", "egl"}, {"date", "2024-05-01T12:00:00Z"}}},
+             {"inputs", {{"seed", 7}, {"size", {640, 480}}, {"values", {{"samples", 16}}}}}});
+    const auto name = std::filesystem::path("p") / "results" / "index.json";
+    expect_both(fuzz({pretty_json(index)}, 1500, 20240503, [&](const std::string& text) {
+        OneFile files(name, text);
+        try {
+            const auto read = ResultIndex::load("p", files);
+            for (const auto& message : check_results(read, "/nonexistent"))
+                EXPECT_EQ(message.text.find('\n'), std::string::npos) << message.text;
+            for (const auto& entry : read.entries())
+                for (const auto& line : differences(entry.inputs, {{"seed", 8}}))
+                    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+            ResultIndex again;
+            for (const auto& entry : read.entries()) again.put(entry);
+            return true;
+        } catch (const InputError& error) {
+            expect_one_line(error.what(), name.string());
+            return false;
+        }
+    }));
+}
+
+TEST(SessionFuzz, ThousandMutationsGiveAnObject) {
+    const Json session = {{"layout", "compare"},
+                          {"zoom", 2.5},
+                          {"experiment", "fog-nave"},
+                          {"pins", {{1, 2}, {3, 4}}},
+                          {"views", {{{"id", "a"}, {"state", "AAEC"}}, {{"id", "b"}}}}};
+    expect_both(fuzz({pretty_json(session)}, 1000, 20240504, [](const std::string& text) {
+        OneFile files(std::filesystem::path("p") / "session.json", text);
+        const auto read = load_session("p", files);
+        EXPECT_TRUE(read.is_object());
+        return !read.empty();
+    }));
 }
 
 TEST(ProjectFuzz, HostileShapesAreRefusedQuickly) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <random>
+#include <regex>
 #include <set>
 
 #include "projects/document_json.h"
@@ -41,21 +42,21 @@ using Maker = std::function<EditPtr(const Project&, Random&)>;
 
 /// Add, remove, duplicate, rename and move for one list.
 template <class Item>
-void add_list_makers(std::map<std::string, Maker>& makers, const std::string& word,
+void add_list_makers(std::map<std::string, Maker>& makers, const std::string& item,
                      std::vector<Item> Project::*list, const Item& example) {
-    makers["add " + word] = [=](const Project& p, Random& r) {
+    makers["add<" + item + ">"] = [=](const Project& p, Random& r) {
         return edits::add(p, with_new_id(p.*list, example), static_cast<std::size_t>(pick(r, 3)));
     };
-    makers["remove " + word] = [=](const Project& p, Random& r) {
+    makers["remove<" + item + ">"] = [=](const Project& p, Random& r) {
         return edits::remove<Item>(p, any_id(r, p.*list));
     };
-    makers["duplicate " + word] = [=](const Project& p, Random& r) {
+    makers["duplicate<" + item + ">"] = [=](const Project& p, Random& r) {
         return edits::duplicate<Item>(p, any_id(r, p.*list));
     };
-    makers["rename " + word] = [=](const Project& p, Random& r) {
+    makers["rename<" + item + ">"] = [=](const Project& p, Random& r) {
         return edits::rename<Item>(p, any_id(r, p.*list), "name " + std::to_string(pick(r, 1000)));
     };
-    makers["move " + word] = [=](const Project& p, Random& r) {
+    makers["move<" + item + ">"] = [=](const Project& p, Random& r) {
         return edits::move<Item>(p, any_id(r, p.*list), static_cast<std::size_t>(pick(r, 4)));
     };
 }
@@ -72,85 +73,88 @@ Maker changer(std::vector<Item> Project::*list, EditPtr (*change)(const Project&
 }
 
 void add_item_makers(std::map<std::string, Maker>& m) {
-    m["change camera"] = changer(&Project::cameras, edits::change_camera, [](Camera& c, Random& r) {
+    m["change_camera"] = changer(&Project::cameras, edits::change_camera, [](Camera& c, Random& r) {
         c.eye = {real(r), real(r), real(r) + 5};
     });
-    m["change lights"] = changer(&Project::lights, edits::change_lights, [](LightSet& s, Random& r) {
+    m["change_lights"] = changer(&Project::lights, edits::change_lights, [](LightSet& s, Random& r) {
         s.environment.kind = Environment::Kind::constant;
         s.environment.constant = glm::dvec3(real(r));
     });
-    m["change motion"] = changer(&Project::motion, edits::change_motion, [](Motion& motion, Random& r) {
+    m["change_motion"] = changer(&Project::motion, edits::change_motion, [](Motion& motion, Random& r) {
         motion.keys.push_back(Motion::Key{});
         motion.keys.back().time = motion.keys[motion.keys.size() - 2].time + real(r);
     });
-    m["change image"] = changer(&Project::images, edits::change_image,
+    m["change_image"] = changer(&Project::images, edits::change_image,
                                 [](ForeignImage& i, Random& r) { i.notes = std::to_string(pick(r, 99)); });
-    m["change comparison"] = changer(&Project::comparisons, edits::change_comparison,
+    m["change_comparison"] = changer(&Project::comparisons, edits::change_comparison,
                                      [](Comparison& c, Random& r) { c.range = glm::dvec2(0, real(r)); });
-    m["change sweep"] = changer(&Project::sweeps, edits::change_sweep, [](Sweep& s, Random& r) {
+    m["change_sweep"] = changer(&Project::sweeps, edits::change_sweep, [](Sweep& s, Random& r) {
         s.axes.push_back({"seed", {pick(r, 9)}});
     });
-    m["change scene"] = changer(&Project::scenes, edits::change_scene, [](Scene& s, Random& r) {
+    m["change_scene"] = changer(&Project::scenes, edits::change_scene, [](Scene& s, Random& r) {
         s.parts[0].source = "elsewhere/" + std::to_string(pick(r, 99)) + ".glb";
         s.parts[0].materials["stone"].roughness = pick(r, 100) / 100.0;
     });
-    m["project name"] = [](const Project& p, Random& r) {
+    m["set_project_name"] = [](const Project& p, Random& r) {
         return edits::set_project_name(p, "name " + std::to_string(pick(r, 99)));
     };
-    m["project notes"] = [](const Project& p, Random& r) {
+    m["set_notes"] = [](const Project& p, Random& r) {
         return edits::set_notes(p, "notes " + std::to_string(pick(r, 99)));
     };
 }
 
 void add_experiment_makers(std::map<std::string, Maker>& m) {
     const auto id = [](const Project& p, Random& r) { return any_id(r, p.experiments); };
-    m["values"] = [=](const Project& p, Random& r) {
-        return edits::set_values(p, registry(), id(p, r), {{"samples", std::int64_t{1 + pick(r, 8)}}});
+    m["set_values"] = [=](const Project& p, Random& r) {
+        const Settings values = pick(r, 2) ? Settings{{"samples", std::int64_t{1 + pick(r, 8)}}}
+                                           : Settings{{"max_distance", real(r)}, {"falloff", "smooth"}};
+        return edits::set_values(p, registry(), id(p, r), values);
     };
-    m["transport"] = [=](const Project& p, Random& r) {
-        return edits::set_values(p, registry(), id(p, r), {{"max_distance", real(r)}, {"falloff", "smooth"}});
-    };
-    m["reset value"] = [=](const Project& p, Random& r) {
+    m["reset_value"] = [=](const Project& p, Random& r) {
         return edits::reset_value(p, registry(), id(p, r), "samples");
     };
-    m["method"] = [=](const Project& p, Random& r) {
+    m["set_method"] = [=](const Project& p, Random& r) {
         return edits::set_method(p, registry(), id(p, r), pick(r, 2) ? "fog" : "plain");
     };
-    m["copy transport"] = [=](const Project& p, Random& r) {
+    m["copy_transport"] = [=](const Project& p, Random& r) {
         return edits::copy_transport(p, registry(), id(p, r), id(p, r));
     };
-    m["scene of"] = [=](const Project& p, Random& r) {
+    m["set_scene_of"] = [=](const Project& p, Random& r) {
         return edits::set_scene_of(p, id(p, r), any_id(r, p.scenes));
     };
-    m["camera of"] = [=](const Project& p, Random& r) {
+    m["set_camera_of"] = [=](const Project& p, Random& r) {
         return edits::set_camera_of(p, id(p, r), any_id(r, p.cameras));
     };
-    m["lights of"] = [=](const Project& p, Random& r) {
+    m["set_lights_of"] = [=](const Project& p, Random& r) {
         return edits::set_lights_of(p, id(p, r), pick(r, 2) ? scene_lights : any_id(r, p.lights));
     };
-    m["size"] = [=](const Project& p, Random& r) {
+    m["set_size"] = [=](const Project& p, Random& r) {
         return edits::set_size(p, id(p, r), {1 + pick(r, 999), 1 + pick(r, 999)});
     };
-    m["seed"] = [=](const Project& p, Random& r) {
+    m["set_seed"] = [=](const Project& p, Random& r) {
         return edits::set_seed(p, id(p, r), static_cast<std::uint64_t>(pick(r, 99)));
     };
-    m["frames"] = [=](const Project& p, Random& r) { return edits::set_frames(p, id(p, r), 1 + pick(r, 9)); };
-    m["time"] = [=](const Project& p, Random& r) { return edits::set_time(p, id(p, r), real(r)); };
-    m["experiment notes"] = [=](const Project& p, Random& r) {
+    m["set_frames"] = [=](const Project& p, Random& r) {
+        return edits::set_frames(p, id(p, r), 1 + pick(r, 9));
+    };
+    m["set_time"] = [=](const Project& p, Random& r) { return edits::set_time(p, id(p, r), real(r)); };
+    m["set_experiment_notes"] = [=](const Project& p, Random& r) {
         return edits::set_experiment_notes(p, id(p, r), std::to_string(pick(r, 99)));
     };
-    m["reference"] = [=](const Project& p, Random& r) { return edits::set_reference(p, id(p, r), id(p, r)); };
-    m["active preset"] = [=](const Project& p, Random& r) {
+    m["set_reference"] = [=](const Project& p, Random& r) {
+        return edits::set_reference(p, id(p, r), id(p, r));
+    };
+    m["set_active_preset"] = [=](const Project& p, Random& r) {
         const char* names[] = {"", "paper", "preview"};
         return edits::set_active_preset(p, id(p, r), names[pick(r, 3)]);
     };
-    m["preset"] = [=](const Project& p, Random& r) {
+    m["set_preset"] = [=](const Project& p, Random& r) {
         Preset preset;
         preset.size = glm::ivec2(1 + pick(r, 99), 8);
         preset.values["samples"] = std::int64_t{1 + pick(r, 8)};
         return edits::set_preset(p, registry(), id(p, r), pick(r, 2) ? "paper" : "preview", preset);
     };
-    m["remove preset"] = [=](const Project& p, Random& r) {
+    m["remove_preset"] = [=](const Project& p, Random& r) {
         return edits::remove_preset(p, id(p, r), pick(r, 2) ? "paper" : "preview");
     };
     m["group"] = [=](const Project& p, Random& r) {
@@ -165,51 +169,116 @@ void add_experiment_makers(std::map<std::string, Maker>& m) {
     };
 }
 
-/// One maker for every edit that there is.
+/// A generator of random edits for every maker in edits.h, by its name there.
 std::map<std::string, Maker> all_makers() {
     const auto sample = sample_project();
     std::map<std::string, Maker> makers;
-    add_list_makers(makers, "scene", &Project::scenes, sample.scenes[0]);
-    add_list_makers(makers, "camera", &Project::cameras, sample.cameras[0]);
-    add_list_makers(makers, "lights", &Project::lights, sample.lights[0]);
-    add_list_makers(makers, "motion", &Project::motion, sample.motion[0]);
-    add_list_makers(makers, "image", &Project::images, sample.images[0]);
-    add_list_makers(makers, "experiment", &Project::experiments, sample.experiments[0]);
-    add_list_makers(makers, "comparison", &Project::comparisons, sample.comparisons[0]);
-    add_list_makers(makers, "sweep", &Project::sweeps, sample.sweeps[0]);
+    add_list_makers(makers, "Scene", &Project::scenes, sample.scenes[0]);
+    add_list_makers(makers, "Camera", &Project::cameras, sample.cameras[0]);
+    add_list_makers(makers, "LightSet", &Project::lights, sample.lights[0]);
+    add_list_makers(makers, "Motion", &Project::motion, sample.motion[0]);
+    add_list_makers(makers, "ForeignImage", &Project::images, sample.images[0]);
+    add_list_makers(makers, "Experiment", &Project::experiments, sample.experiments[0]);
+    add_list_makers(makers, "Comparison", &Project::comparisons, sample.comparisons[0]);
+    add_list_makers(makers, "Sweep", &Project::sweeps, sample.sweeps[0]);
     add_item_makers(makers);
     add_experiment_makers(makers);
     return makers;
 }
 
-TEST(Edits, RandomEditsOfEveryKindUndoAndRedoToTheByte) {
-    const auto makers = all_makers();
-    std::set<std::string> made;
-    for (unsigned seed = 1; seed <= 8; ++seed) {
-        Random random(seed);
-        Project project = sample_project();
-        UndoStack stack;
-        std::vector<std::string> texts{write_project(project)};
-        for (int i = 0; i < 250; ++i) {
-            const auto maker = std::next(makers.begin(), pick(random, static_cast<int>(makers.size())));
-            const auto before = write_project(project);
-            try {
-                const auto position = stack.position();
-                if (!stack.push(project, maker->second(project, random))) {
-                    EXPECT_EQ(write_project(project), before) << maker->first;
-                    continue;
-                }
-                made.insert(maker->first);
-                // A step may merge with the one before, or cancel it out.
-                texts.resize(std::min(position, stack.position()) + (stack.position() >= position ? 1 : 0));
-                texts.resize(stack.position());
-                texts.push_back(write_project(project));
-            } catch (const UsageError&) {
-                EXPECT_EQ(write_project(project), before) << maker->first;  // refused: nothing changed
-            }
+std::set<std::string> matches(const std::string& text, const std::string& pattern) {
+    const std::regex regex(pattern);
+    std::set<std::string> found;
+    for (std::sregex_iterator match(text.begin(), text.end(), regex), end; match != end; ++match)
+        found.insert((*match)[1]);
+    return found;
+}
+
+/// The makers as the header declares them, templates once for each list of the document.
+std::set<std::string> declared_makers() {
+    const auto header = testing::read_text(SOURCE_ROOT "/projects/edits.h");
+    const auto document = testing::read_text(SOURCE_ROOT "/projects/document.h");
+    const auto lists = document.substr(document.find("struct Project {"));
+    const auto items = matches(lists.substr(0, lists.find("};")), "std::vector<(\\w+)> \\w+;");
+    const auto templates = matches(header, "template <class Item>\\s+EditPtr (\\w+)\\(");
+    std::set<std::string> declared;
+    for (const auto& name : matches(header, "EditPtr (\\w+)\\(")) {
+        if (templates.count(name) == 0) declared.insert(name);
+        if (templates.count(name) != 0)
+            for (const auto& item : items) declared.insert(name + "<" + item + ">");
+    }
+    return declared;
+}
+
+TEST(Edits, EveryMakerInTheHeaderIsTestedBelow) {
+    std::set<std::string> tested;
+    for (const auto& [name, maker] : all_makers()) tested.insert(name);
+    const auto declared = declared_makers();
+    EXPECT_GT(declared.size(), 60u);
+    EXPECT_EQ(tested, declared) << "give each maker of edits.h a generator of random edits";
+}
+
+/// The sample with keys from the future wherever the format keeps them, values of no known type, and presets.
+Project rich_project() {
+    Json json = to_json(sample_project());
+    std::vector<Json*> open{&json};
+    while (!open.empty()) {
+        Json& at = *open.back();
+        open.pop_back();
+        std::vector<Json*> inner;
+        for (auto it = at.begin(); it != at.end(); ++it) {
+            const bool is_list_of_names =
+                at.is_object() && (it.key() == "presets" || it.key() == "materials");
+            if (is_list_of_names)
+                for (auto& named : *it) inner.push_back(&named);
+            else if (it->is_structured())
+                inner.push_back(&*it);
         }
-        // What edits produce can be saved and opened again.
+        open.insert(open.end(), inner.begin(), inner.end());
+        // Last: it moves the members.
+        if (at.is_object() && inner.empty()) at["from_the_future"] = {{"deep", {1, 2.5, "x", nullptr}}};
+    }
+    json["from_the_future"] = true;
+    json["experiments"][0]["from_the_future"] = "kept";
+    json["experiments"][0]["presets"]["paper"]["from_the_future"] = 1.5;
+    return testing::read(pretty_json(json)).project;
+}
+
+/// A document with its history and the text of every state that undo and redo can reach.
+class Walk {
+  public:
+    explicit Walk(unsigned seed) : random(seed) {}
+
+    Random random;
+    Project project = rich_project();
+    UndoStack stack;
+    std::vector<std::string> texts{write_project(project)};
+
+    /// Whether the edit was valid and changed something; when not, nothing did.
+    bool push(const std::string& name, const Maker& maker) {
+        const auto before = texts.back();
+        const auto position = stack.position();
+        try {
+            if (!stack.push(project, maker(project, random))) {
+                EXPECT_EQ(write_project(project), before) << name;
+                return false;
+            }
+        } catch (const UsageError& error) {
+            EXPECT_EQ(write_project(project), before) << name;
+            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+            return false;
+        }
+        // A step may merge with the one before, or cancel it out.
+        texts.resize(std::min(position, stack.position()) + (stack.position() >= position ? 1 : 0));
+        texts.resize(stack.position());
+        texts.push_back(write_project(project));
+        return true;
+    }
+
+    /// To the start and back again, every state to the byte.
+    void undo_and_redo_all() {
         const auto last = write_project(project);
+        // What edits produce can be saved and opened again.
         EXPECT_EQ(write_project(testing::read(last).project), last);
         ASSERT_EQ(texts.size(), stack.position() + 1);
         for (std::size_t at = stack.position(); at > 0; --at) {
@@ -217,13 +286,56 @@ TEST(Edits, RandomEditsOfEveryKindUndoAndRedoToTheByte) {
             ASSERT_EQ(write_project(project), texts[at - 1]) << "undoing " << stack.redo_label();
         }
         EXPECT_FALSE(stack.can_undo());
+        EXPECT_TRUE(stack.is_clean());
+        EXPECT_EQ(project, rich_project());
         for (std::size_t at = 1; at < texts.size(); ++at) {
             stack.redo(project);
             ASSERT_EQ(write_project(project), texts[at]) << "redoing " << stack.undo_label();
         }
         EXPECT_EQ(write_project(project), last);
+        EXPECT_FALSE(stack.can_redo());
     }
-    for (const auto& [name, maker] : makers) EXPECT_EQ(made.count(name), 1u) << name << " was never made";
+};
+
+TEST(Edits, TwelveOfEveryKindUndoAndRedoToTheByte) {
+    const auto makers = all_makers();
+    unsigned seed = 0;
+    for (const auto& [name, maker] : makers) {
+        Walk walk(++seed);
+        int made = 0;
+        for (int tries = 0; made < 12 && tries < 400; ++tries) {
+            const bool is_made = walk.push(name, maker);
+            made += is_made;
+            walk.stack.end_gesture();  // each a step of its own
+            if (is_made) continue;
+            // Something new to work on: removing runs out of what nothing refers to, and the like.
+            const auto item = name.find('<');
+            const auto useful = item == std::string::npos ? "set_values" : "add" + name.substr(item);
+            const auto other = tries % 2 == 0 ? makers.find(useful)
+                                              : std::next(makers.begin(),
+                                                          pick(walk.random, static_cast<int>(makers.size())));
+            walk.push(other->first, other->second);
+            walk.stack.end_gesture();
+        }
+        EXPECT_GE(made, 12) << name;
+        walk.undo_and_redo_all();
+        if (HasFailure()) FAIL() << name;
+    }
+}
+
+TEST(Edits, LongMixturesWithMergesUndoAndRedoToTheByte) {
+    const auto makers = all_makers();
+    for (unsigned seed = 1; seed <= 2; ++seed) {
+        Walk walk(seed);
+        std::size_t changes = 0;
+        for (int i = 0; i < 200; ++i) {
+            const auto maker = std::next(makers.begin(), pick(walk.random, static_cast<int>(makers.size())));
+            for (int drag = pick(walk.random, 3); drag >= 0; --drag)
+                changes += walk.push(maker->first, maker->second);
+        }
+        EXPECT_GT(changes, walk.stack.position()) << "some must merge";
+        walk.undo_and_redo_all();
+    }
 }
 
 TEST(Edits, ValuesGoWhereTheUserSeesThem) {
@@ -265,7 +377,7 @@ TEST(Edits, RefuseWithOneLine) {
     } catch (const UsageError& error) {
         EXPECT_EQ(
             std::string(error.what()),
-            "experiment 'plain-nave' is used by comparison 'both', experiment 'fog-nave'; change or remove "
+            "experiment 'Plain' is used by comparison 'Both', experiment 'Fog in the nave'; change or remove "
             "them first");
     }
 }
