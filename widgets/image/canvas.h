@@ -2,8 +2,10 @@
 
 #include <QColor>
 #include <QWidget>
+#include <array>
 
 #include "widgets/image/display.h"
+#include "widgets/image/prepared_picture.h"
 #include "widgets/image/view_transform.h"
 
 namespace ir::widgets {
@@ -13,17 +15,28 @@ inline constexpr QColor surround_colour{118, 118, 118};
 
 /// What a canvas draws. Owned by the view, read by its canvas.
 struct CanvasState {
-    Image image;  ///< as it arrived
-    Image shown;  ///< at most four channels of it
-    Display display;
-    Semantic semantic = Semantic::generic;
+    /// The picture, and the one right of the divider (empty: there is no divider).
+    std::array<PreparedPicture, 2> pictures;
     ViewTransform transform;
-    bool pixel_grid = true;
-    QString note;           ///< instead of a picture: why there is none
-    QString hint;           ///< in the bottom left corner: how the tool is used
-    bool stale = false;     ///< a newer picture is being rendered
-    QPoint picked{-1, -1};  ///< marked pixel; negative: none
+    double wipe = 0.5;  ///< the divider, a fraction of the picture's width
+    bool pixel_grid = true, legend = false;
+    QString label, second_label;  ///< in the top corners
+    QString note;                 ///< instead of a picture: why there is none
+    QString hint;                 ///< in the bottom left corner: how the tool is used
+    bool stale = false;           ///< a newer picture is being rendered
+    QPoint picked{-1, -1};        ///< marked pixel; negative: none
+    QPoint cursor_mark{-1, -1};   ///< where the cursor is in a linked view; negative: nowhere
+
+    bool has_image() const { return !pictures[0].empty(); }
+    bool has_divider() const { return has_image() && !pictures[1].empty(); }
+    /// View x of the divider in whole device pixels; the right edge of the view without one.
+    int divider_x() const;
+    /// The picture that is seen at a pixel.
+    const PreparedPicture& at(QPointF image_px) const;
 };
+
+/// Half the width of a stripe of the zebra and a field of the chequer, device pixels.
+int pattern_half(qreal pixel_ratio);
 
 /// The surface that a picture is drawn on: OpenGL where there is one, a plain widget elsewhere. Both draw the
 /// same.
@@ -31,9 +44,10 @@ class Canvas {
   public:
     virtual ~Canvas() = default;
     virtual QWidget* widget() = 0;
-    virtual void image_changed() = 0;
-    virtual void display_changed() = 0;
+    /// Pictures, displays, place or divider changed. What is on the graphics card already stays there.
+    virtual void state_changed() = 0;
     virtual const char* kind() const = 0;  ///< "OpenGL" or "raster"
+    virtual int upload_count() const = 0;
 };
 
 /// OpenGL where a context can be made (a shown QOpenGLWidget crashes Qt where it cannot), else raster.
@@ -42,8 +56,10 @@ Canvas* make_gl_canvas(const CanvasState& state, QWidget* parent);
 Canvas* make_raster_canvas(const CanvasState& state, QWidget* parent);
 bool has_opengl();
 
-/// Pixel grid, numbers in pixels, hint, note and stale badge: a transparent widget that lies over either
-/// surface.
+/// Everything over the picture (labels, divider, grid, numbers, marks, hint, note, legend) on a painter whose
+/// unit is a device pixel.
+void paint_overlay(QPainter& painter, const CanvasState& state, qreal pixel_ratio);
+/// A transparent widget with that, which lies over either surface.
 QWidget* make_overlay(const CanvasState& state, QWidget* parent);
 
 }  // namespace ir::widgets

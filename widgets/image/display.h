@@ -53,6 +53,9 @@ Display display_for(Semantic semantic, const std::string& colour_map, const Imag
 
 /// The encoded colour of one pixel with `channels` values.
 std::array<unsigned char, 3> shade(const Display& display, const float* pixel, int channels);
+/// Which stripes the zebra draws at a pixel (whether or not it is on); none over a marked bad value.
+enum class OutOfRange { no, below, above };
+OutOfRange out_of_range(const Display& display, const float* pixel, int channels);
 QImage to_qimage(const Image& image, const Display& display);
 
 /// The channels that a view shows at once: all of an image with up to four, else four from the chosen one on.

@@ -17,6 +17,8 @@ constexpr double radians_per_view = std::numbers::pi;
 constexpr double zoom_step = 1.25;
 /// A camera that was moved by wheel or keys is left alone after so long.
 constexpr int settle_ms = 350;
+/// Logical pixels on either side of the divider that take hold of it.
+constexpr double divider_reach = 7;
 
 bool is_fly_key(int key) {
     return key == Qt::Key_W || key == Qt::Key_A || key == Qt::Key_S || key == Qt::Key_D || key == Qt::Key_Q ||
@@ -44,41 +46,8 @@ ImageView::ImageView(QWidget* parent, Surface surface) : QWidget(parent) {
     update_cursor_shape();
 }
 
-void ImageView::set_image(Image image, Semantic semantic) {
-    state_.image = std::move(image);
-    state_.semantic = semantic;
-    state_.note.clear();
-    state_.shown = shown_channels(state_.image, state_.display.channel);
-    state_.transform.set_image_size(QSizeF(state_.image.width, state_.image.height));
-    canvas_->image_changed();
-    overlay_->update();
-    emit zoom_changed(state_.transform.zoom());
-}
-
-void ImageView::set_note(const QString& note) {
-    state_.image = state_.shown = {};
-    state_.note = note;
-    canvas_->image_changed();
-    overlay_->update();
-}
-
-void ImageView::set_display(const Display& display) {
-    if (display == state_.display) return;
-    const bool other_channels = display.channel != state_.display.channel && state_.image.channels > 4;
-    state_.display = display;
-    if (other_channels) state_.shown = shown_channels(state_.image, display.channel);
-    other_channels ? canvas_->image_changed() : canvas_->display_changed();
-    overlay_->update();
-}
-
-void ImageView::set_stale(bool stale) {
-    if (stale == state_.stale) return;
-    state_.stale = stale;
-    repaint_all();
-}
-
 void ImageView::repaint_all() {
-    canvas_->widget()->update();
+    canvas_->state_changed();
     overlay_->update();
 }
 
@@ -101,20 +70,23 @@ void ImageView::update_hint() {
 }
 
 void ImageView::update_cursor_shape() {
-    if (drag_ == Drag::pan || space_)
+    if (drag_ == Drag::wipe || (drag_ == Drag::none && !space_ && over_divider_))
+        setCursor(Qt::SplitHCursor);
+    else if (drag_ == Drag::pan || space_)
         setCursor(drag_ == Drag::pan ? Qt::ClosedHandCursor : Qt::OpenHandCursor);
     else
         setCursor(tool_ == Tool::inspect ? Qt::CrossCursor : Qt::SizeAllCursor);
 }
 
-void ImageView::transform_changed() {
+void ImageView::finish_transform() {
     repaint_all();
     emit zoom_changed(state_.transform.zoom());
+    emit transform_changed(state_.transform);
 }
 
 void ImageView::fit() {
     state_.transform.fit();
-    transform_changed();
+    finish_transform();
 }
 
 void ImageView::actual_pixels() {
@@ -123,7 +95,7 @@ void ImageView::actual_pixels() {
 
 void ImageView::look_at(QPointF image_px, double zoom) {
     state_.transform.look_at(image_px, zoom);
-    transform_changed();
+    finish_transform();
 }
 
 void ImageView::zoom_in() {
@@ -142,15 +114,14 @@ void ImageView::set_pixel_grid(bool on) {
 QPoint ImageView::pixel_at(QPointF logical) const {
     const QPointF at = state_.transform.image_from_view(device(logical));
     const QPoint pixel(int(std::floor(at.x())), int(std::floor(at.y())));
-    const bool inside =
-        pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < state_.image.width && pixel.y() < state_.image.height;
-    return inside ? pixel : QPoint(-1, -1);
+    const QRect picture(QPoint(0, 0), state_.transform.image_size().toSize());
+    return state_.has_image() && picture.contains(pixel) ? pixel : QPoint(-1, -1);
 }
 
 void ImageView::resizeEvent(QResizeEvent*) {
     overlay_->setGeometry(rect());
     state_.transform.set_view_size(QSizeF(size()) * devicePixelRatioF());
-    transform_changed();
+    finish_transform();
 }
 
 void ImageView::changeEvent(QEvent* event) {
@@ -161,6 +132,7 @@ void ImageView::changeEvent(QEvent* event) {
 
 ImageView::Drag ImageView::drag_for(const QMouseEvent& event) const {
     if (event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && space_)) return Drag::pan;
+    if (event.button() == Qt::LeftButton && is_over_divider(event.position())) return Drag::wipe;
     if (tool_ == Tool::inspect)
         return event.button() == Qt::LeftButton    ? Drag::pick
                : event.button() == Qt::RightButton ? Drag::pan
@@ -181,13 +153,40 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
     last_position_ = event->position();
     // A press that wanders off is no pick but a pan.
     if (drag_ == Drag::pick && (event->position() - press_position_).manhattanLength() > 4) drag_ = Drag::pan;
-    if (drag_ == Drag::pan) {
+    if (drag_ == Drag::wipe) {
+        const QPointF at = state_.transform.image_from_view(device(event->position()));
+        move_wipe(at.x() / state_.transform.image_size().width());
+    } else if (drag_ == Drag::pan) {
         state_.transform.pan(device(delta));
-        transform_changed();
+        finish_transform();
     } else if (drag_ == Drag::orbit || drag_ == Drag::slide || drag_ == Drag::look) {
         drag_camera(delta);
     }
+    const bool over = is_over_divider(event->position());
+    if (over != over_divider_) {
+        over_divider_ = over;
+        update_cursor_shape();
+    }
     emit cursor_moved(pixel_at(event->position()));
+}
+
+bool ImageView::is_over_divider(QPointF logical) const {
+    if (!state_.has_divider()) return false;
+    const double y = device(logical).y(), top = state_.transform.offset().y();
+    const double bottom = top + state_.transform.image_size().height() * state_.transform.zoom();
+    const double reach = divider_reach * devicePixelRatioF();
+    return y >= top && y < bottom && std::abs(device(logical).x() - state_.divider_x()) <= reach;
+}
+
+void ImageView::move_wipe(double fraction) {
+    const double before = state_.wipe;
+    set_wipe(fraction);
+    if (state_.wipe != before) emit wipe_moved(state_.wipe);
+}
+
+void ImageView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && is_over_divider(event->position())) return move_wipe(0.5);
+    mousePressEvent(event);
 }
 
 void ImageView::drag_camera(QPointF delta) {
@@ -195,7 +194,8 @@ void ImageView::drag_camera(QPointF delta) {
     if (drag_ == Drag::orbit) move_camera(orbited(pose_, -delta.x() * turn, delta.y() * turn));
     if (drag_ == Drag::look) move_camera(looked(pose_, -delta.x() * turn / 2, -delta.y() * turn / 2));
     if (drag_ == Drag::slide) {
-        const double shown = state_.image.height * state_.transform.zoom() / devicePixelRatioF();
+        const double shown =
+            state_.transform.image_size().height() * state_.transform.zoom() / devicePixelRatioF();
         const double scale = 1 / std::max(1.0, shown);
         move_camera(slid(pose_, -delta.x() * scale, delta.y() * scale));
     }
@@ -222,7 +222,7 @@ void ImageView::wheelEvent(QWheelEvent* event) {
     } else {
         state_.transform.zoom_about(device(event->position()),
                                     state_.transform.zoom() * std::pow(zoom_step, steps));
-        transform_changed();
+        finish_transform();
         emit cursor_moved(pixel_at(event->position()));
     }
     event->accept();
@@ -240,6 +240,11 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
             fly_timer_.start();
         }
         return;
+    }
+    const bool sideways = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
+    if (state_.has_divider() && sideways) {
+        const double step = event->modifiers() & Qt::ShiftModifier ? 0.1 : 0.01;
+        return move_wipe(state_.wipe + (event->key() == Qt::Key_Left ? -step : step));
     }
     QWidget::keyPressEvent(event);
 }
@@ -285,6 +290,11 @@ void ImageView::finish_gesture() {
 
 void ImageView::leaveEvent(QEvent*) {
     emit cursor_moved({-1, -1});
+}
+
+void ImageView::focusInEvent(QFocusEvent* event) {
+    QWidget::focusInEvent(event);
+    emit activated();
 }
 
 void ImageView::focusOutEvent(QFocusEvent* event) {

@@ -50,13 +50,13 @@ class ImageView : public QWidget {
     const Image& image() const;  ///< empty without a picture
     const std::shared_ptr<const Picture>& picture() const;
     const std::shared_ptr<const Picture>& second() const;
-    const Display& display() const;
-    const Display& second_display() const;
+    const Display& display() const { return display_; }
+    const Display& second_display() const { return second_display_; }
     Semantic semantic() const;
     double wipe() const { return state_.wipe; }
     bool legend() const { return state_.legend; }
     const QString& label() const { return state_.label; }
-    const QString& note() const;
+    const QString& note() const { return state_.note; }
     const CameraPose& camera() const { return pose_; }
     const ViewTransform& transform() const { return state_.transform; }
     Tool tool() const { return tool_; }
@@ -101,10 +101,12 @@ class ImageView : public QWidget {
     void mousePressEvent(QMouseEvent*) override;
     void mouseMoveEvent(QMouseEvent*) override;
     void mouseReleaseEvent(QMouseEvent*) override;
+    void mouseDoubleClickEvent(QMouseEvent*) override;
     void wheelEvent(QWheelEvent*) override;
     void keyPressEvent(QKeyEvent*) override;
     void keyReleaseEvent(QKeyEvent*) override;
     void leaveEvent(QEvent*) override;
+    void focusInEvent(QFocusEvent*) override;
     void focusOutEvent(QFocusEvent*) override;
     void changeEvent(QEvent*) override;
 
@@ -116,6 +118,8 @@ class ImageView : public QWidget {
     void finish_gesture();
     void fly_step();
     void finish_transform();
+    bool is_over_divider(QPointF logical) const;
+    void move_wipe(double fraction);
     void repaint_all();
     void update_hint();
     void update_cursor_shape();
@@ -123,13 +127,15 @@ class ImageView : public QWidget {
     QPoint pixel_at(QPointF logical) const;
 
     CanvasState state_;
+    PictureCache cache_;
+    Display display_, second_display_;
     Canvas* canvas_;
     QWidget* overlay_;
     Tool tool_ = Tool::inspect;
     CameraPose pose_;
     Drag drag_ = Drag::none;
     QPointF last_position_, press_position_;
-    bool space_ = false, gesture_ = false;
+    bool space_ = false, gesture_ = false, over_divider_ = false, stale_ = false;
     double fly_speed_ = 1;
     QSet<int> keys_;
     QTimer fly_timer_, settle_timer_;

@@ -4,125 +4,153 @@
 #include <cmath>
 
 #include "widgets/image/canvas.h"
+#include "widgets/image/legend.h"
+#include "widgets/image/pixel_overlay.h"
 
 namespace ir::widgets {
 namespace {
 
-/// Zoom (device pixels per pixel) from which the grid helps more than it hides.
-constexpr double grid_zoom = 12;
-
-struct VisiblePixels {
-    int x0, y0, x1, y1;  ///< end is exclusive
-};
-
-VisiblePixels visible_pixels(const CanvasState& state) {
-    const auto& t = state.transform;
-    const QPointF first = t.image_from_view({0, 0});
-    const QPointF last = t.image_from_view({t.view_size().width(), t.view_size().height()});
-    return {std::clamp(int(std::floor(first.x())), 0, state.image.width),
-            std::clamp(int(std::floor(first.y())), 0, state.image.height),
-            std::clamp(int(std::ceil(last.x())), 0, state.image.width),
-            std::clamp(int(std::ceil(last.y())), 0, state.image.height)};
-}
-
-void paint_grid(QPainter& painter, const CanvasState& state, const VisiblePixels& seen) {
-    painter.setPen(QPen(QColor(128, 128, 128, 110), 0));
-    const auto& t = state.transform;
-    for (int x = seen.x0; x <= seen.x1; ++x)
-        painter.drawLine(t.view_from_image(QPointF(x, seen.y0)), t.view_from_image(QPointF(x, seen.y1)));
-    for (int y = seen.y0; y <= seen.y1; ++y)
-        painter.drawLine(t.view_from_image(QPointF(seen.x0, y)), t.view_from_image(QPointF(seen.x1, y)));
-}
-
-/// Values of one pixel, one line per channel, in black or white, whichever reads better on its colour.
-void paint_numbers_of(QPainter& painter, const CanvasState& state, int x, int y, const QRectF& box) {
-    const auto colour =
-        shade(state.display, &state.shown.pixels[state.shown.index(x, y)], state.shown.channels);
-    const double luma = 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2];
-    painter.setPen(luma > 120 ? Qt::black : Qt::white);
-    QStringList lines;
-    for (int c = 0; c < std::min(state.image.channels, 4); ++c)
-        lines << short_number(state.image.at(x, y, c));
-    painter.drawText(box, Qt::AlignCenter, lines.join(QLatin1Char('\n')));
-}
-
-void paint_numbers(QPainter& painter, const CanvasState& state, const VisiblePixels& seen, qreal ratio) {
-    const int lines = std::min(state.image.channels, 4);
+void set_font_size(QPainter& painter, qreal size) {
     QFont font = painter.font();
-    const double zoom = state.transform.zoom();
-    const double size = std::min({zoom / (lines + 1.0), zoom / 6.0, 13.0 * ratio});
-    if (size < 7 * ratio) return;  // smaller cannot be read
-    font.setPixelSize(int(size));
+    font.setPixelSize(std::max(1, int(size)));
     painter.setFont(font);
-    for (int y = seen.y0; y < seen.y1; ++y)
-        for (int x = seen.x0; x < seen.x1; ++x)
-            paint_numbers_of(painter, state, x, y,
-                             QRectF(state.transform.view_from_image(QPointF(x, y)), QSizeF(zoom, zoom)));
 }
 
-void paint_badge(QPainter& painter, const QRectF& view, const QString& text, Qt::Alignment where,
-                 qreal ratio) {
-    QFont font = painter.font();
-    font.setPixelSize(int(12 * ratio));
-    painter.setFont(font);
-    QRectF box = painter.boundingRect(view, Qt::AlignLeft | Qt::AlignTop, text)
-                     .adjusted(-8 * ratio, -4 * ratio, 8 * ratio, 4 * ratio);
-    const qreal gap = 10 * ratio;
-    box.moveLeft(where & Qt::AlignRight ? view.right() - box.width() - gap : view.left() + gap);
-    box.moveTop(where & Qt::AlignBottom ? view.bottom() - box.height() - gap : view.top() + gap);
+/// A text on a dark plate in a corner of `area`. Returns the plate; long texts are shortened in the middle.
+QRectF paint_badge(QPainter& painter, const QRectF& area, const QString& text, Qt::Alignment where,
+                   qreal ratio) {
+    const qreal gap = 8 * ratio;
+    const QRectF room = area.adjusted(gap, gap, -gap, -gap);
+    if (text.isEmpty() || room.width() < 24 * ratio) return {};
+    set_font_size(painter, 12 * ratio);
+    const QString fitting =
+        painter.fontMetrics().elidedText(text, Qt::ElideMiddle, int(room.width() - 14 * ratio));
+    QRectF box = painter.boundingRect(room, Qt::AlignLeft | Qt::AlignTop, fitting)
+                     .adjusted(-7 * ratio, -4 * ratio, 7 * ratio, 4 * ratio);
+    box.moveLeft(where & Qt::AlignRight ? room.right() - box.width() : room.left());
+    box.moveTop(where & Qt::AlignBottom ? room.bottom() - box.height() : room.top());
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(20, 20, 20, 190));
     painter.drawRoundedRect(box, 4 * ratio, 4 * ratio);
     painter.setPen(QColor(235, 235, 235));
-    painter.drawText(box, Qt::AlignCenter, text);
+    painter.drawText(box, Qt::AlignCenter, fitting);
+    return box;
 }
 
 void paint_note(QPainter& painter, const QRectF& view, const QString& text, qreal ratio) {
-    QFont font = painter.font();
-    font.setPixelSize(int(15 * ratio));
-    painter.setFont(font);
+    set_font_size(painter, 15 * ratio);
     painter.setPen(QColor(24, 24, 24));
-    const qreal margin = 40 * ratio;
+    const qreal margin = std::min(40 * ratio, view.width() / 10);
     painter.drawText(view.adjusted(margin, margin, -margin, -margin), Qt::AlignCenter | Qt::TextWordWrap,
                      text);
 }
 
-void paint_picked(QPainter& painter, const CanvasState& state, qreal ratio) {
-    if (state.picked.x() < 0 || state.picked.x() >= state.image.width || state.picked.y() < 0 ||
-        state.picked.y() >= state.image.height)
-        return;
-    const double zoom = state.transform.zoom();
-    QRectF box(state.transform.view_from_image(state.picked), QSizeF(zoom, zoom));
-    if (zoom < 6 * ratio) {
-        const QPointF middle = box.center();
-        box = QRectF(middle.x() - 3 * ratio, middle.y() - 3 * ratio, 6 * ratio, 6 * ratio);
-    }
+void paint_frame(QPainter& painter, const QRectF& box, const QColor& colour, qreal ratio) {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(Qt::black, 3 * ratio));
     painter.drawRect(box);
-    painter.setPen(QPen(Qt::white, ratio));
+    painter.setPen(QPen(colour, ratio));
     painter.drawRect(box);
 }
 
-void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
-    painter.save();
-    painter.scale(1 / ratio, 1 / ratio);  // everything below is in device pixels
-    const QRectF view({0, 0}, state.transform.view_size());
-    if (!state.image.empty()) {
-        const VisiblePixels seen = visible_pixels(state);
-        if (state.pixel_grid && state.transform.zoom() >= grid_zoom * ratio) {
-            paint_grid(painter, state, seen);
-            paint_numbers(painter, state, seen, ratio);
-        }
-        painter.setRenderHint(QPainter::Antialiasing);
-        paint_picked(painter, state, ratio);
+/// A pixel's box in the view, never smaller than can be seen; null outside the picture.
+QRectF pixel_box(const CanvasState& state, QPoint pixel, qreal ratio) {
+    if (!QRect(QPoint(0, 0), state.transform.image_size().toSize()).contains(pixel)) return {};
+    const double zoom = state.transform.zoom();
+    const QRectF box(state.transform.view_from_image(pixel), QSizeF(zoom, zoom));
+    if (zoom >= 6 * ratio) return box;
+    return QRectF(box.center() - QPointF(3, 3) * ratio, QSizeF(6, 6) * ratio);
+}
+
+/// Four short lines around the pixel, which leave it free.
+void paint_cursor_mark(QPainter& painter, const CanvasState& state, qreal ratio) {
+    const QRectF box = pixel_box(state, state.cursor_mark, ratio);
+    if (box.isNull()) return;
+    const qreal length = 9 * ratio;
+    const QPointF c = box.center();
+    const qreal x = box.width() / 2 + ratio, y = box.height() / 2 + ratio;
+    for (const QPen& pen : {QPen(Qt::black, 3 * ratio), QPen(Qt::white, ratio)}) {
+        painter.setPen(pen);
+        painter.drawLine(c - QPointF(x, 0), c - QPointF(x + length, 0));
+        painter.drawLine(c + QPointF(x, 0), c + QPointF(x + length, 0));
+        painter.drawLine(c - QPointF(0, y), c - QPointF(0, y + length));
+        painter.drawLine(c + QPointF(0, y), c + QPointF(0, y + length));
     }
-    painter.setRenderHint(QPainter::Antialiasing);
-    if (!state.note.isEmpty()) paint_note(painter, view, state.note, ratio);
-    if (!state.hint.isEmpty()) paint_badge(painter, view, state.hint, Qt::AlignLeft | Qt::AlignBottom, ratio);
-    if (state.stale && !state.image.empty())
-        paint_badge(painter, view, QStringLiteral("rendering …"), Qt::AlignRight | Qt::AlignTop, ratio);
-    painter.restore();
+}
+
+/// A line that shows on every colour and a handle in the middle of what is seen of the picture.
+void paint_divider(QPainter& painter, const CanvasState& state, const QRectF& view, qreal ratio) {
+    const auto& t = state.transform;
+    const QRectF picture(t.offset(), t.image_size() * t.zoom());
+    const QRectF seen = picture & view;
+    if (seen.isEmpty()) return;
+    const qreal x = state.divider_x();
+    for (const QPen& pen : {QPen(QColor(0, 0, 0, 160), 3 * ratio), QPen(Qt::white, ratio)}) {
+        painter.setPen(pen);
+        painter.drawLine(QPointF(x, seen.top()), QPointF(x, seen.bottom()));
+    }
+    const QPointF middle(x, seen.center().y());
+    painter.setPen(QPen(QColor(0, 0, 0, 160), ratio));
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(middle, 10 * ratio, 10 * ratio);
+    QPainterPath arrows;
+    for (int side : {-1, 1}) {
+        arrows.moveTo(middle + QPointF(side * 7, 0) * ratio);
+        arrows.lineTo(middle + QPointF(side * 2.5, -4) * ratio);
+        arrows.lineTo(middle + QPointF(side * 2.5, 4) * ratio);
+        arrows.closeSubpath();
+    }
+    painter.fillPath(arrows, QColor(40, 40, 40));
+}
+
+/// Names of levels and slices in the corner of their tiles, where a tile is large enough for it.
+void paint_tiles(QPainter& painter, const CanvasState& state, qreal ratio) {
+    const Atlas& atlas = state.pictures[0].picture->atlas;
+    set_font_size(painter, 11 * ratio);
+    const QFontMetricsF metrics(painter.font());
+    for (const auto& tile : atlas.tiles) {
+        const QString name = tile_name(atlas, tile);
+        const double zoom = state.transform.zoom();
+        const QRectF box(state.transform.view_from_image(QPointF(tile.x, tile.y)),
+                         QSizeF(tile.width * zoom, tile.height * zoom));
+        const QSizeF plate(metrics.horizontalAdvance(name) + 6 * ratio, metrics.height());
+        if (name.isEmpty() || plate.width() > box.width() || plate.height() > box.height()) continue;
+        const QRectF place(box.bottomLeft() - QPointF(0, plate.height()), plate);
+        painter.fillRect(place, QColor(20, 20, 20, 170));
+        painter.setPen(QColor(235, 235, 235));
+        painter.drawText(place, Qt::AlignCenter, name);
+    }
+}
+
+/// Labels keep to their side of the divider.
+void paint_labels(QPainter& painter, const CanvasState& state, const QRectF& view, qreal ratio) {
+    QRectF left = view, right;
+    if (state.has_divider()) {
+        const qreal x = std::clamp<qreal>(state.divider_x(), 0, view.width());
+        left.setRight(x);
+        right = QRectF(x, 0, view.width() - x, view.height());
+    }
+    const bool old = state.stale && state.has_image();
+    const QString rendering = QStringLiteral("rendering …");
+    QString label = state.label;
+    if (old && !label.isEmpty()) label += QStringLiteral("  ·  ") + rendering;
+    paint_badge(painter, left, label, Qt::AlignLeft | Qt::AlignTop, ratio);
+    if (state.has_divider())
+        paint_badge(painter, right, state.second_label, Qt::AlignRight | Qt::AlignTop, ratio);
+    if (old && label.isEmpty()) paint_badge(painter, view, rendering, Qt::AlignRight | Qt::AlignTop, ratio);
+}
+
+/// On the right; of two pictures that are shown differently, one on either side.
+void paint_legends(QPainter& painter, const CanvasState& state, const QRectF& view, qreal ratio) {
+    const qreal gap = 8 * ratio;
+    const bool both = state.has_divider() && state.pictures[0].display != state.pictures[1].display;
+    for (int i = 0; i < (both ? 2 : 1); ++i) {
+        const QSizeF size = legend_size(state.pictures[i], ratio);
+        const bool left = both && i == 0;
+        paint_legend(painter, state.pictures[i],
+                     {left ? gap : view.width() - size.width() - gap, view.height() - size.height() - gap},
+                     ratio);
+    }
 }
 
 class Overlay final : public QWidget {
@@ -135,7 +163,9 @@ class Overlay final : public QWidget {
   protected:
     void paintEvent(QPaintEvent*) override {
         QPainter painter(this);
-        paint_overlay(painter, state_, devicePixelRatioF());
+        const qreal ratio = devicePixelRatioF();
+        painter.scale(1 / ratio, 1 / ratio);
+        paint_overlay(painter, state_, ratio);
     }
 
   private:
@@ -143,6 +173,39 @@ class Overlay final : public QWidget {
 };
 
 }  // namespace
+
+int CanvasState::divider_x() const {
+    if (!has_divider()) return int(std::ceil(transform.view_size().width()));
+    return int(std::lround(transform.view_from_image({wipe * transform.image_size().width(), 0}).x()));
+}
+
+const PreparedPicture& CanvasState::at(QPointF image_px) const {
+    const bool right = has_divider() && transform.view_from_image(image_px).x() >= divider_x();
+    return pictures[right ? 1 : 0];
+}
+
+int pattern_half(qreal pixel_ratio) {
+    return std::max(2, int(std::lround(3 * pixel_ratio)));
+}
+
+void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
+    painter.save();
+    const QRectF view({0, 0}, state.transform.view_size());
+    paint_pixels(painter, state, ratio);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (state.has_image()) {
+        paint_tiles(painter, state, ratio);
+        if (state.has_divider()) paint_divider(painter, state, view, ratio);
+        const QRectF picked = pixel_box(state, state.picked, ratio);
+        if (!picked.isNull()) paint_frame(painter, picked, Qt::white, ratio);
+        paint_cursor_mark(painter, state, ratio);
+    }
+    if (!state.note.isEmpty()) paint_note(painter, view, state.note, ratio);
+    paint_labels(painter, state, view, ratio);
+    if (!state.hint.isEmpty()) paint_badge(painter, view, state.hint, Qt::AlignLeft | Qt::AlignBottom, ratio);
+    if (state.legend && state.has_image()) paint_legends(painter, state, view, ratio);
+    painter.restore();
+}
 
 QWidget* make_overlay(const CanvasState& state, QWidget* parent) {
     return new Overlay(state, parent);

@@ -41,7 +41,7 @@ struct PicturePixel {
 PicturePixel locate(const Picture& picture, QPoint pixel);
 /// "level 2", "slice 5", "slice 5 · level 2"; empty for a plain image.
 QString tile_name(const Atlas& atlas, const AtlasTile& tile);
-/// "x 12  y 40", in an atlas "level 2  x 3  y 10"; empty outside.
+/// "x   12  y   40", in an atlas "level 2  x    3  y   10"; empty outside.
 QString place_text(const Picture& picture, QPoint pixel);
 
 }  // namespace ir::widgets

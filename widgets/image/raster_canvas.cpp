@@ -2,6 +2,7 @@
 #include <QPainter>
 
 #include "widgets/image/canvas.h"
+#include "widgets/image/raster_painter.h"
 
 namespace ir::widgets {
 namespace {
@@ -13,31 +14,22 @@ class RasterCanvas final : public QWidget, public Canvas {
         setAttribute(Qt::WA_TransparentForMouseEvents);
     }
     QWidget* widget() override { return this; }
-    void image_changed() override { display_changed(); }
-    void display_changed() override {
-        coloured_ = to_qimage(state_.shown, state_.display);
-        update();
-    }
+    void state_changed() override { update(); }
     const char* kind() const override { return "raster"; }
+    int upload_count() const override { return pictures_.colouring_count(); }
 
   protected:
     void paintEvent(QPaintEvent*) override {
         QPainter painter(this);
         painter.fillRect(rect(), surround_colour);
         const qreal ratio = devicePixelRatioF();
-        if (!coloured_.isNull()) {
-            const auto& t = state_.transform;
-            painter.save();
-            painter.scale(1 / ratio, 1 / ratio);
-            painter.setRenderHint(QPainter::SmoothPixmapTransform, t.zoom() < 1);
-            painter.drawImage(QRectF(t.offset(), t.image_size() * t.zoom()), coloured_);
-            painter.restore();
-        }
+        painter.scale(1 / ratio, 1 / ratio);
+        pictures_.paint(painter, state_, ratio);
     }
 
   private:
     const CanvasState& state_;
-    QImage coloured_;
+    RasterPainter pictures_;
 };
 
 }  // namespace

@@ -1,0 +1,205 @@
+#include "widgets/image/legend.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QGuiApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "renderers/image/colour_map.h"
+
+namespace ir::widgets {
+namespace {
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("Legend", text);
+}
+
+struct Mark {
+    QColor colour;
+    QString text;
+    Qt::BrushStyle style = Qt::SolidPattern;
+};
+
+/// Everything that a legend says, before it is laid out.
+struct Contents {
+    QStringList lines;
+    bool bar = false;
+    std::vector<double> ticks;
+    std::vector<Mark> marks;
+};
+
+std::vector<Mark> marks_of(const Display& display) {
+    std::vector<Mark> marks;
+    if (display.mark_bad) {
+        marks.push_back({{255, 0, 255}, QStringLiteral("NaN")});
+        marks.push_back({{255, 255, 0}, QStringLiteral("+Inf")});
+        marks.push_back({{0, 255, 255}, QStringLiteral("−Inf")});
+        if (display.negative_is_bad) marks.push_back({{40, 80, 255}, translated("negative")});
+    }
+    if (display.zebra && display.mode != Display::Mode::ids) {
+        marks.push_back({{40, 90, 255}, translated("below"), Qt::BDiagPattern});
+        marks.push_back({{255, 60, 40}, translated("above"), Qt::FDiagPattern});
+    }
+    if (display.hide_invalid) marks.push_back({{136, 136, 136}, translated("no value"), Qt::Dense4Pattern});
+    return marks;
+}
+
+QStringList colour_lines(const Display& display) {
+    QStringList lines = {translated("exposure %1%2 EV")
+                             .arg(QLatin1String(display.exposure < 0 ? "" : "+"))
+                             .arg(display.exposure)};
+    if (display.tone_map == Display::ToneMap::reinhard) lines << translated("tone map Reinhard");
+    if (display.tone_map == Display::ToneMap::filmic) lines << translated("tone map filmic");
+    return lines << translated("sRGB");
+}
+
+Contents contents_of(const PreparedPicture& picture) {
+    const Display& display = picture.display;
+    Contents contents;
+    contents.marks = marks_of(display);
+    const QString unit = picture.picture ? picture.picture->unit : QString();
+    const int channels = picture.picture ? picture.picture->image->channels : 1;
+    if (!unit.isEmpty()) contents.lines << unit;
+    const bool all = channels > 1 && display.channel < 0;
+    switch (display.mode) {
+        case Display::Mode::colour:
+            contents.lines << colour_lines(display);
+            return contents;
+        case Display::Mode::ids:
+            contents.lines << translated("a colour for each number");
+            return contents;
+        case Display::Mode::vector:
+            if (all) contents.lines << translated("by component");
+            break;
+        case Display::Mode::scalar:
+            if (all) contents.lines << translated("largest channel");
+            break;
+    }
+    contents.bar = true;
+    contents.ticks = legend_ticks(display.low, display.high, 6);
+    return contents;
+}
+
+/// Positions in device pixels; everything scales with the screen.
+struct Layout {
+    Layout(const Contents& contents, const QFont& font, qreal ratio) : metrics(font), r(ratio) {
+        line = metrics.height() + 2 * r;
+        for (const auto& text : contents.lines) width = std::max(width, metrics.horizontalAdvance(text));
+        for (double tick : contents.ticks)
+            width = std::max(width, bar_width() + 8 * r + metrics.horizontalAdvance(short_number(tick)));
+        for (const auto& mark : contents.marks)
+            width = std::max(width, 18 * r + metrics.horizontalAdvance(mark.text));
+        height = contents.lines.size() * line + (contents.bar ? bar_height() + line : 0) +
+                 contents.marks.size() * line;
+    }
+    qreal bar_width() const { return 16 * r; }
+    qreal bar_height() const { return 130 * r; }
+    qreal margin() const { return 8 * r; }
+    QSizeF size() const { return {width + 2 * margin(), height + 2 * margin()}; }
+
+    QFontMetricsF metrics;
+    qreal r, line = 0, width = 0, height = 0;
+};
+
+QFont legend_font(qreal ratio) {
+    QFont font = QGuiApplication::font();
+    font.setPixelSize(std::max(1, int(11 * ratio)));
+    return font;
+}
+
+QColor bar_colour(const Display& display, double fraction) {
+    if (display.mode == Display::Mode::vector) {
+        const int grey = int(fraction * 255 + 0.5);
+        return {grey, grey, grey};
+    }
+    const auto& entry = colour_map(display.colour_map)[std::size_t(fraction * 255 + 0.5)];
+    return {entry[0], entry[1], entry[2]};
+}
+
+void paint_bar(QPainter& painter, const Display& display, const Contents& contents, const Layout& layout,
+               QPointF top_left) {
+    const QRectF bar(top_left + QPointF(0, layout.line / 2), QSizeF(layout.bar_width(), layout.bar_height()));
+    const int rows = int(bar.height());
+    for (int row = 0; row < rows; ++row)  // the highest value on top
+        painter.fillRect(QRectF(bar.left(), bar.top() + row, bar.width(), 1),
+                         bar_colour(display, 1 - row / double(rows - 1)));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(235, 235, 235), layout.r));
+    painter.drawRect(bar);
+    const double width = display.high - display.low;
+    for (double tick : contents.ticks) {
+        const double fraction = width == 0 ? 0 : (tick - display.low) / width;
+        const qreal y = bar.bottom() - fraction * bar.height();
+        painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 4 * layout.r, y));
+        painter.drawText(QRectF(bar.right() + 8 * layout.r, y - layout.line / 2, layout.width, layout.line),
+                         Qt::AlignLeft | Qt::AlignVCenter, short_number(tick));
+    }
+}
+
+void paint_mark(QPainter& painter, const Mark& mark, const Layout& layout, QPointF top_left) {
+    const qreal side = 11 * layout.r;
+    const QRectF box(top_left + QPointF(0, (layout.line - side) / 2), QSizeF(side, side));
+    painter.fillRect(box, mark.style == Qt::SolidPattern ? mark.colour : QColor(90, 90, 90));
+    if (mark.style != Qt::SolidPattern) painter.fillRect(box, QBrush(mark.colour, mark.style));
+    painter.setPen(QColor(235, 235, 235));
+    painter.drawText(QRectF(top_left + QPointF(18 * layout.r, 0), QSizeF(layout.width, layout.line)),
+                     Qt::AlignLeft | Qt::AlignVCenter, mark.text);
+}
+
+}  // namespace
+
+std::vector<double> legend_ticks(double low, double high, int count) {
+    if (low == high || !std::isfinite(low) || !std::isfinite(high)) return {low};
+    const double least = std::min(low, high), greatest = std::max(low, high), width = greatest - least;
+    const double raw = width / std::max(1, count - 1), power = std::pow(10, std::floor(std::log10(raw)));
+    double step = 10 * power;
+    for (double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= raw * (1 - 1e-9)) {
+            step = factor * power;
+            break;
+        }
+    std::vector<double> ticks = {least};
+    for (double k = std::ceil(least / step); k * step < greatest; ++k) {
+        const double tick = k * step;
+        // An end's number must stay readable.
+        if (tick - least > width * 0.1 && greatest - tick > width * 0.1) ticks.push_back(tick);
+    }
+    ticks.push_back(greatest);
+    return ticks;
+}
+
+QSizeF legend_size(const PreparedPicture& picture, qreal pixel_ratio) {
+    if (picture.empty()) return {};
+    return Layout(contents_of(picture), legend_font(pixel_ratio), pixel_ratio).size();
+}
+
+void paint_legend(QPainter& painter, const PreparedPicture& picture, QPointF top_left, qreal pixel_ratio) {
+    if (picture.empty()) return;
+    const Contents contents = contents_of(picture);
+    const QFont font = legend_font(pixel_ratio);
+    const Layout layout(contents, font, pixel_ratio);
+    painter.save();
+    painter.setFont(font);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(20, 20, 20, 200));
+    painter.drawRoundedRect(QRectF(top_left, layout.size()), 4 * pixel_ratio, 4 * pixel_ratio);
+    QPointF at = top_left + QPointF(layout.margin(), layout.margin());
+    painter.setPen(QColor(235, 235, 235));
+    for (const auto& text : contents.lines) {
+        painter.drawText(QRectF(at, QSizeF(layout.width + layout.margin(), layout.line)),
+                         Qt::AlignLeft | Qt::AlignVCenter, text);
+        at.ry() += layout.line;
+    }
+    if (contents.bar) {
+        paint_bar(painter, picture.display, contents, layout, at);
+        at.ry() += layout.bar_height() + layout.line;
+    }
+    for (const auto& mark : contents.marks) {
+        paint_mark(painter, mark, layout, at);
+        at.ry() += layout.line;
+    }
+    painter.restore();
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QPainter>
+#include <vector>
+
+#include "widgets/image/prepared_picture.h"
+
+namespace ir::widgets {
+
+/// What colours mean: a bar with numbers and unit (or exposure and tone map), and the marks that are on.
+/// Lengths are device pixels.
+QSizeF legend_size(const PreparedPicture& picture, qreal pixel_ratio);
+void paint_legend(QPainter& painter, const PreparedPicture& picture, QPointF top_left, qreal pixel_ratio);
+
+/// Both ends and round numbers between them, at most `count` in all, ascending.
+std::vector<double> legend_ticks(double low, double high, int count);
+
+}  // namespace ir::widgets
