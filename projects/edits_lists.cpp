@@ -6,10 +6,16 @@
 namespace ir::projects::edits {
 namespace {
 
+/// As people see it: by its name, or by its id where it has none.
+template <class Item>
+std::string called(const Item& item) {
+    return "'" + printable(item.name.empty() ? item.id : item.name, 40) + "'";
+}
+
 template <class Item, class Refers>
 void collect(std::vector<std::string>& users, const Project& project, Refers refers) {
     for (const auto& item : list_of<Item>(project))
-        if (refers(item)) users.push_back(std::string(ListOf<Item>::word) + " '" + item.id + "'");
+        if (refers(item)) users.push_back(std::string(ListOf<Item>::word) + " " + called(item));
 }
 
 /// Who would be left with a reference to nothing.
@@ -81,8 +87,8 @@ EditPtr remove(const Project& project, const std::string& id) {
     const auto& item = item_of<Item>(project, id);
     const auto users = users_of(project, item);
     if (!users.empty())
-        throw UsageError(std::string(ListOf<Item>::word) + " '" + id + "' is used by " + listed(users) +
-                         "; change or remove them first");
+        throw UsageError(std::string(ListOf<Item>::word) + " " + called(item) + " is used by " +
+                         listed(users) + "; change or remove them first");
     return std::make_unique<Remove<Item>>(
         std::string("Remove ") + ListOf<Item>::word + " " + in_quotes(item.name), index_of<Item>(project, id),
         item);
