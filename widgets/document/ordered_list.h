@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <vector>
 
+class QKeyEvent;
 class QListWidget;
 class QMenu;
 class QToolButton;
@@ -37,7 +38,7 @@ class OrderedList : public QWidget {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    QToolButton* button_for(const class QKeyEvent& event) const;
+    QToolButton* button_for(const QKeyEvent& event) const;
     void update_buttons();
     QListWidget* list_;
     QToolButton *add_, *duplicate_, *up_, *down_, *remove_;

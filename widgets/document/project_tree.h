@@ -5,6 +5,7 @@
 #include <QTreeView>
 
 class QAction;
+class QKeyEvent;
 
 namespace ir::widgets {
 
@@ -41,7 +42,7 @@ class ProjectTree : public QTreeView {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    QAction* action_for(const class QKeyEvent& event) const;
+    QAction* action_for(const QKeyEvent& event) const;
     void restore_below(const QModelIndex& parent, bool all);
     QHash<QKeySequence, QAction*> keys_;
     QHash<QString, bool> open_;
