@@ -19,6 +19,7 @@ std::vector<int> channels_of(const Image& image, int channel) {
 template <class Visit>
 void for_each_value(const Image& image, const std::vector<int>& channels, const std::atomic<bool>* cancelled,
                     Visit visit) {
+    if (channels.empty()) return;
     const auto step = std::size_t(image.channels);
     std::size_t seen = 0;
     for (std::size_t start = 0; start + step <= image.pixels.size(); start += step) {
