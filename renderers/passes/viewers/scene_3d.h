@@ -54,7 +54,8 @@ struct Scene3D {
     int width = 0, height = 0;
     int oversampling =
         1;  ///< 2 … 4: each pixel is the mean of so many squared, for pictures that stand still
-    bool show_scene = true;                   ///< flat shaded; not where all layers are spheres of values
+    bool show_scene =
+        true;  ///< flat shaded, holes of alpha masks filled; not where all layers are spheres of values
     bool show_centres = true;                 ///< of regions on the sphere
     std::uint64_t most_elements = 4'000'000;  ///< per layer; beyond, every n-th is drawn and counted
     std::vector<Layer> layers = {};
