@@ -21,15 +21,9 @@ shared uint longitude_low, longitude_high;    // relative to the axis, plus pi, 
 shared uint candidates[chunk];
 shared uint candidate_count;
 
-// The angle of v, in [-pi, pi]. Drivers' atan may be off by 1e-4; one step of Newton's method brings it to the
-// precision of sine and cosine.
-float angle_of(vec2 v) {
-    float size = length(v), angle = size > 0.0 ? atan(v.y, v.x) : 0.0;
-    return size > 0.0 ? angle + (v.y * cos(angle) - v.x * sin(angle)) / size : 0.0;
-}
-
-float longitude_of(vec3 d) { return angle_of(d.xz); }
-float colatitude_of(vec3 d) { return max(0.0, angle_of(vec2(d.y, length(d.xz)))); }
+float longitude_of(vec3 d) { return atan(d.z, d.x); }
+// Drivers' acos may be off by 1e-4, their atan is not.
+float colatitude_of(vec3 d) { return atan(length(d.xz), d.y); }
 // In [0, 2 pi).
 float wrapped(float angle) { return angle - 2.0 * pi * floor(angle / (2.0 * pi)); }
 

@@ -103,11 +103,23 @@ TEST_F(GlyphsTest, SpheresInPerspectiveShowTheirOutline) {
     const double radius = 1.2, distance = 5;
     buffer.add(glm::vec3(0), glm::vec3(radius, 0, 0), glm::vec3(0, radius, 0), glm::vec3(0, 0, radius));
     run({buffer});
-    const auto picture = draw({{.key = "glyphs"}}, width, height);
+    const auto picture = draw({{.key = "glyphs", .selected = 0}}, width, height);
     const double outline =
         0.5 * height / std::tan(0.5 * camera_.fov_y) * std::tan(std::asin(radius / distance));
     EXPECT_NEAR(static_cast<double>(pixels_of(picture, 0)), pi * outline * outline,
                 0.02 * pi * outline * outline);
+
+    double sum = 0;
+    int white = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const glm::vec2 place(x + 0.5f, y + 0.5f);
+            if (colour_at(picture, place) != glm::vec3(1)) continue;
+            sum += glm::distance(place, 0.5f * glm::vec2(width, height));
+            ++white;
+        }
+    ASSERT_GT(white, 100);
+    EXPECT_NEAR(sum / white, outline, 0.3) << "the mark runs along the outline";
 }
 
 TEST_F(GlyphsTest, EllipsoidsAreSeenFromWithin) {
