@@ -1,0 +1,201 @@
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include "widgets/panels/messages_panel.h"
+#include "widgets/panels/project_card.h"
+#include "widgets/panels/shortcuts_dialog.h"
+#include "widgets/panels/welcome_page.h"
+
+namespace ir::widgets {
+namespace {
+
+class MessagesPanelTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        panel.resize(700, 200);
+        panel.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+        panel.add({Severity::warning, "scene", "a texture is missing", {}});
+        panel.add({Severity::error, "shader", "syntax error", "shaders/lib/brdf.glsl:12"});
+        panel.add({Severity::note, "graph", "grew", "ldm.nodes"});
+        panel.add({Severity::note, "graph", "grew", "ldm.nodes"});
+    }
+    QPoint place_of(int row) {
+        return panel.view().visualRect(panel.filter().index(row, MessagesModel::text_column)).center();
+    }
+    QComboBox* sources() { return panel.findChild<QComboBox*>("sources"); }
+    MessagesPanel panel;
+};
+
+TEST_F(MessagesPanelTest, CountsSources) {
+    ASSERT_EQ(sources()->count(), 4);
+    EXPECT_EQ(sources()->itemText(0), "All sources (4)");
+    EXPECT_EQ(sources()->itemText(3), "graph (2)");
+    EXPECT_FALSE(sources()->itemIcon(2).isNull());
+    sources()->setFocus();
+    QTest::keyClick(sources(), Qt::Key_Down);
+    QTest::keyClick(sources(), Qt::Key_Down);
+    ASSERT_EQ(panel.filter().rowCount(), 1);
+    EXPECT_EQ(panel.filter().index(0, MessagesModel::source_column).data().toString(), "shader");
+    panel.add({Severity::error, "gl", "lost", {}});
+    EXPECT_EQ(sources()->currentIndex(), 2) << "the choice stays";
+    EXPECT_EQ(panel.filter().rowCount(), 1);
+    panel.clear();
+    EXPECT_EQ(sources()->count(), 1);
+    panel.add({Severity::note, "scene", "loaded", {}});
+    EXPECT_EQ(panel.filter().rowCount(), 1) << "a source that is gone hides nothing";
+}
+
+TEST_F(MessagesPanelTest, DoubleClickAndEnterGoThere) {
+    std::vector<Message> gone;
+    QObject::connect(&panel, &MessagesPanel::go_to, [&](const Message& message) { gone.push_back(message); });
+    QTest::mouseClick(panel.view().viewport(), Qt::LeftButton, {}, place_of(0));
+    QTest::keyClick(&panel.view(), Qt::Key_Return);
+    EXPECT_TRUE(gone.empty()) << "it has no place";
+    QTest::mouseClick(panel.view().viewport(), Qt::LeftButton, {}, place_of(1));
+    QTest::mouseDClick(panel.view().viewport(), Qt::LeftButton, {}, place_of(1));
+    ASSERT_EQ(gone.size(), 1u);
+    EXPECT_EQ(gone[0].place, "shaders/lib/brdf.glsl:12");
+    QTest::keyClick(&panel.view(), Qt::Key_Down);
+    QTest::keyClick(&panel.view(), Qt::Key_Return);
+    ASSERT_EQ(gone.size(), 2u);
+    EXPECT_EQ(gone[1].place, "ldm.nodes");
+}
+
+TEST_F(MessagesPanelTest, CopiesTheChosenLinesWithTheirPlaces) {
+    QTest::mouseClick(panel.view().viewport(), Qt::LeftButton, {}, place_of(1));
+    for (auto* action : panel.view().actions())
+        if (action->shortcut() == QKeySequence(QKeySequence::Copy)) action->trigger();
+    const QString text = QApplication::clipboard()->text();
+    EXPECT_TRUE(text.contains("Error: shader: syntax error [shaders/lib/brdf.glsl:12]"))
+        << text.toStdString();
+    EXPECT_FALSE(text.contains('\n'));
+}
+
+TEST(MessagesModelPlaces, MessagesAboutOtherPlacesAreOthers) {
+    MessagesModel model;
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+    model.add({Severity::error, "shader", "syntax error", "a.glsl:1"});
+    model.add({Severity::error, "shader", "syntax error", "b.glsl:1"});
+    EXPECT_EQ(model.rowCount(), 2);
+}
+
+class WelcomeTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        page.resize(900, 700);
+        page.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&page));
+    }
+    ProjectCard* card(const QString& name) {
+        for (auto* card : page.findChildren<ProjectCard*>())
+            if (card->text() == name && card->isVisible()) return card;
+        return nullptr;
+    }
+    WelcomePage page;
+};
+
+TEST_F(WelcomeTest, OpensSamplesAndRecentProjects) {
+    page.set_samples({{"/samples/atrium.interreflect", "Atrium", "Figure 7", QImage()}});
+    page.set_recent({{"/home/kitchen.interreflect", "", QDateTime::currentDateTime(), QImage(), false},
+                     {"/home/lost.interreflect", "Lost", QDateTime(), QImage(), true}});
+    QApplication::processEvents();
+    const QSignalSpy chosen(&page, &WelcomePage::project_chosen);
+    ASSERT_NE(card("Atrium"), nullptr);
+    QTest::mouseClick(card("Atrium"), Qt::LeftButton);
+    ASSERT_NE(card("kitchen"), nullptr) << "named after its folder";
+    card("kitchen")->setFocus();
+    QTest::keyClick(card("kitchen"), Qt::Key_Return);
+    QTest::keyClick(card("kitchen"), Qt::Key_Space);
+    QTest::mouseClick(card("Lost"), Qt::LeftButton);
+    ASSERT_EQ(chosen.count(), 3) << "what is missing opens nothing";
+    EXPECT_EQ(chosen[0][0].toString(), "/samples/atrium.interreflect");
+    EXPECT_EQ(chosen[1][0].toString(), "/home/kitchen.interreflect");
+    EXPECT_FALSE(card("Lost")->isEnabled());
+}
+
+TEST_F(WelcomeTest, TakesAProjectOffTheListEvenFromItsOwnClick) {
+    const std::vector<RecentProject> all = {{"/a.interreflect", "A", QDateTime(), QImage(), true},
+                                            {"/b.interreflect", "B", QDateTime(), QImage(), false}};
+    page.set_recent(all);
+    QApplication::processEvents();
+    QString removed;
+    QObject::connect(&page, &WelcomePage::recent_removed, [&](const QString& path) {
+        removed = path;
+        page.set_recent({all[1]});
+    });
+    for (auto* button : page.findChildren<QToolButton*>("remove"))
+        if (button->accessibleName().contains("A")) {
+            QTest::mouseClick(button, Qt::LeftButton);
+            break;
+        }
+    EXPECT_EQ(removed, "/a.interreflect");
+    QApplication::processEvents();
+    EXPECT_EQ(card("A"), nullptr);
+    EXPECT_NE(card("B"), nullptr);
+}
+
+TEST_F(WelcomeTest, StartsByButtonAndKeyboard) {
+    const QSignalSpy fresh(&page, &WelcomePage::new_chosen), open(&page, &WelcomePage::open_chosen),
+        scene(&page, &WelcomePage::scene_chosen);
+    QTest::mouseClick(page.findChild<QAbstractButton*>("new"), Qt::LeftButton);
+    page.activateWindow();
+    page.findChild<QAbstractButton*>("new")->setFocus();
+    QTest::keyClick(page.focusWidget(), Qt::Key_Tab);
+    QTest::keyClick(page.focusWidget(), Qt::Key_Space);
+    QTest::keyClick(page.focusWidget(), Qt::Key_Tab);
+    QTest::keyClick(page.focusWidget(), Qt::Key_Space);
+    EXPECT_EQ(fresh.count(), 1);
+    EXPECT_EQ(open.count(), 1);
+    EXPECT_EQ(scene.count(), 1);
+}
+
+TEST(ShortcutsDialog, ListsEveryActionByMenuAndFindsThem) {
+    QWidget window;
+    QMenu file("&File", &window), view("&View", &window);
+    auto* recent = file.addMenu("&Recent");
+    QAction open("&Open …", &window), fit("&Fit", &window), bare("&Nothing", &window),
+        loose("L&oose", &window);
+    QAction separator(&window), ampersand("Cut && paste", &window), last("a project", &window);
+    separator.setSeparator(true);
+    open.setShortcuts({QKeySequence("Ctrl+O"), QKeySequence("Ctrl+Shift+O")});
+    fit.setShortcut(QKeySequence("F"));
+    file.addActions({&open, &separator, &ampersand});
+    recent->addAction(&last);
+    view.addActions({&fit, &bare});
+    ShortcutsDialog dialog({&open, &separator, &ampersand, &last, &fit, &bare, &loose, &fit},
+                           {{"Zoom", "Wheel"}}, nullptr);
+    auto* tree = dialog.findChild<QTreeWidget*>();
+    QStringList lines;
+    for (int g = 0; g < tree->topLevelItemCount(); ++g)
+        for (int i = 0; i < tree->topLevelItem(g)->childCount(); ++i)
+            lines << tree->topLevelItem(g)->text(0) + "|" + tree->topLevelItem(g)->child(i)->text(0) + "|" +
+                         tree->topLevelItem(g)->child(i)->text(1);
+    EXPECT_EQ(lines, (QStringList{"File|Open …|Ctrl+O or Ctrl+Shift+O", "File|Cut & paste|",
+                                  "File › Recent|a project|", "View|Fit|F", "View|Nothing|", "Other|Loose|",
+                                  "Mouse and held keys|Zoom|Wheel"}))
+        << lines.join('\n').toStdString();
+    dialog.show();
+    QTest::keyClicks(dialog.findChild<QLineEdit*>(), "ctrl+");
+    QStringList shown;
+    for (int g = 0; g < tree->topLevelItemCount(); ++g)
+        for (int i = 0; i < tree->topLevelItem(g)->childCount(); ++i)
+            if (!tree->topLevelItem(g)->isHidden() && !tree->topLevelItem(g)->child(i)->isHidden())
+                shown << tree->topLevelItem(g)->child(i)->text(0);
+    EXPECT_EQ(shown, QStringList{"Open …"});
+}
+
+}  // namespace
+}  // namespace ir::widgets
