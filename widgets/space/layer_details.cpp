@@ -180,7 +180,8 @@ void LayerDetails::fill_fields() {
         }
     };
     add(false);
-    if (find_field(fields_, "normal"))
+    // A value that a buffer calls so goes before what the viewer would work out.
+    if (find_field(fields_, "normal") && !find_field(fields_, SpaceLayer::facing))
         colour_by_->addItem(tr("Facing (front or back)"), QString::fromLatin1(SpaceLayer::facing));
     add(true);  // where it stands is a value, too: height, for one
 }

@@ -55,7 +55,9 @@ class Legend {
         if (painting_) paint_bar(bar);
         y_ += bar_height + 4;
         if (painting_) {
-            const bool facing = layer_.colour_by == SpaceLayer::facing;
+            const bool is_field = std::any_of(info_.fields.begin(), info_.fields.end(),
+                                              [&](const Field& f) { return f.name == layer_.colour_by; });
+            const bool facing = layer_.colour_by == SpaceLayer::facing && !is_field;
             write(facing ? QStringLiteral("turned away") : short_number(info_.low), text_colour,
                   Qt::AlignLeft);
             write(facing ? QStringLiteral("towards you") : short_number(info_.high), text_colour,

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QSplitter>
+#include <algorithm>
 
 namespace ir::widgets {
 
@@ -41,7 +42,10 @@ void SpacePane::set_available(const std::vector<AvailableBuffer>& buffers) {
     panel_->set_available(buffers);
     if (chosen_) return;
     std::vector<SpaceLayer> first;
-    if (!buffers.empty()) first.push_back(default_layer(buffers.front()));
+    const auto points = std::find_if(buffers.begin(), buffers.end(), [](const AvailableBuffer& buffer) {
+        return buffer.kind == OutputKind::point_set;
+    });
+    if (!buffers.empty()) first.push_back(default_layer(points != buffers.end() ? *points : buffers.front()));
     panel_->set_layers(first);
     view_->set_layers(first);
 }

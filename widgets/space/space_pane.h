@@ -17,7 +17,7 @@ class SpacePane : public QWidget {
     SpaceView& view() { return *view_; }
     LayerPanel& panel() { return *panel_; }
     void set_scene(const SpaceScene& scene);
-    /// What can be drawn. While nobody chose layers, the first buffer is shown.
+    /// What can be drawn. While nobody chose layers, the first points are shown, or the first buffer.
     void set_available(const std::vector<AvailableBuffer>& buffers);
     void set_selectors(const std::vector<SpaceSelector>& selectors);
     /// Marks an element of all layers that show a buffer; -1: none.

@@ -286,12 +286,13 @@ TEST_F(Panel, SelectorsChooseOneItemOrAll) {
     EXPECT_TRUE(chosen.isEmpty());
 }
 
-TEST(SpacePane, ShowsTheFirstBufferUntilSomebodyChooses) {
+TEST(SpacePane, ShowsTheFirstPointsUntilSomebodyChooses) {
     SpacePane pane;
-    pane.set_available({FakeSpace::buffer()});
+    pane.set_available({FakeSpace::directions()});
     ASSERT_EQ(pane.view().scene().layers.size(), 1u);
-    pane.set_available({FakeSpace::directions(), FakeSpace::buffer()});
     EXPECT_EQ(pane.view().scene().layers[0].key, "directions");
+    pane.set_available({FakeSpace::directions(), FakeSpace::buffer()});
+    EXPECT_EQ(pane.view().scene().layers[0].key, "depths");
     SpaceScene mine;
     mine.layers = {FakeSpace::layer()};
     pane.set_scene(mine);
