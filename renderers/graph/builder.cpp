@@ -23,7 +23,8 @@ void PassBuilder::execute(std::function<void(PassContext&)> run) {
 void PassBuilder::execute_sliced(std::int64_t items, std::function<void(PassContext&, Slice)> run,
                                  std::int64_t first_slice) {
     pass_->items = items;
-    pass_->first_slice = first_slice > 0 ? first_slice : std::max<std::int64_t>(1, items / 16);
+    // Even of half a minute's work, the first slice then takes no longer than the others.
+    pass_->first_slice = first_slice > 0 ? first_slice : std::max<std::int64_t>(1, items / 1024);
     pass_->execute = std::move(run);
 }
 

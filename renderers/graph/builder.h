@@ -60,7 +60,7 @@ class PassBuilder {
     PassBuilder& counts(CounterRef counter);
     void execute(std::function<void(PassContext&)> run);
     /// Divisible work: `run` is called for consecutive ranges of [0, items), sized so that each takes about
-    /// 30 ms; `first_slice` is the size of the first one (0: items / 16).
+    /// 30 ms; `first_slice` is the size of the first one (0: items / 1024).
     void execute_sliced(std::int64_t items, std::function<void(PassContext&, Slice)> run,
                         std::int64_t first_slice = 0);
 

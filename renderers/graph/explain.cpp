@@ -95,6 +95,21 @@ bool Graph::State::has_known_counts(const Again& again) const {
     return true;
 }
 
+void Graph::State::remember_committed(std::vector<std::string> wanted) {
+    committed = std::move(wanted);
+    // Outputs that do not explain are those of the frame, whatever they were computed for.
+    for (const auto& output : method->description.outputs) {
+        const auto is_there = [&](const auto& descs, const std::vector<bool>& live) {
+            for (std::size_t i = 0; i < descs.size(); ++i)
+                if (live[i] && descs[i].text.key == output.key) return true;
+            return false;
+        };
+        const bool computed =
+            is_there(builder->images(), plan.image_live) || is_there(builder->buffers(), plan.buffer_live);
+        if (computed && !output.explains) committed = joined(std::move(committed), {output.key});
+    }
+}
+
 std::optional<Graph::State::Again> Graph::State::plan_again(const std::vector<std::string>& wanted) {
     const auto explains = explanations(method->description);
     Again again;
@@ -199,7 +214,7 @@ bool Graph::State::run_again(Graph& graph, const std::vector<std::string>& wante
         const bool overflow = grow(counts);
         if (overflow) drop_unsure_fingerprints();
         fill_report(counts);
-        if (!overflow) return true;
+        if (!overflow) return remember_committed(joined(committed, wanted)), true;
     }
     throw Error("method '" + method->description.id + "': buffers still overflow after " +
                 std::to_string(max_growths_per_frame) + " growths; please report this");
@@ -236,7 +251,6 @@ bool Graph::explain(const Method& method, const Settings& settings, const FrameI
         throw;
     }
     end();
-    if (done) s.committed = joined(s.committed, wanted);
     return done;
 }
 

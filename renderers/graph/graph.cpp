@@ -136,6 +136,7 @@ void Graph::State::run_attempts(Graph& graph, const std::vector<std::string>& wa
         report.complete = !grow(counts);
         if (!report.complete) drop_unsure_fingerprints();
         fill_report(counts);
+        if (report.complete) remember_committed(wanted);
         if (report.complete || options->growth == Growth::next_frame) return;
         if (++attempt > max_growths_per_frame)
             throw Error("method '" + method->description.id + "': buffers still overflow after " +
@@ -165,10 +166,7 @@ FrameReport Graph::run(const Method& method, const Settings& settings, const Fra
         s.end_frame();
         throw;
     }
-    if (s.report.complete) {
-        s.pool.commit();
-        s.committed = wanted;
-    }
+    if (s.report.complete) s.pool.commit();
     s.report.wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     s.end_frame();
     return s.report;

@@ -105,6 +105,7 @@ struct Graph::State {
         Plan before;               ///< what the committed frame holds
         std::vector<bool> passes;  ///< that run, of `plan`
     };
+    void remember_committed(std::vector<std::string> wanted);
     std::optional<Again> plan_again(const std::vector<std::string>& wanted);
     bool may_run_again(const Pass& pass, std::size_t index, const Again& again) const;
     bool is_held(const Pass::Access& access, const Plan& before) const;

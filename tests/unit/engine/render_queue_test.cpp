@@ -1,0 +1,148 @@
+#include "app/engine/render_queue.h"
+
+#include <gtest/gtest.h>
+
+namespace ir::engine {
+namespace {
+
+using Outcome = RenderQueue::Outcome;
+
+LiveRequest request_of(const std::string& tag) {
+    LiveRequest request;
+    request.tag = tag;
+    return request;
+}
+
+class RenderQueueTest : public testing::Test {
+  protected:
+    /// The job whose turn it is.
+    RenderQueue::Job take() {
+        auto work = queue.take();
+        EXPECT_TRUE(work.job.has_value());
+        return work.job.value_or(RenderQueue::Job());
+    }
+    RenderQueue queue;
+};
+
+TEST_F(RenderQueueTest, TagsTakeTurnsFrameByFrame) {
+    for (const char* tag : {"a", "b", "c"}) queue.request(request_of(tag));
+    std::string order;
+    for (int frame = 0; frame < 9; ++frame) {
+        const auto job = take();
+        order += job.request.tag;
+        EXPECT_FALSE(queue.finish(job, Outcome::more));
+    }
+    EXPECT_EQ(order, "abcabcabc");
+}
+
+TEST_F(RenderQueueTest, ATagThatIsRequestedAgainAndAgainKeepsItsPlace) {
+    queue.request(request_of("a"));
+    queue.request(request_of("b"));
+    for (int i = 0; i < 5; ++i) queue.request(request_of("a"));
+    queue.finish(take(), Outcome::finished);
+    EXPECT_EQ(take().request.tag, "b");
+}
+
+TEST_F(RenderQueueTest, TheNewestOfATagWins) {
+    auto request = request_of("a");
+    const auto first = queue.request(request);
+    request.experiment.frames = 7;
+    const auto second = queue.request(request);
+    EXPECT_LT(first, second);
+    const auto job = take();
+    EXPECT_EQ(job.serial, second);
+    EXPECT_EQ(job.request.experiment.frames, 7);
+}
+
+TEST_F(RenderQueueTest, ANewerRequestFollowsTheFrameThatRuns) {
+    queue.request(request_of("a"));
+    const auto old = take();
+    const auto newer = queue.request(request_of("a"));
+    EXPECT_FALSE(queue.cancel_token().is_cancelled()) << "a young frame is let finish";
+    EXPECT_FALSE(queue.finish(old, Outcome::failed)) << "nobody waits for the old one";
+    EXPECT_EQ(take().serial, newer);
+}
+
+TEST_F(RenderQueueTest, CancellingTheFrameThatRunsStopsItAndSaysSo) {
+    queue.request(request_of("a"));
+    const auto job = take();
+    queue.cancel("b");
+    EXPECT_FALSE(queue.cancel_token().is_cancelled());
+    queue.cancel("a");
+    EXPECT_TRUE(queue.cancel_token().is_cancelled());
+    EXPECT_TRUE(queue.finish(job, Outcome::failed));
+    EXPECT_FALSE(queue.cancel_token().is_cancelled()) << "the next frame is another";
+}
+
+TEST_F(RenderQueueTest, CancellingBetweenFramesIsSaidToo) {
+    queue.request(request_of("a"));
+    const auto job = take();
+    queue.cancel("a");
+    EXPECT_TRUE(queue.finish(job, Outcome::more)) << "the frame was done, others were not";
+    queue.request(request_of("a"));
+    queue.request(request_of("b"));
+    queue.cancel("b");
+    queue.cancel("b");
+    const auto work = queue.take();
+    EXPECT_EQ(work.cancelled, std::vector<std::string>{"b"});
+    EXPECT_EQ(work.job->request.tag, "a");
+}
+
+TEST_F(RenderQueueTest, ReleaseDropsTheTagWithoutAWord) {
+    queue.request(request_of("a"));
+    const auto job = take();
+    queue.release("a");
+    EXPECT_TRUE(queue.cancel_token().is_cancelled());
+    EXPECT_FALSE(queue.finish(job, Outcome::failed));
+    const auto work = queue.take();
+    EXPECT_EQ(work.released, std::vector<std::string>{"a"});
+    EXPECT_FALSE(work.job.has_value());
+}
+
+TEST_F(RenderQueueTest, LooksAreTheNewestOfEachTag) {
+    ProbeRequest probe{"a", {{1, 1}}};
+    queue.probe(probe);
+    probe.pixels = {{2, 2}};
+    queue.probe(probe);
+    SceneViewRequest view;
+    view.tag = "view";
+    queue.draw(view);
+    const auto newest = queue.draw(view);
+    const auto looks = queue.take_looks();
+    ASSERT_EQ(looks.probes.size(), 1u);
+    EXPECT_EQ(looks.probes[0].pixels[0].x, 2);
+    ASSERT_EQ(looks.views.size(), 1u);
+    EXPECT_EQ(looks.views[0].serial, newest);
+    EXPECT_TRUE(queue.take_looks().probes.empty());
+}
+
+TEST_F(RenderQueueTest, FilesWaitUntilTheirTagIsRendered) {
+    queue.request(request_of("a"));
+    queue.export_layers({"a", "a.exr", {}});
+    queue.export_layers({"b", "b.exr", {}});
+    const auto work = queue.take();
+    ASSERT_TRUE(work.file.has_value());
+    EXPECT_EQ(work.file->file, "b.exr");
+    queue.finish(*work.job, Outcome::finished);
+    EXPECT_EQ(queue.take().file->file, "a.exr");
+}
+
+TEST_F(RenderQueueTest, StopCancelsAndEnds) {
+    queue.request(request_of("a"));
+    const auto job = take();
+    queue.stop();
+    EXPECT_TRUE(queue.cancel_token().is_cancelled());
+    queue.finish(job, Outcome::failed);
+    EXPECT_TRUE(queue.cancel_token().is_cancelled());
+    EXPECT_TRUE(queue.take().stop);
+}
+
+TEST_F(RenderQueueTest, EverythingKnownRunsAgain) {
+    queue.request(request_of("a"));
+    queue.finish(take(), Outcome::finished);
+    queue.run_all_again();
+    EXPECT_EQ(take().request.tag, "a");
+}
+
+}  // namespace
+}  // namespace ir::engine

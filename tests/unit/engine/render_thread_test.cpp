@@ -1,0 +1,283 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "renderers/core/error.h"
+#include "renderers/image/atlas.h"
+#include "renderers/image/exr.h"
+#include "tests/unit/engine/render_thread_fixture.h"
+
+namespace ir::engine {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST_F(RenderThreadTest, TagsTakeTurns) {
+    auto a = request_of("a", "reference"), b = request_of("b", "reference");
+    a.experiment.frames = b.experiment.frames = 8;
+    const auto first = thread->request(a), second = thread->request(b);
+    finished(first);
+    finished(second);
+    std::string order;
+    for (const auto& result : answers().results) order += result.tag;
+    // As soon as both wait, none has two frames while the other waits.
+    const auto start = order.find('b'), end = order.find_last_of('a');
+    ASSERT_LT(start, end);
+    EXPECT_EQ(order.substr(start, end - start).find("aa"), std::string::npos) << order;
+    EXPECT_EQ(order.substr(start, end - start).find("bb"), std::string::npos) << order;
+    EXPECT_EQ(order.size(), 16u);
+}
+
+TEST_F(RenderThreadTest, TheNewestOfATagWins) {
+    auto request = request_of("a", "reference");
+    request.experiment.frames = 1000;
+    const auto old = thread->request(request);
+    ASSERT_TRUE(wait([](const Answers& a) { return a.results.size() > 2; }));
+    request.experiment.frames = 2;
+    request.experiment.seed = 5;
+    const auto result = render(request);
+    EXPECT_EQ(result.frame, 2);
+    EXPECT_TRUE(result.finished);
+    for (const auto& each : answers().results) EXPECT_FALSE(each.serial == old && each.finished);
+    EXPECT_GT(result.serial, old);
+}
+
+TEST_F(RenderThreadTest, LookingAtOtherThingsRunsNothing) {
+    auto request = request_of("a", "reference");
+    request.experiment.frames = 3;
+    request.parts = {Part{}, Part{"reference.samples", 0, 0}};
+    const auto first = render(request);
+    ASSERT_EQ(first.images.size(), 2u);
+    forget();
+    request.parts = {Part{"reference.samples", 0, 0}};
+    const auto second = render(request);
+    EXPECT_TRUE(answers().progress.empty());
+    EXPECT_EQ(second.frame, 3);
+    EXPECT_EQ(second.images.begin()->second.pixels, first.images.at(request.parts[0]).pixels);
+    EXPECT_EQ(answers().results.size(), 1u);
+}
+
+TEST_F(RenderThreadTest, WhatWasCulledIsComputedWhenItIsAskedFor) {
+    auto request = request_of("a", "ldm-ao");
+    request.experiment.settings = {{"directions", std::int64_t{16}}};
+    const auto first = render(request);
+    const auto available = [](const LiveResult& result, const std::string& key) {
+        return std::any_of(result.report.resources.begin(), result.report.resources.end(),
+                           [&](const auto& r) { return r.key == key && r.available; });
+    };
+    EXPECT_FALSE(available(first, "ldm.leaks"));
+    const Part leaks{"ldm.leaks", 0, 0};
+    request.parts = {Part{}, leaks};
+    const auto second = render(request);
+    EXPECT_TRUE(available(second, "ldm.leaks"));
+    ASSERT_EQ(second.images.count(leaks), 1u);
+    EXPECT_EQ(second.images.at(leaks).width, 24);
+    EXPECT_EQ(second.images.at(Part{}).pixels, first.images.at(Part{}).pixels);
+}
+
+TEST_F(RenderThreadTest, AnotherPixelIsExplainedAsInAFreshRunAndThePictureStays) {
+    auto request = request_of("a", "ldm-ao");
+    request.experiment.settings = {{"directions", std::int64_t{16}}};
+    request.buffers = {"ldm.explain.hits", "ldm.explain.rays", "ldm.explain.walk"};
+    request.inspection.x = 12;
+    request.inspection.y = 13;
+    const auto first = render(request);
+    ASSERT_EQ(first.buffers.size(), 3u);
+    EXPECT_EQ(first.buffers.at("ldm.explain.rays").elements, 16u);
+    forget();
+    request.inspection.x = 9;
+    request.inspection.chosen["map"] = 5;
+    const auto second = render(request);
+    for (const auto& [tag, pass] : answers().progress)
+        EXPECT_EQ(pass.rfind("explain", 0), 0u) << pass << " ran again";
+    EXPECT_FALSE(answers().progress.empty());
+    EXPECT_EQ(second.inspection, request.inspection);
+    EXPECT_EQ(second.images.at(Part{}).pixels, first.images.at(Part{}).pixels);
+    request.tag = "fresh";
+    const auto fresh = render(request);
+    for (const auto& key : request.buffers) {
+        EXPECT_EQ(second.buffers.at(key).elements, fresh.buffers.at(key).elements) << key;
+        EXPECT_EQ(second.buffers.at(key).bytes, fresh.buffers.at(key).bytes) << key;
+    }
+    EXPECT_NE(second.buffers.at("ldm.explain.hits").bytes, first.buffers.at("ldm.explain.hits").bytes);
+}
+
+TEST_F(RenderThreadTest, LayersComeSideBySide) {
+    auto request = request_of("a", "ldm-ao");
+    request.experiment.settings = {{"directions", std::int64_t{16}}};
+    const Part all{"ldm.layers", Part::all, Part::all}, none{"no.such", 0, 0};
+    request.parts = {all, none};
+    const auto result = render(request);
+    ASSERT_EQ(result.images.count(all), 1u);
+    EXPECT_EQ(result.images.count(none), 0u);
+    const auto& resources = result.report.resources;
+    const auto layers =
+        std::find_if(resources.begin(), resources.end(), [](const auto& r) { return r.key == "ldm.layers"; });
+    const auto atlas = make_atlas(layers->width, layers->height, layers->levels, layers->layers);
+    EXPECT_EQ(result.images.at(all).width, atlas.width);
+    EXPECT_EQ(result.images.at(all).height, atlas.height);
+}
+
+TEST_F(RenderThreadTest, ProbesReadWhatTheImagesHold) {
+    const auto result = render(request_of("a", "view-normals"));
+    const auto& picture = result.images.at(Part{});
+    thread->probe({"a", {{3, 4}, {23, 15}, {24, 0}}});
+    ASSERT_TRUE(wait([](const Answers& a) { return !a.probes.empty(); }));
+    const auto probe = answers().probes.front();
+    const auto main = std::find_if(probe.rows.begin(), probe.rows.end(), [](const auto& row) {
+        return row.semantic == Semantic::normal && row.available;
+    });
+    ASSERT_NE(main, probe.rows.end());
+    ASSERT_EQ(main->values.size(), 3u);
+    EXPECT_EQ(main->channels, picture.channels);
+    for (int c = 0; c < picture.channels; ++c) {
+        EXPECT_EQ(main->values[0][std::size_t(c)], picture.at(3, 4, c));
+        EXPECT_EQ(main->values[1][std::size_t(c)], picture.at(23, 15, c));
+    }
+    EXPECT_TRUE(main->values[2].empty()) << "outside the picture";
+}
+
+TEST_F(RenderThreadTest, ProbesAndViewsAreServedWhileALongFrameRuns) {
+    render(request_of("short", "view-normals"));
+    forget();
+    thread->request(long_request("long"));
+    ASSERT_TRUE(is_tracing("long"));
+    thread->probe({"short", {{1, 1}}});
+    SceneViewRequest view;
+    view.tag = "view";
+    view.execution = "short";
+    view.view.width = 40;
+    view.view.height = 30;
+    const auto serial = thread->draw(view);
+    ASSERT_TRUE(wait([](const Answers& a) { return !a.probes.empty() && !a.views.empty(); }));
+    const auto now = answers();
+    EXPECT_TRUE(now.results.empty()) << "the long frame was over";
+    EXPECT_FALSE(now.probes[0].rows.empty());
+    EXPECT_EQ(now.views[0].serial, serial);
+    EXPECT_EQ(now.views[0].error, "");
+    EXPECT_EQ(now.views[0].picture.colour.width, 40);
+    // Of the execution that runs, too.
+    view.execution = "long";
+    thread->draw(view);
+    thread->probe({"long", {{1, 1}}});
+    ASSERT_TRUE(wait([](const Answers& a) { return a.probes.size() == 2 && a.views.size() == 2; }));
+    EXPECT_TRUE(answers().results.empty());
+}
+
+TEST_F(RenderThreadTest, ViewsBetweenSlicesDoNotChangeThePicture) {
+    auto request = request_of("a", "ldm-ao");
+    request.experiment.width = 96;
+    request.experiment.height = 64;
+    request.experiment.settings = {{"directions", std::int64_t{64}}};
+    const auto undisturbed = render(request);
+    forget();
+    request.tag = "b";
+    const auto serial = thread->request(request);
+    SceneViewRequest view;
+    view.tag = "view";
+    view.execution = "a";
+    view.view.width = 16;
+    view.view.height = 12;
+    for (std::size_t seen = 0;;) {
+        thread->draw(view);
+        ASSERT_TRUE(wait([&](const Answers& a) { return a.views.size() > seen || !a.results.empty(); }));
+        const auto now = answers();
+        if (!now.results.empty()) break;
+        seen = now.views.size();
+    }
+    EXPECT_EQ(finished(serial).images.at(Part{}).pixels, undisturbed.images.at(Part{}).pixels);
+}
+
+TEST_F(RenderThreadTest, CancelTakesATenthOfASecond) {
+    // The best of some: the machine may be busy with other things.
+    auto best = std::chrono::duration<double>(1e9);
+    for (int i = 0; i < 5 && best > 0.1s; ++i) {
+        forget();
+        thread->request(long_request("long"));
+        ASSERT_TRUE(is_tracing("long"));
+        const auto start = Clock::now();
+        thread->cancel("long");
+        ASSERT_TRUE(wait([](const Answers& a) { return !a.failures.empty(); }));
+        const auto failure = answers().failures.front();
+        EXPECT_TRUE(failure.cancelled);
+        EXPECT_EQ(failure.tag, "long");
+        best = std::min<std::chrono::duration<double>>(best, failure.at - start);
+    }
+#ifndef INTERREFLECT_SANITIZED
+    EXPECT_LT(best.count(), 0.1);
+#endif
+}
+
+TEST_F(RenderThreadTest, ReleasedTagsAreSilentAndHoldNothing) {
+    thread->request(long_request("long"));
+    ASSERT_TRUE(is_tracing("long"));
+    thread->release("long");
+    render(request_of("next", "view-normals"));
+    thread->probe({"long", {{1, 1}}});
+    thread->draw({"view", "long", {}});
+    ASSERT_TRUE(wait([](const Answers& a) { return !a.probes.empty() && !a.views.empty(); }));
+    const auto now = answers();
+    EXPECT_TRUE(now.probes[0].rows.empty());
+    EXPECT_FALSE(now.views[0].error.empty());
+    EXPECT_TRUE(now.failures.empty());
+    for (const auto& result : now.results) EXPECT_EQ(result.tag, "next");
+}
+
+TEST_F(RenderThreadTest, AWaitingRequestThatIsCancelledSaysSo) {
+    thread->request(long_request("long"));
+    ASSERT_TRUE(is_tracing("long"));
+    thread->request(request_of("waiting", "view-normals"));
+    thread->cancel("waiting");
+    thread->cancel("long");
+    ASSERT_TRUE(wait([](const Answers& a) { return a.failures.size() == 2; }));
+    for (const auto& failure : answers().failures) EXPECT_TRUE(failure.cancelled);
+    EXPECT_TRUE(answers().results.empty());
+}
+
+TEST_F(RenderThreadTest, AFailureKeepsNobodyElseFromWorking) {
+    auto wrong = request_of("wrong", "view-normals");
+    wrong.experiment.scene = "builtin:nowhere";
+    thread->request(wrong);
+    ASSERT_TRUE(wait([](const Answers& a) { return !a.failures.empty(); }));
+    const auto failure = answers().failures.front();
+    EXPECT_EQ(failure.tag, "wrong");
+    EXPECT_FALSE(failure.cancelled);
+    forget();
+    EXPECT_TRUE(render(request_of("right", "view-normals")).finished);
+}
+
+TEST_F(RenderThreadTest, ExportsWaitForTheLastFrame) {
+    const auto file = (std::filesystem::temp_directory_path() / "interreflect-export-test.exr").string();
+    auto request = request_of("a", "reference");
+    request.experiment.frames = 4;
+    const auto serial = thread->request(request);
+    thread->export_layers({"a", file, {"reference.samples"}});
+    thread->export_layers({"nobody", file, {}});
+    ASSERT_TRUE(wait([](const Answers& a) { return a.exports.size() == 2; }));
+    for (const auto& each : answers().exports) EXPECT_EQ(each.error.empty(), each.tag == "a") << each.error;
+    const auto picture = finished(serial).images.at(Part{});
+    ImageAttributes attributes;
+    const auto layers = read_exr(file, &attributes);
+    EXPECT_EQ(attributes.at("interreflect.frames"), "4");
+    ASSERT_FALSE(layers.empty());
+    EXPECT_EQ(layers[0].image.pixels, picture.pixels);
+    EXPECT_TRUE(std::any_of(layers.begin(), layers.end(),
+                            [](const auto& layer) { return layer.name == "reference.samples"; }));
+    forget();
+    thread->export_layers({"a", file, {"no.such"}});
+    ASSERT_TRUE(wait([](const Answers& a) { return !a.exports.empty(); }));
+    EXPECT_NE(answers().exports[0].error.find("no.such"), std::string::npos);
+    std::filesystem::remove(file);
+}
+
+TEST_F(RenderThreadTest, ScenesCanBeToldApart) {
+    const std::vector<scene::Part> one{{"builtin:cornell"}}, other{{"builtin:atrium"}};
+    thread->load_scene(one);
+    thread->load_scene(other);
+    ASSERT_TRUE(wait([](const Answers& a) { return a.scenes.size() == 2; }));
+    EXPECT_EQ(answers().scenes[0].composition_key, scene::composition_key(one));
+    EXPECT_EQ(answers().scenes[1].composition_key, scene::composition_key(other));
+    EXPECT_GT(answers().scenes[1].triangles, 0u);
+}
+
+}  // namespace
+}  // namespace ir::engine
