@@ -85,6 +85,7 @@ class FaceSearch {
                 rasterise_large(context, chunk);
             begin = end;
         }
+        if (slice.last) settle_ties(context);
     }
 
   private:
@@ -124,6 +125,17 @@ class FaceSearch {
         context.barrier();
     }
 
+    void settle_ties(const graph::PassContext& context) const {
+        context.bind_buffer(5, points_.texels);
+        context.bind_buffer(6, points_.points);
+        const auto texels = shown_texels(maps_, range_, points_.stride);
+        const auto& ties = context.program({{"passes/ldm/point_ties.comp"}});
+        ties.use();
+        ties.set("texel_count", static_cast<unsigned>(texels));
+        ties.dispatch(static_cast<std::int64_t>(texels));
+        context.barrier();
+    }
+
     SceneBuffers scene_;
     Maps maps_;
     MapRange range_;
@@ -139,6 +151,7 @@ void declare_scratch(graph::GraphBuilder& builder, const Maps& maps, Points& poi
                                         "the last one's end, of the batch of maps that came last."},
                         .fields = {{"first", FieldType::u32}},
                         .elements = shown_texels(maps, largest, points.stride) + 1});
+    const auto chunk_texels = texels_in(maps, {0, std::min(points.maps.count, maps.layout.chunk_maps)});
     points.state = builder.buffer({.text = {.key = "ldm.point_state",
                                             .label = "State of finding faces",
                                             .doc = "What the steps of rasterising again tell each other."},
@@ -151,7 +164,7 @@ void declare_scratch(graph::GraphBuilder& builder, const Maps& maps, Points& poi
                                  .doc = "Triangle, and map | strip << 8, of the chunk of maps that was "
                                         "rasterised last."},
                         .fields = {{"triangle", FieldType::u32}, {"map_strip", FieldType::u32}},
-                        .elements = std::max<std::uint64_t>(1 << 14, maps.layout.map_texels() / 2),
+                        .elements = std::max<std::uint64_t>(1 << 14, chunk_texels / 2),
                         .growable = true,
                         .lower = "resolution"});
     points.strips_asked = builder.counter({.key = "ldm.point_strips_asked",
@@ -191,7 +204,7 @@ Points declare_points(graph::GraphBuilder& builder, const Maps& maps, MapRange s
     declare_scratch(builder, maps, points);
     if (points.stride > 1)
         builder.note("of the maps shown, every " + std::to_string(points.stride) +
-                     ". texel has points, so that about " + std::to_string(most_points / 1'000'000) +
+                     ". texel has points, so that at most about " + std::to_string(most_points / 1'000'000) +
                      " million result");
     return points;
 }

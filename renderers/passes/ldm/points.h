@@ -28,8 +28,8 @@ Points declare_points(graph::GraphBuilder& builder, const Maps& maps, MapRange s
 
 /// Declares passes "points" and "point faces" for the maps shown of a batch, which was built. The maps hold
 /// depths alone: faces come from rasterising the same triangles again by the same builder. A fragment and an
-/// entry belong together where texel and depth in quanta are equal, so facing and normal are exact, except
-/// that entries of equal depth may have swapped them.
+/// entry belong together where texel and depth in quanta are equal, so facing and normal are exact. Among
+/// entries of equal depth faces take turns (shaders/passes/ldm/point_ties.comp).
 void find_points(graph::GraphBuilder& builder, const SceneBuffers& scene, std::shared_ptr<const Maps> maps,
                  int batch, const Points& points);
 

@@ -103,6 +103,7 @@ struct Shot {
     std::string scene = scenes.front(), backend = "";
     std::uint64_t seed = 7;
     int frames = 1;
+    Inspection inspection = {};
 };
 
 /// The outputs of a method after some frames in which everything was wanted.
@@ -115,6 +116,7 @@ inline Frame render(const graph::Method& method, const Settings& settings, const
     experiment.height = 32;
     experiment.seed = run.seed;
     engine::Execution execution(machine(run.backend), experiment);
+    execution.inspect(run.inspection);
     graph::FrameOptions options;
     options.wanted = {"*"};
     Frame frame;

@@ -98,6 +98,47 @@ TEST_P(EveryMethod, OutputsExistAndAreFiniteWhereValid) {
     }
 }
 
+/// Numbers of a buffer's elements that are not finite.
+std::size_t count_not_finite(const std::vector<std::byte>& bytes, const std::vector<Field>& fields) {
+    std::vector<bool> is_float;
+    for (const auto& field : fields)
+        is_float.insert(is_float.end(), static_cast<std::size_t>(field.count), field.type == FieldType::f32);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < bytes.size() / 4; ++i) {
+        float value;
+        std::memcpy(&value, bytes.data() + 4 * i, 4);
+        count += is_float[i % is_float.size()] && !std::isfinite(value);
+    }
+    return count;
+}
+
+TEST_P(EveryMethod, ExplanationsAreFiniteAndLeaveTheResultAlone) {
+    for (const auto& selector : description().selectors) {
+        const auto* count = find(description().parameters, selector.count);
+        ASSERT_NE(count, nullptr) << selector.key;
+        EXPECT_EQ(count->type, ParameterType::integer) << selector.key;
+    }
+    for (const auto& scene : scenes) {
+        const auto settings = quick_settings(description());
+        const auto expected = render(method(), settings, {.scene = scene});
+        for (const int item : {1, Inspection::all}) {
+            Inspection inspection{24, 20, {}};
+            for (const auto& selector : description().selectors) inspection.chosen[selector.key] = item;
+            const auto frame = render(method(), settings, {.scene = scene, .inspection = inspection});
+            EXPECT_EQ(frame.main.pixels, expected.main.pixels) << scene;
+            for (const auto& resource : frame.report.resources) {
+                if (!resource.explains) continue;
+                EXPECT_TRUE(resource.available) << resource.key;
+                const auto found = frame.buffers.find(resource.key);
+                if (found == frame.buffers.end()) continue;
+                EXPECT_FALSE(found->second.empty()) << resource.key << " on " << scene;
+                EXPECT_EQ(count_not_finite(found->second, resource.fields), 0u)
+                    << resource.key << " on " << scene;
+            }
+        }
+    }
+}
+
 TEST_P(EveryMethod, SameSeedSameBits) {
     const auto settings = quick_settings(description());
     const Shot run{.scene = scenes.back(), .frames = 2};

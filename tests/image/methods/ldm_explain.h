@@ -81,9 +81,7 @@ class LdmExplain : public testing::Test {
         if (const auto* found = scene_.find_camera(camera)) camera_ = *found;
     }
 
-    /// One frame of `size`² pixels in which everything of ldm is wanted.
-    Image render(const Settings& settings, const Inspection& inspection, graph::FrameOptions options = {},
-                 int frame = 0) {
+    graph::FrameInputs inputs_of(const Inspection& inspection, int frame) const {
         graph::FrameInputs inputs;
         inputs.scene = &scene_;
         inputs.world = &world;
@@ -91,9 +89,20 @@ class LdmExplain : public testing::Test {
         inputs.seed = 5;
         inputs.frame = frame;
         inputs.inspection = inspection;
-        options.wanted = {"ldm.*", "gbuffer.*"};
-        report = graph_->run(*method_, settings, inputs, options);
+        return inputs;
+    }
+    /// One frame of `size`² pixels in which everything of ldm is wanted, if nothing else is.
+    Image render(const Settings& settings, const Inspection& inspection, graph::FrameOptions options = {},
+                 int frame = 0) {
+        if (options.wanted.empty()) options.wanted = {"ldm.*", "gbuffer.*"};
+        report = graph_->run(*method_, settings, inputs_of(inspection, frame), options);
         return graph_->read_image("accessibility").value();
+    }
+    /// Explains something else of the last frame, without another one.
+    bool explain(const Settings& settings, const Inspection& inspection, const graph::FrameOptions& options) {
+        const bool done = graph_->explain(*method_, settings, inputs_of(inspection, 0), options);
+        report = graph_->last_report();
+        return done;
     }
     Image image(const std::string& key) const { return graph_->read_image(key).value(); }
     Elements elements(const std::string& key) const {

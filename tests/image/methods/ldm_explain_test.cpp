@@ -68,6 +68,28 @@ TEST_F(LdmExplain, InspectionNeverChangesThePicture) {
     }
 }
 
+TEST_F(LdmExplain, AnotherPixelOrMapNeedsNoFrame) {
+    load("builtin:cornell");
+    const auto settings = maps(24, 64);
+    graph::FrameOptions options;
+    options.wanted = {"ldm.points", "ldm.layers", "ldm.explain.*"};
+    const std::vector<std::string> keys{"ldm.points", "ldm.explain.hits", "ldm.explain.entries"};
+    for (const auto& inspection : {choose(11, 20, 20), choose(Inspection::all, 5, 25)}) {
+        reset();
+        render(settings, inspection, options);
+        std::vector<Elements> expected;
+        for (const auto& key : keys) expected.push_back(elements(key));
+        reset();
+        const auto picture = render(settings, choose(2, 9, 9), options);
+        ASSERT_TRUE(explain(settings, inspection, options));
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            EXPECT_EQ(elements(keys[i]).size(), expected[i].size()) << keys[i];
+            EXPECT_TRUE(elements(keys[i]).bytes() == expected[i].bytes()) << keys[i];
+        }
+        EXPECT_EQ(image("accessibility").pixels, picture.pixels);
+    }
+}
+
 const std::vector<std::string> explanations{"ldm.explain.hits", "ldm.explain.rays", "ldm.explain.entries",
                                             "ldm.explain.walk", "ldm.explain.texel"};
 
