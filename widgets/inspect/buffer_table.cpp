@@ -199,8 +199,8 @@ void BufferTable::update_status() {
         widget->setEnabled(there);
     if (!there) return status_->setText(reason_);
     const BufferData& buffer = model_->buffer();
-    const QLocale locale = QLocale::c();
-    const auto count = [&locale](quint64 n) { return locale.toString(n).replace(',', QChar(0x202f)); };
+    const QLocale locale(QLocale::English);
+    const auto count = [&locale](quint64 n) { return locale.toString(n); };
     QStringList parts;
     if (listing_.filter || model_->listed())
         parts << tr("%1 of %2 elements").arg(count(quint64(model_->rowCount())), count(buffer.elements));

@@ -48,7 +48,7 @@ DisplayPanel::DisplayPanel(QWidget* parent) : QWidget(parent) {
     make_colours(grid);
     make_range(grid);
     make_marks(grid);
-    reset_ = new QPushButton(icon("range"), tr("Reset to automatic"));
+    reset_ = new QPushButton(icon("reset"), tr("Reset to automatic"));
     reset_->setObjectName(QStringLiteral("automatic"));
     connect(reset_, &QPushButton::clicked, this, &DisplayPanel::automatic_chosen);
     page->addWidget(reset_);
@@ -126,8 +126,8 @@ NumberField* DisplayPanel::add_number(const char* name, const QString& tip, doub
 void DisplayPanel::make_colours(QGridLayout* grid) {
     mode_ = add_choice(grid, "mode", tr("Mode"), tr("How numbers become colours"),
                        [](Display& display, int index) { display.mode = Display::Mode(index); });
-    mode_->addItems({tr("Colour: light"), tr("Vector: components as red, green, blue"),
-                     tr("Scalar: a colour map"), tr("Ids: a colour a number")});
+    mode_->addItems({tr("Colour: light"), tr("Vector: red, green, blue"), tr("Scalar: a colour map"),
+                     tr("Ids: a colour a number")});
     mode_->setItemData(0, tr("Linear light: exposure, tone map, then the sRGB transfer function"),
                        Qt::ToolTipRole);
     channel_ = add_choice(grid, "channel", tr("Channel"), tr("Channels that are shown"),
@@ -198,6 +198,7 @@ void DisplayPanel::make_range(QGridLayout* grid) {
     fit_all_ = button("fit-all", tr("Min–max"));
     fit_most_ = button("fit-most", tr("1–99 %"));
     symmetric_ = button("symmetric", tr("±"));
+    symmetric_->setMaximumWidth(48);
     symmetric_->setToolTip(tr("Make the range symmetric around zero, for signed quantities"));
     symmetric_->setAccessibleName(symmetric_->toolTip());
     auto* fits = new QHBoxLayout;

@@ -22,7 +22,7 @@ void DisplayPanel::set_image(const QString& name, Semantic semantic, const QStri
     if (!image)
         title_->setText(tr("No buffer in the active view"));
     else
-        title_->setText(QStringLiteral("<b>%1</b>  %2×%3, %4%5")
+        title_->setText(QStringLiteral("<b>%1</b>&nbsp; %2×%3, %4%5")
                             .arg(name.toHtmlEscaped())
                             .arg(image->width)
                             .arg(image->height)

@@ -162,6 +162,7 @@ QWidget* ExplainPanel::make_selector(std::size_t number) {
     row->item->set_whole(true);
     row->item->setMinimumWidth(70);
     row->of = new QLabel;
+    row->of->setMinimumWidth(fontMetrics().horizontalAdvance(tr("of %1").arg(QStringLiteral("0000"))));
     row->of->setForegroundRole(QPalette::PlaceholderText);
     row->all = new QCheckBox(tr("All"));
     row->all->setObjectName(QStringLiteral("all:") + key);

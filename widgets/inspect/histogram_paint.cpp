@@ -24,10 +24,18 @@ QPainterPath bars(const std::array<std::uint64_t, Histogram::bins>& counts, cons
                   bool logarithmic) {
     QPainterPath path(box.bottomLeft());
     const double width = box.width() / Histogram::bins;
+    const auto full = [](std::uint64_t count) { return count > 0; };
+    // A lone bin would be too thin to see.
+    const double room = std::count_if(counts.begin(), counts.end(), full) == 1 ? 2 : 0;
     for (std::size_t bin = 0; bin < counts.size(); ++bin) {
+        if (room > 0 && counts[bin] == 0) continue;
         const double y = box.bottom() - height_of(counts[bin], logarithmic) / most * box.height();
-        path.lineTo(box.left() + double(bin) * width, y);
-        path.lineTo(box.left() + double(bin + 1) * width, y);
+        const double left = box.left() + double(bin) * width - room;
+        const double right = box.left() + double(bin + 1) * width + room;
+        if (room > 0) path.lineTo(left, box.bottom());
+        path.lineTo(left, y);
+        path.lineTo(right, y);
+        if (room > 0) path.lineTo(right, box.bottom());
     }
     path.lineTo(box.bottomRight());
     path.closeSubpath();
@@ -48,7 +56,7 @@ void HistogramView::paint_bars(QPainter& painter) const {
     if (histogram_.counts.size() > 1) painter.setCompositionMode(QPainter::CompositionMode_Plus);
     for (std::size_t c = 0; c < histogram_.counts.size(); ++c) {
         QColor colour = channel_colour(histogram_.channels[c], histogram_.counts.size());
-        if (histogram_.counts.size() > 1) colour = colour.darker(140);
+        if (histogram_.counts.size() > 1) colour = colour.darker(190);
         painter.setBrush(colour);
         painter.drawPath(bars(histogram_.counts[c], box, height_of(most, logarithmic_), logarithmic_));
     }

@@ -195,7 +195,9 @@ QVariant InspectorModel::value_data(const Node& node, int column, int role) cons
     if (role == Qt::ForegroundRole) {
         if (node.kind == Node::Kind::buffer && !readings_.buffers[std::size_t(node.buffer)].available)
             return wanted_.contains(node.key) ? grey : QColor(140, 184, 230);
-        return numbers.empty() ? QVariant(grey) : value_colour(numbers);
+        if (node.kind == Node::Kind::position) return {};
+        const bool nowhere = node.kind == Node::Kind::world && !numbers.empty() && std::isnan(numbers[0]);
+        return numbers.empty() || nowhere ? QVariant(grey) : value_colour(numbers);
     }
     if (role == Qt::TextAlignmentRole) return int(Qt::AlignLeft | Qt::AlignVCenter);
     return {};

@@ -49,6 +49,7 @@ MessagesPanel::MessagesPanel(QWidget* parent)
 
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(4, 2, 4, 2);
+    bar->setSpacing(4);
     buttons_[int(Severity::error)] = make_severity_button(Severity::error);
     buttons_[int(Severity::warning)] = make_severity_button(Severity::warning);
     buttons_[int(Severity::note)] = make_severity_button(Severity::note);
@@ -128,11 +129,15 @@ QToolButton* MessagesPanel::make_severity_button(Severity severity) {
 
 void MessagesPanel::update_counts() {
     const auto set = [&](Severity severity, const QString& label) {
-        buttons_[int(severity)]->setText(QStringLiteral("%1 %2").arg(model_->count(severity)).arg(label));
+        auto* button = buttons_[int(severity)];
+        const int count = model_->count(severity);
+        button->setText(QString::number(count));
+        button->setToolTip(tr("%1: %2. Click to show or hide them.").arg(label).arg(count));
+        button->setAccessibleName(label);
     };
-    set(Severity::error, tr("errors"));
-    set(Severity::warning, tr("warnings"));
-    set(Severity::note, tr("notes"));
+    set(Severity::error, tr("Errors"));
+    set(Severity::warning, tr("Warnings"));
+    set(Severity::note, tr("Notes"));
     update_sources();
 }
 

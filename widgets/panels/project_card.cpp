@@ -64,10 +64,11 @@ void ProjectCard::paint_picture(QPainter& painter, const QRect& box) const {
         painter.setOpacity(1);
         return;
     }
-    QRect place(QPoint(), content_.thumbnail.size().scaled(box.size(), Qt::KeepAspectRatio));
-    place.moveCenter(box.center());
+    const QSizeF whole = content_.thumbnail.size();
+    QRectF part(QPointF(), QSizeF(box.size()).scaled(whole, Qt::KeepAspectRatio));
+    part.moveCenter(QRectF(QPointF(), whole).center());
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(place, content_.thumbnail);
+    painter.drawImage(box, content_.thumbnail, part);
 }
 
 void ProjectCard::paintEvent(QPaintEvent*) {
@@ -77,7 +78,7 @@ void ProjectCard::paintEvent(QPaintEvent*) {
     painter.setPen(hasFocus() ? QPen(palette().color(QPalette::Highlight), 2) : QPen(Qt::NoPen));
     painter.setBrush(palette().color(isDown() ? QPalette::Mid : lit ? QPalette::Midlight : QPalette::Window));
     painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
-    const QRect picture(margin, (height() - picture_height) / 2, picture_width, picture_height);
+    const QRect picture(margin, margin, picture_width, picture_height);
     paint_picture(painter, picture);
 
     QRect text = rect().adjusted(picture.right() + 1 + margin + 3, margin, -margin, -margin);
