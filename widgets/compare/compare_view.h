@@ -8,6 +8,8 @@
 #include "renderers/image/difference.h"
 #include "widgets/image/image_view.h"
 
+class QScrollArea;
+
 namespace ir::widgets {
 
 class DifferenceWorker;
@@ -101,11 +103,67 @@ class CompareView : public QWidget {
     void wipe_moved(double fraction);
     void difference_shown();  ///< a new difference is on the screen
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+
   private:
+    /// What a pane shows: a picture, or the difference between it and the next one.
+    struct Content {
+        int picture = 0;
+        bool difference = false;
+    };
+    std::vector<Content> contents() const;
+    bool has_rows() const { return mode_ == Mode::stages; }
+    void refresh();
+    void fill(ImageView& pane, const Content& content);
+    void fill_difference(ImageView& pane, int slot);
+    void fill_wipe(ImageView& pane);
+    Display stage_display() const;
+    void request_differences();
+    void show_difference(int slot);
+    void update_legends();
+    void relink();
+    void place();
+    void paint_board();
+    struct Grid {
+        int columns, rows;
+    };
+    Grid grid(int panes) const;
+    QRect cell(int index, QSize board) const;
+    QSize least_board() const;
+    ImageView* pane(int index);
+    void connect_pane(ImageView* view, int index);
+    int picture_of(int pane, QPoint pixel) const;
+    int shown_picture() const;
+    void camera_from(int pane, const CameraPose& pose);
+    bool may_hold() const;
+    void hold(int picture);
+    QString pane_label(int picture) const;
+    QString size_refusal() const;
+    QString missing_picture() const;
+    int count() const { return int(pictures_.size()); }
+
+    ImageView::Surface surface_;
     Mode mode_ = Mode::single;
     DifferenceKind kind_ = DifferenceKind::signed_;
     double wipe_ = 0.5;
     std::vector<std::shared_ptr<const Picture>> pictures_;
+    std::vector<Display> displays_;
+    std::vector<CameraPose> poses_;
+    std::optional<Display> difference_display_;
+    Display shown_difference_;
+    QScrollArea* scroll_;
+    QWidget* board_;
+    std::vector<ImageView*> panes_;  ///< those after contents() are hidden
+    ViewLink* link_;
+    DifferenceWorker* worker_;
+    bool legend_ = false, pixel_grid_ = true;
+    ImageView::Tool tool_ = ImageView::Tool::inspect;
+    double fly_speed_ = 1;
+    QPoint picked_{-1, -1};
+    int active_pane_ = 0, flipped_ = 0, held_ = -1;
 };
 
 /// Signed: a diverging map from -m … m; absolute: 0 … m; relative: 0 … 1, or to m where that is less. m is

@@ -121,7 +121,8 @@ QPoint ImageView::pixel_at(QPointF logical) const {
 void ImageView::resizeEvent(QResizeEvent*) {
     overlay_->setGeometry(rect());
     state_.transform.set_view_size(QSizeF(size()) * devicePixelRatioF());
-    finish_transform();
+    repaint_all();
+    emit zoom_changed(state_.transform.zoom());
 }
 
 void ImageView::changeEvent(QEvent* event) {

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+#include <QWheelEvent>
+
+#include "widgets/compare/compare_view.h"
+
+namespace ir::widgets {
+
+using PicturePtr = std::shared_ptr<const Picture>;
+
+/// Grey steps that differ in all corners, so that a picture that is turned or mirrored shows: the four
+/// quarters are `scale` times 0.1, 0.3, 0.6, 1 (top left, top right, bottom left, bottom right).
+inline Image quarters(float scale, int width = 16, int height = 12, int channels = 1) {
+    Image image(width, height, channels);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            for (int c = 0; c < channels; ++c) {
+                const bool right = x >= width / 2, below = y >= height / 2;
+                image.at(x, y, c) = scale * (below ? (right ? 1.0f : 0.6f) : (right ? 0.3f : 0.1f));
+            }
+    return image;
+}
+
+inline PicturePtr flat(float value, const QString& label = {}, int width = 16, int height = 12) {
+    return make_picture(Image(width, height, 1, value), Semantic::depth, label);
+}
+
+/// Grey from 0 to 1.
+inline Display grey_display() {
+    Display display;
+    display.mode = Display::Mode::scalar;
+    display.colour_map = "grey";
+    return display;
+}
+
+/// The grey that is seen at a point of a view's picture.
+inline int grey_at(ImageView& view, double x, double y) {
+    const QImage shot = view.grab().toImage();
+    const QPointF at = view.transform().view_from_image({x, y});
+    return shot.pixelColor(int(at.x()), int(at.y())).red();
+}
+
+inline int grey_of(double value) {
+    return int(value * 255 + 0.5);
+}
+
+inline void show(QWidget& widget, QSize size = {640, 480}) {
+    widget.resize(size);
+    widget.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&widget));
+}
+
+inline void wait_for_differences(CompareView& view) {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !view.is_computing(); }, 20000));
+}
+
+inline void turn_wheel(QWidget* widget, QPointF at, int steps) {
+    QWheelEvent wheel(at, widget->mapToGlobal(at), {}, {0, 120 * steps}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(widget, &wheel);
+}
+
+/// Widget coordinates of a point of the picture.
+inline QPoint point(const ImageView& view, double x, double y) {
+    return (view.transform().view_from_image({x, y}) / view.devicePixelRatioF()).toPoint();
+}
+
+/// Both surfaces that pictures are drawn on.
+class CompareTest : public testing::TestWithParam<bool> {
+  protected:
+    void SetUp() override {
+        if (GetParam() && !has_opengl())
+            GTEST_SKIP() << "Qt has no OpenGL here; start under a virtual X server";
+    }
+    ImageView::Surface surface() const {
+        return GetParam() ? ImageView::Surface::best : ImageView::Surface::raster;
+    }
+};
+
+}  // namespace ir::widgets

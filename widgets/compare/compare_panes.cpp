@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/compare/compare_view.h"
+#include "widgets/compare/difference_worker.h"
+#include "widgets/compare/view_link.h"
+
+/// What the panes of a comparison show.
+namespace ir::widgets {
+namespace {
+
+QString size_text(const Picture& picture) {
+    return QStringLiteral("%1×%2").arg(picture.size().width()).arg(picture.size().height());
+}
+
+QString letter(int picture) {
+    return picture < 26 ? QString(QChar('A' + picture)) : QString::number(picture + 1);
+}
+
+}  // namespace
+
+std::vector<CompareView::Content> CompareView::contents() const {
+    if (mode_ == Mode::difference && held_ < 0) return {{0, true}};
+    if ((mode_ != Mode::side_by_side && mode_ != Mode::stages) || count() < 2)
+        return {{shown_picture(), false}};
+    std::vector<Content> contents;
+    for (int i = 0; i < count(); ++i) contents.push_back({i, false});
+    for (int i = 0; has_rows() && i + 1 < count(); ++i) contents.push_back({i, true});
+    return contents;
+}
+
+QString CompareView::size_refusal() const {
+    const Picture* first = nullptr;
+    int index = 0;
+    const int compared = mode_ == Mode::wipe || mode_ == Mode::difference ? std::min(2, count()) : count();
+    for (int i = 0; i < compared; ++i) {
+        const Picture& each = *pictures_[i];
+        if (!each.has_image()) continue;
+        if (!first) {
+            first = &each;
+            index = i;
+        } else if (each.size() != first->size()) {
+            const QString sizes = tr("Sizes differ: %1 has %2, %3 has %4 pixels. ")
+                                      .arg(letter(index), size_text(*first), letter(i), size_text(each));
+            return sizes + (mode_ == Mode::side_by_side
+                                ? tr("Render both at one size, or unlink the views to see both.")
+                                : tr("Render both at one size to compare them."));
+        }
+    }
+    return {};
+}
+
+QString CompareView::missing_picture() const {
+    for (int i = 0; i < std::min(2, count()); ++i)
+        if (!pictures_[i]->has_image())
+            return pictures_[i]->note.isEmpty() ? tr("%1 has no picture yet.").arg(letter(i))
+                                                : tr("%1: %2").arg(letter(i), pictures_[i]->note);
+    return {};
+}
+
+QString CompareView::refusal() const {
+    if (mode_ == Mode::single) return {};
+    if (count() < 2) return tr("Choose a second picture to compare with.");
+    if (mode_ == Mode::wipe || mode_ == Mode::difference)
+        if (const QString missing = missing_picture(); !missing.isEmpty()) return missing;
+    if (mode_ == Mode::side_by_side && !is_linked()) return {};
+    return size_refusal();
+}
+
+QString CompareView::pane_label(int picture) const {
+    if (count() < 2) return {};
+    const QString& label = pictures_[picture]->label;
+    return label.isEmpty() ? letter(picture) : letter(picture) + QStringLiteral("   ") + label;
+}
+
+void CompareView::refresh() {
+    const auto shown = contents();
+    const bool refused = held_ < 0 && count() >= 2 && !refusal().isEmpty();
+    if (!refused) request_differences();
+    for (int i = 0; i < int(shown.size()); ++i) fill(*pane(i), shown[i]);
+    for (std::size_t i = shown.size(); i < panes_.size(); ++i) {
+        panes_[i]->hide();
+        panes_[i]->set_picture(nullptr);
+    }
+    if (active_pane_ >= int(shown.size())) active_pane_ = 0;
+    place();
+    update_legends();
+    relink();
+}
+
+void CompareView::fill(ImageView& pane, const Content& content) {
+    if (mode_ != Mode::wipe || held_ >= 0) pane.set_second(nullptr);
+    if (content.picture >= count()) {
+        pane.set_picture(nullptr);
+        return pane.set_labels({});
+    }
+    const QString reason = held_ < 0 ? refusal() : QString();
+    // Side by side A stays and the reason stands in the place of what does not fit.
+    const bool fits =
+        mode_ == Mode::side_by_side && pictures_[content.picture]->size() == pictures_.front()->size();
+    const bool alone = count() < 2 && mode_ != Mode::difference;
+    if (!reason.isEmpty() && !fits && !alone) {
+        pane.set_second(nullptr);
+        pane.set_picture(make_note(reason));
+        return pane.set_labels(content.difference ? QString() : pane_label(content.picture));
+    }
+    if (content.difference) return fill_difference(pane, content.picture);
+    pane.set_display(shown_display(content.picture));
+    pane.set_picture(pictures_[content.picture]);
+    pane.set_labels(pane_label(content.picture));
+    if (!poses_.empty()) pane.set_camera(poses_[std::min<std::size_t>(content.picture, poses_.size() - 1)]);
+    if (mode_ == Mode::wipe && held_ < 0 && count() >= 2) fill_wipe(pane);
+}
+
+void CompareView::fill_wipe(ImageView& pane) {
+    pane.set_second_display(shown_display(1));
+    pane.set_second(pictures_[1]);
+    pane.set_labels(pane_label(0), pane_label(1));
+    pane.set_wipe(wipe_);
+}
+
+void CompareView::request_differences() {
+    const int pairs = mode_ == Mode::difference ? 1 : mode_ == Mode::stages ? count() - 1 : 0;
+    for (int i = 0; i < pairs && i + 1 < count(); ++i)
+        if (pictures_[i]->has_image() && pictures_[i + 1]->has_image())
+            worker_->request(i, {pictures_[i], pictures_[i + 1], kind_});
+}
+
+void CompareView::fill_difference(ImageView& pane, int slot) {
+    const auto* result = worker_->result(slot);
+    pane.set_second(nullptr);
+    pane.set_labels(result ? result->picture->label.arg(letter(slot), letter(slot + 1)) : QString());
+    const bool possible = pictures_[slot]->has_image() && pictures_[slot + 1]->has_image();
+    if (!result || !possible) {
+        pane.set_picture(make_note(possible ? tr("Computing the difference …") : QString()));
+        pane.set_labels({});
+        return;
+    }
+    Display display = has_rows() ? stage_display() : result->automatic;
+    if (difference_display_) {
+        display = *difference_display_;
+        display.hide_invalid = true;
+    }
+    if (slot == 0) shown_difference_ = display;
+    pane.set_display(display);
+    Picture picture = *result->picture;
+    picture.stale = worker_->is_outdated(slot) || pictures_[slot]->stale || pictures_[slot + 1]->stale;
+    pane.set_picture(picture.stale ? std::make_shared<const Picture>(std::move(picture)) : result->picture);
+    if (!poses_.empty()) pane.set_camera(poses_[std::min<std::size_t>(slot, poses_.size() - 1)]);
+}
+
+Display CompareView::stage_display() const {
+    std::optional<Display> common;  // equal colours mean equal differences in the whole row
+    for (int i = 0; i + 1 < count(); ++i) {
+        const auto* result = worker_->result(i);
+        if (!result || !result->picture->has_image()) continue;
+        if (!common) common = result->automatic;
+        common->low = std::min(common->low, result->automatic.low);
+        common->high = std::max(common->high, result->automatic.high);
+    }
+    return common.value_or(Display());
+}
+
+void CompareView::show_difference(int slot) {
+    const auto shown = contents();
+    const bool visible = std::any_of(shown.begin(), shown.end(), [&](const Content& content) {
+        return content.difference && content.picture == slot;
+    });
+    if (!visible) return;
+    refresh();
+    emit difference_shown();
+}
+
+void CompareView::update_legends() {
+    const auto shown = contents();
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        // In a row the last one speaks for those that are shown alike.
+        const bool last = i + 1 == shown.size() || shown[i].difference != shown[i + 1].difference ||
+                          panes_[i]->display() != panes_[i + 1]->display();
+        const bool main_difference = mode_ == Mode::difference && shown[i].difference;
+        panes_[i]->set_legend(main_difference || (legend_ && last));
+    }
+}
+
+void CompareView::relink() {
+    const std::size_t shown = contents().size();
+    for (std::size_t i = 0; i < panes_.size(); ++i) {
+        if (i < shown && shown > 1)
+            link_->add(panes_[i]);
+        else
+            link_->remove(panes_[i]);
+    }
+    if (link_->is_linked() && shown > 1) link_->align_to(panes_[active_pane_]);
+}
+
+int CompareView::picture_of(int pane, QPoint pixel) const {
+    const auto shown = contents();
+    if (pane >= int(shown.size())) return 0;
+    if (shown[pane].difference) return -1;
+    if (mode_ == Mode::wipe && held_ < 0 && panes_[pane]->second())
+        return pixel.x() + 0.5 >= wipe_ * panes_[pane]->image().width ? 1 : 0;
+    return shown[pane].picture;
+}
+
+}  // namespace ir::widgets

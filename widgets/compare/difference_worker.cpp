@@ -1,0 +1,132 @@
+#include "widgets/compare/difference_worker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderers/core/error.h"
+#include "widgets/compare/compare_view.h"
+
+namespace ir::widgets {
+namespace {
+
+QString label_of(DifferenceKind kind) {
+    switch (kind) {
+        case DifferenceKind::signed_:
+            return QStringLiteral("%1 − %2");
+        case DifferenceKind::absolute:
+            return QStringLiteral("|%1 − %2|");
+        case DifferenceKind::relative:
+            return QStringLiteral("|%1 − %2| / (|%2| + ") +
+                   QString::number(double(relative_difference_floor)) + QLatin1Char(')');
+    }
+    return {};
+}
+
+std::shared_ptr<const DifferenceResult> compute(const DifferenceRequest& request) {
+    auto result = std::make_shared<DifferenceResult>();
+    result->request = request;
+    const Picture &a = *request.a, &b = *request.b;
+    Picture picture;
+    picture.label = label_of(request.kind);
+    picture.atlas = a.atlas;
+    if (request.kind != DifferenceKind::relative) picture.unit = a.unit;
+    try {
+        auto computed = difference(*a.image, *b.image, request.kind, a.valid.get(), b.valid.get());
+        result->automatic = display_for_difference(request.kind, computed.image);
+        picture.image = std::make_shared<const Image>(std::move(computed.image));
+        if (!computed.valid.empty()) picture.valid = std::make_shared<const Image>(std::move(computed.valid));
+    } catch (const Error& error) {
+        picture.note = QString::fromUtf8(error.what());
+    }
+    result->picture = std::make_shared<const Picture>(std::move(picture));
+    return result;
+}
+
+}  // namespace
+
+bool DifferenceRequest::same_as(const DifferenceRequest& other) const {
+    if (!a || !b || !other.a || !other.b) return false;
+    return a->image == other.a->image && b->image == other.b->image && a->valid == other.a->valid &&
+           b->valid == other.b->valid && kind == other.kind;
+}
+
+bool DifferenceRequest::continues(const DifferenceRequest& other) const {
+    if (!a || !b || !other.a || !other.b) return false;
+    return kind == other.kind && a->label == other.a->label && b->label == other.b->label &&
+           a->size() == other.a->size() && a->unit == other.a->unit;
+}
+
+DifferenceWorker::DifferenceWorker(QObject* parent) : QObject(parent) {
+    pool_.setMaxThreadCount(1);  // memory is the limit, and renderers want the cores
+}
+
+DifferenceWorker::~DifferenceWorker() {
+    pool_.clear();
+    pool_.waitForDone();
+}
+
+void DifferenceWorker::request(int slot, const DifferenceRequest& request) {
+    if (slot >= int(slots_.size())) slots_.resize(slot + 1);
+    Slot& each = slots_[slot];
+    if (request.same_as(each.wanted)) return;
+    each.wanted = request;
+    if (each.result && !request.continues(each.result->request)) each.result.reset();
+    each.running ? void(each.pending = true) : start(slot);
+}
+
+void DifferenceWorker::start(int slot) {
+    Slot& each = slots_[slot];
+    each.running = true;
+    each.pending = false;
+    pool_.start([this, slot, request = each.wanted] {
+        auto result = compute(request);
+        QMetaObject::invokeMethod(
+            this, [this, slot, result] { take(slot, result); }, Qt::QueuedConnection);
+    });
+}
+
+void DifferenceWorker::take(int slot, std::shared_ptr<const DifferenceResult> result) {
+    Slot& each = slots_[slot];
+    each.running = false;
+    const bool useful = each.wanted.same_as(result->request) || each.wanted.continues(result->request);
+    if (useful) each.result = std::move(result);
+    if (each.pending) start(slot);
+    if (useful) emit ready(slot);
+}
+
+const DifferenceResult* DifferenceWorker::result(int slot) const {
+    return slot < int(slots_.size()) ? slots_[slot].result.get() : nullptr;
+}
+
+bool DifferenceWorker::is_outdated(int slot) const {
+    const auto* shown = result(slot);
+    return shown && !slots_[slot].wanted.same_as(shown->request);
+}
+
+bool DifferenceWorker::is_computing() const {
+    return std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.running; });
+}
+
+void DifferenceWorker::clear() {
+    for (auto& slot : slots_) {
+        slot.result.reset();
+        slot.wanted = {};
+        slot.pending = false;
+    }
+}
+
+Display display_for_difference(DifferenceKind kind, const Image& difference) {
+    const Statistics numbers = statistics(difference);
+    const double largest = std::max(std::abs(numbers.min), std::abs(numbers.max));
+    const double m = largest > 0 ? largest : 1;  // equal pictures: any range shows them so
+    Display display;
+    display.mode = Display::Mode::scalar;
+    display.hide_invalid = true;
+    display.negative_is_bad = false;
+    display.colour_map = kind == DifferenceKind::signed_ ? "coolwarm" : "magma";
+    display.low = kind == DifferenceKind::signed_ ? -m : 0;
+    display.high = kind == DifferenceKind::relative ? std::min(m, 1.0) : m;
+    return display;
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QObject>
+#include <QThreadPool>
+#include <memory>
+#include <vector>
+
+#include "renderers/image/difference.h"
+#include "widgets/image/display.h"
+#include "widgets/image/picture.h"
+
+namespace ir::widgets {
+
+/// Two pictures of equal size and what is asked about them.
+struct DifferenceRequest {
+    std::shared_ptr<const Picture> a, b;
+    DifferenceKind kind = DifferenceKind::signed_;
+    /// The same pixels and the same question.
+    bool same_as(const DifferenceRequest& other) const;
+    /// Newer pixels for the same question: an older answer may stay on the screen meanwhile.
+    bool continues(const DifferenceRequest& other) const;
+};
+
+/// Their difference, ready to be shown, and the display that its values suggest.
+struct DifferenceResult {
+    DifferenceRequest request;
+    std::shared_ptr<const Picture> picture;
+    Display automatic;
+};
+
+/// Computes differences off the window's thread, one after the other in each slot. Of requests that come
+/// while one is computed only the newest counts.
+class DifferenceWorker : public QObject {
+    Q_OBJECT
+  public:
+    explicit DifferenceWorker(QObject* parent = nullptr);
+    ~DifferenceWorker() override;
+    /// Does nothing where the slot's answer (or what is under way) is already to that.
+    void request(int slot, const DifferenceRequest& request);
+    /// The newest answer of a slot; null: none, or one to another question.
+    const DifferenceResult* result(int slot) const;
+    /// The slot's answer is not to its newest request.
+    bool is_outdated(int slot) const;
+    bool is_computing() const;
+    void clear();
+
+  signals:
+    void ready(int slot);
+
+  private:
+    struct Slot {
+        std::shared_ptr<const DifferenceResult> result;
+        DifferenceRequest wanted;
+        bool running = false, pending = false;
+    };
+    void start(int slot);
+    void take(int slot, std::shared_ptr<const DifferenceResult> result);
+    std::vector<Slot> slots_;
+    QThreadPool pool_;
+};
+
+}  // namespace ir::widgets
