@@ -134,6 +134,9 @@ void CameraEditor::take_text(const QString& text) {
 }
 
 void CameraEditor::choose_source(const QString& name) {
+    // Its own pose begins where the file's camera stands.
+    if (name.isEmpty() && file_poses_.count(source_name_) != 0)
+        return emit edit_wanted(makers::set_pose(id_, pose_));
     emit edit_wanted(field_edit<Camera>(
         id_, "source", [name = name.toStdString()](Camera& camera) { camera.scene_camera = name; }, false));
 }
@@ -151,21 +154,24 @@ void CameraEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     const QString why_not = shown.read_only ? shown.why_read_only : QString();
     set_controls_usable(why_not);
     pose_ = pose_of(camera);
+    file_poses_ = shown.facts.poses;
+    source_name_ = QString::fromStdString(camera.scene_camera);
+    if (const auto found = file_poses_.find(source_name_); found != file_poses_.end()) pose_ = found->second;
     name_->show_text(QString::fromStdString(camera.name));
     show_sources(shown, camera);
-    eye_->show_values(numbers(camera.eye));
-    target_->show_values(numbers(camera.target));
-    up_->show_values(numbers(camera.up));
+    eye_->show_values(numbers(pose_.eye));
+    target_->show_values(numbers(pose_.target));
+    up_->show_values(numbers(pose_.up));
     projection_->show_options(
         {{QStringLiteral("perspective"), tr("Perspective"), {}},
          {QStringLiteral("orthographic"), tr("Parallel (orthographic)"), {}}},
-        camera.orthographic ? QStringLiteral("orthographic") : QStringLiteral("perspective"));
-    fov_->show_value(camera.fov_y_degrees);
-    height_->show_value(camera.height);
+        pose_.orthographic ? QStringLiteral("orthographic") : QStringLiteral("perspective"));
+    fov_->show_value(pose_.fov_y_degrees);
+    height_->show_value(pose_.height);
     for (QWidget* widget : {static_cast<QWidget*>(fov_), static_cast<QWidget*>(fov_label_)})
-        widget->setVisible(!camera.orthographic);
+        widget->setVisible(!pose_.orthographic);
     for (QWidget* widget : {static_cast<QWidget*>(height_), static_cast<QWidget*>(height_label_)})
-        widget->setVisible(camera.orthographic);
+        widget->setVisible(pose_.orthographic);
     text_->show_text(QString::fromStdString(pose_text(pose_)));
     if (camera.scene_camera.empty() || shown.read_only) return;
     const QString from_file =

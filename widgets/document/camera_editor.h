@@ -36,7 +36,9 @@ class CameraEditor : public ItemForm {
     QLabel *fov_label_, *height_label_;
     QToolButton *copy_, *paste_, *from_view_;
     std::function<std::optional<CameraPose>()> view_pose_;
-    CameraPose pose_;
+    CameraPose pose_;      ///< that is shown
+    QString source_name_;  ///< of the file's camera; empty: its own pose
+    std::map<QString, CameraPose> file_poses_;
 };
 
 }  // namespace ir::widgets

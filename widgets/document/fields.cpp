@@ -39,7 +39,8 @@ QLabel* add_row(QGridLayout* grid, const QString& text, QWidget* control, const 
     label->setToolTip(tip);
     set_tip(control, tip);
     if (control->accessibleName().isEmpty()) control->setAccessibleName(text);
-    grid->addWidget(label, row, 0);
+    const bool is_tall = qobject_cast<NotesField*>(control) != nullptr;
+    grid->addWidget(label, row, 0, is_tall ? Qt::AlignTop : Qt::Alignment());
     grid->addWidget(control, row, 1, 1, 2);
     return label;
 }

@@ -90,6 +90,7 @@ ItemEditor::ItemEditor(QWidget* parent)
 ItemEditor::~ItemEditor() = default;
 
 void ItemEditor::add_form(std::initializer_list<ItemKind> kinds, ItemForm* form) {
+    static_cast<QBoxLayout*>(form->layout())->addStretch(1);  // forms stand at the top
     stack_->addWidget(scrolled(form));
     for (const ItemKind kind : kinds) forms_.emplace(kind, form);
     connect(form, &ItemForm::edit_wanted, this, [this](const EditMaker& make) {

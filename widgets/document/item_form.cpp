@@ -11,7 +11,6 @@ ItemForm::ItemForm(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
-    layout->setAlignment(Qt::AlignTop);
 }
 
 QLabel* ItemForm::row(QGridLayout* grid, const QString& label, QWidget* control, const QString& tip) {

@@ -2,11 +2,13 @@
 
 #include <QWidget>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "widgets/document/edit_maker.h"
 #include "widgets/document/item_ref.h"
+#include "widgets/image/camera_motion.h"
 
 class QGridLayout;
 class QLabel;
@@ -26,6 +28,7 @@ struct SceneFacts {
     QString scene;                                           ///< id of the scene that this is about
     QStringList cameras = {};                                ///< names of the file's cameras
     std::vector<std::vector<MaterialFacts>> materials = {};  ///< part by part
+    std::map<QString, CameraPose> poses = {};                ///< of those cameras, as far as known
 };
 
 /// The project as the forms see it while they are shown one.

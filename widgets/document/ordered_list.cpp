@@ -14,10 +14,12 @@ namespace ir::widgets {
 OrderedList::OrderedList(const char* name, const QString& what, int least, QWidget* parent)
     : QWidget(parent), list_(new QListWidget(this)), what_(what), least_(least) {
     setObjectName(QLatin1String(name));
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
     list_->setAlternatingRowColors(true);
+    list_->setStyleSheet(QStringLiteral("QListView::item { padding: 2px 1px; }"));
     list_->setTextElideMode(Qt::ElideRight);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setAccessibleName(name);
@@ -69,7 +71,7 @@ void OrderedList::show_lines(const std::vector<Line>& lines, int current) {
         list_->item(i)->setToolTip(lines[std::size_t(i)].tooltip);
     }
     list_->setCurrentRow(lines.empty() ? -1 : std::clamp(current, 0, int(lines.size()) - 1));
-    const int line = list_->fontMetrics().lineSpacing() + 5;
+    const int line = list_->fontMetrics().lineSpacing() + 6;
     list_->setFixedHeight(std::clamp(int(lines.size()), 2, 5) * line + 4);
     showing_ = false;
     update_buttons();

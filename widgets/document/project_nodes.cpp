@@ -77,7 +77,7 @@ QString part_detail(const ScenePart& part) {
 
 void add_scenes(Node& root, const Project& project) {
     Node& group = add_group(root, ItemKind::scene, tr("Scenes"), project.scenes.size(),
-                            tr("No scenes yet. Add a glTF file or a built-in scene with “Add”."));
+                            tr("No scenes yet. Add one with Ins."));
     for (const auto& scene : project.scenes) {
         const QString files = scene.parts.size() == 1 ? source_name(scene.parts.front().source)
                                                       : tr("%1 files").arg(scene.parts.size());
@@ -119,7 +119,7 @@ QString set_detail(const LightSet& set) {
 
 void add_lights(Node& root, const Project& project) {
     Node& group = add_group(root, ItemKind::light_set, tr("Lights"), project.lights.size(),
-                            tr("No own lights yet: experiments use the scene's. Add a set with “Add”."));
+                            tr("No own lights yet. Add a set with Ins."));
     for (const auto& set : project.lights) {
         Node& node = add_child(group, made(ItemKind::light_set, q(set.id), q(set.name), set_detail(set),
                                            "lights", tr("Set of lights, used instead of the scene's")));
@@ -153,9 +153,10 @@ void add_experiments(Node& root, const Project& project, const Registry& registr
         const QString detail =
             tr("%1 · %2 · %3").arg(q(experiment.method), name_in(project.scenes, experiment.scene), size);
         const QString about =
-            tr("Experiment: %1, %2. Double click: look at it")
+            tr("Experiment: %1, %2, %3, %4. Double click: look at it")
                 .arg(method ? q(method->title)
                             : tr("method '%1', which this build does not have").arg(q(experiment.method)),
+                     name_in(project.scenes, experiment.scene), size,
                      counted(std::size_t(run.frames), "1 frame", "%1 frames"));
         add_child(group, made(ItemKind::experiment, q(experiment.id), q(experiment.name), detail,
                               method ? "experiment" : "warning", about));
@@ -169,7 +170,7 @@ QString picture_name(const Project& project, const std::string& id) {
 
 void add_comparisons(Node& root, const Project& project) {
     Node& group = add_group(root, ItemKind::comparison, tr("Comparisons"), project.comparisons.size(),
-                            tr("No comparisons yet. Add one with “Add”."));
+                            tr("No comparisons yet. Add one with Ins."));
     for (const auto& comparison : project.comparisons)
         add_child(group, made(ItemKind::comparison, q(comparison.id), q(comparison.name),
                               tr("%1 – %2 · %3")
@@ -180,7 +181,7 @@ void add_comparisons(Node& root, const Project& project) {
 
 void add_images(Node& root, const Project& project) {
     Node& group = add_group(root, ItemKind::image, tr("Foreign images"), project.images.size(),
-                            tr("No pictures from elsewhere. Add an EXR or PNG with “Add”."));
+                            tr("No foreign images. Add one with Ins."));
     for (const auto& image : project.images)
         add_child(group, made(ItemKind::image, q(image.id), q(image.name), source_name(image.source), "image",
                               q(image.source)));
@@ -188,7 +189,7 @@ void add_images(Node& root, const Project& project) {
 
 void add_sweeps(Node& root, const Project& project) {
     Node& group = add_group(root, ItemKind::sweep, tr("Sweeps"), project.sweeps.size(),
-                            tr("No sweeps yet: variations of an experiment."));
+                            tr("No sweeps yet. Add one with Ins."));
     for (const auto& sweep : project.sweeps) {
         std::size_t count = 1;
         QStringList keys;

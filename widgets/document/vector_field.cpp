@@ -55,7 +55,7 @@ VectorField::VectorField(const char* name, const QStringList& parts, QWidget* pa
         field->setObjectName(QStringLiteral("%1.%2").arg(QLatin1String(name), parts[i]));
         field->setAccessibleName(field->objectName());
         field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        field->setMinimumWidth(44);
+        field->setMinimumWidth(parts.size() > 3 ? 36 : 44);
         layout->addWidget(field, 1);
         connect(field, &NumberField::chosen, this, [this, i](double value) { emit chosen(i, value); });
         connect(field, &NumberField::editingFinished, this, &VectorField::finished);

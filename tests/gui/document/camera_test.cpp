@@ -122,6 +122,21 @@ TEST_F(CameraTest, CamerasOfTheFileAreChosenByName) {
     EXPECT_TRUE(field<NumberField>("eye.x")->isEnabled());
 }
 
+TEST_F(CameraTest, TheFilesPoseIsShownAndBecomesItsOwn) {
+    CameraPose gallery;
+    gallery.eye = {4, 5, 6};
+    gallery.fov_y_degrees = 35;
+    editor->set_scene_facts({"yard", {"gallery"}, {}, {{"gallery", gallery}}});
+    choose("source", "gallery");
+    EXPECT_EQ(field<NumberField>("eye.y")->value(), 5);
+    choose("source", "");
+    EXPECT_EQ(camera().eye, glm::dvec3(4, 5, 6));
+    EXPECT_EQ(camera().fov_y_degrees, 35);
+    EXPECT_EQ(camera().scene_camera, "");
+    undo();
+    EXPECT_EQ(camera().scene_camera, "gallery");
+}
+
 TEST_F(CameraTest, ReadOnlyFieldsSayWhy) {
     read_only = true;
     show();
