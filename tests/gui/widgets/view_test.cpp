@@ -4,10 +4,13 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "renderers/core/error.h"
 #include "widgets/image/image_view.h"
+#include "widgets/image/legend.h"
 #include "widgets/panels/value_strip.h"
 
 namespace ir::widgets {
@@ -169,6 +172,181 @@ TEST(Surfaces, ShowTheSameColours) {
             EXPECT_NEAR(a.blue(), b.blue(), 3) << to_string(semantic) << " " << x;
         }
     }
+}
+
+/// Both surfaces with the same picture and display, pixel by pixel.
+void expect_same_on_both(const std::shared_ptr<const Picture>& picture, const Display& display,
+                         const std::string& what) {
+    ImageView gl(nullptr, ImageView::Surface::best), raster(nullptr, ImageView::Surface::raster);
+    QImage shots[2];
+    for (auto* view : {&gl, &raster}) {
+        view->set_picture(picture);
+        view->set_display(display);
+        view->set_pixel_grid(false);
+        show(*view, {400, 200});
+        shots[view == &raster] = view->grab().toImage();
+    }
+    int differing = 0;
+    for (int y = 0; y < shots[0].height(); ++y)
+        for (int x = 0; x < shots[0].width(); ++x) {
+            const QColor a = shots[0].pixelColor(x, y), b = shots[1].pixelColor(x, y);
+            differing += std::abs(a.red() - b.red()) > 3 || std::abs(a.green() - b.green()) > 3 ||
+                         std::abs(a.blue() - b.blue()) > 3;
+        }
+    EXPECT_EQ(differing, 0) << what;
+    const QImage snapshot = gl.snapshot(true, false);
+    EXPECT_EQ(snapshot.size(), shots[1].size());
+    EXPECT_EQ(snapshot.convertToFormat(shots[1].format()), shots[1]) << what;
+}
+
+TEST(Surfaces, ShowTheSameMarksStripesAndTones) {
+    if (!has_opengl()) GTEST_SKIP() << "Qt has no OpenGL here; start under a virtual X server";
+    const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+    Picture picture;
+    Image image(16, 8, 3);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = float(i % 31) / 10 - 1;
+    image.at(3, 3, 1) = nan;
+    image.at(5, 3, 2) = inf;
+    image.at(7, 3, 0) = -inf;
+    Image valid(16, 8, 1, 1.0f);
+    for (int x = 0; x < 8; ++x) valid.at(x, 6) = 0;
+    picture.image = std::make_shared<const Image>(image);
+    picture.valid = std::make_shared<const Image>(valid);
+    picture.atlas.tiles = {{0, 0, 0, 0, 10, 8}, {1, 0, 12, 0, 4, 4}};
+    const auto shared = std::make_shared<const Picture>(picture);
+    for (auto mode :
+         {Display::Mode::colour, Display::Mode::vector, Display::Mode::scalar, Display::Mode::ids})
+        for (auto tones : {Display::ToneMap::none, Display::ToneMap::reinhard, Display::ToneMap::filmic})
+            for (int flags = 0; flags < 4; ++flags) {
+                Display display;
+                display.mode = mode;
+                display.tone_map = tones;
+                display.exposure = 0.5;
+                display.colour_map = "viridis";
+                display.low = -0.35;
+                display.high = 1.25;
+                display.zebra = flags & 1;
+                display.negative_is_bad = display.hide_invalid = flags & 2;
+                if (mode != Display::Mode::colour && tones != Display::ToneMap::none) continue;
+                expect_same_on_both(shared, display,
+                                    std::to_string(int(mode)) + " " + std::to_string(int(tones)) + " " +
+                                        std::to_string(flags));
+            }
+}
+
+TEST(Shading, ToneMapsCompressLightAndKeepBlack) {
+    using ToneMap = Display::ToneMap;
+    const auto grey = [](ToneMap tones, float light) {
+        Display display;
+        display.tone_map = tones;
+        return int(shade(display, std::vector<float>{light, light, light}.data(), 3)[0]);
+    };
+    const auto encoded = [&](double light) { return grey(ToneMap::none, float(light)); };
+    for (ToneMap tones : {ToneMap::reinhard, ToneMap::filmic}) {
+        EXPECT_EQ(grey(tones, 0), 0);
+        int before = 0;
+        for (float light : {0.05f, 0.2f, 1.0f, 3.0f}) {
+            EXPECT_GT(grey(tones, light), before);
+            before = grey(tones, light);
+        }
+        EXPECT_GE(grey(tones, 1e30f), 254);
+    }
+    EXPECT_NEAR(grey(ToneMap::reinhard, 1), encoded(0.5), 1);
+    EXPECT_NEAR(grey(ToneMap::reinhard, 3), encoded(0.75), 1);
+    EXPECT_NEAR(grey(ToneMap::filmic, 1), encoded(2.54 / 3.16), 1);
+}
+
+TEST(Shading, TheWorstChannelSpeaksForAPixel) {
+    Display display;
+    display.mode = Display::Mode::scalar;
+    display.negative_is_bad = false;
+    display.low = -1;
+    const float pixel[] = {0.25f, -0.75f, 0.5f}, alone[] = {-0.75f};
+    EXPECT_EQ(shade(display, pixel, 3), shade(display, alone, 1));
+    display.channel = 2;
+    EXPECT_NE(shade(display, pixel, 3), shade(display, alone, 1));
+}
+
+TEST(Shading, ZebraTellsBelowFromAbove) {
+    Display display;
+    display.negative_is_bad = false;
+    const auto range = [&](float value) { return out_of_range(display, &value, 1); };
+    EXPECT_EQ(range(-0.1f), OutOfRange::below);
+    EXPECT_EQ(range(0.9f), OutOfRange::no);
+    display.exposure = 1;
+    EXPECT_EQ(range(0.9f), OutOfRange::above);  // what a screen cannot show, whatever the tone map
+    display.mode = Display::Mode::scalar;
+    display.low = 2;
+    display.high = 3;
+    EXPECT_EQ(range(0.9f), OutOfRange::below);
+    EXPECT_EQ(range(3.1f), OutOfRange::above);
+    EXPECT_EQ(range(std::numeric_limits<float>::quiet_NaN()), OutOfRange::no);
+}
+
+TEST_P(EachSurface, LegendAndLabelsLieOverThePicture) {
+    ImageView view(nullptr, surface());
+    view.set_picture(make_picture(Image(8, 8, 1, 0.5f), Semantic::depth, "depth", "m"));
+    show(view, {400, 300});
+    const QImage plain = view.grab().toImage();
+    view.set_labels("A   ours");
+    const QImage labelled = view.grab().toImage();
+    EXPECT_NE(labelled, plain);
+    EXPECT_EQ(labelled.copy(300, 100, 100, 200), plain.copy(300, 100, 100, 200));
+    view.set_legend(true);
+    EXPECT_NE(view.grab().toImage().copy(300, 100, 100, 200), plain.copy(300, 100, 100, 200));
+    const auto whole = ImageView::SnapshotScale::picture_pixels;
+    EXPECT_EQ(view.snapshot(false, false, whole).size(), QSize(8, 8));
+    EXPECT_GT(view.snapshot(false, true, whole).width(), 8);  // beside the picture, not over it
+    EXPECT_EQ(view.snapshot(false, true, whole).copy(0, 0, 8, 8), view.snapshot(false, false, whole));
+}
+
+TEST_P(EachSurface, ASharedPictureIsNotCopied) {
+    ImageView view(nullptr, surface());
+    const auto picture = make_picture(corners(), Semantic::radiance);
+    view.set_picture(picture);
+    show(view);
+    view.grab();
+    EXPECT_EQ(&view.image(), picture->image.get());
+    const int uploads = view.upload_count();
+    Picture stale = *picture;
+    stale.stale = true;
+    view.set_picture(std::make_shared<const Picture>(stale));  // the same pixels
+    view.look_at({3, 3}, 20);
+    view.grab();
+    EXPECT_EQ(view.upload_count(), uploads);
+}
+
+TEST(Pictures, PlacesAreToldWithinTheirTile) {
+    Picture picture = *make_picture(Image(10, 4, 1), Semantic::depth);
+    EXPECT_EQ(locate(picture, {7, 2}), (PicturePixel{0, 0, {7, 2}}));
+    EXPECT_TRUE(place_text(picture, {10, 0}).isEmpty());
+    picture.atlas.width = 10;
+    picture.atlas.height = 4;
+    picture.atlas.tiles = {{0, 3, 0, 0, 4, 4}, {1, 3, 6, 0, 2, 2}, {0, 4, 8, 0, 2, 4}};
+    EXPECT_EQ(locate(picture, {7, 1}), (PicturePixel{1, 3, {1, 1}}));
+    EXPECT_EQ(locate(picture, {5, 1}).pixel, QPoint(-1, -1));  // a gap
+    EXPECT_TRUE(place_text(picture, {5, 1}).isEmpty());
+    EXPECT_EQ(place_text(picture, {7, 1}).simplified(), "slice 3 · level 1 x 1 y 1");
+    EXPECT_EQ(tile_name(picture.atlas, picture.atlas.tiles[2]), "slice 4 · level 0");
+}
+
+TEST(Legend, TicksAreRoundNumbersBetweenTheEnds) {
+    EXPECT_EQ(legend_ticks(0, 1, 6), (std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1}));
+    const auto ticks = legend_ticks(-3.3, 8.9, 6);
+    EXPECT_EQ(ticks.front(), -3.3);
+    EXPECT_EQ(ticks.back(), 8.9);
+    EXPECT_TRUE(std::is_sorted(ticks.begin(), ticks.end()));
+    EXPECT_GE(ticks.size(), 4u);
+    EXPECT_EQ(legend_ticks(2, 2, 6), std::vector<double>{2});
+}
+
+TEST(ImageView, TheSecondPictureHasTheSizeOfTheFirst) {
+    ImageView view;
+    view.set_picture(make_picture(Image(4, 4, 1), Semantic::depth));
+    EXPECT_THROW(view.set_second(make_picture(Image(5, 4, 1), Semantic::depth)), UsageError);
+    view.set_second(make_picture(Image(4, 4, 1), Semantic::depth));
+    view.set_picture(make_picture(Image(8, 8, 1), Semantic::depth));  // another resolution drops it
+    EXPECT_FALSE(view.second());
 }
 
 TEST(ImageView, TellsThePixelUnderTheCursor) {
