@@ -46,6 +46,8 @@ class WrongFlags : public UsageError {
 };
 
 Inspection inspection_of(const ProjectRender& job, const engine::Experiment& experiment) {
+    // What the project has wrong is told first.
+    completed(engine::registry().at(experiment.method).parameters, experiment.settings);
     try {
         return parse_inspection(job.inspection, experiment);
     } catch (const UsageError& error) {
