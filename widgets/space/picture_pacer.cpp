@@ -2,11 +2,11 @@
 
 namespace ir::widgets {
 
-PicturePacer::PicturePacer(QObject* parent) : QObject(parent) {
+PicturePacer::PicturePacer(int patience, QObject* parent) : QObject(parent) {
     soon_.setSingleShot(true);
     soon_.setInterval(0);
     patience_.setSingleShot(true);
-    patience_.setInterval(patience_ms);
+    patience_.setInterval(patience);
     connect(&soon_, &QTimer::timeout, this, &PicturePacer::send_if_possible);
     connect(&patience_, &QTimer::timeout, this, [this] {
         overdue_ = true;

@@ -12,7 +12,7 @@ class PicturePacer : public QObject {
     Q_OBJECT
   public:
     static constexpr int patience_ms = 200;
-    explicit PicturePacer(QObject* parent = nullptr);
+    explicit PicturePacer(int patience = patience_ms, QObject* parent = nullptr);
 
     void want();
     void answered();

@@ -33,7 +33,7 @@ SpaceView::SpaceView(QWidget* parent, ImageView::Surface surface)
     image_->setMouseTracking(false);
     image_->set_pixel_grid(false);
     overlay_widget_ = make_space_overlay(overlay_, this);
-    pacer_ = new PicturePacer(this);
+    pacer_ = new PicturePacer(PicturePacer::patience_ms, this);
     pacer_->set_held(true);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

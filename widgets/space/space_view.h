@@ -85,6 +85,7 @@ class SpaceView : public QWidget {
     void element_hovered(int layer, qint64 element);
 
   protected:
+    bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent*) override;
     void showEvent(QShowEvent*) override;
     void hideEvent(QHideEvent*) override;

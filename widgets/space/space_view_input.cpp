@@ -28,7 +28,24 @@ bool is_fly_key(int key) {
            key == Qt::Key_E;
 }
 
+/// Keys that the view takes for itself, without Ctrl and Alt.
+bool is_own_key(int key) {
+    return is_fly_key(key) || key == Qt::Key_F || key == Qt::Key_Home;
+}
+
 }  // namespace
+
+bool SpaceView::event(QEvent* event) {
+    // The window may have shortcuts of one letter: where the camera flies they wait.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (is_own_key(key->key()) && !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier))) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
 
 void SpaceView::resizeEvent(QResizeEvent*) {
     // The layout places the picture after this event.
