@@ -10,8 +10,10 @@
 namespace ir::passes::viewers {
 namespace {
 
-constexpr int elements_binding = 0, block_binding = 1;
-constexpr int map_unit = 0, regions_unit = 1;
+constexpr GLuint elements_binding = 0, block_binding = 1, keys_binding = 2, nearest_binding = 3;
+constexpr int map_unit = 0, regions_unit = 1, depth_unit = 1;
+/// Software drivers end loops silently after 65,535 iterations, one for each sample of a point's square.
+constexpr float most_point_samples = 200;
 constexpr int corners = 6;  ///< vertices of a quad
 
 gl::ImageShape map_shape() {
@@ -23,8 +25,6 @@ gl::ImageShape map_shape() {
 
 std::string shader_name(Primitive primitive) {
     switch (primitive) {
-        case Primitive::points:
-            return "points";
         case Primitive::lines:
             return "lines";
         case Primitive::ellipsoids:
@@ -36,13 +36,19 @@ std::string shader_name(Primitive primitive) {
 
 }  // namespace
 
-LayerPainter::LayerPainter(const Tools& tools) : tools_(tools), measures_(tools.device) {
+LayerPainter::LayerPainter(const Tools& tools)
+    : tools_(tools), measures_(tools.device), nearest_keys_(tools.device), nearest_elements_(tools.device) {
     tools_.api.CreateVertexArrays(1, &vertex_array_);
 }
 
 LayerPainter::~LayerPainter() {
     tools_.api.DeleteVertexArrays(1, &vertex_array_);
     for (const auto& [name, texture] : maps_) tools_.device.destroy_image(texture);
+}
+
+void LayerPainter::bind_texture(GLuint unit, gl::Name texture) const {
+    tools_.api.BindTextureUnit(unit, texture);
+    tools_.api.BindSampler(unit, 0);
 }
 
 gl::Name LayerPainter::map_texture(const std::string& name) {
@@ -77,24 +83,17 @@ const gl::Program& LayerPainter::begin(const LayerPlan& plan, std::size_t index,
 void LayerPainter::draw(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,
                         bool show_centres) {
     if (plan.primitive == Primitive::sphere) return draw_sphere(plan, index, sight, target, show_centres);
+    if (plan.primitive == Primitive::points) return draw_points(plan, index, sight, target);
     const auto& gl = tools_.api;
     const auto shader = shader_name(plan.primitive);
     const auto& program = begin(plan, index, sight,
                                 {"passes/viewers/" + shader + ".vert", "passes/viewers/" + shader + ".frag"});
     set_projection(program, sight);
     program.set("layer_number", plan.block.number);
-    gl.BindTextureUnit(map_unit, map_texture(plan.wanted.colour_map));
-    gl.BindSampler(map_unit, 0);
+    bind_texture(map_unit, map_texture(plan.wanted.colour_map));
     program.set("colour_map", map_unit);
     const auto count = static_cast<GLsizei>(plan.block.drawn);
     const auto samples = static_cast<float>(sight.pixel_samples);
-    if (plan.primitive == Primitive::points) {
-        program.set("point_px", plan.block.size_px * samples);
-        gl.Enable(GL_PROGRAM_POINT_SIZE);
-        gl.DrawArrays(GL_POINTS, 0, count);
-        gl.Disable(GL_PROGRAM_POINT_SIZE);
-        return;
-    }
     if (plan.primitive == Primitive::lines) {
         program.set("line_px", plan.block.size_px * samples);
     } else {
@@ -105,6 +104,48 @@ void LayerPainter::draw(const LayerPlan& plan, std::size_t index, const Sight& s
             program.set("round", plan.primitive == Primitive::discs ? 1 : 0);
     }
     gl.DrawArrays(GL_TRIANGLES, 0, corners * count);
+}
+
+void LayerPainter::draw_points(const LayerPlan& plan, std::size_t index, const Sight& sight,
+                               const Target& target) {
+    const auto& gl = tools_.api;
+    const auto samples = static_cast<float>(sight.pixel_samples);
+    const float point_px = std::min(plan.block.size_px * samples, most_point_samples);
+    const auto bytes = sizeof(std::uint32_t) * static_cast<std::size_t>(sight.view.width) *
+                       static_cast<std::size_t>(sight.view.height);
+    nearest_keys_.reserve(bytes, "3D view, nearest depths of points");
+    nearest_elements_.reserve(bytes, "3D view, nearest points");
+    const auto bind = [&](const gl::Program& program) {
+        set_projection(program, sight);
+        program.set("point_px", point_px);
+        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, keys_binding, nearest_keys_.name());
+        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, nearest_binding, nearest_elements_.name());
+    };
+    const auto& first = begin(plan, index, sight, {"passes/viewers/points_begin.comp"});
+    bind(first);
+    bind_texture(depth_unit, target.depth());
+    first.set("depth_behind", depth_unit);
+    first.dispatch(sight.view.width, sight.view.height);
+    gl.BindTextureUnit(depth_unit, 0);
+    gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+
+    const auto& compete = begin(plan, index, sight, {"passes/viewers/points.comp"});
+    bind(compete);
+    compete.set("elements_per_invocation", elements_per_invocation);
+    for (const int name_elements : {0, 1}) {
+        compete.set("name_elements", name_elements);
+        compete.dispatch((plan.block.drawn + elements_per_invocation - 1) / elements_per_invocation);
+        gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
+
+    const auto& program = begin(plan, index, sight, {"lib/full_screen.vert", "passes/viewers/points.frag"});
+    bind(program);
+    bind_texture(map_unit, map_texture(plan.wanted.colour_map));
+    program.set("colour_map", map_unit);
+    program.set("pixel_samples", samples);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    for (const GLuint binding : {keys_binding, nearest_binding})
+        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, 0);
 }
 
 void LayerPainter::draw_sphere(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,
@@ -124,10 +165,8 @@ void LayerPainter::draw_sphere(const LayerPlan& plan, std::size_t index, const S
     set_pixel_rays(program, sight.view);
     set_projection(program, sight);
     set_shade(program, sight);
-    gl.BindTextureUnit(map_unit, map_texture(plan.wanted.colour_map));
-    gl.BindSampler(map_unit, 0);
-    gl.BindTextureUnit(regions_unit, regions);
-    gl.BindSampler(regions_unit, 0);
+    bind_texture(map_unit, map_texture(plan.wanted.colour_map));
+    bind_texture(regions_unit, regions);
     program.set("colour_map", map_unit);
     program.set("regions", regions_unit);
     program.set("selected", static_cast<int>(std::clamp<std::int64_t>(plan.wanted.selected, -1, INT32_MAX)));
@@ -158,13 +197,19 @@ void LayerPainter::mark(const LayerPlan& plan, std::size_t index, const Sight& s
     program.set("segments", segments);
     const auto samples = static_cast<float>(sight.pixel_samples);
     program.set("ring_px", samples * (0.5f * plan.block.size_px + 5));
-    const float own_px = plan.primitive == Primitive::lines ? plan.block.size_px : 0;
-    const std::pair<float, glm::vec3> bands[] = {{own_px + 5, glm::vec3(0)}, {own_px + 2, glm::vec3(1)}};
-    for (const auto& [width_px, colour] : bands) {
+    const bool is_line = plan.primitive == Primitive::lines;
+    if (is_line) bind_texture(map_unit, map_texture(plan.wanted.colour_map));
+    program.set("colour_map", map_unit);
+    const auto band = [&](float width_px, glm::vec3 colour, bool own_colour) {
         program.set("band_px", samples * width_px);
         program.set("mark_colour", colour);
+        program.set("own_colour", own_colour ? 1 : 0);
         gl.DrawArrays(GL_TRIANGLES, 0, corners * segments);
-    }
+    };
+    const float own_px = is_line ? plan.block.size_px + 1 : 0;
+    band(own_px + 5, glm::vec3(0), false);
+    band(own_px + 2, glm::vec3(1), false);
+    if (is_line) band(own_px - 1, glm::vec3(0), true);  // between white sides
 }
 
 }  // namespace ir::passes::viewers

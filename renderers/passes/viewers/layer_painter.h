@@ -11,6 +11,9 @@
 
 namespace ir::passes::viewers {
 
+/// How many elements an invocation of a compute shader looks at.
+inline constexpr unsigned elements_per_invocation = 16;
+
 /// Measures and draws layers that are planned, straight from the buffers that hold them.
 class LayerPainter {
   public:
@@ -28,8 +31,10 @@ class LayerPainter {
 
   private:
     gl::Name map_texture(const std::string& name);
+    void bind_texture(GLuint unit, gl::Name texture) const;
     const gl::Program& begin(const LayerPlan& plan, std::size_t index, const Sight& sight,
                              std::vector<std::string> files);
+    void draw_points(const LayerPlan& plan, std::size_t index, const Sight& sight, const Target& target);
     void draw_sphere(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,
                      bool show_centres);
     void write_block(const LayerPlan& plan, std::size_t index);
@@ -37,6 +42,7 @@ class LayerPainter {
     GLuint vertex_array_ = 0;
     std::vector<std::unique_ptr<DeviceStore>> blocks_;  ///< by layer
     DeviceStore measures_;
+    DeviceStore nearest_keys_, nearest_elements_;  ///< of points, see shaders/passes/viewers/points.glsl
     std::map<std::string, gl::Name> maps_;
 };
 

@@ -14,7 +14,7 @@ static_assert(sizeof(FilterBlock) == 16 && sizeof(LayerBlock) == 4 * 22 + 16 * L
               "scalars of four bytes, as std430 packs them");
 
 /// A number of vertices that one draw takes on every device, at six for an element.
-constexpr std::uint64_t most_drawn = 300'000'000;
+constexpr std::uint64_t most_drawn = 200'000'000;
 /// Software drivers end loops silently after 65,535 iterations, and one texel may have to look at all.
 constexpr std::uint64_t most_regions = 32'768;
 

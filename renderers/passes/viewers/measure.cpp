@@ -17,8 +17,6 @@ struct Measure {
 };
 static_assert(sizeof(Measure) == 256);
 
-constexpr unsigned elements_per_invocation = 16;
-
 /// The number that a key of the shader stands for.
 double number_of(std::uint32_t key, FieldType type) {
     if (type == FieldType::u32) return key;

@@ -22,6 +22,7 @@ class Target {
 
     /// An image of unsigned numbers of the same size: element plus 1 at each pixel.
     gl::Name regions();
+    gl::Name depth() const { return depth_; }
 
   private:
     void release();

@@ -24,12 +24,15 @@ class DeviceStore {
     DeviceStore(const DeviceStore&) = delete;
     gl::Name name() const { return name_; }
     void write(std::span<const std::byte> bytes, const char* label) {
-        if (bytes.size() != bytes_ || !name_) {
-            release();
-            name_ = device_.create_buffer(bytes.size(), label);
-            bytes_ = bytes.size();
-        }
+        reserve(bytes.size(), label);
         device_.write_buffer(name_, 0, bytes);
+    }
+
+    void reserve(std::size_t bytes, const char* label) {
+        if (bytes == bytes_ && name_) return;
+        release();
+        name_ = device_.create_buffer(bytes, label);
+        bytes_ = bytes;
     }
 
   private:

@@ -1,8 +1,13 @@
 // The outline of one element, as a closed band of segments: six vertices for each.
 #include "lib/spaces.glsl"
 #include "passes/viewers/layer.glsl"
+#include "passes/viewers/colour.glsl"
 #include "passes/viewers/project.glsl"
 
+layout(location = 0) flat out vec3 colour;
+
+uniform vec3 mark_colour;
+uniform bool own_colour;  // the element's own instead
 uniform uint marked;      // element
 uniform float band_px;    // width of the outline
 uniform float ring_px;    // radius around points
@@ -59,6 +64,7 @@ void main() {
     int k = gl_VertexID / 6;
     vec3 from_ws, to_ws;
     gl_Position = outside;
+    colour = mark_colour;
     if (!outline_place(base, k, from_ws) || !outline_place(base, k + 1, to_ws)) return;
     vec4 a = clip_position(from_ws), b = clip_position(to_ws);
     if (!clip_segment(a, b)) return;
@@ -67,5 +73,6 @@ void main() {
         b = on_ring(b, k + 1);
     }
     gl_Position = band_corner(a, b, quad_corner(gl_VertexID % 6), band_px, 0.3 * band_px);
+    if (own_colour) colour = element_colour(base, 0.5 * (from_ws + to_ws));
     gl_Position.z = 0.0;  // on top of everything
 }

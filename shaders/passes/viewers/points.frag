@@ -1,20 +1,29 @@
-// A disc with a darker rim, so that points are told from each other and from what is behind.
+// Draws the points that won their samples: discs with a darker rim, so that they are told from each other
+// and from what is behind.
+#include "passes/viewers/layer.glsl"
+#include "passes/viewers/colour.glsl"
+#include "passes/viewers/project.glsl"
+#include "passes/viewers/points.glsl"
 
-uniform uint layer_number;
-uniform float point_px;
+uniform float pixel_samples;  // along a side of a pixel
 
-layout(location = 0) flat in vec3 colour;
-layout(location = 1) flat in uint element;
 layout(location = 0) out vec4 out_colour;
 layout(location = 1) out uvec2 out_id;
 
 void main() {
-    float from_centre_px = length(gl_PointCoord - 0.5) * point_px;
-    // a little less than half, so that points of three pixels lose their corners
-    float radius_px = 0.5 * point_px - 0.1;
-    if (point_px >= 2.5 && from_centre_px > radius_px) discard;
+    ivec2 sample_px = ivec2(gl_FragCoord.xy);
+    uint at = uint(sample_px.y) * uint(size_px.x) + uint(sample_px.x), element = nearest_elements[at];
+    if (element == 0u) discard;
+    --element;
+    uint base = element_base(element);
+    vec3 position_ws = vector_at(base, layer.place_0);
+    vec2 centre_px;
+    float depth;
+    point_place(position_ws, centre_px, depth);
     // small points have no room for a rim, and would only be dark
-    float rim = smoothstep(0.55, 0.95, from_centre_px / radius_px) * smoothstep(2.5, 7.0, point_px);
-    out_colour = vec4(colour * mix(1.0, 0.35, rim), 1);
-    out_id = uvec2(layer_number, element);
+    float rim = smoothstep(0.55, 0.95, distance(gl_FragCoord.xy, centre_px) / point_radius()) *
+                smoothstep(2.5, 7.0, point_px / pixel_samples);
+    out_colour = vec4(element_colour(base, position_ws) * mix(1.0, 0.35, rim), 1);
+    out_id = uvec2(layer.number, element);
+    gl_FragDepth = uintBitsToFloat(~nearest_keys[at]);
 }

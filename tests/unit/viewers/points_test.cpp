@@ -49,5 +49,49 @@ TEST_F(PointsTest, AreHiddenByTheSceneAndByNearerPoints) {
     EXPECT_GT(pixels_of(picture, 0), 0) << "without the scene nothing hides it";
 }
 
+TEST_F(PointsTest, AreCutByThePicturesEdgeAndNotBefore) {
+    camera_.orthographic = true;
+    camera_.height = 4;
+    auto buffer = point_buffer();
+    buffer.add(glm::vec3(-2.6666f - 0.05f, 0, 0));  // its middle is 1.5 pixels beyond the left edge
+    run({buffer});
+    const auto picture = draw({{.key = "points", .size_px = 12}}, width, height);
+    EXPECT_EQ(element_at(picture, {2, 60}), 0);
+    EXPECT_GT(pixels_of(picture, 0), 20);
+    EXPECT_LT(pixels_of(picture, 0), 60);
+}
+
+TEST_F(PointsTest, AreAsLargeAsAsked) {
+    auto buffer = point_buffer();
+    buffer.add(glm::vec3(0.013, 0.021, 0));
+    run({buffer});
+    for (const float size : {1.0f, 2.0f, 3.0f, 8.0f, 40.0f}) {
+        const auto picture = draw({{.key = "points", .size_px = size}}, width, height);
+        const double expected = size < 2.5f ? size * size : 3.14159 * (size / 2 - 0.1) * (size / 2 - 0.1);
+        EXPECT_NEAR(static_cast<double>(pixels_of(picture, 0)), expected, 0.03 * expected + 2) << size;
+    }
+    EXPECT_EQ(pixels_of(draw({{.key = "points", .size_px = 1}}, width, height), 0), 1);
+}
+
+TEST_F(PointsTest, LinesAndPointsHideEachOtherByDepth) {
+    auto points = point_buffer();
+    points.add(glm::vec3(-1, 0, 0.5), glm::vec3(1, 0, -0.5));
+    TestBuffer lines("lines", OutputKind::line_set,
+                     {{"start", FieldType::f32, 3}, {"end", FieldType::f32, 3}});
+    lines.add(glm::vec3(-2, 0, 0), glm::vec3(2, 0, 0));
+    run({points, lines});
+    const Layer of_points{.key = "points", .size_px = 5}, of_lines{.key = "lines", .size_px = 5};
+    for (const bool points_first : {true, false}) {
+        const auto picture =
+            draw(points_first ? std::vector{of_points, of_lines} : std::vector{of_lines, of_points}, width,
+                 height);
+        const int points_layer = points_first ? 0 : 1;
+        EXPECT_EQ(picture.layer.at(pixel(picture, place_px(camera_, width, height, {-1, 0, 0.5}))),
+                  points_layer);
+        EXPECT_EQ(picture.layer.at(pixel(picture, place_px(camera_, width, height, {1, 0, -0.5}))),
+                  1 - points_layer);
+    }
+}
+
 }  // namespace
 }  // namespace ir::test
