@@ -23,14 +23,14 @@ gl::ImageShape map_shape() {
     return shape;
 }
 
-std::string shader_name(Primitive primitive) {
+std::vector<std::string> shaders_of(Primitive primitive) {
     switch (primitive) {
         case Primitive::lines:
-            return "lines";
+            return {"passes/viewers/lines.vert", "passes/viewers/lines.frag"};
         case Primitive::ellipsoids:
-            return "ellipsoids";
+            return {"passes/viewers/ellipsoids.vert", "passes/viewers/ellipsoids.frag"};
         default:
-            return "flat_glyphs";
+            return {"passes/viewers/flat_glyphs.vert", "passes/viewers/flat_glyphs.frag"};
     }
 }
 
@@ -85,9 +85,7 @@ void LayerPainter::draw(const LayerPlan& plan, std::size_t index, const Sight& s
     if (plan.primitive == Primitive::sphere) return draw_sphere(plan, index, sight, target, show_centres);
     if (plan.primitive == Primitive::points) return draw_points(plan, index, sight, target);
     const auto& gl = tools_.api;
-    const auto shader = shader_name(plan.primitive);
-    const auto& program = begin(plan, index, sight,
-                                {"passes/viewers/" + shader + ".vert", "passes/viewers/" + shader + ".frag"});
+    const auto& program = begin(plan, index, sight, shaders_of(plan.primitive));
     set_projection(program, sight);
     program.set("layer_number", plan.block.number);
     bind_texture(map_unit, map_texture(plan.wanted.colour_map));
