@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "widgets/image/display.h"
+#include "widgets/image/picture.h"
 
 class QBoxLayout;
 class QCheckBox;
@@ -26,7 +27,9 @@ class DisplayPanel : public QWidget {
     Q_OBJECT
   public:
     explicit DisplayPanel(QWidget* parent = nullptr);
-    /// The buffer of the active view; null: none. Emits nothing. What it points to must not change.
+    /// The picture of the active view; null or without an image: none. Emits nothing.
+    void set_picture(std::shared_ptr<const Picture> picture);
+    /// The same of an image alone. What it points to must not change.
     void set_image(const QString& name, Semantic semantic, const QString& unit,
                    std::shared_ptr<const Image> image);
     /// `automatic`: nobody chose anything yet. Emits nothing.
@@ -58,8 +61,7 @@ class DisplayPanel : public QWidget {
 
     Display display_;
     bool automatic_ = true;
-    std::shared_ptr<const Image> image_;
-    Semantic semantic_ = Semantic::generic;
+    std::shared_ptr<const Picture> picture_;  ///< one that has an image, or null
     QLabel *title_ = nullptr, *counts_ = nullptr;
     HistogramView* histogram_ = nullptr;
     QToolButton* logarithmic_ = nullptr;

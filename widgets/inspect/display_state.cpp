@@ -17,19 +17,29 @@ namespace ir::widgets {
 
 void DisplayPanel::set_image(const QString& name, Semantic semantic, const QString& unit,
                              std::shared_ptr<const Image> image) {
-    if (image && image->empty()) image.reset();
-    const QString quantity = QString::fromStdString(to_string(semantic));
-    if (!image)
-        title_->setText(tr("No buffer in the active view"));
-    else
-        title_->setText(QStringLiteral("<b>%1</b>&nbsp; %2×%3, %4%5")
-                            .arg(name.toHtmlEscaped())
-                            .arg(image->width)
-                            .arg(image->height)
-                            .arg(quantity, unit.isEmpty() ? QString() : QStringLiteral(", ") + unit));
-    title_->setToolTip(title_->text());
-    image_ = std::move(image);
-    semantic_ = semantic;
+    auto picture = std::make_shared<Picture>();
+    picture->image = std::move(image);
+    picture->semantic = semantic;
+    picture->label = name;
+    picture->unit = unit;
+    set_picture(std::move(picture));
+}
+
+void DisplayPanel::set_picture(std::shared_ptr<const Picture> picture) {
+    if (picture && !picture->has_image()) picture.reset();
+    picture_ = std::move(picture);
+    QString title = tr("No buffer in the active view");
+    if (picture_) {
+        QString meaning = QString::fromStdString(to_string(picture_->semantic));
+        if (!picture_->unit.isEmpty()) meaning += QStringLiteral(", ") + picture_->unit;
+        title = QStringLiteral("<b>%1</b>&nbsp; %2×%3, %4")
+                    .arg(picture_->label.toHtmlEscaped())
+                    .arg(picture_->image->width)
+                    .arg(picture_->image->height)
+                    .arg(meaning.toHtmlEscaped());
+    }
+    title_->setText(title);
+    title_->setToolTip(title);
     update_channels();
     update_controls();
 }
@@ -64,9 +74,9 @@ void DisplayPanel::fit_exposure() {
 }
 
 void DisplayPanel::update_channels() {
-    const int channels = image_ ? image_->channels : 0;
+    const int channels = picture_ ? picture_->image->channels : 0;
     QStringList names{channels == 1 ? tr("Value") : tr("All")};
-    for (int c = 0; channels > 1 && c < channels; ++c) names << channel_name(semantic_, channels, c);
+    for (int c = 0; channels > 1 && c < channels; ++c) names << channel_name(picture_->semantic, channels, c);
     QStringList shown;
     for (int i = 0; i < channel_->count(); ++i) shown << channel_->itemText(i);
     if (shown == names) return;
@@ -80,7 +90,7 @@ void DisplayPanel::update_controls() {
     };
     using Mode = Display::Mode;
     const bool ranged = display_.mode == Mode::vector || display_.mode == Mode::scalar;
-    controls_->setEnabled(image_ != nullptr);
+    controls_->setEnabled(picture_ != nullptr);
     show(colour_rows_, display_.mode == Mode::colour);
     show(range_rows_, ranged);
     show(map_rows_, display_.mode == Mode::scalar);
@@ -103,10 +113,11 @@ void DisplayPanel::update_controls() {
     zebra_->setChecked(display_.zebra);
     zebra_->setEnabled(display_.mode != Mode::ids);
     hide_invalid_->setChecked(display_.hide_invalid);
-    reset_->setEnabled(image_ && !automatic_);
+    hide_invalid_->setEnabled(picture_ && picture_->valid);
+    reset_->setEnabled(picture_ && !automatic_);
     reset_->setToolTip(automatic_ ? tr("Range and colours already come from the buffer's meaning and values")
                                   : tr("Choose range and colours from the buffer's meaning and values"));
-    histogram_->set_image(image_, semantic_, display_.channel);
+    histogram_->set_picture(picture_, display_.channel, display_.hide_invalid);
     histogram_->set_range_shown(ranged);
     histogram_->set_range(display_.low, display_.high);
     update_counts();

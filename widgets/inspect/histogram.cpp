@@ -6,8 +6,6 @@
 namespace ir::widgets {
 namespace {
 
-constexpr std::size_t between_looks = 1 << 16;  ///< values between two looks at `cancelled`
-
 std::vector<int> channels_of(const Image& image, int channel) {
     if (channel >= 0) return channel < image.channels ? std::vector{channel} : std::vector<int>{};
     std::vector<int> all;
@@ -15,18 +13,24 @@ std::vector<int> channels_of(const Image& image, int channel) {
     return all;
 }
 
-/// Calls visit(channel's number in the list, value) until cancelled.
+/// Calls visit(channel's number in the list, value) for the pixels that count, until cancelled.
 template <class Visit>
-void for_each_value(const Image& image, const std::vector<int>& channels, const std::atomic<bool>* cancelled,
-                    Visit visit) {
-    if (channels.empty()) return;
-    const auto step = std::size_t(image.channels);
-    std::size_t seen = 0;
-    for (std::size_t start = 0; start + step <= image.pixels.size(); start += step) {
-        for (std::size_t c = 0; c < channels.size(); ++c)
-            visit(c, image.pixels[start + std::size_t(channels[c])]);
-        if (++seen % between_looks == 0 && cancelled && cancelled->load()) return;
-    }
+void for_each_value(const Image& image, const std::vector<int>& channels, const Counted& counted,
+                    const std::atomic<bool>* cancelled, Visit visit) {
+    if (channels.empty() || image.empty()) return;
+    const bool masked = counted.valid && counted.valid->width == image.width &&
+                        counted.valid->height == image.height && counted.valid->channels == 1;
+    const auto tiles = counted.tiles.empty() ? std::vector<AtlasTile>{{0, 0, 0, 0, image.width, image.height}}
+                                             : counted.tiles;
+    for (const AtlasTile& tile : tiles)
+        for (int y = tile.y; y < std::min(tile.y + tile.height, image.height); ++y) {
+            if (cancelled && cancelled->load()) return;
+            for (int x = tile.x; x < std::min(tile.x + tile.width, image.width); ++x) {
+                if (masked && !(counted.valid->at(x, y) > 0.5f)) continue;
+                const float* pixel = &image.pixels[image.index(x, y)];
+                for (std::size_t c = 0; c < channels.size(); ++c) visit(c, pixel[channels[c]]);
+            }
+        }
 }
 
 double quantile(std::vector<float>& values, double fraction) {
@@ -48,14 +52,14 @@ Axis chosen_axis(const Histogram& numbers) {
 
 }  // namespace
 
-Histogram histogram(const Image& image, int channel, const std::optional<Axis>& axis,
+Histogram histogram(const Image& image, int channel, const std::optional<Axis>& axis, const Counted& counted,
                     const std::atomic<bool>* cancelled) {
     Histogram result;
     result.channels = channels_of(image, channel);
     result.counts.resize(result.channels.size());
     std::vector<float> finite;
     finite.reserve(image.pixels.size() / std::size_t(std::max(image.channels, 1)) * result.channels.size());
-    for_each_value(image, result.channels, cancelled, [&](std::size_t, float value) {
+    for_each_value(image, result.channels, counted, cancelled, [&](std::size_t, float value) {
         if (std::isnan(value)) return void(++result.nan);
         if (std::isinf(value)) return void(++result.infinite);
         result.negative += value < 0;
@@ -74,7 +78,7 @@ Histogram histogram(const Image& image, int channel, const std::optional<Axis>& 
     result.axis = axis && axis->high > axis->low ? *axis : chosen_axis(result);
 
     const double scale = Histogram::bins / (result.axis.high - result.axis.low);
-    for_each_value(image, result.channels, cancelled, [&](std::size_t c, float value) {
+    for_each_value(image, result.channels, counted, cancelled, [&](std::size_t c, float value) {
         if (!std::isfinite(value)) return;
         if (value < result.axis.low) return void(++result.below);
         if (value > result.axis.high) return void(++result.above);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "renderers/image/atlas.h"
 #include "renderers/image/image.h"
 
 namespace ir::widgets {
@@ -30,10 +31,16 @@ struct Histogram {
     bool operator==(const Histogram&) const = default;
 };
 
+/// Which pixels count.
+struct Counted {
+    const Image* valid = nullptr;       ///< one channel of the same size: those above 0.5; null: all
+    std::vector<AtlasTile> tiles = {};  ///< those within; empty: all
+};
+
 /// Of one channel, or with -1 of the first three. Without an axis one is chosen: all values, or where a few
 /// would squeeze the rest into a tenth of it, the 1st to the 99th percentile with some room; never of width
 /// 0. Returns early, with what it has, once `cancelled`.
 Histogram histogram(const Image& image, int channel = -1, const std::optional<Axis>& axis = {},
-                    const std::atomic<bool>* cancelled = nullptr);
+                    const Counted& counted = {}, const std::atomic<bool>* cancelled = nullptr);
 
 }  // namespace ir::widgets

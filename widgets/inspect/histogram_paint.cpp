@@ -119,7 +119,7 @@ void HistogramView::paintEvent(QPaintEvent*) {
     const QRectF box = plot();
     painter.fillRect(box, palette().color(QPalette::Base));
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    if (!image_) return void(painter.drawText(box, Qt::AlignCenter, tr("No image")));
+    if (!picture_) return void(painter.drawText(box, Qt::AlignCenter, tr("No image")));
     if (counted_ && histogram_.finite == 0)
         return void(painter.drawText(box, Qt::AlignCenter, tr("No finite values")));
     paint_bars(painter);

@@ -31,29 +31,49 @@ HistogramView::~HistogramView() {
 }
 
 void HistogramView::set_image(std::shared_ptr<const Image> image, Semantic semantic, int channel) {
-    if (image && image->empty()) image.reset();
-    if (image == image_ && semantic == semantic_ && channel == channel_) return;
-    const bool other = !image || !image_ || semantic != semantic_ || channel != channel_ ||
-                       image->width != image_->width || image->height != image_->height ||
-                       image->channels != image_->channels;
-    if (other) {
+    auto picture = std::make_shared<Picture>();
+    picture->image = std::move(image);
+    picture->semantic = semantic;
+    set_picture(std::move(picture), channel, false);
+}
+
+void HistogramView::set_picture(std::shared_ptr<const Picture> picture, int channel, bool valid_only) {
+    if (picture && !picture->has_image()) picture.reset();
+    const auto same_pixels = [&] {
+        if (!picture || !picture_) return picture == picture_;
+        return picture->image == picture_->image && picture->valid == picture_->valid &&
+               picture->atlas.tiles == picture_->atlas.tiles;
+    };
+    const auto same_kind = [&] {
+        return picture && picture_ && picture->semantic == picture_->semantic && channel == channel_ &&
+               valid_only == valid_only_ && picture->size() == picture_->size() &&
+               picture->image->channels == picture_->image->channels && picture->label == picture_->label;
+    };
+    const bool recount = !same_pixels() || channel != channel_ || valid_only != valid_only_;
+    if (!same_kind()) {
         ++generation_;
         zoom_.reset();
-        histogram_ = {};  // bars of another buffer would mislead even greyed
+        if (recount) histogram_ = {};  // bars of another buffer would mislead even greyed
     }
-    image_ = std::move(image);
-    semantic_ = semantic;
+    picture_ = std::move(picture);
     channel_ = channel;
-    count();
+    valid_only_ = valid_only;
+    recount ? count() : update();
+}
+
+Histogram HistogramView::count_picture(const Picture& picture, int channel, bool valid_only,
+                                       const std::optional<Axis>& axis, const std::atomic<bool>* cancelled) {
+    const Counted counted{valid_only ? picture.valid.get() : nullptr, picture.atlas.tiles};
+    return ir::widgets::histogram(*picture.image, channel, axis, counted, cancelled);
 }
 
 void HistogramView::count() {
     ++serial_;
     counted_ = false;
     update();
-    if (!image_) return;
-    if (image_->pixels.size() > at_once) return start();
-    histogram_ = histogram(*image_, channel_, zoom_);
+    if (!picture_) return;
+    if (picture_->image->pixels.size() > at_once) return start();
+    histogram_ = count_picture(*picture_, channel_, valid_only_, zoom_, nullptr);
     counted_ = true;
     emit counted();
 }
@@ -63,17 +83,17 @@ void HistogramView::start() {
     // else never be.
     if (running_) return;
     running_ = true;
-    pool_.start(
-        [this, image = image_, channel = channel_, zoom = zoom_, serial = serial_, generation = generation_] {
-            Histogram result = histogram(*image, channel, zoom, &cancelled_);
-            if (cancelled_) return;
-            QMetaObject::invokeMethod(
-                this,
-                [this, serial, generation, result = std::move(result)]() mutable {
-                    take(serial, generation, std::move(result));
-                },
-                Qt::QueuedConnection);
-        });
+    pool_.start([this, picture = picture_, channel = channel_, valid_only = valid_only_, zoom = zoom_,
+                 serial = serial_, generation = generation_] {
+        Histogram result = count_picture(*picture, channel, valid_only, zoom, &cancelled_);
+        if (cancelled_) return;
+        QMetaObject::invokeMethod(
+            this,
+            [this, serial, generation, result = std::move(result)]() mutable {
+                take(serial, generation, std::move(result));
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 void HistogramView::take(std::uint64_t serial, std::uint64_t generation, Histogram result) {
@@ -83,7 +103,7 @@ void HistogramView::take(std::uint64_t serial, std::uint64_t generation, Histogr
         counted_ = true;
         update();
         emit counted();
-    } else if (image_ && !counted_) {
+    } else if (picture_ && !counted_) {
         // Frames that come faster than they are counted: show that of a moment ago, still marked as such.
         if (generation == generation_) histogram_ = std::move(result);
         update();
@@ -109,7 +129,7 @@ void HistogramView::set_logarithmic(bool on) {
 }
 
 QString HistogramView::summary() const {
-    if (!image_) return tr("No image");
+    if (!picture_) return tr("No image");
     if (!counted_) return tr("Counting …");
     QStringList parts{tr("%1 values").arg(histogram_.finite + histogram_.nan + histogram_.infinite)};
     const auto add = [&parts](std::size_t count, const QString& what) {
@@ -144,7 +164,7 @@ double HistogramView::handle_x(double value) const {
 }
 
 HistogramView::Handle HistogramView::handle_at(QPointF position) const {
-    if (!range_shown_ || !image_) return Handle::none;
+    if (!range_shown_ || !picture_) return Handle::none;
     const double to_low = std::abs(position.x() - handle_x(low_));
     const double to_high = std::abs(position.x() - handle_x(high_));
     if (std::min(to_low, to_high) > reach) return Handle::none;
@@ -202,7 +222,7 @@ void HistogramView::wheelEvent(QWheelEvent* event) {
 void HistogramView::keyPressEvent(QKeyEvent* event) {
     const double step = (histogram_.axis.high - histogram_.axis.low) / 100;
     const int direction = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
-    if (direction != 0 && range_shown_ && image_)
+    if (direction != 0 && range_shown_ && picture_)
         return move_handle(active_, (active_ == Handle::low ? low_ : high_) + direction * step);
     if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
         active_ = active_ == Handle::low ? Handle::high : Handle::low;
@@ -229,7 +249,7 @@ QString HistogramView::bin_text(double x) const {
         tr("%1 to %2").arg(short_number(axis.low + bin * width), short_number(axis.low + (bin + 1) * width))};
     for (std::size_t c = 0; c < histogram_.channels.size(); ++c)
         lines << QStringLiteral("%1: %2")
-                     .arg(channel_name(semantic_, image_->channels, histogram_.channels[c]))
+                     .arg(channel_name(picture_->semantic, picture_->image->channels, histogram_.channels[c]))
                      .arg(histogram_.counts[c][std::size_t(bin)]);
     if (range_shown_) lines << tr("Drag the handles to choose the range; arrow keys move them too.");
     lines << tr("Wheel: zoom the axis. Double click: all values, then the bulk of them.");

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "renderers/core/output.h"
+#include "widgets/image/picture.h"
 #include "widgets/inspect/histogram.h"
 
 namespace ir::widgets {
@@ -24,13 +24,16 @@ class HistogramView : public QWidget {
     ~HistogramView() override;
     /// Null: nothing to show. What it points to must not change.
     void set_image(std::shared_ptr<const Image> image, Semantic semantic, int channel);
+    /// The same of a picture: of its levels and layers without the gaps between them, and where `valid_only`
+    /// of the pixels that its mask includes. Null: nothing to show.
+    void set_picture(std::shared_ptr<const Picture> picture, int channel, bool valid_only);
     /// Shows the handles; emits nothing.
     void set_range(double low, double high);
     void set_range_shown(bool shown);
     void set_logarithmic(bool on);
     bool logarithmic() const { return logarithmic_; }
     /// Of the image set last; null while it is being counted and where there is none.
-    const Histogram* current() const { return counted_ && image_ ? &histogram_ : nullptr; }
+    const Histogram* current() const { return counted_ && picture_ ? &histogram_ : nullptr; }
     /// "65536 values, 2 NaN, 1 Inf, 14 negative"
     QString summary() const;
     /// Where a value lies, in pixels of the widget.
@@ -56,6 +59,9 @@ class HistogramView : public QWidget {
 
   private:
     enum class Handle { none, low, high };
+    /// Counts the picture set last; called on any thread.
+    static Histogram count_picture(const Picture& picture, int channel, bool valid_only,
+                                   const std::optional<Axis>& axis, const std::atomic<bool>* cancelled);
     void count();
     void start();
     void take(std::uint64_t serial, std::uint64_t generation, Histogram histogram);
@@ -70,11 +76,11 @@ class HistogramView : public QWidget {
 
     QThreadPool pool_;
     std::atomic<bool> cancelled_ = false;
-    std::uint64_t serial_ = 0;      ///< of the last change of anything
-    std::uint64_t generation_ = 0;  ///< of the last change of more than pixel values
-    std::shared_ptr<const Image> image_;
-    Semantic semantic_ = Semantic::generic;
+    std::uint64_t serial_ = 0;                ///< of the last change of anything
+    std::uint64_t generation_ = 0;            ///< of the last change of more than pixel values
+    std::shared_ptr<const Picture> picture_;  ///< one that has an image, or null
     int channel_ = -1;
+    bool valid_only_ = false;
     std::optional<Axis> zoom_;
     Histogram histogram_;
     bool counted_ = false, running_ = false, logarithmic_ = true, range_shown_ = true;

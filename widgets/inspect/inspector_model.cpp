@@ -72,6 +72,11 @@ std::vector<InspectorModel::Node> InspectorModel::build() const {
 void InspectorModel::set_readings(Readings readings) {
     world_known_ = world_known_ || !readings.world.empty();
     readings_ = std::move(readings);
+    for (auto& buffer : readings_.buffers) {
+        int& known = channels_[buffer.key];
+        if (buffer.channels == 0) buffer.channels = known;
+        known = buffer.channels;
+    }
     for (const auto& buffer : readings_.buffers)
         if (buffer.available) wanted_.remove(text(buffer.key));
     std::vector<Node> nodes = build();

@@ -8,6 +8,7 @@
 #include <QSortFilterProxyModel>
 #include <QString>
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,9 +24,9 @@ struct Readings {
         QString label, unit, doc;
         QString group;  ///< the pass that writes it; unused where `output`
         Semantic semantic = Semantic::generic;
-        bool output = false;     ///< one of the method's outputs: listed first
-        bool available = false;  ///< false: not computed
-        int channels = 0;
+        bool output = false;                          ///< one of the method's outputs: listed first
+        bool available = false;                       ///< false: not computed
+        int channels = 0;                             ///< 0: not known; rows stay as they were
         std::vector<std::vector<float>> values = {};  ///< one by pixel, `channels` numbers or none
     };
     std::optional<QPoint> cursor;  ///< one of `pixels`; none: the cursor is elsewhere
@@ -99,8 +100,9 @@ class InspectorModel : public QAbstractItemModel {
     std::vector<QPoint> pins_;
     std::vector<Node> nodes_;
     std::vector<int> top_;
-    QSet<QString> wanted_;      ///< asked for, not there yet
-    bool world_known_ = false;  ///< once known its row stays, so that rows do not jump
+    std::map<std::string, int> channels_;  ///< by key, last known: values that go away do not change rows
+    QSet<QString> wanted_;                 ///< asked for, not there yet
+    bool world_known_ = false;             ///< once known its row stays, so that rows do not jump
 };
 
 /// Rows whose name, key or group contains a text.

@@ -156,8 +156,26 @@ TEST_F(DisplayPanelTest, SwitchesMarksAndStripes) {
     EXPECT_FALSE(last.negative_is_bad);
     tick("zebra");
     EXPECT_TRUE(last.zebra);
+    EXPECT_FALSE(find<QCheckBox>("hide-invalid")->isEnabled()) << "there is no mask";
+}
+
+TEST_F(DisplayPanelTest, HiddenPixelsDoNotCountNorDoGapsOfAnAtlas) {
+    auto picture = std::make_shared<Picture>();
+    picture->image = ramp();
+    Image valid(100, 1, 1);
+    for (int x = 0; x < 30; ++x) valid.at(x, 0) = 1;
+    picture->valid = std::make_shared<const Image>(valid);
+    panel.set_picture(picture);
+    EXPECT_EQ(panel.histogram().current()->finite, 100u);
     tick("hide-invalid");
     EXPECT_TRUE(last.hide_invalid);
+    EXPECT_EQ(panel.histogram().current()->finite, 30u);
+    EXPECT_EQ(panel.histogram().current()->max, 9);
+    auto atlas = std::make_shared<Picture>(*picture);
+    atlas->valid.reset();
+    atlas->atlas = {100, 1, {{0, 0, 0, 0, 10, 1}, {1, 0, 90, 0, 10, 1}}};
+    panel.set_picture(atlas);
+    EXPECT_EQ(panel.histogram().current()->finite, 20u);
 }
 
 TEST_F(DisplayPanelTest, ResetIsOfferedOnceSomethingWasChosen) {

@@ -148,6 +148,14 @@ TEST(InspectorModel, NewValuesComeInPlace) {
     model.set_readings(away);
     EXPECT_EQ(reset.count(), 0) << "rows do not jump when the cursor leaves";
     EXPECT_EQ(cell(model, "ao", 1), QString("–"));
+    away.pixels.clear();
+    for (auto& buffer : away.buffers) {
+        buffer.channels = 0;
+        buffer.values.clear();
+    }
+    model.set_readings(away);
+    EXPECT_EQ(reset.count(), 0) << "nor when nothing is read at all";
+    EXPECT_EQ(model.rowCount(model.index_of("colour")), 4);
     Readings fewer = readings();
     fewer.buffers.pop_back();
     model.set_readings(fewer);
