@@ -9,6 +9,7 @@
 
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 
 namespace ir::projects {
 namespace {
@@ -246,9 +247,10 @@ glm::ivec2 parse_size(std::string_view text, const std::string& what) {
         const auto result = std::from_chars(parts[i].data(), end, size[static_cast<int>(i)]);
         if (result.ec != std::errc{} || result.ptr != end) size = {0, 0};
     }
-    if (parts.size() != 2 || size.x < 1 || size.y < 1 || size.x > 65536 || size.y > 65536)
+    if (parts.size() != 2 || size.x < 1 || size.y < 1 || size.x > max_image_side || size.y > max_image_side)
         throw UsageError(what + ": '" + printable(text) +
-                         "' is not allowed; give WIDTHxHEIGHT, each from 1 to 65536");
+                         "' is not allowed; give WIDTHxHEIGHT, each from 1 to " +
+                         std::to_string(max_image_side));
     return size;
 }
 

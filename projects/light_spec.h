@@ -53,7 +53,7 @@ std::vector<LightSpec::Quantity> allowed_quantities(LightSpec::Type type);
 /// "x,y,z" and "x,y"; `what` is the option or field for the message ("--eye"). Throws UsageError.
 glm::dvec3 parse_vec3(std::string_view text, const std::string& what);
 glm::dvec2 parse_vec2(std::string_view text, const std::string& what);
-/// "800x600" with sides from 1 to 65536. Throws UsageError.
+/// "800x600" with sides from 1 to max_image_side. Throws UsageError.
 glm::ivec2 parse_size(std::string_view text, const std::string& what);
 /// A finite number. Throws UsageError.
 double parse_number(std::string_view text, const std::string& what);

@@ -3,6 +3,7 @@
 #include "projects/document.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 
 namespace ir::projects {
 namespace {
@@ -136,10 +137,10 @@ std::optional<glm::ivec2> ObjectReader::optional_size(const std::string& key) {
     const auto* json = take(key);
     if (!json) return std::nullopt;
     const auto is_side = [](const Json& side) {
-        return side.is_number_integer() && side.get<double>() >= 1 && side.get<double>() <= 65536;
+        return side.is_number_integer() && side.get<double>() >= 1 && side.get<double>() <= max_image_side;
     };
     if (!json->is_array() || json->size() != 2 || !is_side((*json)[0]) || !is_side((*json)[1]))
-        fail(key, "must be [width, height], each an integer from 1 to 65536");
+        fail(key, "must be [width, height], each an integer from 1 to " + std::to_string(max_image_side));
     return glm::ivec2((*json)[0].get<int>(), (*json)[1].get<int>());
 }
 

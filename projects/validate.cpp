@@ -4,6 +4,7 @@
 
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 
 namespace ir::projects {
 namespace {
@@ -121,8 +122,8 @@ void validate(const Sweep& sweep) {
 }
 
 void validate_size(glm::ivec2 size) {
-    refuse_unless(size.x >= 1 && size.y >= 1 && size.x <= 65536 && size.y <= 65536,
-                  "size: both sides must lie between 1 and 65536 pixels");
+    refuse_unless(size.x >= 1 && size.y >= 1 && size.x <= max_image_side && size.y <= max_image_side,
+                  "size: both sides must lie between 1 and " + std::to_string(max_image_side) + " pixels");
 }
 
 void validate_frames(int frames) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 #include "renderers/methods/all_methods.h"
 
 namespace ir::engine {
@@ -62,11 +63,12 @@ const MethodDescription& Execution::method() const {
 void Execution::load() {
     const auto& method = find_method(experiment_.method);
     auto settings = completed(method.description.parameters, experiment_.settings);
-    if (experiment_.width < 1 || experiment_.height < 1 || experiment_.width > 16384 ||
-        experiment_.height > 16384)
+    const int most = std::min(max_image_side, machine_.context().info().max_texture_size);
+    if (experiment_.width < 1 || experiment_.height < 1 || experiment_.width > most ||
+        experiment_.height > most)
         throw UsageError("image size " + std::to_string(experiment_.width) + "x" +
-                         std::to_string(experiment_.height) +
-                         " is not allowed; give 1 to 16384 pixels a side");
+                         std::to_string(experiment_.height) + " is not allowed; this device takes 1 to " +
+                         std::to_string(most) + " pixels a side");
     auto loaded = machine_.scenes().load(experiment_.composition());
     if (experiment_.replace_lights || experiment_.environment) {
         auto changed = std::make_shared<scene::Scene>(*loaded);

@@ -80,7 +80,7 @@ class Execution {
     /// Back to an empty history; buffers stay.
     void restart();
 
-    /// Runs the next frame. Throws as Graph::run.
+    /// Runs the next frame; frames are 1/30 s apart. Throws as Graph::run.
     FrameReport run_frame(const graph::FrameOptions& options);
     /// Computes what the last frame left out, and explains again after inspect(), on the contents of that
     /// frame. Throws and returns as Graph::explain.

@@ -57,7 +57,7 @@ struct ResourceReport {
 /// What one frame did; the statistics JSON and the panels are made of it.
 struct FrameReport {
     std::string backend, device;
-    double wall_ms = 0;
+    double wall_ms = 0;  ///< of the whole frame, with attempts that overflowed
     int frame = 0;
     bool complete = true;  ///< false: a buffer overflowed and the next frame mends it
     std::vector<PassReport> passes;

@@ -56,51 +56,6 @@ TEST_F(RenderThreadTest, LookingAtOtherThingsRunsNothing) {
     EXPECT_EQ(answers().results.size(), 1u);
 }
 
-TEST_F(RenderThreadTest, WhatWasCulledIsComputedWhenItIsAskedFor) {
-    auto request = request_of("a", "ldm-ao");
-    request.experiment.settings = {{"directions", std::int64_t{16}}};
-    const auto first = render(request);
-    const auto available = [](const LiveResult& result, const std::string& key) {
-        return std::any_of(result.report.resources.begin(), result.report.resources.end(),
-                           [&](const auto& r) { return r.key == key && r.available; });
-    };
-    EXPECT_FALSE(available(first, "ldm.leaks"));
-    const Part leaks{"ldm.leaks", 0, 0};
-    request.parts = {Part{}, leaks};
-    const auto second = render(request);
-    EXPECT_TRUE(available(second, "ldm.leaks"));
-    ASSERT_EQ(second.images.count(leaks), 1u);
-    EXPECT_EQ(second.images.at(leaks).width, 24);
-    EXPECT_EQ(second.images.at(Part{}).pixels, first.images.at(Part{}).pixels);
-}
-
-TEST_F(RenderThreadTest, AnotherPixelIsExplainedAsInAFreshRunAndThePictureStays) {
-    auto request = request_of("a", "ldm-ao");
-    request.experiment.settings = {{"directions", std::int64_t{16}}};
-    request.buffers = {"ldm.explain.hits", "ldm.explain.rays", "ldm.explain.walk"};
-    request.inspection.x = 12;
-    request.inspection.y = 13;
-    const auto first = render(request);
-    ASSERT_EQ(first.buffers.size(), 3u);
-    EXPECT_EQ(first.buffers.at("ldm.explain.rays").elements, 16u);
-    forget();
-    request.inspection.x = 9;
-    request.inspection.chosen["map"] = 5;
-    const auto second = render(request);
-    for (const auto& [tag, pass] : answers().progress)
-        EXPECT_EQ(pass.rfind("explain", 0), 0u) << pass << " ran again";
-    EXPECT_FALSE(answers().progress.empty());
-    EXPECT_EQ(second.inspection, request.inspection);
-    EXPECT_EQ(second.images.at(Part{}).pixels, first.images.at(Part{}).pixels);
-    request.tag = "fresh";
-    const auto fresh = render(request);
-    for (const auto& key : request.buffers) {
-        EXPECT_EQ(second.buffers.at(key).elements, fresh.buffers.at(key).elements) << key;
-        EXPECT_EQ(second.buffers.at(key).bytes, fresh.buffers.at(key).bytes) << key;
-    }
-    EXPECT_NE(second.buffers.at("ldm.explain.hits").bytes, first.buffers.at("ldm.explain.hits").bytes);
-}
-
 TEST_F(RenderThreadTest, LayersComeSideBySide) {
     auto request = request_of("a", "ldm-ao");
     request.experiment.settings = {{"directions", std::int64_t{16}}};
