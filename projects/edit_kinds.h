@@ -202,8 +202,15 @@ class Group final : public Edit {
   public:
     Group(std::string label, std::vector<EditPtr> edits)
         : Edit(std::move(label), ""), edits_(std::move(edits)) {}
+    /// All or nothing.
     void apply(Project& project) override {
-        for (auto& edit : edits_) edit->apply(project);
+        std::size_t done = 0;
+        try {
+            for (; done < edits_.size(); ++done) edits_[done]->apply(project);
+        } catch (...) {
+            while (done > 0) edits_[--done]->revert(project);
+            throw;
+        }
     }
     void revert(Project& project) override {
         for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit) (*edit)->revert(project);

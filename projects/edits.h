@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -73,6 +74,12 @@ EditPtr change_sweep(const Project& project, const Sweep& sweep);
 EditPtr change_image(const Project& project, const ForeignImage& image);
 /// Also how Locate… and "accept the changed file" work: see scene_files.h.
 EditPtr change_scene(const Project& project, const Scene& scene);
+
+/// Other files for sources (scenes, maps, images), all in one step: see locate_in. Recorded hashes stay.
+EditPtr relocate(const Project& project, const std::map<std::string, std::string>& new_sources);
+/// Records what the files contain now, all in one step: "accept". `contents` by source, see
+/// OpenProject::contents().
+EditPtr accept_files(const Project& project, const std::map<std::string, std::string>& contents);
 
 /// Adding: at `position`, or at the end where it is absent. The item's id must be free (see free_id_in).
 template <class Item>

@@ -160,6 +160,13 @@ Scene with_current_hashes(const Scene& scene, const fs::path& project_folder, co
     return result;
 }
 
+ContentHashes read_contents(const Project& project, const fs::path& project_folder) {
+    ContentHashes known;
+    for (const auto& source : sources_of(project))
+        known[source] = hash_now(source, project_folder, nullptr).value_or("");
+    return known;
+}
+
 Project with_contents(const Project& project, const ContentHashes& known) {
     Project result = project;
     const auto accept = [&](const std::string& source, std::string& hash) {

@@ -60,10 +60,17 @@ FileStatus status(const ForeignImage& image, const std::filesystem::path& projec
 /// the old one shows as changed. Apply with edits::change_scene.
 Scene located(const Scene& scene, std::size_t part, const std::filesystem::path& file,
               const std::filesystem::path& project_folder);
+/// Locate… for all at once: looks below `folder` for every missing source of the document, by name; of
+/// several files the one that shares most of the old path, then the one nearest to `folder`. Returns new
+/// sources by old ones, for edits::relocate. Looks at 100,000 entries at most, and at no content.
+std::map<std::string, std::string> locate_in(const Project& project, const std::filesystem::path& folder,
+                                             const std::filesystem::path& project_folder);
 /// The scene with all hashes as the files are now: "accept". Missing (and unread) files keep the recorded
 /// hash.
 Scene with_current_hashes(const Scene& scene, const std::filesystem::path& project_folder,
                           const ContentHashes* known = nullptr);
+/// Reads (or remembers) all sources of a document: for commands, not for the GUI thread.
+ContentHashes read_contents(const Project& project, const std::filesystem::path& project_folder);
 /// The document as if every known content had been accepted: whose result keys are those of the files as they
 /// are now.
 Project with_contents(const Project& project, const ContentHashes& known);

@@ -1,12 +1,17 @@
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/cli/command.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
+#include "projects/autosave.h"
 #include "projects/check.h"
+#include "projects/hash.h"
 #include "projects/pack.h"
 #include "projects/results.h"
+#include "projects/scene_files.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"
 #include "renderers/image/metrics.h"
@@ -70,36 +75,100 @@ Json summary(const projects::LoadedProject& loaded) {
     return json;
 }
 
-/// Renders a kept result's experiment again and reports how far the pictures are apart and what changed.
-Json verify(engine::Machine& machine, const projects::LoadedProject& loaded,
-            const projects::Experiment& experiment, const projects::KeptResult& kept) {
-    Json row{{"experiment", experiment.id}, {"key", kept.key}};
-    const auto inputs = projects::picture_inputs(loaded.project, experiment, engine::registry());
-    row["changed"] = projects::differences(kept.inputs, inputs);
-    engine::Execution execution(machine, engine::from_project(loaded.project, experiment, loaded.folder));
-    const auto report = run_frames(execution, {});
-    if (report.backend != kept.provenance.backend || report.device != kept.provenance.driver)
-        row["changed"].push_back("device: " + kept.provenance.driver + " → " + report.device);
-    for (const auto& file : kept.files) {
-        if (file.role != "main") continue;
-        const auto before = read_image(loaded.folder / "results" / file.path);
-        const auto now = execution.main_result();
-        const auto metrics = compute_metrics(now, before, {"rmse", "mae"});
-        row["rmse"] = metrics.values.at("rmse");
-        row["mae"] = metrics.values.at("mae");
-        row["identical"] = now.pixels == before.pixels;
-    }
-    return row;
+/// How far the picture is from the kept one.
+void compare_pictures(Json& row, const Image& now, const std::filesystem::path& file) {
+    const auto before = read_image(file);
+    row["identical"] = now.pixels == before.pixels;
+    if (now.width != before.width || now.height != before.height) return;  // `changed` names the size
+    const auto metrics = compute_metrics(now, before, {"rmse", "mae"});
+    row["rmse"] = metrics.values.at("rmse");
+    row["mae"] = metrics.values.at("mae");
 }
 
-Json verify_all(const Flags& flags, const projects::LoadedProject& loaded) {
-    engine::Machine machine(machine_options(flags.machine));
+/// Renders a kept result's experiment again and reports how far the pictures are apart and what changed.
+void verify(Json& row, engine::Machine& machine, const projects::LoadedProject& loaded,
+            const projects::Experiment& experiment, const projects::ResultIndex& index) {
+    const auto* kept = index.find(experiment.last_kept_key);
+    if (!kept)
+        throw InputError((loaded.folder / "results/index.json").string(), "",
+                         "does not list the kept result; render it again with --keep");
+    const auto inputs = projects::picture_inputs(loaded.project, experiment, engine::registry());
+    row["changed"] = projects::differences(kept->inputs, inputs);
+    for (const auto& file : kept->files)
+        if (file.role == "main" && !file.content_hash.empty() &&
+            projects::hash_file(loaded.folder / "results" / file.path) != file.content_hash)
+            row["changed"].push_back("kept picture: its file was changed");
+    engine::Execution execution(machine, engine::from_project(loaded.project, experiment, loaded.folder));
+    const auto report = run_frames(execution, {});
+    if (report.backend != kept->provenance.backend || report.device != kept->provenance.driver)
+        row["changed"].push_back("device: " + kept->provenance.driver + " → " + report.device);
+    for (const auto& file : kept->files)
+        if (file.role == "main")
+            compare_pictures(row, execution.main_result(), loaded.folder / "results" / file.path);
+}
+
+int status_of(const Error& error) {
+    const bool is_input = dynamic_cast<const InputError*>(&error) || dynamic_cast<const UsageError*>(&error);
+    return is_input ? bad_input : failed;
+}
+
+void print_row(const Json& row) {
+    std::cout << row["experiment"].get<std::string>() << "  ";
+    if (row.contains("error"))
+        std::cout << "error: " << row["error"].get<std::string>();
+    else if (row.value("identical", false))
+        std::cout << "identical";
+    else
+        std::cout << (row.contains("rmse") ? "rmse " + row["rmse"].dump() : "of another size");
+    for (const auto& change : row["changed"]) std::cout << "  [" << change.get<std::string>() << "]";
+    std::cout << "\n";
+}
+
+/// What cannot be verified is reported and keeps no other result from being verified.
+int verify_all(const Flags& flags, projects::LoadedProject loaded) {
+    const auto contents = projects::read_contents(loaded.project, loaded.folder);
+    loaded.project = projects::with_contents(loaded.project, contents);
     const auto index = projects::ResultIndex::load(loaded.folder);
-    Json rows = Json::array();
-    for (const auto& experiment : loaded.project.experiments)
-        if (const auto* kept = index.find(experiment.last_kept_key))
-            rows.push_back(verify(machine, loaded, experiment, *kept));
-    return rows;
+    Json json{{"project", loaded.folder.string()}, {"results", Json::array()}};
+    int status = done;
+    std::optional<engine::Machine> machine;
+    for (const auto& experiment : loaded.project.experiments) {
+        if (experiment.last_kept_key.empty()) continue;
+        if (!machine) machine.emplace(machine_options(flags.machine));
+        Json row{
+            {"experiment", experiment.id}, {"key", experiment.last_kept_key}, {"changed", Json::array()}};
+        try {
+            verify(row, *machine, loaded, experiment, index);
+        } catch (const Error& error) {
+            row["error"] = error.what();
+            status = std::max(status, status_of(error));
+        }
+        if (!flags.json) print_row(row);
+        json["results"].push_back(std::move(row));
+    }
+    if (flags.json)
+        std::cout << json.dump(2) << "\n";
+    else if (json["results"].empty())
+        std::cout << "no experiment has a kept result\n";
+    return status;
+}
+
+/// Everything that can be said about a project without rendering.
+std::vector<Message> check_all(const projects::LoadedProject& loaded) {
+    const auto contents = projects::read_contents(loaded.project, loaded.folder);
+    auto messages = projects::check(loaded, loaded.folder, engine::registry(), &contents);
+    try {
+        const auto index = projects::ResultIndex::load(loaded.folder);
+        const auto missing = projects::check_results(index, loaded.folder);
+        messages.insert(messages.end(), missing.begin(), missing.end());
+    } catch (const InputError& error) {
+        messages.insert(messages.begin(), {Severity::error, "results", error.what()});
+    }
+    if (const auto recovery = projects::find_recovery(loaded.folder, engine::registry()))
+        messages.push_back({Severity::warning, "project",
+                            recovery->file.string() +
+                                " holds changes that were never saved; open the project to take them over"});
+    return messages;
 }
 
 int pack(const Flags& flags) {
@@ -129,6 +198,7 @@ int run_project(const Flags& flags) {
     if (flags.upgrade) {
         const auto changes = projects::upgrade_project(flags.project, registry);
         flags.json ? void(std::cout << Json{{"changes", to_json(changes)}}.dump(2) << "\n") : print(changes);
+        if (!flags.json && changes.empty()) std::cout << "nothing to upgrade\n";
         return done;
     }
     const auto loaded = projects::load_project(flags.project, registry);
@@ -140,25 +210,10 @@ int run_project(const Flags& flags) {
             std::cout << pruned.keys.size() << " results and " << pruned.files.size() << " files removed\n";
         return done;
     }
-    if (flags.verify) {
-        const auto rows = verify_all(flags, loaded);
-        if (flags.json) {
-            std::cout << rows.dump(2) << "\n";
-            return done;
-        }
-        if (rows.empty()) std::cout << "no experiment has a kept result\n";
-        for (const auto& row : rows) {
-            std::cout << row["experiment"].get<std::string>() << "  "
-                      << (row.value("identical", false) ? std::string("identical")
-                                                        : "rmse " + row.value("rmse", Json("?")).dump());
-            for (const auto& change : row["changed"]) std::cout << "  [" << change.get<std::string>() << "]";
-            std::cout << "\n";
-        }
-        return done;
-    }
+    if (flags.verify) return verify_all(flags, loaded);
     auto json = summary(loaded);
     std::vector<Message> messages = loaded.messages;
-    if (flags.check) messages = projects::check(loaded, loaded.folder, registry);
+    if (flags.check) messages = check_all(loaded);
     json["messages"] = to_json(messages);
     if (flags.json) {
         std::cout << json.dump(2) << "\n";

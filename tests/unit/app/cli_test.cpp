@@ -221,7 +221,9 @@ TEST_F(Cli, KeepsAndVerifiesResults) {
     fs::create_directories(project);
     fs::copy(sample / "project.json", fs::path(project) / "project.json");
     ASSERT_EQ(run("render " + project + " --experiment thick --keep --quiet --out " + file("out")).status, 0);
-    const auto rows = nlohmann::json::parse(run("project " + project + " --verify --json").out);
+    const auto verified = nlohmann::json::parse(run("project " + project + " --verify --json").out);
+    ASSERT_TRUE(verified.is_object());
+    const auto& rows = verified["results"];
     ASSERT_EQ(rows.size(), 1u);
     EXPECT_EQ(rows[0]["experiment"], "thick");
     EXPECT_EQ(rows[0]["identical"], true);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "projects/document_json.h"
+#include "projects/scene_files.h"
 #include "projects/undo_stack.h"
 #include "renderers/core/error.h"
 #include "tests/unit/projects/sample.h"
@@ -95,6 +96,17 @@ void add_item_makers(std::map<std::string, Maker>& m) {
         s.parts[0].source = "elsewhere/" + std::to_string(pick(r, 99)) + ".glb";
         s.parts[0].materials["stone"].roughness = pick(r, 100) / 100.0;
     });
+    m["relocate"] = [](const Project& p, Random& r) {
+        const auto sources = sources_of(p);
+        if (sources.empty()) throw UsageError("nothing to locate");
+        const auto source = std::next(sources.begin(), pick(r, static_cast<int>(sources.size())));
+        return edits::relocate(p, {{*source, "found/" + std::to_string(pick(r, 999)) + ".glb"}});
+    };
+    m["accept_files"] = [](const Project& p, Random& r) {
+        ContentHashes contents;
+        for (const auto& source : sources_of(p)) contents[source] = "hash" + std::to_string(pick(r, 999));
+        return edits::accept_files(p, contents);
+    };
     m["set_project_name"] = [](const Project& p, Random& r) {
         return edits::set_project_name(p, "name " + std::to_string(pick(r, 99)));
     };
@@ -310,7 +322,9 @@ TEST(Edits, TwelveOfEveryKindUndoAndRedoToTheByte) {
             if (is_made) continue;
             // Something new to work on: removing runs out of what nothing refers to, and the like.
             const auto item = name.find('<');
-            const auto useful = item == std::string::npos ? "set_values" : "add" + name.substr(item);
+            const auto useful = item != std::string::npos ? "add" + name.substr(item)
+                                : name == "remove_preset" ? "set_preset"
+                                                          : "set_values";
             const auto other = tries % 2 == 0 ? makers.find(useful)
                                               : std::next(makers.begin(),
                                                           pick(walk.random, static_cast<int>(makers.size())));
@@ -408,6 +422,29 @@ TEST(Edits, NewExperimentsHaveAllDefaults) {
     EXPECT_EQ(e.id, "plain-nave-2");
     EXPECT_EQ(e.method_version, 3);
     EXPECT_EQ(e.values, defaults(registry().at("fog").parameters));
+}
+
+/// An edit that cannot be applied.
+class Impossible final : public Edit {
+  public:
+    Impossible() : Edit("impossible", "") {}
+    void apply(Project&) override { throw Error("impossible"); }
+    void revert(Project&) override {}
+    bool absorb(const Edit&) override { return false; }
+    bool changes_nothing() const override { return false; }
+};
+
+TEST(Edits, AGroupHappensAsAWholeOrNotAtAll) {
+    Project project = sample_project();
+    UndoStack stack;
+    std::vector<EditPtr> steps;
+    steps.push_back(edits::set_notes(project, "changed"));
+    steps.push_back(edits::set_seed(project, "fog-nave", 99));
+    steps.push_back(std::make_unique<Impossible>());
+    EXPECT_THROW(stack.push(project, edits::group("Three", std::move(steps))), Error);
+    EXPECT_EQ(project, sample_project());
+    EXPECT_FALSE(stack.can_undo());
+    EXPECT_TRUE(stack.is_clean());
 }
 
 EditPtr density(const Project& project, double value) {

@@ -1,0 +1,186 @@
+// `interreflect-cli project`: exit statuses, one line for errors, one JSON object, on the real program.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "projects/autosave.h"
+#include "projects/lock.h"
+#include "projects/results.h"
+
+namespace ir {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Outcome {
+    int status = 0;
+    std::string out, err;
+};
+
+std::string read(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void write(const fs::path& path, const std::string& text) {
+    fs::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+/// A copy of a sample project whose pictures are small.
+class ProjectCommand : public testing::Test {
+  protected:
+    ProjectCommand() {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        root_ = fs::temp_directory_path() / ("interreflect-project-" + std::string(test->name()));
+        fs::remove_all(root_);
+        project = root_ / "p.interreflect";
+        json = Json::parse(
+            read(fs::path(SOURCE_ROOT) / "projects/samples/crevice-leaks.interreflect/project.json"));
+        json["experiments"].erase(json["experiments"].begin() + 1, json["experiments"].end());
+        json["comparisons"] = json["sweeps"] = Json::array();
+        for (const char* key : {"reference", "presets", "active_preset"}) json["experiments"][0].erase(key);
+        json["experiments"][0]["size"] = {16, 12};
+        store();
+    }
+    ~ProjectCommand() override { fs::remove_all(root_); }
+
+    void store() { write(project / "project.json", json.dump(2)); }
+    std::string id() { return json["experiments"][0]["id"]; }
+
+    Outcome run(const std::string& arguments) {
+        const auto out = root_ / "stdout", err = root_ / "stderr";
+        const auto command =
+            std::string(CLI_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string();
+        const int status = std::system(command.c_str());
+        EXPECT_TRUE(WIFEXITED(status)) << command;
+        return {WEXITSTATUS(status), read(out), read(err)};
+    }
+    Outcome command(const std::string& flags) { return run("project " + project.string() + " " + flags); }
+
+    /// Refused with one line on stderr that names `part`, and nothing else.
+    void expect_refused(const std::string& flags, int status, const std::string& part) {
+        const auto outcome = command(flags);
+        EXPECT_EQ(outcome.status, status) << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+    }
+    /// The messages of --check, which ends with `status`.
+    std::string check(int status) {
+        const auto outcome = command("--check --json");
+        EXPECT_EQ(outcome.status, status) << outcome.out << outcome.err;
+        const auto checked = Json::parse(outcome.out);
+        EXPECT_TRUE(checked.is_object());
+        return checked["messages"].dump();
+    }
+    void keep() {
+        ASSERT_EQ(
+            run("render " + project.string() + " --keep --quiet --out " + (root_ / "out").string()).status,
+            0);
+        json = Json::parse(read(project / "project.json"));
+    }
+
+    fs::path root_, project;
+    Json json;
+};
+
+TEST_F(ProjectCommand, ChecksWhatIsThereAndWhatIsNot) {
+    EXPECT_EQ(check(0), "[]");
+    json["from_the_future"] = 1;
+    json["experiments"][0]["camera"] = "gone";
+    store();
+    EXPECT_NE(check(0).find("unknown key /from_the_future"), std::string::npos);
+    EXPECT_NE(check(0).find("there is no camera 'gone'"), std::string::npos);
+    json["scenes"][0]["parts"][0]["source"] = "gone.glb";
+    store();
+    EXPECT_NE(check(3).find("'gone.glb' is missing"), std::string::npos);
+    EXPECT_EQ(command("").status, 0);  // looking is no checking
+
+    write(project / "gone.glb", "there now");
+    json["scenes"][0]["parts"][0]["content_hash"] = "of another file";
+    store();
+    EXPECT_NE(check(0).find("is not the file that was recorded"), std::string::npos);
+}
+
+TEST_F(ProjectCommand, ChecksResultsAndUnsavedChanges) {
+    write(project / "results/index.json", "damaged");
+    EXPECT_NE(check(3).find("index.json: line 1"), std::string::npos);
+    write(project / "results/index.json",
+          R"({"schema": 1, "entries": [{"key": "k", "files": [{"path": "a"}]}]})");
+    EXPECT_NE(check(0).find("results/a is missing"), std::string::npos);
+    write(project / "project.json.autosave", Json{{"base_hash", ""}, {"project", json}}.dump());
+    json["notes"] = "newer";
+    write(project / "project.json.autosave", Json{{"base_hash", ""}, {"project", json}}.dump());
+    fs::last_write_time(project / "project.json", fs::file_time_type::clock::now() - std::chrono::hours(1));
+    EXPECT_NE(check(0).find("holds changes that were never saved"), std::string::npos);
+}
+
+TEST_F(ProjectCommand, RefusesDamagedFilesAndWrongUsage) {
+    expect_refused("--check --upgrade", 2, "--");
+    expect_refused("--nonsense", 2, "--nonsense");
+    write(project / "project.json", "{");
+    for (const char* flags : {"", "--check", "--upgrade", "--verify", "--prune"})
+        expect_refused(flags, 3, "project.json");
+    fs::remove(project / "project.json");
+    expect_refused("--check", 3, "holds no project.json");
+}
+
+TEST_F(ProjectCommand, UpgradesAnOldSchemaAndKeepsTheOldFile) {
+    const auto old = read(TEST_DATA "/projects/schema-1.json");
+    write(project / "project.json", old);
+    const auto upgraded = Json::parse(command("--upgrade --json").out);
+    EXPECT_NE(upgraded["changes"].dump().find("from schema 1 to 2"), std::string::npos);
+    EXPECT_EQ(Json::parse(read(project / "project.json"))["schema"], 2);
+    EXPECT_EQ(read(project / "project.json.previous"), old);
+    EXPECT_EQ(command("--upgrade").out, "nothing to upgrade\n");
+
+    const auto lock = projects::Lock::acquire(project);
+    expect_refused("--upgrade", 1, "cannot be upgraded");
+    EXPECT_EQ(command("--check").status, 3);  // looking needs no lock; its scenes are missing
+}
+
+TEST_F(ProjectCommand, VerifiesWithOneJsonObject) {
+    EXPECT_EQ(command("--verify").out, "no experiment has a kept result\n");
+    EXPECT_EQ(Json::parse(command("--verify --json").out)["results"], Json::array());
+    keep();
+    auto outcome = command("--verify --json");
+    EXPECT_EQ(outcome.status, 0);
+    auto row = Json::parse(outcome.out)["results"][0];
+    EXPECT_EQ(row["experiment"], id());
+    EXPECT_EQ(row["identical"], true);
+    EXPECT_EQ(row["rmse"], 0.0);
+    EXPECT_EQ(row["changed"], Json::array());
+
+    json["experiments"][0]["seed"] = 999;
+    json["experiments"][0]["size"] = {12, 12};
+    store();
+    EXPECT_NE(check(0).find("stale"), std::string::npos);
+    row = Json::parse(command("--verify --json").out)["results"][0];
+    EXPECT_EQ(row["identical"], false);
+    EXPECT_NE(row["changed"].dump().find("seed"), std::string::npos);
+    EXPECT_NE(row["changed"].dump().find("size"), std::string::npos);
+    EXPECT_NE(command("--verify").out.find("of another size"), std::string::npos);
+}
+
+TEST_F(ProjectCommand, VerifyReportsWhatIsMissingAndGoesOn) {
+    keep();
+    const auto index = projects::ResultIndex::load(project);
+    const auto picture = project / "results" / index.entries().at(0).files.at(0).path;
+    fs::rename(picture, picture.string() + ".away");
+    auto outcome = command("--verify --json");
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_NE(Json::parse(outcome.out)["results"][0]["error"].dump().find(picture.filename().string()),
+              std::string::npos);
+    fs::remove_all(project / "results");
+    outcome = command("--verify");
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_NE(outcome.out.find("does not list the kept result"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ir

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include "projects/check.h"
+#include "projects/hash.h"
+#include "projects/open_project.h"
+#include "projects/scene_files.h"
+#include "renderers/core/error.h"
+#include "tests/unit/projects/sample.h"
+
+namespace ir::projects {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::registry;
+using testing::sample_project;
+using testing::TemporaryFolder;
+
+/// A project all of whose files were moved to another folder.
+class Locate : public ::testing::Test {
+  protected:
+    Locate() {
+        for (const char* file : {"scenes/church.glb", "scenes/organ.glb", "sky.exr", "photo.exr"})
+            testing::write_text(folder / file, std::string("content of ") + file);
+        auto project = sample_project();
+        for (auto& part : project.scenes[0].parts) part.content_hash.clear();
+        project.lights[1].environment.content_hash.clear();
+        save_project(with_missing_hashes(project, folder), folder, "");
+        fs::create_directories(elsewhere);
+        for (const char* name : {"scenes", "sky.exr", "photo.exr"})
+            fs::rename(folder / name, elsewhere / name);
+    }
+    int count_missing(const OpenProject& open) {
+        int count = 0;
+        for (const auto& message : open.messages())
+            count += message.text.find("is missing; locate it") != std::string::npos;
+        return count;
+    }
+    TemporaryFolder temporary;
+    fs::path folder = temporary.path() / "a.interreflect", elsewhere = temporary.path() / "archive/2026";
+};
+
+TEST_F(Locate, FindsAllFilesFromOneFolderInOneUndoStep) {
+    OpenProject open(folder, registry());
+    EXPECT_EQ(count_missing(open), 4);
+    const auto found = locate_in(open.project(), temporary.path() / "archive", folder);
+    EXPECT_EQ(found,
+              (std::map<std::string, std::string>{{"scenes/church.glb", "../archive/2026/scenes/church.glb"},
+                                                  {"scenes/organ.glb", "../archive/2026/scenes/organ.glb"},
+                                                  {"sky.exr", "../archive/2026/sky.exr"},
+                                                  {"photo.exr", "../archive/2026/photo.exr"}}));
+    open.edit(edits::relocate(open.project(), found));
+    open.check_again();
+    EXPECT_EQ(count_missing(open), 0);
+    open.wait_for_files();
+    for (const auto& part : open.project().scenes[0].parts)
+        EXPECT_EQ(status(part, folder, &open.contents()).state, FileState::ok) << part.source;
+    EXPECT_EQ(open.undo_stack().position(), 1u);
+    open.undo();
+    EXPECT_EQ(open.project(), load_project(folder, registry()).project);
+    EXPECT_TRUE(locate_in(open.project(), folder, folder).empty());
+}
+
+TEST_F(Locate, PrefersTheFileThatSharesMostOfThePath) {
+    testing::write_text(elsewhere / "church.glb", "nearer, but of another folder");
+    testing::write_text(elsewhere / "other/deeper/organ.glb", "too deep");
+    const auto project = load_project(folder, registry()).project;
+    auto found = locate_in(project, elsewhere, folder);
+    EXPECT_EQ(found.at("scenes/church.glb"), "../archive/2026/scenes/church.glb");
+    EXPECT_EQ(found.at("scenes/organ.glb"), "../archive/2026/scenes/organ.glb");
+    fs::remove_all(elsewhere / "scenes");
+    testing::write_text(elsewhere / "x/organ.glb", "nearer");
+    found = locate_in(project, elsewhere, folder);
+    EXPECT_EQ(found.at("scenes/church.glb"), "../archive/2026/church.glb");
+    EXPECT_EQ(found.at("scenes/organ.glb"), "../archive/2026/x/organ.glb");
+}
+
+TEST_F(Locate, LeavesWhatIsThereAloneAndReportsNothingFalsely) {
+    testing::write_text(folder / "sky.exr", "another sky");  // changed is not missing
+    const auto project = load_project(folder, registry()).project;
+    EXPECT_EQ(locate_in(project, elsewhere, folder).count("sky.exr"), 0u);
+    EXPECT_TRUE(locate_in(project, temporary.path() / "no such folder", folder).empty());
+    fs::create_directories(elsewhere / "deep/photo.exr");  // a folder of that name is no file
+    fs::remove(elsewhere / "photo.exr");
+    EXPECT_EQ(locate_in(project, elsewhere, folder).count("photo.exr"), 0u);
+}
+
+TEST_F(Locate, AnotherFileShowsAsChangedUntilItIsAccepted) {
+    testing::write_text(elsewhere / "scenes/organ.glb", "a newer organ");
+    OpenProject open(folder, registry());
+    open.edit(edits::relocate(open.project(), locate_in(open.project(), elsewhere, folder)));
+    open.wait_for_files();
+    const auto state = [&] {
+        return status(open.project().scenes[0].parts[1], folder, &open.contents()).state;
+    };
+    EXPECT_EQ(state(), FileState::changed);
+    open.edit(edits::accept_files(open.project(), open.contents()));
+    EXPECT_EQ(state(), FileState::ok);
+    EXPECT_EQ(open.project().scenes[0].parts[1].content_hash, hash_bytes("a newer organ"));
+    EXPECT_FALSE(open.edit(edits::accept_files(open.project(), open.contents()))) << "nothing left to accept";
+    open.undo();
+    EXPECT_EQ(state(), FileState::changed);
+    open.save();
+    EXPECT_EQ(load_project(folder, registry()).project, open.project());
+}
+
+TEST_F(Locate, ExperimentsSurviveAMissingScene) {
+    OpenProject open(folder, registry());
+    EXPECT_EQ(open.project().experiments, load_project(folder, registry()).project.experiments);
+    EXPECT_NE(why_not_runnable(open.project(), open.project().experiments[0], registry(), folder), "");
+    open.edit(edits::set_seed(open.project(), "fog-nave", 5));
+    open.save();
+    EXPECT_EQ(load_project(folder, registry()).project.experiments[0].seed, 5u);
+}
+
+}  // namespace
+}  // namespace ir::projects
