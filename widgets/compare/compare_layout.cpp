@@ -72,8 +72,7 @@ void CompareView::paint_board() {
     QPainter painter(board_);
     painter.fillRect(board_->rect(), palette().window());
     if (contents().size() < 2) return;
-    painter.setPen(QPen(palette().highlight().color(), 2));
-    painter.drawRect(panes_[active_pane_]->geometry().adjusted(-1, -1, 1, 1));
+    painter.fillRect(panes_[active_pane_]->geometry().adjusted(-2, -2, 2, 2), palette().highlight());
 }
 
 QImage CompareView::snapshot(bool overlays, bool legend, ImageView::SnapshotScale scale) const {

@@ -8,6 +8,12 @@
 
 /// What an ImageView shows; how it is moved stands in image_view.cpp.
 namespace ir::widgets {
+namespace {
+
+/// Room for a legend beside an exported picture: all that it needs.
+constexpr qreal whole_legend = 10000;
+
+}  // namespace
 
 void ImageView::set_picture(std::shared_ptr<const Picture> picture) {
     const QSizeF size = picture ? QSizeF(picture->size().expandedTo({0, 0})) : QSizeF(0, 0);
@@ -135,9 +141,9 @@ QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) cons
         drawn.transform.set_view_size(size);
         drawn.transform.fit();
         drawn.legend = false;
-        if (legend) beside = legend_size(state_.pictures[0], ratio).width() + 16;
+        if (legend) beside = legend_size(state_.pictures[0], ratio, whole_legend).width() + 16;
     }
-    const qreal height = beside > 0 ? legend_size(state_.pictures[0], ratio).height() + 16 : 0;
+    const qreal height = beside > 0 ? legend_size(state_.pictures[0], ratio, whole_legend).height() + 16 : 0;
     QImage image(size.width() + int(beside), std::max(size.height(), int(height)), QImage::Format_RGB32);
     image.fill(surround_colour);
     QPainter painter(&image);
@@ -152,7 +158,8 @@ QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) cons
         }
         paint_overlay(painter, drawn, ratio);
     }
-    if (beside > 0) paint_legend(painter, state_.pictures[0], QPointF(size.width() + 8, 8), ratio);
+    if (beside > 0)
+        paint_legend(painter, state_.pictures[0], QPointF(size.width() + 8, 8), ratio, whole_legend);
     return image;
 }
 

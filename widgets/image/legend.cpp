@@ -83,23 +83,28 @@ Contents contents_of(const PreparedPicture& picture) {
 
 /// Positions in device pixels; everything scales with the screen.
 struct Layout {
-    Layout(const Contents& contents, const QFont& font, qreal ratio) : metrics(font), r(ratio) {
+    Layout(Contents& contents, const QFont& font, qreal ratio, qreal room) : metrics(font), r(ratio) {
         line = metrics.height() + 2 * r;
+        const auto fixed = [&] {
+            return 2 * margin() + (contents.lines.size() + contents.marks.size()) * line;
+        };
+        if (fixed() + (contents.bar ? bar_height + line : 0) > room) contents.marks.clear();
+        bar_height = std::clamp(room - fixed() - line, 40 * r, 130 * r);
         for (const auto& text : contents.lines) width = std::max(width, metrics.horizontalAdvance(text));
         for (double tick : contents.ticks)
             width = std::max(width, bar_width() + 8 * r + metrics.horizontalAdvance(short_number(tick)));
         for (const auto& mark : contents.marks)
             width = std::max(width, 18 * r + metrics.horizontalAdvance(mark.text));
-        height = contents.lines.size() * line + (contents.bar ? bar_height() + line : 0) +
-                 contents.marks.size() * line;
+        height = fixed() + (contents.bar ? bar_height + line : 0);
+        if (contents.bar && bar_height < 90 * r)  // only the ends have room
+            contents.ticks = {contents.ticks.front(), contents.ticks.back()};
     }
     qreal bar_width() const { return 16 * r; }
-    qreal bar_height() const { return 130 * r; }
     qreal margin() const { return 8 * r; }
-    QSizeF size() const { return {width + 2 * margin(), height + 2 * margin()}; }
+    QSizeF size() const { return {width + 2 * margin(), height}; }
 
     QFontMetricsF metrics;
-    qreal r, line = 0, width = 0, height = 0;
+    qreal r, bar_height = 130 * r, line = 0, width = 0, height = 0;
 };
 
 QFont legend_font(qreal ratio) {
@@ -119,11 +124,11 @@ QColor bar_colour(const Display& display, double fraction) {
 
 void paint_bar(QPainter& painter, const Display& display, const Contents& contents, const Layout& layout,
                QPointF top_left) {
-    const QRectF bar(top_left + QPointF(0, layout.line / 2), QSizeF(layout.bar_width(), layout.bar_height()));
-    const int rows = int(bar.height());
-    for (int row = 0; row < rows; ++row)  // the highest value on top
-        painter.fillRect(QRectF(bar.left(), bar.top() + row, bar.width(), 1),
-                         bar_colour(display, 1 - row / double(rows - 1)));
+    const QRectF bar(top_left + QPointF(0, layout.line / 2), QSizeF(layout.bar_width(), layout.bar_height));
+    QImage colours(1, 256, QImage::Format_RGB32);
+    for (int row = 0; row < 256; ++row)  // the highest value on top
+        colours.setPixelColor(0, row, bar_colour(display, 1 - row / 255.0));
+    painter.drawImage(bar, colours);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(235, 235, 235), layout.r));
     painter.drawRect(bar);
@@ -137,11 +142,30 @@ void paint_bar(QPainter& painter, const Display& display, const Contents& conten
     }
 }
 
+/// Stripes lean like the zebra's; a chequer is of four fields.
+void paint_swatch(QPainter& painter, const Mark& mark, const QRectF& box, qreal ratio) {
+    painter.save();
+    painter.setClipRect(box);
+    painter.fillRect(box, mark.style == Qt::SolidPattern ? mark.colour : QColor(160, 160, 160));
+    const qreal side = box.width();
+    const bool rising = mark.style == Qt::BDiagPattern;
+    if (rising || mark.style == Qt::FDiagPattern) {
+        painter.setPen(QPen(mark.colour, 2.5 * ratio));
+        for (qreal x = -side; x < side * 2; x += 5.5 * ratio)
+            painter.drawLine(QPointF(box.left() + x, rising ? box.bottom() : box.top()),
+                             QPointF(box.left() + x + side, rising ? box.top() : box.bottom()));
+    } else if (mark.style != Qt::SolidPattern) {
+        const QSizeF half = box.size() / 2;
+        painter.fillRect(QRectF(box.topLeft(), half), QColor(100, 100, 100));
+        painter.fillRect(QRectF(box.center(), half), QColor(100, 100, 100));
+    }
+    painter.restore();
+}
+
 void paint_mark(QPainter& painter, const Mark& mark, const Layout& layout, QPointF top_left) {
     const qreal side = 11 * layout.r;
     const QRectF box(top_left + QPointF(0, (layout.line - side) / 2), QSizeF(side, side));
-    painter.fillRect(box, mark.style == Qt::SolidPattern ? mark.colour : QColor(90, 90, 90));
-    if (mark.style != Qt::SolidPattern) painter.fillRect(box, QBrush(mark.colour, mark.style));
+    paint_swatch(painter, mark, box, layout.r);
     painter.setPen(QColor(235, 235, 235));
     painter.drawText(QRectF(top_left + QPointF(18 * layout.r, 0), QSizeF(layout.width, layout.line)),
                      Qt::AlignLeft | Qt::AlignVCenter, mark.text);
@@ -169,16 +193,18 @@ std::vector<double> legend_ticks(double low, double high, int count) {
     return ticks;
 }
 
-QSizeF legend_size(const PreparedPicture& picture, qreal pixel_ratio) {
+QSizeF legend_size(const PreparedPicture& picture, qreal pixel_ratio, qreal room) {
     if (picture.empty()) return {};
-    return Layout(contents_of(picture), legend_font(pixel_ratio), pixel_ratio).size();
+    Contents contents = contents_of(picture);
+    return Layout(contents, legend_font(pixel_ratio), pixel_ratio, room).size();
 }
 
-void paint_legend(QPainter& painter, const PreparedPicture& picture, QPointF top_left, qreal pixel_ratio) {
+void paint_legend(QPainter& painter, const PreparedPicture& picture, QPointF top_left, qreal pixel_ratio,
+                  qreal room) {
     if (picture.empty()) return;
-    const Contents contents = contents_of(picture);
+    Contents contents = contents_of(picture);
     const QFont font = legend_font(pixel_ratio);
-    const Layout layout(contents, font, pixel_ratio);
+    const Layout layout(contents, font, pixel_ratio, room);
     painter.save();
     painter.setFont(font);
     painter.setPen(Qt::NoPen);
@@ -193,7 +219,7 @@ void paint_legend(QPainter& painter, const PreparedPicture& picture, QPointF top
     }
     if (contents.bar) {
         paint_bar(painter, picture.display, contents, layout, at);
-        at.ry() += layout.bar_height() + layout.line;
+        at.ry() += layout.bar_height + layout.line;
     }
     for (const auto& mark : contents.marks) {
         paint_mark(painter, mark, layout, at);

@@ -8,9 +8,10 @@
 namespace ir::widgets {
 
 /// What colours mean: a bar with numbers and unit (or exposure and tone map), and the marks that are on.
-/// Lengths are device pixels.
-QSizeF legend_size(const PreparedPicture& picture, qreal pixel_ratio);
-void paint_legend(QPainter& painter, const PreparedPicture& picture, QPointF top_left, qreal pixel_ratio);
+/// Lengths are device pixels. What is higher than `room` loses first the marks, then length of its bar.
+QSizeF legend_size(const PreparedPicture& picture, qreal pixel_ratio, qreal room);
+void paint_legend(QPainter& painter, const PreparedPicture& picture, QPointF top_left, qreal pixel_ratio,
+                  qreal room);
 
 /// Both ends and round numbers between them, at most `count` in all, ascending.
 std::vector<double> legend_ticks(double low, double high, int count);

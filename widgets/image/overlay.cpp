@@ -145,11 +145,12 @@ void paint_legends(QPainter& painter, const CanvasState& state, const QRectF& vi
     const qreal gap = 8 * ratio;
     const bool both = state.has_divider() && state.pictures[0].display != state.pictures[1].display;
     for (int i = 0; i < (both ? 2 : 1); ++i) {
-        const QSizeF size = legend_size(state.pictures[i], ratio);
+        const qreal room = view.height() * 0.7;
+        const QSizeF size = legend_size(state.pictures[i], ratio, room);
         const bool left = both && i == 0;
         paint_legend(painter, state.pictures[i],
                      {left ? gap : view.width() - size.width() - gap, view.height() - size.height() - gap},
-                     ratio);
+                     ratio, room);
     }
 }
 

@@ -19,14 +19,13 @@ QImage pattern_tile(Pattern pattern, int half) {
     const int period = 2 * half;
     QImage tile(period, period, QImage::Format_ARGB32_Premultiplied);
     tile.fill(Qt::transparent);
+    const QColor stripe = pattern == Pattern::below ? below_colour : above_colour;
     for (int y = 0; y < period; ++y)
         for (int x = 0; x < period; ++x) {
             if (pattern == Pattern::hidden)
                 tile.setPixelColor(x, y, (x < half) == (y < half) ? hidden_dark : hidden_light);
-            else if (pattern == Pattern::below && (x + y) % period < half)
-                tile.setPixelColor(x, y, below_colour);
-            else if (pattern == Pattern::above && (x - y + period) % period < half)
-                tile.setPixelColor(x, y, above_colour);
+            else if (const int at = (pattern == Pattern::below ? x + y : x - y + period) % period; at < half)
+                tile.setPixelColor(x, y, 3 * at < half ? QColor(Qt::black) : stripe);  // shows on any colour
         }
     return tile;
 }

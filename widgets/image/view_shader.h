@@ -47,10 +47,12 @@ float largest_magnitude(vec3 v, int count) {
     if (count > 2 && abs(v.z) > abs(largest)) largest = v.z;
     return largest;
 }
-bool stripe(bool rising) {
-    ivec2 at = ivec2(gl_FragCoord.x, view_height - gl_FragCoord.y);
+// A stripe has a black edge, so that it shows on any colour.
+vec3 stripe(bool rising, vec3 stripe_colour, vec3 shaded) {
+    ivec2 position = ivec2(gl_FragCoord.x, view_height - gl_FragCoord.y);
     int period = 2 * pattern_half;
-    return (rising ? at.x + at.y : at.x - at.y + period * 65536) % period < pattern_half;
+    int at = (rising ? position.x + position.y : position.x - position.y + period * 65536) % period;
+    return at >= pattern_half ? shaded : 3 * at < pattern_half ? vec3(0.0) : stripe_colour;
 }
 vec3 striped(vec3 shaded, vec3 v, int count) {
     float scale = mode == 0 ? exp2(exposure) : 1.0;
@@ -58,8 +60,8 @@ vec3 striped(vec3 shaded, vec3 v, int count) {
     if (mode == 2) v = vec3(largest_magnitude(v, count));
     if (mode != 2 && count == 2) v.z = v.x;  // what is not there is in range
     v *= scale;
-    if (any(greaterThan(v, vec3(greatest)))) return stripe(false) ? vec3(255.0, 60.0, 40.0) / 255.0 : shaded;
-    if (any(lessThan(v, vec3(least)))) return stripe(true) ? vec3(40.0, 90.0, 255.0) / 255.0 : shaded;
+    if (any(greaterThan(v, vec3(greatest)))) return stripe(false, vec3(255.0, 60.0, 40.0) / 255.0, shaded);
+    if (any(lessThan(v, vec3(least)))) return stripe(true, vec3(40.0, 90.0, 255.0) / 255.0, shaded);
     return shaded;
 }
 vec3 chequer() {
