@@ -46,15 +46,6 @@ bool has_primitive(const std::vector<LayerPlan>& plans, bool sphere) {
     });
 }
 
-/// Points and lines have widths in pixels; glyphs are as wide as they are.
-float widest_px(const std::vector<LayerPlan>& plans) {
-    float widest = 0;
-    for (const auto& plan : plans)
-        if (plan.drawable && (plan.primitive == Primitive::points || plan.primitive == Primitive::lines))
-            widest = std::max(widest, plan.block.size_px);
-    return widest;
-}
-
 void include_unit_sphere(scene::Bounds& bounds) {
     const bool empty = bounds.empty();
     bounds.min = empty ? glm::vec3(-1) : glm::min(bounds.min, glm::vec3(-1));
@@ -141,7 +132,7 @@ Picture3D Viewer::draw(graph::Graph& graph, const graph::FrameInputs& inputs, co
     // What is nearer than the near plane or far off is drawn, too; what an orthographic camera has behind it
     // is not.
     if (!sight.orthographic) gl.Enable(GL_DEPTH_CLAMP);
-    if (show_scene) s.mesh.draw(graph, inputs, sight, static_cast<float>(oversampling) * widest_px(plans));
+    if (show_scene) s.mesh.draw(graph, inputs, sight);
     s.paint(plans, sight, view.show_centres);
     s.target.end();
     reset_state(gl);

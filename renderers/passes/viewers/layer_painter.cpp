@@ -141,7 +141,9 @@ void LayerPainter::draw_points(const LayerPlan& plan, std::size_t index, const S
     bind_texture(map_unit, map_texture(plan.wanted.colour_map));
     program.set("colour_map", map_unit);
     program.set("pixel_samples", samples);
+    gl.DepthFunc(GL_ALWAYS);  // they have competed with what is there already
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.DepthFunc(GL_LEQUAL);
     for (const GLuint binding : {keys_binding, nearest_binding})
         gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, 0);
 }

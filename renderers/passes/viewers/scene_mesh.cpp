@@ -34,8 +34,7 @@ SceneMesh::Buffers SceneMesh::buffers(graph::Graph& graph, const graph::FrameInp
     return {positions_.name(), indices_.name()};
 }
 
-void SceneMesh::draw(graph::Graph& graph, const graph::FrameInputs& inputs, const Sight& sight,
-                     float widest_px) {
+void SceneMesh::draw(graph::Graph& graph, const graph::FrameInputs& inputs, const Sight& sight) {
     if (!inputs.world || inputs.world->triangles() == 0) return;
     const auto& gl = tools_.api;
     const auto from = buffers(graph, inputs);
@@ -46,10 +45,9 @@ void SceneMesh::draw(graph::Graph& graph, const graph::FrameInputs& inputs, cons
     program.use();
     program.set("clip_from_world", sight.view.clip_from_world());
     set_shade(program, sight);
-    // A point on a sloping surface is a disc that faces the viewer: its edge is as deep in the surface as the
-    // surface rises over the disc's radius.
+    // a little behind glyphs and lines that lie on surfaces
     gl.Enable(GL_POLYGON_OFFSET_FILL);
-    gl.PolygonOffset(0.5f * widest_px + 1, 4);
+    gl.PolygonOffset(1, 4);
     gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(inputs.world->indices.size()), GL_UNSIGNED_INT,
                     nullptr);
     gl.Disable(GL_POLYGON_OFFSET_FILL);

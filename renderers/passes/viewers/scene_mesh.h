@@ -15,8 +15,7 @@ class SceneMesh {
     ~SceneMesh();
     SceneMesh(const SceneMesh&) = delete;
 
-    /// Behind points and lines of up to `widest_px`, which lie on surfaces.
-    void draw(graph::Graph& graph, const graph::FrameInputs& inputs, const Sight& sight, float widest_px);
+    void draw(graph::Graph& graph, const graph::FrameInputs& inputs, const Sight& sight);
 
   private:
     struct Buffers {

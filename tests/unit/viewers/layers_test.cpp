@@ -242,7 +242,7 @@ TEST_F(LayersTest, OversamplingSmoothsEdgesAndKeepsElements) {
     EXPECT_LT(other_elements, 40) << "widths are in pixels, and ids those of the pixels' middles";
     EXPECT_GT(other_colours, 20);
     EXPECT_LT(other_colours, 1000);
-    expect_colour(colour_at(smooth, spot_px(3)), colour_at(plain, spot_px(3)));
+    expect_colour(colour_at(smooth, spot_px(8)), colour_at(plain, spot_px(8)));
     view.oversampling = 1000;  // as far as it goes
     EXPECT_EQ(draw(view).element.size(), plain.element.size());
 }

@@ -73,6 +73,20 @@ TEST_F(PointsTest, AreAsLargeAsAsked) {
     EXPECT_EQ(pixels_of(draw({{.key = "points", .size_px = 1}}, width, height), 0), 1);
 }
 
+TEST_F(PointsTest, OnSlopesAreWholeAndThoseBehindAreHidden) {
+    const auto normal = glm::normalize(glm::vec3(0.2, 1, 0.25));  // seen at 75 degrees
+    add_square({0, 0, 0}, normal, 3);
+    auto buffer = point_buffer();
+    const auto along = glm::normalize(glm::cross(normal, glm::vec3(0, 0, 1)));
+    buffer.add(0.4f * along, -0.4f * along, -0.5f * normal);
+    run({buffer});
+    const auto with_scene = draw({{.key = "points", .size_px = 9}}, width, height);
+    const auto without = draw({{.key = "points", .size_px = 9}}, width, height, false);
+    for (const int point : {0, 1}) EXPECT_EQ(pixels_of(with_scene, point), pixels_of(without, point));
+    EXPECT_EQ(pixels_of(with_scene, 2), 0);
+    EXPECT_GT(pixels_of(without, 2), 0);
+}
+
 TEST_F(PointsTest, LinesAndPointsHideEachOtherByDepth) {
     auto points = point_buffer();
     points.add(glm::vec3(-1, 0, 0.5), glm::vec3(1, 0, -0.5));
