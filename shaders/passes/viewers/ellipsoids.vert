@@ -1,5 +1,5 @@
 // A quad around each ellipsoid: six vertices for each element. The quad's edges are the tangent planes of
-// the ellipsoid that are vertical and horizontal on the picture. [Sigg06 §3.1]
+// the ellipsoid that are vertical and horizontal on the picture. [Sigg06]
 #include "passes/viewers/layer.glsl"
 #include "passes/viewers/colour.glsl"
 #include "passes/viewers/project.glsl"

@@ -59,6 +59,8 @@ void main() {
     vec3 point;
     if (own == NOT_ON_SPHERE || !sphere_point(gl_FragCoord.xy, point)) discard;
     vec3 colour = own == 0u ? no_region : element_colour(element_base(own - 1u), point);
+    // one colour for the whole sphere says nothing, and would shout
+    if (own != 0u && layer.colour_mode == COLOUR_SINGLE) colour = mix(vec3(0.7), colour, 0.12);
     colour *= mix(0.6, 1.0, light_shade(point, point));
     // borders of regions of few pixels would leave nothing of their colours
     float border = min(1.0, 2.0 * other_neighbours(pixel, own, 1)) * smoothstep(20.0, 120.0, mean_region_px);
