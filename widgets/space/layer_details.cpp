@@ -200,8 +200,10 @@ void LayerDetails::show_colours(const LayerInfo* info) {
     for (int c = 0; c < count; ++c) component_->addItem(component_name(count, c));
     component_->setCurrentIndex(std::clamp(layer_.component, 0, count - 1));
     map_->setCurrentText(QString::fromStdString(layer_.colour_map));
-    low_->show_value(layer_.low.value_or(info ? info->low : 0));
-    high_->show_value(layer_.high.value_or(info ? info->high : 1));
+    // The numbers of another quantity's picture say nothing.
+    const bool known = info && info->asked.colour_by == layer_.colour_by;
+    low_->show_value(layer_.low.value_or(known ? info->low : 0));
+    high_->show_value(layer_.high.value_or(known ? info->high : 1));
     automatic_->setChecked(!layer_.low && !layer_.high);
     size_->show_value(layer_.size_px);
     const bool ramp = !layer_.colour_by.empty(), facing = layer_.colour_by == SpaceLayer::facing && !field;

@@ -154,24 +154,22 @@ void LayerPanel::set_layer_infos(const std::vector<LayerInfo>& infos) {
     for (const LayerInfo& info : infos)
         if (!info.fields.empty()) fields_[info.key] = info.fields;
     model_->set_infos(infos);
-    remember_ranges();
+    remember_ranges(infos);
     show_current();
 }
 
-void LayerPanel::remember_ranges() {
-    for (int row = 0; row < model_->rowCount(); ++row) {
-        const LayerInfo* info = model_->info(row);
-        if (!info || info->elements == 0) continue;
-        auto& ranges = ranges_[info->key];
-        ranges.resize(info->fields.size());
-        const SpaceLayer& layer = model_->layers()[std::size_t(row)];
+void LayerPanel::remember_ranges(const std::vector<LayerInfo>& infos) {
+    for (const LayerInfo& info : infos) {
+        if (info.elements == 0) continue;
+        auto& ranges = ranges_[info.key];
+        ranges.resize(info.fields.size());
         for (std::size_t i = 0; i < ranges.size(); ++i) {
-            if (i < info->ranges.size() && info->ranges[i]) ranges[i] = info->ranges[i];
-            const bool measured = info->fields[i].name == layer.colour_by && layer.component == 0;
-            if (!info->ranges.empty() || !measured || info->least > info->most) continue;
+            if (i < info.ranges.size() && info.ranges[i]) ranges[i] = info.ranges[i];
+            const bool measured = info.fields[i].name == info.asked.colour_by && info.asked.component == 0;
+            if (!info.ranges.empty() || !measured || info.least > info.most) continue;
             // Through filters only a part is seen: what was known before may reach further.
-            FieldRange seen{info->least, info->most};
-            if (ranges[i] && !layer.filters.empty()) {
+            FieldRange seen{info.least, info.most};
+            if (ranges[i] && !info.asked.filters.empty()) {
                 seen.low = std::min(seen.low, ranges[i]->low);
                 seen.high = std::max(seen.high, ranges[i]->high);
             }

@@ -54,7 +54,7 @@ class LayerPanel : public QWidget {
     void make_list();
     void fill_add_menu();
     void show_current();
-    void remember_ranges();
+    void remember_ranges(const std::vector<LayerInfo>& infos);
     const std::vector<Field>& fields_of(const std::string& key) const;
     QAction* add_action(const char* name, const QString& text, const QKeySequence& key);
     void update_actions();

@@ -12,8 +12,11 @@ constexpr double line_height = 16, bar_height = 10, most_width = 230;
 /// One layer's legend, painted or only measured.
 class Legend {
   public:
-    Legend(QPainter& painter, const SpaceLayer& layer, const LayerInfo& info, const QRectF& box)
-        : painter_(painter), layer_(layer), info_(info), inner_(box.adjusted(padding, 4, -padding, -4)) {}
+    Legend(QPainter& painter, const LayerInfo& info, const QRectF& box)
+        : painter_(painter),
+          layer_(info.asked),
+          info_(info),
+          inner_(box.adjusted(padding, 4, -padding, -4)) {}
 
     double height() { return walk(false) + 8; }
     void paint() { walk(true); }
@@ -94,10 +97,9 @@ class Legend {
 void paint_legends(QPainter& painter, const OverlayState& state, const QRectF& area) {
     const double width = std::min(most_width, area.width() - 2 * gap);
     double top = area.top() + gap;
-    for (std::size_t i = 0; i < state.infos.size() && i < state.indices.size(); ++i) {
-        if (state.indices[i] < 0) continue;
+    for (const LayerInfo& info : state.layers) {
         QRectF box(area.right() - gap - width, top, width, 0);
-        Legend legend(painter, state.scene.layers[std::size_t(state.indices[i])], state.infos[i], box);
+        Legend legend(painter, info, box);
         box.setHeight(legend.height());
         if (box.bottom() > area.bottom() - 60) return;  // the scale stands there
         paint_box(painter, box);

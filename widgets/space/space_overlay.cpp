@@ -106,6 +106,13 @@ void paint_hover(QPainter& painter, const OverlayState& state, const QRectF& are
     paint_lines(painter, lines, at, area.width());
 }
 
+/// The unit sphere of directions has no metres.
+bool shows_only_spheres(const OverlayState& state) {
+    return !state.layers.empty() &&
+           std::all_of(state.layers.begin(), state.layers.end(),
+                       [](const LayerInfo& info) { return info.asked.kind == OutputKind::sphere_values; });
+}
+
 class Overlay final : public QWidget {
   public:
     Overlay(const OverlayState& state, QWidget* parent) : QWidget(parent), state_(state) {
@@ -129,11 +136,14 @@ void paint_space_overlay(QPainter& painter, const OverlayState& state, const QRe
     painter.setRenderHint(QPainter::Antialiasing);
     if (state.has_picture) {
         paint_tripod(painter, state.camera, area.bottomLeft() + QPointF(46, -46));
-        if (!shows_sphere(state.scene)) paint_scale(painter, state.camera, area);
+        if (!shows_only_spheres(state)) paint_scale(painter, state.camera, area);
         paint_legends(painter, state, area);
     }
-    if (!state.note.isEmpty() && state.has_picture)
-        paint_lines(painter, {state.note}, area.topLeft() + QPointF(gap, gap), area.width() - 2 * gap);
+    const QString badge = !state.note.isEmpty() ? state.note
+                          : state.busy          ? QStringLiteral("drawing …")
+                                                : QString();
+    if (!badge.isEmpty() && state.has_picture)
+        paint_lines(painter, {badge}, area.topLeft() + QPointF(gap, gap), area.width() - 2 * gap);
     paint_hover(painter, state, area);
 }
 

@@ -9,12 +9,11 @@ namespace ir::widgets {
 
 /// What a 3D view writes over its picture. Owned by the view, read by its overlay.
 struct OverlayState {
-    SpaceScene scene;
-    std::vector<LayerInfo> infos;  ///< of the picture shown
-    std::vector<int> indices;      ///< by info: layer of the scene, -1 gone
-    CameraPose camera;             ///< that the picture was drawn with
+    std::vector<LayerInfo> layers;  ///< of the picture, as far as the scene still has them
+    CameraPose camera;              ///< that the picture was drawn with
     bool has_picture = false;
-    QString note;  ///< why there is no newer picture
+    bool busy = false;  ///< a newer picture takes long
+    QString note;       ///< why there is no newer picture
     QString hover;
     QPointF hover_at;
 };

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -70,6 +71,7 @@ struct LayerInfo {
     std::uint64_t stride = 1;             ///< every n-th was looked at
     double low = 0, high = 0;             ///< range of the colours that was used
     double least = 0, most = 0;           ///< of the field that colours, over the elements that pass
+    SpaceLayer asked = {};                ///< what it was drawn for; SpaceView fills it in
     std::optional<SpaceBox> bounds = {};  ///< metres; absent: unknown
 };
 
@@ -80,6 +82,8 @@ struct SpacePicture {
     std::vector<std::int64_t> element;  ///< by pixel: element of that layer, -1 none
     std::vector<LayerInfo> layers;
     CameraPose camera;  ///< that was used
+    /// What it is the answer to; null: the last scene that was asked for.
+    std::shared_ptr<const SpaceScene> scene = {};
 };
 
 /// A buffer that could be drawn.

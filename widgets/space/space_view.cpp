@@ -14,8 +14,8 @@
 namespace ir::widgets {
 namespace {
 
-/// A picture that takes longer is drawn in half its size while the camera moves.
-constexpr qint64 slow_ms = 120;
+/// Pictures that take longer are drawn in half or a quarter of their size while the camera moves.
+constexpr double slow_ms = 120, very_slow_ms = 600;
 /// After so long without another one, a picture is drawn once more with smooth edges.
 constexpr int still_ms = 300;
 constexpr int still_oversampling = 2;
@@ -58,8 +58,7 @@ SpaceView::SpaceView(QWidget* parent, ImageView::Surface surface)
         pacer_->want();
     });
     connect(pacer_, &PicturePacer::due, this, &SpaceView::send_request);
-    connect(pacer_, &PicturePacer::late, this,
-            [this] { image_->set_stale(!gesture_ && oversampling_ == 1); });
+    connect(pacer_, &PicturePacer::late, this, [this] { set_busy(!gesture_ && oversampling_ == 1); });
     update_tools();
 }
 
@@ -157,7 +156,7 @@ QSize SpaceView::wanted_size() const {
 }
 
 void SpaceView::send_request() {
-    divisor_ = gesture_ && slow_ ? 2 : 1;
+    divisor_ = gesture_ ? moving_divisor_ : 1;
     oversampling_ = refine_ ? still_oversampling : 1;
     sent_ = scene_;
     if (shows_sphere(scene_)) sent_.camera = sphere_pose_;
@@ -170,16 +169,20 @@ void SpaceView::send_request() {
 
 void SpaceView::set_picture(SpacePicture picture) {
     pacer_->answered();
-    // Half the size is about a quarter of the time.
-    if (oversampling_ == 1)
-        slow_ = divisor_ == 1 ? pacer_->last_ms() > slow_ms : pacer_->last_ms() * 3 > slow_ms;
+    // Half the size is a little more than a quarter of the time.
+    const double full_ms = double(pacer_->last_ms()) * std::pow(divisor_, 1.8);
+    if (oversampling_ == 1) moving_divisor_ = full_ms > very_slow_ms ? 4 : full_ms > slow_ms ? 2 : 1;
     picture_ = std::move(picture);
-    if (!sent_.camera) experiment_pose_ = picture_.camera;
+    const SpaceScene& asked = picture_.scene ? *picture_.scene : sent_;
+    const std::vector<int> places = scene_indices(picture_.layers, asked.layers);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (places[i] >= 0) picture_.layers[i].asked = asked.layers[std::size_t(places[i])];
+    if (!asked.camera) experiment_pose_ = picture_.camera;
     overlay_.note.clear();
     image_->set_image(picture_.colour, Semantic::radiance);
     image_->fit();
     if (pacer_->is_idle()) {
-        image_->set_stale(false);
+        set_busy(false);
         if (!gesture_) refine_later();
     }
     update_overlay();
@@ -189,7 +192,7 @@ void SpaceView::set_picture(SpacePicture picture) {
 
 void SpaceView::set_note(const QString& note) {
     pacer_->answered();
-    image_->set_stale(false);
+    set_busy(false);
     overlay_.note = note;
     if (picture_.colour.empty()) image_->set_note(note);
     update_overlay();
@@ -219,10 +222,17 @@ void SpaceView::set_hover_values(const QString& values) {
     overlay_widget_->update();
 }
 
+void SpaceView::set_busy(bool busy) {
+    if (overlay_.busy == busy) return;
+    overlay_.busy = busy;
+    overlay_widget_->update();
+}
+
 void SpaceView::update_overlay() {
-    overlay_.scene = scene_;
-    overlay_.infos = picture_.layers;
-    overlay_.indices = scene_indices(picture_.layers, scene_.layers);
+    indices_ = scene_indices(picture_.layers, scene_.layers);
+    overlay_.layers.clear();
+    for (std::size_t i = 0; i < picture_.layers.size(); ++i)
+        if (indices_[i] >= 0) overlay_.layers.push_back(picture_.layers[i]);
     overlay_.camera = picture_.camera;
     overlay_.has_picture = !picture_.colour.empty();
     overlay_widget_->update();
@@ -250,10 +260,10 @@ SpaceView::Element SpaceView::element_at(QPointF position) const {
             if (distance >= best || pixel >= picture_.layer.size() || pixel >= picture_.element.size())
                 continue;
             const int drawn = picture_.layer[pixel];
-            if (drawn < 0 || std::size_t(drawn) >= overlay_.indices.size()) continue;
-            if (overlay_.indices[std::size_t(drawn)] < 0) continue;
+            if (drawn < 0 || std::size_t(drawn) >= indices_.size()) continue;
+            if (indices_[std::size_t(drawn)] < 0) continue;
             best = distance;
-            found = {overlay_.indices[std::size_t(drawn)], picture_.element[pixel]};
+            found = {indices_[std::size_t(drawn)], picture_.element[pixel]};
         }
     return found;
 }
@@ -271,7 +281,8 @@ QImage SpaceView::snapshot(bool overlays) const {
     painter.scale(ratio, ratio);
     painter.setFont(font());
     OverlayState state = overlay_;
-    state.hover.clear();
+    state.hover.clear();  // what passes is no part of it
+    state.busy = false;
     if (overlays) paint_space_overlay(painter, state, QRectF({0, 0}, QSizeF(image_->size())));
     return shot;
 }

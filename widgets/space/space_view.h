@@ -109,6 +109,7 @@ class SpaceView : public QWidget {
     void refine_later();
     void send_request();
     void update_overlay();
+    void set_busy(bool busy);
     void update_hover();
     Drag drag_for(const QMouseEvent& event) const;
     void drag_camera(QPointF delta);
@@ -120,16 +121,17 @@ class SpaceView : public QWidget {
 
     SpaceScene scene_, sent_;
     SpacePicture picture_;
+    std::vector<int> indices_;  ///< by layer of the picture: layer of the scene, -1 gone
     OverlayState overlay_;
     ImageView* image_;
     QWidget* overlay_widget_;
     QToolBar* tools_;
     QAction *experiment_camera_, *free_camera_, *frame_, *show_scene_, *show_centres_;
     PicturePacer* pacer_;
-    int divisor_ = 1;       ///< of the size of the last request: moving pictures may be coarser
-    int oversampling_ = 1;  ///< of the last request
-    bool refine_ = false;   ///< the next request is for the same picture with smooth edges
-    bool slow_ = false;     ///< pictures take too long to follow a hand
+    int divisor_ = 1;         ///< of the size of the last request: moving pictures may be coarser
+    int oversampling_ = 1;    ///< of the last request
+    bool refine_ = false;     ///< the next request is for the same picture with smooth edges
+    int moving_divisor_ = 1;  ///< from how long pictures take
     std::optional<CameraPose> experiment_pose_;
     CameraPose sphere_pose_;
     SpaceBox bounds_;

@@ -77,6 +77,7 @@ SpacePicture FakeSpace::draw(const SpaceScene& scene, QSize size) {
         info.low = info.least = 1e9;
         info.high = info.most = -1e9;
         info.bounds = SpaceBox{};
+        info.asked = layer;
         const int drawn = int(picture.layers.size());
         for (int i = 0; i < points; ++i) {
             const double value = i % layers_of_points;

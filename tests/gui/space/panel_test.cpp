@@ -241,6 +241,17 @@ TEST_F(Panel, TheScrubberOfLayersIsThereAndFilters) {
     EXPECT_TRUE(panel_.layers()[0].filters.empty());
 }
 
+TEST_F(Panel, APictureOfAnotherQuantityTellsNoRange) {
+    const std::vector<LayerInfo> by_layer = drawn();
+    choose("colour_by", QStringLiteral("depth"));
+    SpaceLayer layer = panel_.layers()[0];
+    layer.filters = {{"depth", 1, 2}};
+    panel_.set_layers({layer});
+    panel_.set_layer_infos(by_layer);  // was under way when the colours changed
+    EXPECT_FALSE(panel_.details().filter_row("depth")->slider().isEnabled());
+    EXPECT_TRUE(panel_.details().filter_row("layer")->slider().isEnabled());
+}
+
 TEST_F(Panel, AnyFieldGetsAScrubberOnRequest) {
     EXPECT_EQ(panel_.details().filter_row("depth"), nullptr);
     QToolButton* button = nullptr;

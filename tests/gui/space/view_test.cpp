@@ -287,6 +287,26 @@ TEST_F(SpaceViewTest, HiddenLayersShiftNoClicks) {
               (SpaceView::Element{1, 250}));
 }
 
+TEST_F(SpaceViewTest, TheLegendIsOfThePictureThatIsShown) {
+    QSignalSpy shown(&view_, &SpaceView::picture_shown);
+    answers_ = false;
+    const QImage before = view_.snapshot(true);
+    SpaceLayer layer = FakeSpace::layer();
+    layer.colour_by = "depth";
+    view_.set_layers({layer});
+    QTest::qWait(20);
+    EXPECT_EQ(view_.snapshot(true), before);  // still coloured by layer, and says so
+    view_.set_picture(space_.draw(wanted_.back(), view_.wanted_size()));
+    EXPECT_NE(view_.snapshot(true), before);
+    EXPECT_EQ(view_.picture().layers[0].asked.colour_by, "depth");
+    EXPECT_EQ(shown.count(), 1);
+    // An answer that names its question is read as that, however late it comes.
+    SpacePicture late = space_.draw(scene_, view_.wanted_size());
+    late.scene = std::make_shared<SpaceScene>(scene_);
+    view_.set_picture(std::move(late));
+    EXPECT_EQ(view_.picture().layers[0].asked.colour_by, "layer");
+}
+
 TEST_F(SpaceViewTest, ANoteLeavesTheOldPicture) {
     const QImage before = view_.snapshot(false);
     view_.set_note(QStringLiteral("The device is busy."));
