@@ -31,6 +31,8 @@ std::uint64_t choose_stride(const Maps& maps, MapRange shown, std::uint64_t max_
 
 void write_points(const graph::PassContext& context, const Maps& maps, int batch, MapRange range,
                   const Points& points) {
+    if (range.first == points.maps.first)
+        context.add(points.stride_shown, static_cast<std::uint32_t>(points.stride));
     const auto texels = shown_texels(maps, range, points.stride);
     const auto over_texels = [&](bool count) {
         gl::ProgramSource source{{"passes/ldm/points.comp"}};
@@ -201,10 +203,13 @@ Points declare_points(graph::GraphBuilder& builder, const Maps& maps, MapRange s
                                     .lower = "resolution"});
     points.count =
         builder.counter({.key = "ldm.shown_points", .label = "Points shown", .growth_of = points.points});
+    points.stride_shown = builder.counter({.key = "ldm.point_stride",
+                                           .label = "Texels to one with points",
+                                           .doc = "Of the maps shown, one texel in so many has points."});
     declare_scratch(builder, maps, points);
     if (points.stride > 1)
-        builder.note("of the maps shown, every " + std::to_string(points.stride) +
-                     ". texel has points, so that at most about " + std::to_string(most_points / 1'000'000) +
+        builder.note("of the maps shown, one texel in " + std::to_string(points.stride) +
+                     " has points, so that at most about " + std::to_string(most_points / 1'000'000) +
                      " million result");
     return points;
 }
@@ -215,7 +220,7 @@ void find_points(graph::GraphBuilder& builder, const SceneBuffers& scene, std::s
     if (range.count == 0) return;
     auto places = builder.pass("points" + maps->batch_name(batch));
     reads_maps(places, *maps);
-    places.writes(points.texels, points.points).counts(points.count);
+    places.writes(points.texels, points.points).counts(points.count).counts(points.stride_shown);
     places.execute([=](graph::PassContext& context) { write_points(context, *maps, batch, range, points); });
 
     auto faces = builder.pass("point faces" + maps->batch_name(batch));

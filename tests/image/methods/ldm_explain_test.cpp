@@ -143,11 +143,6 @@ TEST_F(LdmExplain, HitsLieOnTheFloorWhereTheClosedFormSays) {
     }
 }
 
-struct MapOfPixel {
-    glm::dvec3 v, centre, x;
-    double own_depth = 0;  ///< of the texel's centre on the plane, relative to x
-};
-
 TEST_F(LdmExplain, EntriesAreTheCrossingsOfTheTexelsLine) {
     int compared = 0, hits = 0;
     for (const std::string scene : {"builtin:cornell", "builtin:crevice"})
