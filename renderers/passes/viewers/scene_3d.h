@@ -36,14 +36,16 @@ struct Filter {
     bool operator==(const Filter&) const = default;
 };
 
-/// One buffer as the viewer draws it.
+/// One buffer as the viewer draws it. What it has no field, map or room for (beyond 8 filters) is left out
+/// and said in the note. Elements whose place is not finite are skipped; those whose value is not finite are
+/// nearly black.
 struct Layer {
     std::string key;             ///< resource
-    std::string colour_by = {};  ///< field; "facing" (sign of normal · view, needs normal); empty: one colour
+    std::string colour_by = {};  ///< field; "facing" (side that is seen, by normal); empty: one colour
     int component = 0;           ///< of that field
     std::optional<double> low = {}, high = {};  ///< range of the colour map; absent: from the elements drawn
     std::string colour_map = "viridis";
-    float size_px = 3;  ///< of points and lines
+    float size_px = 3;  ///< of points and lines, 1 … 64
     std::vector<Filter> filters = {};
     std::int64_t selected = -1;  ///< element that is marked
     bool operator==(const Layer&) const = default;
@@ -57,7 +59,7 @@ struct Scene3D {
     bool show_scene =
         true;  ///< flat shaded, holes of alpha masks filled; not where all layers are spheres of values
     bool show_centres = true;                 ///< of regions on the sphere
-    std::uint64_t most_elements = 4'000'000;  ///< per layer; beyond, every n-th is drawn and counted
+    std::uint64_t most_elements = 4'000'000;  ///< per layer (spheres: 32,768); beyond, every n-th is drawn
     std::vector<Layer> layers = {};
 };
 
@@ -67,7 +69,7 @@ struct DrawnLayer {
     OutputKind kind = OutputKind::table;
     std::vector<Field> fields;
     std::uint64_t elements = 0;  ///< in the buffer
-    std::uint64_t stride = 1;    ///< every n-th was looked at
+    std::uint64_t stride = 1;    ///< every n-th was looked at, for the ranges too
     double low = 0, high = 0;    ///< range of the colours that was used
     double least = 0, most = 0;  ///< of the field that colours, over all elements that pass the filters
 };

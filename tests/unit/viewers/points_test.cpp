@@ -87,6 +87,26 @@ TEST_F(PointsTest, OnSlopesAreWholeAndThoseBehindAreHidden) {
     EXPECT_GT(pixels_of(without, 2), 0);
 }
 
+TEST_F(PointsTest, DoNotLookOverEdges) {
+    add_square({0, 0, 1}, {0, 0, 1}, 0.6f);
+    auto buffer = point_buffer();
+    buffer.add(glm::vec3(0.9, 0, -1), glm::vec3(0, -0.9, -1));  // half behind the square's edges
+    run({buffer});
+    const auto square = draw({}, width, height);
+    const auto picture = draw({{.key = "points", .size_px = 15}}, width, height);
+    int covered = 0;
+    for (std::size_t i = 0; i < picture.element.size(); ++i) {
+        if (square.colour.pixels[3 * i] == square.colour.pixels[0]) continue;
+        ++covered;
+        EXPECT_EQ(picture.element[i], -1) << i % width << ' ' << i / width;
+    }
+    EXPECT_GT(covered, 1000);
+    for (const int point : {0, 1}) {
+        EXPECT_GT(pixels_of(picture, point), 30);
+        EXPECT_LT(pixels_of(picture, point), 150) << "some of it is hidden";
+    }
+}
+
 TEST_F(PointsTest, LinesAndPointsHideEachOtherByDepth) {
     auto points = point_buffer();
     points.add(glm::vec3(-1, 0, 0.5), glm::vec3(1, 0, -0.5));
