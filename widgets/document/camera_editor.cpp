@@ -34,7 +34,12 @@ CameraEditor::CameraEditor(QWidget* parent) : ItemForm(parent) {
     source_ = new ChoiceField("source", this);
     row(grid, tr("Pose"), source_, tr("A pose of its own, or that of a camera in the scene's file"));
     connect(source_, &ChoiceField::chosen, this, &CameraEditor::choose_source);
-    make_pose_rows(make_form_section(tr("Position"), this));
+    auto* position = make_form_section(tr("Position"), this);
+    hint_ = new QLabel(tr("It stands in the scene's file and is known once that is loaded."), this);
+    hint_->setWordWrap(true);
+    hint_->setForegroundRole(QPalette::PlaceholderText);
+    add_wide(position, hint_);
+    make_pose_rows(position);
     make_text_rows(make_form_section(tr("As text"), this));
 }
 
@@ -42,7 +47,7 @@ VectorField* CameraEditor::vector_row(QGridLayout* grid, const char* name, const
                                       const QString& tip, glm::dvec3 Camera::*member) {
     auto* field =
         new VectorField(name, {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")}, this);
-    row(grid, label, field, tip);
+    pose_rows_.insert(pose_rows_.end(), {row(grid, label, field, tip), field});
     connect(field, &VectorField::chosen, this, [this, name, member](int index, double value) {
         emit edit_wanted(
             field_edit<Camera>(id_, name, [=](Camera& camera) { (camera.*member)[index] = value; }));
@@ -59,7 +64,8 @@ void CameraEditor::make_pose_rows(QGridLayout* grid) {
     up_ = vector_row(grid, "up", tr("Up"), tr("Direction that is up in the picture: x, y, z, any length"),
                      &Camera::up);
     projection_ = new ChoiceField("projection", this);
-    row(grid, tr("Projection"), projection_, tr("Perspective, or parallel rays"));
+    auto* projection_label = row(grid, tr("Projection"), projection_, tr("Perspective, or parallel rays"));
+    pose_rows_.insert(pose_rows_.end(), {projection_label, projection_});
     connect(projection_, &ChoiceField::chosen, this, [this](const QString& id) {
         const bool orthographic = id == QLatin1String("orthographic");
         emit edit_wanted(field_edit<Camera>(
@@ -156,9 +162,20 @@ void CameraEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     pose_ = pose_of(camera);
     file_poses_ = shown.facts.poses;
     source_name_ = QString::fromStdString(camera.scene_camera);
-    if (const auto found = file_poses_.find(source_name_); found != file_poses_.end()) pose_ = found->second;
+    const auto found = file_poses_.find(source_name_);
+    if (found != file_poses_.end()) pose_ = found->second;
     name_->show_text(QString::fromStdString(camera.name));
     show_sources(shown, camera);
+    show_pose(source_name_.isEmpty() || found != file_poses_.end());
+    if (source_name_.isEmpty() || shown.read_only) return;
+    const QString from_file =
+        tr("The pose comes from the file's camera “%1”; choose “Its own” above to edit it.")
+            .arg(source_name_);
+    for (QWidget* widget : std::initializer_list<QWidget*>{eye_, target_, up_, projection_, fov_, height_})
+        set_usable(widget, from_file);
+}
+
+void CameraEditor::show_pose(bool is_known) {
     eye_->show_values(numbers(pose_.eye));
     target_->show_values(numbers(pose_.target));
     up_->show_values(numbers(pose_.up));
@@ -168,17 +185,14 @@ void CameraEditor::show_item(const ShownProject& shown, const ItemRef& item) {
         pose_.orthographic ? QStringLiteral("orthographic") : QStringLiteral("perspective"));
     fov_->show_value(pose_.fov_y_degrees);
     height_->show_value(pose_.height);
-    for (QWidget* widget : {static_cast<QWidget*>(fov_), static_cast<QWidget*>(fov_label_)})
-        widget->setVisible(!pose_.orthographic);
-    for (QWidget* widget : {static_cast<QWidget*>(height_), static_cast<QWidget*>(height_label_)})
-        widget->setVisible(pose_.orthographic);
-    text_->show_text(QString::fromStdString(pose_text(pose_)));
-    if (camera.scene_camera.empty() || shown.read_only) return;
-    const QString from_file =
-        tr("The pose comes from the file's camera “%1”; choose “Its own” above to edit it.")
-            .arg(QString::fromStdString(camera.scene_camera));
-    for (QWidget* widget : std::initializer_list<QWidget*>{eye_, target_, up_, projection_, fov_, height_})
-        set_usable(widget, from_file);
+    for (auto* widget : pose_rows_) widget->setVisible(is_known);
+    for (QWidget* widget : std::initializer_list<QWidget*>{fov_, fov_label_})
+        widget->setVisible(is_known && !pose_.orthographic);
+    for (QWidget* widget : std::initializer_list<QWidget*>{height_, height_label_})
+        widget->setVisible(is_known && pose_.orthographic);
+    hint_->setVisible(!is_known);
+    text_->show_text(is_known ? QString::fromStdString(pose_text(pose_)) : QString());
+    set_usable(copy_, is_known ? QString() : tr("The pose is not known yet."));
 }
 
 }  // namespace ir::widgets

@@ -24,6 +24,7 @@ class CameraEditor : public ItemForm {
     void make_pose_rows(QGridLayout* grid);
     void make_text_rows(QGridLayout* grid);
     void show_sources(const ShownProject& shown, const projects::Camera& camera);
+    void show_pose(bool is_known);
     void choose_source(const QString& name);
     void take_text(const QString& text);
     VectorField* vector_row(QGridLayout* grid, const char* name, const QString& label, const QString& tip,
@@ -33,12 +34,13 @@ class CameraEditor : public ItemForm {
     ChoiceField *source_, *projection_;
     VectorField *eye_, *target_, *up_;
     NumberField *fov_, *height_;
-    QLabel *fov_label_, *height_label_;
+    QLabel *fov_label_, *height_label_, *hint_;
     QToolButton *copy_, *paste_, *from_view_;
     std::function<std::optional<CameraPose>()> view_pose_;
     CameraPose pose_;      ///< that is shown
     QString source_name_;  ///< of the file's camera; empty: its own pose
     std::map<QString, CameraPose> file_poses_;
+    std::vector<QWidget*> pose_rows_;  ///< labels and controls
 };
 
 }  // namespace ir::widgets

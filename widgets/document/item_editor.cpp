@@ -9,8 +9,10 @@
 #include "widgets/document/camera_editor.h"
 #include "widgets/document/fields.h"
 #include "widgets/document/light_set_editor.h"
+#include "widgets/document/motion_editor.h"
 #include "widgets/document/plain_editors.h"
 #include "widgets/document/scene_editor.h"
+#include "widgets/document/sweep_editor.h"
 
 namespace ir::widgets {
 namespace {
@@ -74,16 +76,17 @@ ItemEditor::ItemEditor(QWidget* parent)
     camera_ = new CameraEditor;
     comparison_ = new ComparisonEditor;
     scene_ = new SceneEditor;
+    motion_ = new MotionEditor;
     connect(scene_, &SceneEditor::add_wanted, this, &ItemEditor::add_wanted);
     add_form({ItemKind::project}, new ProjectEditor);
     add_form({ItemKind::scene, ItemKind::part}, scene_);
     add_form({ItemKind::camera}, camera_);
     add_form({ItemKind::light_set, ItemKind::light}, new LightSetEditor);
-    add_form({ItemKind::motion}, new NameEditor(ItemKind::motion, tr("Motion")));
+    add_form({ItemKind::motion}, motion_);
     add_form({ItemKind::experiment}, new ExperimentEditor);
     add_form({ItemKind::comparison}, comparison_);
     add_form({ItemKind::image}, new ImageEditor);
-    add_form({ItemKind::sweep}, new NameEditor(ItemKind::sweep, tr("Sweep")));
+    add_form({ItemKind::sweep}, new SweepEditor);
     show_again();
 }
 
@@ -132,7 +135,8 @@ void ItemEditor::set_scene_facts(const SceneFacts& facts) {
 }
 
 void ItemEditor::set_view_pose(std::function<std::optional<CameraPose>()> pose) {
-    camera_->set_view_pose(std::move(pose));
+    camera_->set_view_pose(pose);
+    motion_->set_view_pose(std::move(pose));
 }
 
 void ItemEditor::set_comparison_modes(const std::vector<Option>& modes) {

@@ -17,6 +17,7 @@ namespace ir::widgets {
 
 class CameraEditor;
 class ComparisonEditor;
+class MotionEditor;
 class SceneEditor;
 
 /// Edits the item that is selected, whatever it is, by its values.
@@ -67,6 +68,7 @@ class ItemEditor : public QWidget {
     CameraEditor* camera_;
     ComparisonEditor* comparison_;
     SceneEditor* scene_;
+    MotionEditor* motion_;
 };
 
 }  // namespace ir::widgets

@@ -142,6 +142,31 @@ EditMaker add_comparison(const std::string& a, const std::string& b) {
     };
 }
 
+EditMaker add_motion(const std::string& camera) {
+    return [=](const Project& project) {
+        const auto moves = [&](const projects::Camera& each) {
+            return each.scene_camera.empty() && (camera.empty() || each.id == camera);
+        };
+        const auto found = std::find_if(project.cameras.begin(), project.cameras.end(), moves);
+        if (found == project.cameras.end())
+            throw UsageError("a motion needs a camera with a pose of its own; add one first");
+        projects::Motion motion;
+        motion.camera = found->id;
+        motion.keys.push_back({0, found->eye, found->target, found->up});
+        return added(project, motion, "", "Motion");
+    };
+}
+
+EditMaker add_sweep(const std::string& experiment) {
+    return [=](const Project& project) {
+        if (experiment.empty() && project.experiments.empty())
+            throw UsageError("a sweep needs an experiment; add one first");
+        projects::Sweep sweep;
+        sweep.experiment = experiment.empty() ? project.experiments.front().id : experiment;
+        return added(project, sweep, "", "Sweep");
+    };
+}
+
 EditMaker add_image(const std::string& name, const std::string& source) {
     return [=](const Project& project) {
         projects::ForeignImage image;

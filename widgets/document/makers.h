@@ -23,6 +23,10 @@ EditMaker add_light(const std::string& set, projects::LightSpec::Type type);
 EditMaker set_environment_map(const std::string& set, const std::string& source);
 /// Compares the first two experiments, or `a` with `b`.
 EditMaker add_comparison(const std::string& a = {}, const std::string& b = {});
+/// Of the camera, or of the first with a pose of its own; one key where it stands.
+EditMaker add_motion(const std::string& camera = {});
+/// Of the experiment, or of the first; no axes yet.
+EditMaker add_sweep(const std::string& experiment = {});
 EditMaker add_image(const std::string& name, const std::string& source);
 EditMaker set_image_source(const std::string& image, const std::string& source);
 

@@ -58,6 +58,12 @@ void OrderedList::set_add_menu(QMenu* menu) {
     add_->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
 }
 
+void OrderedList::set_movable(bool movable) {
+    movable_ = movable;
+    up_->setVisible(movable);
+    down_->setVisible(movable);
+}
+
 int OrderedList::current() const {
     return list_->currentRow();
 }
@@ -104,9 +110,9 @@ QToolButton* OrderedList::button_for(const QKeyEvent& event) const {
         case Qt::Key_Delete:
             return remove_;
         case int(Qt::AltModifier) | Qt::Key_Up:
-            return up_;
+            return movable_ ? up_ : nullptr;
         case int(Qt::AltModifier) | Qt::Key_Down:
-            return down_;
+            return movable_ ? down_ : nullptr;
         default:
             return nullptr;
     }

@@ -24,6 +24,8 @@ class OrderedList : public QWidget {
     void set_usable(const QString& why_not);
     /// Shown by the add button; without one, add_wanted is emitted.
     void set_add_menu(QMenu* menu);
+    /// Without it there are no buttons and keys that move rows.
+    void set_movable(bool movable);
     int current() const;
     QListWidget* list() const { return list_; }
 
@@ -44,7 +46,7 @@ class OrderedList : public QWidget {
     QToolButton *add_, *duplicate_, *up_, *down_, *remove_;
     QString what_, why_not_;
     int least_;
-    bool showing_ = false;
+    bool showing_ = false, movable_ = true;
 };
 
 }  // namespace ir::widgets

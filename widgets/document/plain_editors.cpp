@@ -133,41 +133,4 @@ void ImageEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     notes_->show_text(q(image.notes));
 }
 
-NameEditor::NameEditor(ItemKind kind, const QString& title, QWidget* parent)
-    : ItemForm(parent), kind_(kind), facts_(new QLabel(this)) {
-    auto* grid = make_form_section(title, this);
-    name_ = name_row(grid, kind, tr("What it is called"));
-    facts_->setWordWrap(true);
-    facts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    add_wide(grid, facts_);
-}
-
-void NameEditor::show_item(const ShownProject& shown, const ItemRef& item) {
-    id_ = item.id.toStdString();
-    set_controls_usable(why_not(shown));
-    QStringList lines;
-    if (kind_ == ItemKind::motion) {
-        const auto& motion = *projects::find_item(shown.project.motion, id_);
-        name_->show_text(q(motion.name));
-        lines << tr("Camera: %1").arg(label_in(named_options(shown.project.cameras), q(motion.camera)));
-        for (const auto& key : motion.keys)
-            lines << tr("%1 s: eye %2, %3, %4")
-                         .arg(key.time)
-                         .arg(key.eye.x, 0, 'g', 5)
-                         .arg(key.eye.y, 0, 'g', 5)
-                         .arg(key.eye.z, 0, 'g', 5);
-    } else {
-        const auto& sweep = *projects::find_item(shown.project.sweeps, id_);
-        name_->show_text(q(sweep.name));
-        lines
-            << tr("Varies: %1").arg(label_in(named_options(shown.project.experiments), q(sweep.experiment)));
-        for (const auto& axis : sweep.axes) {
-            QStringList values;
-            for (const auto& value : axis.values) values << q(value.dump());
-            lines << tr("%1: %2").arg(q(axis.key), values.join(QStringLiteral(", ")));
-        }
-    }
-    facts_->setText(lines.join(QLatin1Char('\n')));
-}
-
 }  // namespace ir::widgets

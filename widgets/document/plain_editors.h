@@ -74,17 +74,4 @@ class ImageEditor : public ItemForm {
     NotesField* notes_;
 };
 
-/// Items that are only named here: motions and sweeps.
-class NameEditor : public ItemForm {
-    Q_OBJECT
-  public:
-    NameEditor(ItemKind kind, const QString& title, QWidget* parent = nullptr);
-    void show_item(const ShownProject& shown, const ItemRef& item) override;
-
-  private:
-    ItemKind kind_;
-    TextField* name_;
-    QLabel* facts_;
-};
-
 }  // namespace ir::widgets

@@ -48,7 +48,7 @@ class ProjectPanel : public QWidget {
     /// Double click or Enter: look at this experiment, through this camera, at this comparison, …
     void item_activated(const ir::widgets::ItemRef& item);
     /// For what the panel cannot add itself: scene, part (owner: the scene), camera (bookmark the view),
-    /// experiment, image, sweep.
+    /// experiment, image.
     void add_wanted(ir::widgets::ItemKind kind, const ir::widgets::ItemRef& owner);
 
   private:

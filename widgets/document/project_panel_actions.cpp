@@ -144,8 +144,14 @@ void ProjectPanel::fill_add_menu() {
     entry(ItemKind::light_set, tr("Set of lights"), "lights",
           [this] { edit(makers::add_light_set(), true); });
     entry(ItemKind::image, tr("Foreign image …"), "image", ask(ItemKind::image));
-    entry(ItemKind::sweep, tr("Sweep …"), "sweep", ask(ItemKind::sweep));
     const ItemRef owner = selected().owner();
+    const auto chosen = [owner](ItemKind kind) {
+        return owner.kind == kind ? owner.id.toStdString() : std::string();
+    };
+    entry(ItemKind::motion, tr("Motion of a camera"), "motion",
+          [=, this] { edit(makers::add_motion(chosen(ItemKind::camera)), true); });
+    entry(ItemKind::sweep, tr("Sweep"), "sweep",
+          [=, this] { edit(makers::add_sweep(chosen(ItemKind::experiment)), true); });
     if (owner.kind == ItemKind::scene)
         entry(ItemKind::part, tr("File to this scene …"), "part", ask(ItemKind::part, owner));
     if (owner.kind != ItemKind::light_set) return;

@@ -112,7 +112,10 @@ TEST_F(CameraTest, TheViewGivesItsPose) {
 }
 
 TEST_F(CameraTest, CamerasOfTheFileAreChosenByName) {
-    editor->set_scene_facts({"yard", {"gallery", "door"}, {}});
+    editor->set_scene_facts({"yard", {"gallery", "door"}, {}, {{"door", CameraPose()}}});
+    choose("source", "gallery");  // nobody knows where that is
+    EXPECT_FALSE(editor->findChild<NumberField*>("eye.x")->isVisible());
+    EXPECT_FALSE(field<QWidget>("copy-pose")->isEnabled());
     choose("source", "door");
     EXPECT_EQ(camera().scene_camera, "door");
     EXPECT_FALSE(field<NumberField>("eye.x")->isEnabled());

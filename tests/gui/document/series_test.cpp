@@ -1,0 +1,135 @@
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QToolButton>
+
+#include "renderers/core/error.h"
+#include "tests/gui/document/harness.h"
+#include "widgets/document/axis_text.h"
+#include "widgets/document/makers.h"
+
+namespace ir::widgets {
+namespace {
+
+class SeriesTest : public DocumentTest {
+  protected:
+    QListWidget* list(const char* name) { return field<QWidget>(name)->findChild<QListWidget*>(); }
+    void list_key(const char* name, Qt::Key code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        list(name)->setFocus();
+        QTest::keyClick(list(name), code, modifiers);
+    }
+    projects::Sweep& sweep() { return project.sweeps[0]; }
+    projects::Motion& motion() { return project.motion[0]; }
+    QString count() { return field<QLabel>("sweep-count")->text(); }
+};
+
+TEST_F(SeriesTest, SweepsAreEditedByAxes) {
+    select("sweep:sizes");
+    EXPECT_EQ(field<QLineEdit>("axis-values")->text(), "1, 2, 4");
+    EXPECT_EQ(count(), "3 points");
+    list_key("axes", Qt::Key_Insert);
+    ASSERT_EQ(sweep().axes.size(), 2u);
+    choose("axis-key", "size");
+    type_text("axis-values", "64x64, 128x96");
+    EXPECT_EQ(sweep().axes[1].values, (std::vector<projects::Json>{{64, 64}, {128, 96}}));
+    EXPECT_EQ(count(), "6 points");
+    list_key("axes", Qt::Key_Up, Qt::AltModifier);
+    EXPECT_EQ(sweep().axes[0].key, "size");
+    choose("experiment", "paths");
+    EXPECT_EQ(sweep().experiment, "paths");
+    list_key("axes", Qt::Key_Delete);
+    EXPECT_EQ(sweep().axes.size(), 1u);
+    while (stack.can_undo()) undo();
+    EXPECT_EQ(project, sample_project());
+}
+
+TEST_F(SeriesTest, ValuesThatTheExperimentRefusesAreRefused) {
+    select("sweep:sizes");
+    type_text("axis-values", "1, many");
+    EXPECT_FALSE(message.isEmpty());
+    EXPECT_EQ(project, sample_project());
+    EXPECT_EQ(field<QLineEdit>("axis-values")->text(), "1, 2, 4");
+    type_text("axis-values", "1,,2");
+    EXPECT_TRUE(message.contains("between two commas")) << message.toStdString();
+    EXPECT_EQ(steps(), 0u);
+}
+
+TEST_F(SeriesTest, ANewSweepVariesTheSelectedExperiment) {
+    emit panel->edit_wanted(makers::add_sweep("paths"));
+    ASSERT_EQ(project.sweeps.size(), 2u);
+    EXPECT_EQ(project.sweeps[1].experiment, "paths");
+    EXPECT_EQ(project.sweeps[1].name, "Sweep 1");
+}
+
+TEST(AxisText, RoundTrips) {
+    for (const auto& [key, text] :
+         std::vector<std::pair<std::string, std::string>>{{"size", "64x48, 1x1"},
+                                                          {"samples", "1, 2"},
+                                                          {"jitter", "true, false"},
+                                                          {"mode", "plain, fancy"},
+                                                          {"radius", "0.5, 1e-07"}}) {
+        projects::Sweep::Axis axis;
+        axis.key = key;
+        axis.values = parse_axis(key, text);
+        EXPECT_EQ(axis_text(axis), text);
+    }
+    EXPECT_EQ(parse_axis("camera", "nave")[0], "nave");
+    EXPECT_EQ(parse_axis("seed", "7")[0], 7);
+    EXPECT_THROW(parse_axis("size", "big"), UsageError);
+    EXPECT_THROW(parse_axis("seed", ""), UsageError);
+}
+
+TEST_F(SeriesTest, MotionsAreEditedKeyByKey) {
+    select("motion:walk");
+    list("keys")->setCurrentRow(1);
+    EXPECT_EQ(field<NumberField>("key-time")->value(), 2);
+    type_number("key-time", "3");
+    EXPECT_EQ(motion().keys[1].time, 3);
+    type_number("key-eye.x", "1.5");
+    EXPECT_EQ(motion().keys[1].eye.x, 1.5);
+    type_number("key-target.y", "0.5");
+    type_number("key-up.z", "0.1");
+    EXPECT_EQ(motion().keys[1].target.y, 0.5);
+    EXPECT_EQ(motion().keys[1].up.z, 0.1);
+    type_number("key-time", "-1");
+    EXPECT_TRUE(message.contains("must ascend")) << message.toStdString();
+    EXPECT_EQ(field<NumberField>("key-time")->value(), 3);
+    while (stack.can_undo()) undo();
+    EXPECT_EQ(project, sample_project());
+}
+
+TEST_F(SeriesTest, KeysAreAddedWhereTheViewIs) {
+    select("motion:walk");
+    editor->set_view_pose([] {
+        CameraPose pose;
+        pose.eye = {7, 7, 7};
+        return std::optional(pose);
+    });
+    list_key("keys", Qt::Key_Insert);
+    ASSERT_EQ(motion().keys.size(), 3u);
+    EXPECT_EQ(motion().keys[2].eye, glm::dvec3(7, 7, 7));
+    EXPECT_EQ(motion().keys[2].time, 3);
+    EXPECT_EQ(list("keys")->currentRow(), 2);
+    list("keys")->setCurrentRow(0);
+    list_key("keys", Qt::Key_D, Qt::ControlModifier);  // halfway to the next
+    EXPECT_EQ(motion().keys[1].time, 1);
+    list_key("keys", Qt::Key_Delete);
+    list_key("keys", Qt::Key_Delete);
+    list_key("keys", Qt::Key_Delete);
+    list_key("keys", Qt::Key_Delete);
+    EXPECT_TRUE(motion().keys.empty());
+    EXPECT_FALSE(field<NumberField>("key-time")->isEnabled());
+    while (stack.can_undo()) undo();
+    EXPECT_EQ(project, sample_project());
+}
+
+TEST_F(SeriesTest, AMotionNeedsACameraWithAPose) {
+    emit panel->edit_wanted(makers::add_motion("nave"));
+    ASSERT_EQ(project.motion.size(), 2u);
+    EXPECT_EQ(project.motion[1].keys[0].eye, project.cameras[0].eye);
+    emit panel->edit_wanted(makers::add_motion("from-file"));
+    EXPECT_TRUE(message.contains("pose of its own")) << message.toStdString();
+}
+
+}  // namespace
+}  // namespace ir::widgets

@@ -1,0 +1,187 @@
+#include "widgets/document/sweep_editor.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <algorithm>
+
+#include "projects/sweep.h"
+#include "renderers/core/error.h"
+#include "widgets/document/axis_text.h"
+#include "widgets/document/field_edit.h"
+#include "widgets/document/fields.h"
+#include "widgets/document/options.h"
+#include "widgets/document/ordered_list.h"
+
+namespace ir::widgets {
+namespace {
+
+using projects::Sweep;
+using Axes = std::vector<Sweep::Axis>;
+
+QString q(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+/// What may vary: the method's parameters, then what every experiment has.
+std::vector<Option> key_options(const Registry& registry, const projects::Experiment& base) {
+    std::vector<Option> options;
+    if (const auto* method = registry.find(base.method))
+        for (const auto& parameter : method->parameters)
+            options.push_back({q(parameter.key), q(parameter.label), q(parameter.doc)});
+    for (const auto& key : general_axis_keys()) options.push_back({q(key), q(key), {}});
+    return options;
+}
+
+Sweep::Axis& axis_at(Axes& axes, int index) {
+    if (index < 0 || std::size_t(index) >= axes.size()) throw UsageError("there is no such axis any more");
+    return axes[std::size_t(index)];
+}
+
+}  // namespace
+
+SweepEditor::SweepEditor(QWidget* parent) : ItemForm(parent) {
+    auto* grid = make_form_section(tr("Sweep"), this);
+    name_ = name_row(grid, ItemKind::sweep, tr("What the sweep is called"));
+    experiment_ = new ChoiceField("experiment", this);
+    row(grid, tr("Varies"), experiment_, tr("The experiment of which variations are made"));
+    connect(experiment_, &ChoiceField::chosen, this, [this](const QString& id) {
+        emit edit_wanted(field_edit<Sweep>(
+            id_, "experiment", [id = id.toStdString()](Sweep& sweep) { sweep.experiment = id; }, false));
+    });
+    make_axes(make_form_section(tr("Axes"), this));
+}
+
+void SweepEditor::make_axes(QGridLayout* grid) {
+    list_ = new OrderedList("axes", tr("axis"), 0, this);
+    add_wide(grid, list_);
+    connect(list_, &OrderedList::current_changed, this, [this](int index) {
+        chosen_ = index;
+        show_axis();
+    });
+    connect(list_, &OrderedList::add_wanted, this, &SweepEditor::add_axis);
+    connect(list_, &OrderedList::duplicate_wanted, this, [this](int) { add_axis(); });
+    connect(list_, &OrderedList::remove_wanted, this, [this](int index) {
+        change_axes(
+            tr("axes"),
+            [index](Axes& axes) {
+                axis_at(axes, index);
+                axes.erase(axes.begin() + index);
+            },
+            false);
+    });
+    connect(list_, &OrderedList::move_wanted, this, [this](int from, int to) {
+        chosen_ = to;
+        change_axes(
+            tr("axes"), [from, to](Axes& axes) { std::swap(axis_at(axes, from), axis_at(axes, to)); }, false);
+    });
+    key_ = new ChoiceField("axis-key", this);
+    row(grid, tr("Key"), key_, tr("What varies along this axis; the last axis varies fastest"));
+    connect(key_, &ChoiceField::chosen, this, &SweepEditor::choose_key);
+    values_ = new TextField("axis-values", this);
+    row(grid, tr("Values"), values_,
+        tr("Separated by commas: 1, 2, 4. Sizes as 512x512; cameras, lights and scenes by id"));
+    connect(values_, &TextField::chosen, this, [this](const QString& text) {
+        change_axes(
+            tr("values"),
+            [index = chosen_, text = text.toStdString()](Axes& axes) {
+                auto& axis = axis_at(axes, index);
+                axis.values = parse_axis(axis.key, text);
+            },
+            true);
+    });
+    count_ = new QLabel(this);
+    count_->setObjectName(QStringLiteral("sweep-count"));
+    count_->setWordWrap(true);
+    add_wide(grid, count_);
+}
+
+void SweepEditor::change_axes(const QString& field, const std::function<void(Axes&)>& change, bool checks) {
+    const auto put = field_edit<Sweep>(
+        id_, field.toStdString(), [change](Sweep& sweep) { change(sweep.axes); }, false);
+    emit edit_wanted([=, id = id_, registry = registry_](const projects::Project& project) {
+        if (checks) {  // what the method would refuse is refused now
+            Sweep changed = projects::edits::item_of<Sweep>(project, id);
+            change(changed.axes);
+            projects::sweep_points(project, changed, *registry);
+        }
+        return put(project);
+    });
+}
+
+void SweepEditor::add_axis() {
+    for (const auto& option : key_options(*registry_, base_)) {
+        const std::string key = option.id.toStdString();
+        const auto same = [&](const Sweep::Axis& axis) { return axis.key == key; };
+        const auto value = present_value(base_, key);
+        if (value.is_null() || std::any_of(sweep_.axes.begin(), sweep_.axes.end(), same)) continue;
+        chosen_ = int(sweep_.axes.size());
+        return change_axes(
+            tr("axes"),
+            [=](Axes& axes) {
+                axes.push_back({key, {value}});
+            },
+            false);
+    }
+}
+
+void SweepEditor::choose_key(const QString& key) {
+    // The old key's values mean nothing here: it begins with what the experiment has.
+    change_axes(
+        tr("key"),
+        [index = chosen_, key = key.toStdString(),
+         value = present_value(base_, key.toStdString())](Axes& axes) {
+            auto& axis = axis_at(axes, index);
+            axis.key = key;
+            axis.values.clear();
+            if (!value.is_null()) axis.values.push_back(value);
+        },
+        true);
+}
+
+void SweepEditor::show_axis() {
+    const bool is_there = chosen_ >= 0 && std::size_t(chosen_) < sweep_.axes.size();
+    const QString none = tr("There is no axis yet; add one above.");
+    if (key_->isEnabled() && !is_there) {
+        set_usable(key_, none);
+        set_usable(values_, none);
+    }
+    const Sweep::Axis axis = is_there ? sweep_.axes[std::size_t(chosen_)] : Sweep::Axis{};
+    key_->show_options(key_options(*registry_, base_), q(axis.key));
+    values_->show_text(q(axis_text(axis)));
+}
+
+void SweepEditor::show_count(const ShownProject& shown) {
+    try {
+        const auto count = projects::sweep_points(shown.project, sweep_, shown.registry).size();
+        count_->setText(count == 1 ? tr("1 point") : tr("%1 points").arg(count));
+    } catch (const Error& error) {
+        count_->setText(QString::fromUtf8(error.what()));
+    }
+}
+
+void SweepEditor::show_item(const ShownProject& shown, const ItemRef& item) {
+    if (item != shown_item_) chosen_ = 0;
+    shown_item_ = item;
+    id_ = item.id.toStdString();
+    registry_ = &shown.registry;
+    sweep_ = *projects::find_item(shown.project.sweeps, id_);
+    const auto* base = projects::find_item(shown.project.experiments, sweep_.experiment);
+    base_ = base ? projects::effective(*base) : projects::Experiment();
+    const QString why_not = shown.read_only ? shown.why_read_only : QString();
+    set_controls_usable(why_not);
+    list_->set_usable(why_not);
+    name_->show_text(q(sweep_.name));
+    experiment_->show_options(named_options(shown.project.experiments), q(sweep_.experiment));
+    std::vector<OrderedList::Line> lines;
+    const auto keys = key_options(shown.registry, base_);
+    for (const auto& axis : sweep_.axes) {
+        const QString text = tr("%1: %2").arg(label_in(keys, q(axis.key)), q(axis_text(axis)));
+        lines.push_back({text, text});
+    }
+    chosen_ = std::clamp(chosen_, 0, std::max(0, int(lines.size()) - 1));
+    list_->show_lines(lines, chosen_);
+    show_axis();
+    show_count(shown);
+}
+
+}  // namespace ir::widgets
