@@ -56,7 +56,10 @@ void paint_tripod(QPainter& painter, const CameraPose& pose, QPointF middle) {
     for (const Axis& axis : three) {
         const QPointF tip(glm::dot(axis.direction, axes.right) * reach,
                           -glm::dot(axis.direction, axes.up) * reach);
-        painter.setPen(QPen(axis.colour, 2, Qt::SolidLine, Qt::RoundCap));
+        // Darker where it points away: seen end-on, both ways would look alike.
+        const bool away = glm::dot(axis.direction, axes.forward) > 0;
+        painter.setPen(QPen(away ? axis.colour.darker(160) : axis.colour, away ? 1.5 : 2.5, Qt::SolidLine,
+                            Qt::RoundCap));
         painter.drawLine(middle, middle + tip);
         const QPointF letter = middle + tip * 1.3;
         painter.drawText(QRectF(letter - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter, axis.name);
