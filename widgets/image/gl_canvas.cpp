@@ -41,6 +41,7 @@ class TextureCache {
         gl.glGenTextures(1, &entries_.back().texture);
         return entries_.back().texture;
     }
+    bool empty() const { return entries_.empty(); }
     void clear(QOpenGLExtraFunctions* gl) {
         if (gl)
             for (const auto& entry : entries_) gl->glDeleteTextures(1, &entry.texture);
@@ -67,7 +68,14 @@ class GlCanvas final : public QOpenGLWidget, public Canvas {
     }
     ~GlCanvas() override { release(); }
     QWidget* widget() override { return this; }
-    void state_changed() override { update(); }
+    void state_changed() override {
+        if (!state_.has_image() && program_ && !textures_.empty()) {  // a hidden pane needs no memory
+            makeCurrent();
+            textures_.clear(context()->extraFunctions());
+            doneCurrent();
+        }
+        update();
+    }
     const char* kind() const override { return "OpenGL"; }
     int upload_count() const override { return upload_count_; }
 

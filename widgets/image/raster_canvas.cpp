@@ -14,7 +14,10 @@ class RasterCanvas final : public QWidget, public Canvas {
         setAttribute(Qt::WA_TransparentForMouseEvents);
     }
     QWidget* widget() override { return this; }
-    void state_changed() override { update(); }
+    void state_changed() override {
+        if (!state_.has_image()) pictures_.clear();  // a hidden pane needs no memory
+        update();
+    }
     const char* kind() const override { return "raster"; }
     int upload_count() const override { return pictures_.colouring_count(); }
 

@@ -14,6 +14,7 @@ class RasterPainter {
   public:
     /// The painter's unit is a device pixel.
     void paint(QPainter& painter, const CanvasState& state, qreal pixel_ratio);
+    void clear() { known_.clear(); }
     int colouring_count() const { return colouring_count_; }
 
   private:
