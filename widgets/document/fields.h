@@ -99,7 +99,8 @@ class NotesField : public QPlainTextEdit {
   public:
     NotesField(const char* name, QWidget* parent);
     void show_text(const QString& text);
-    void commit();
+    void commit();   ///< takes over what is being typed
+    void discard();  ///< forgets it
 
   signals:
     void chosen(const QString& text);

@@ -117,6 +117,7 @@ void ItemEditor::set_project(const projects::Project& project, const Registry& r
 }
 
 void ItemEditor::clear() {
+    for (auto* notes : findChildren<NotesField*>()) notes->discard();
     project_.reset();
     item_ = {};
     show_again();

@@ -76,6 +76,12 @@ void NotesField::commit() {
     emit chosen(text);
 }
 
+void NotesField::discard() {
+    pause_.stop();
+    setPlainText(shown_);
+    document()->setModified(false);
+}
+
 bool NotesField::event(QEvent* event) {
     if (is_undo_key(event) && !document()->isModified()) {
         event->ignore();

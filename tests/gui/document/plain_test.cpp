@@ -58,6 +58,17 @@ TEST_F(EditorTest, WhatIsBeingTypedStaysWithItsItem) {
     EXPECT_EQ(field<NotesField>("notes")->toPlainText(), "");
 }
 
+TEST_F(EditorTest, ClearForgetsWhatIsBeingTyped) {
+    select("experiment:layers");
+    auto* notes = field<NotesField>("notes");
+    notes->setFocus();
+    QTest::keyClicks(notes, "of the old project");
+    editor->clear();
+    show();
+    QTest::qWait(700);
+    EXPECT_EQ(project, sample_project());
+}
+
 TEST_F(EditorTest, CommitTakesWhatIsBeingTyped) {
     select("camera:nave");
     auto* fov = field<NumberField>("fov");
