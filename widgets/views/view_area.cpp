@@ -1,0 +1,200 @@
+#include "widgets/views/view_area.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+
+namespace ir::widgets {
+namespace {
+
+constexpr int state_version = 1;
+
+std::size_t count_of(ViewArea::Arrangement arrangement) {
+    using A = ViewArea::Arrangement;
+    return arrangement == A::one ? 1 : arrangement == A::three ? 3 : arrangement == A::four ? 4 : 2;
+}
+
+}  // namespace
+
+ViewArea::ViewArea(std::function<QWidget*(int)> make, QWidget* parent)
+    : QMainWindow(parent), make_(std::move(make)), views_(most_views, nullptr) {
+    setWindowFlags(Qt::Widget);
+    setDockOptions(AllowTabbedDocks | AllowNestedDocks | AnimatedDocks);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setContextMenuPolicy(Qt::PreventContextMenu);
+    for (int i = 0; i < most_views; ++i) {
+        auto* dock = new QDockWidget(tr("View %1").arg(i + 1), this);
+        dock->setObjectName(QStringLiteral("view-%1").arg(i + 1));
+        dock->installEventFilter(this);
+        connect(dock, &QDockWidget::visibilityChanged, this, [this, i](bool shown) {
+            if (shown) ensure(i);
+            if (!arranging_) emit views_changed();
+        });
+        addDockWidget(Qt::LeftDockWidgetArea, dock);
+        dock->hide();
+        docks_.push_back(dock);
+    }
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow_focus(now); });
+    arrange(Arrangement::one);
+}
+
+void ViewArea::ensure(int number) {
+    auto& view = views_[std::size_t(number)];
+    if (view) return;
+    view = make_(number);
+    docks_[std::size_t(number)]->setWidget(view);
+}
+
+// Hidden behind a tab is open, too; so visibility is no answer.
+bool ViewArea::is_open(int number) const {
+    return !docks_[std::size_t(number)]->isHidden();
+}
+
+std::vector<int> ViewArea::open_views() const {
+    std::vector<int> open;
+    for (int i = 0; i < most_views; ++i)
+        if (is_open(i)) open.push_back(i);
+    return open;
+}
+
+void ViewArea::set_active(int number) {
+    if (number < 0 || number >= most_views || !is_open(number)) return;
+    const bool changed = number != active_;
+    active_ = number;
+    mark_active();
+    if (changed) emit active_changed(number);
+}
+
+void ViewArea::set_title(int number, const QString& title) {
+    docks_[std::size_t(number)]->setWindowTitle(title.isEmpty() ? tr("View %1").arg(number + 1)
+                                                                : tr("%1  %2").arg(number + 1).arg(title));
+}
+
+void ViewArea::mark_active() {
+    const bool several = open_views().size() > 1;
+    for (int i = 0; i < most_views; ++i)
+        docks_[std::size_t(i)]->setStyleSheet(
+            several && i == active_
+                ? QStringLiteral(
+                      "QDockWidget { font-weight: bold; } QDockWidget::title { background: #46586c; }")
+                : QString());
+}
+
+void ViewArea::follow_focus(QWidget* now) {
+    for (int i = 0; i < most_views; ++i)
+        if (now && docks_[std::size_t(i)]->isAncestorOf(now)) return set_active(i);
+}
+
+void ViewArea::arrange(Arrangement arrangement) {
+    arranging_ = true;
+    const auto count = count_of(arrangement);
+    for (auto* dock : docks_) {
+        dock->setFloating(false);
+        removeDockWidget(dock);
+    }
+    for (std::size_t i = 0; i < count; ++i) ensure(int(i));
+    const auto place = [this](int i, Qt::DockWidgetArea area) { addDockWidget(area, dock(i)); };
+    place(0, Qt::LeftDockWidgetArea);
+    using A = Arrangement;
+    if (arrangement == A::side_by_side || arrangement == A::three || arrangement == A::four)
+        splitDockWidget(dock(0), dock(1), Qt::Horizontal);
+    if (arrangement == A::stacked) splitDockWidget(dock(0), dock(1), Qt::Vertical);
+    if (arrangement == A::three || arrangement == A::four) splitDockWidget(dock(1), dock(2), Qt::Vertical);
+    if (arrangement == A::four) splitDockWidget(dock(0), dock(3), Qt::Vertical);
+    for (std::size_t i = 0; i < count; ++i) dock(int(i))->show();
+    if (count > 1 && arrangement != A::stacked)
+        resizeDocks({dock(0), dock(1)}, {width() / 2, width() / 2}, Qt::Horizontal);
+    if (arrangement == A::stacked)
+        resizeDocks({dock(0), dock(1)}, {height() / 2, height() / 2}, Qt::Vertical);
+    if (count > 2) resizeDocks({dock(1), dock(2)}, {height() / 2, height() / 2}, Qt::Vertical);
+    if (count > 3) resizeDocks({dock(0), dock(3)}, {height() / 2, height() / 2}, Qt::Vertical);
+    arranging_ = false;
+    if (!is_open(active_)) set_active(0);
+    mark_active();
+    emit views_changed();
+}
+
+int ViewArea::open_another() {
+    for (int i = 0; i < most_views; ++i)
+        if (!is_open(i)) {
+            open(i);
+            return i;
+        }
+    return -1;
+}
+
+void ViewArea::open(int number) {
+    if (!is_open(number)) {
+        arranging_ = true;
+        ensure(number);
+        auto* beside = dock(active_);
+        if (beside->isFloating()) beside = nullptr;
+        removeDockWidget(dock(number));
+        addDockWidget(Qt::LeftDockWidgetArea, dock(number));
+        if (beside) {
+            const bool wide = beside->width() >= beside->height();
+            splitDockWidget(beside, dock(number), wide ? Qt::Horizontal : Qt::Vertical);
+        }
+        dock(number)->show();
+        arranging_ = false;
+        emit views_changed();
+    }
+    set_active(number);
+}
+
+void ViewArea::close_view(int number) {
+    if (is_open(number)) dock(number)->close();
+}
+
+void ViewArea::step_active(int step) {
+    const auto open = open_views();
+    if (open.empty()) return;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < open.size(); ++i)
+        if (open[i] == active_) at = i;
+    const int next = open[(at + open.size() + std::size_t(step + int(open.size()))) % open.size()];
+    dock(next)->raise();
+    if (view(next)) view(next)->setFocus();
+    set_active(next);
+}
+
+QByteArray ViewArea::save() const {
+    return saveState(state_version);
+}
+
+bool ViewArea::restore(const QByteArray& state) {
+    arranging_ = true;
+    const bool restored = restoreState(state, state_version);
+    for (int i = 0; i < most_views; ++i)
+        if (is_open(i)) ensure(i);
+    arranging_ = false;
+    if (!restored || open_views().empty()) {
+        arrange(Arrangement::one);
+        return false;
+    }
+    if (!is_open(active_)) set_active(open_views().front());
+    mark_active();
+    emit views_changed();
+    return true;
+}
+
+bool ViewArea::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Close && open_views().size() < 2) {
+        event->ignore();  // a window without any view shows nothing
+        return true;
+    }
+    if (event->type() == QEvent::Close || event->type() == QEvent::Hide) {
+        // The dock hides itself after this.
+        QMetaObject::invokeMethod(
+            this,
+            [this] {
+                if (!is_open(active_) && !open_views().empty()) set_active(open_views().front());
+                mark_active();
+            },
+            Qt::QueuedConnection);
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+}  // namespace ir::widgets

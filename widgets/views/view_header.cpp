@@ -1,0 +1,285 @@
+#include "widgets/views/view_header.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QStandardItemModel>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/style/icons.h"
+
+namespace ir::widgets {
+namespace {
+
+QString text_of(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+QComboBox* make_combo(QWidget* parent, const QString& name, const QString& tip, int least) {
+    auto* combo = new QComboBox(parent);
+    combo->setObjectName(name);
+    combo->setToolTip(tip);
+    combo->setAccessibleName(tip);
+    combo->setMinimumWidth(least);
+    combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    combo->setMinimumContentsLength(4);
+    combo->view()->setMinimumWidth(240);
+    combo->setFocusPolicy(Qt::StrongFocus);
+    return combo;
+}
+
+QToolButton* make_button(QWidget* parent, const QString& name, const char* icon_name, const QString& tip,
+                         bool checkable) {
+    auto* button = new QToolButton(parent);
+    button->setObjectName(name);
+    button->setIcon(icon(icon_name));
+    button->setToolTip(tip);
+    button->setAccessibleName(tip);
+    button->setAutoRaise(true);
+    button->setCheckable(checkable);
+    return button;
+}
+
+const OutputOption* find_output(const std::vector<OutputOption>& outputs, const std::string& key) {
+    const auto found =
+        std::find_if(outputs.begin(), outputs.end(), [&](const auto& each) { return each.key == key; });
+    if (found != outputs.end()) return &*found;
+    return key.empty() && !outputs.empty() ? &outputs.front() : nullptr;
+}
+
+/// Outputs under the heading of their group; headings cannot be chosen.
+void fill_outputs(QComboBox* combo, const std::vector<OutputOption>& outputs) {
+    combo->clear();
+    auto* model = qobject_cast<QStandardItemModel*>(combo->model());
+    QString group;
+    for (const auto& output : outputs) {
+        if (output.group != group) {
+            group = output.group;
+            combo->addItem(group);
+            if (model) model->item(combo->count() - 1)->setEnabled(false);
+        }
+        combo->addItem(output.label.isEmpty() ? text_of(output.key) : output.label, text_of(output.key));
+        const QString tip = QStringLiteral("<b>%1</b><br>%2").arg(text_of(output.key), output.doc);
+        combo->setItemData(combo->count() - 1, tip, Qt::ToolTipRole);
+    }
+}
+
+struct PartEntry {
+    int level = 0, layer = 0;
+};
+
+std::vector<PartEntry> parts_of(const OutputOption& output) {
+    std::vector<PartEntry> parts;
+    if (output.levels < 2 && output.layers < 2) return parts;
+    parts.push_back({output.levels > 1 ? ViewSource::all : 0, output.layers > 1 ? ViewSource::all : 0});
+    for (int layer = 0; layer < output.layers; ++layer)
+        for (int level = 0; level < output.levels; ++level) parts.push_back({level, layer});
+    return parts;
+}
+
+}  // namespace
+
+QString part_name(const OutputOption& output, int level, int layer) {
+    const bool levels = output.levels > 1, layers = output.layers > 1;
+    if (levels && level == ViewSource::all) return QObject::tr("All levels");
+    if (layers && layer == ViewSource::all) return QObject::tr("All slices");
+    if (levels && layers) return QObject::tr("Slice %1, level %2").arg(layer).arg(level);
+    if (levels) return QObject::tr("Level %1").arg(level);
+    if (layers) return QObject::tr("Slice %1").arg(layer);
+    return {};
+}
+
+template <class Change>
+void ViewHeader::choose(Change change) {
+    ViewState state = fields_.state;
+    change(state);
+    if (state != fields_.state) emit state_chosen(state);
+}
+
+ViewHeader::ViewHeader(QWidget* parent) : QWidget(parent) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 2, 4, 2);
+    column->setSpacing(2);
+    a_ = make_line(QStringLiteral("a"), &ViewState::a);
+    b_ = make_line(QStringLiteral("b"), &ViewState::b);
+    column->addWidget(a_.line);
+    column->addWidget(b_.line);
+    make_mode_controls(a_.line, b_.line);
+    warning_ = new QLabel(this);
+    warning_->setObjectName(QStringLiteral("warning"));
+    warning_->setWordWrap(true);
+    warning_->setStyleSheet(QStringLiteral("color: #e8b34a; padding: 1px 3px;"));
+    column->addWidget(warning_);
+    warning_->hide();
+    b_.line->hide();
+}
+
+ViewHeader::SourceLine ViewHeader::make_line(const QString& name, ViewSource ViewState::*member) {
+    SourceLine result;
+    result.line = new QWidget(this);
+    auto* row = new QHBoxLayout(result.line);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    result.badge = new QLabel(name.toUpper(), result.line);
+    result.badge->setStyleSheet(QStringLiteral("font-weight: bold; padding: 0 3px;"));
+    result.owner =
+        make_combo(result.line, QStringLiteral("owner-") + name, tr("Experiment or image that is shown"), 70);
+    result.output =
+        make_combo(result.line, QStringLiteral("output-") + name, tr("Output or buffer that is shown"), 80);
+    result.part =
+        make_combo(result.line, QStringLiteral("part-") + name, tr("Level or slice, or all at once"), 60);
+    row->addWidget(result.badge);
+    row->addWidget(result.owner, 3);
+    row->addWidget(result.output, 3);
+    row->addWidget(result.part, 1);
+    connect(result.owner, &QComboBox::activated, this, [this, member, combo = result.owner](int index) {
+        choose([&](ViewState& state) {
+            (state.*member).owner = combo->itemData(index).toString().toStdString();
+        });
+    });
+    connect(result.output, &QComboBox::activated, this, [this, member, combo = result.output](int index) {
+        choose([&](ViewState& state) {
+            auto& source = state.*member;
+            source.output = combo->itemData(index).toString().toStdString();
+            source.level = source.layer = 0;
+        });
+    });
+    connect(result.part, &QComboBox::activated, this, [this, member, combo = result.part](int index) {
+        choose([&](ViewState& state) {
+            const QPoint part = combo->itemData(index).toPoint();
+            (state.*member).level = part.x();
+            (state.*member).layer = part.y();
+        });
+    });
+    return result;
+}
+
+void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
+    mode_ = make_combo(first, QStringLiteral("mode"), tr("How pictures are put beside each other"), 90);
+    mode_->setMinimumContentsLength(10);
+    for (const auto mode : all_modes()) mode_->addItem(mode_name(mode), int(mode));
+    connect(mode_, &QComboBox::activated, this, [this](int index) {
+        choose([&](ViewState& state) { state.mode = ViewMode(mode_->itemData(index).toInt()); });
+    });
+    table_ =
+        make_button(first, QStringLiteral("table"), "table", tr("The buffer's numbers as a table"), true);
+    connect(table_, &QToolButton::toggled, this, [this](bool on) {
+        if (on != fields_.state.as_table) choose([&](ViewState& state) { state.as_table = on; });
+    });
+    layers_ = make_button(first, QStringLiteral("layers"), "layers", tr("What is drawn, and how"), true);
+    connect(layers_, &QToolButton::clicked, this, &ViewHeader::layers_toggled);
+    for (QWidget* each :
+         {static_cast<QWidget*>(mode_), static_cast<QWidget*>(layers_), static_cast<QWidget*>(table_)})
+        first->layout()->addWidget(each);
+
+    pictures_ = new QToolButton(second);
+    pictures_->setObjectName(QStringLiteral("pictures"));
+    pictures_->setText(tr("Pictures"));
+    pictures_->setToolTip(tr("Further pictures of this row: hold 1 … 9 to see one of them"));
+    pictures_->setAccessibleName(pictures_->toolTip());
+    pictures_->setPopupMode(QToolButton::InstantPopup);
+    pictures_menu_ = new QMenu(pictures_);
+    pictures_->setMenu(pictures_menu_);
+    connect(pictures_menu_, &QMenu::aboutToShow, this, &ViewHeader::fill_pictures_menu);
+    difference_ = make_combo(second, QStringLiteral("difference"), tr("Kind of difference"), 80);
+    difference_->setMinimumContentsLength(9);
+    for (const auto kind : {DifferenceKind::signed_, DifferenceKind::absolute, DifferenceKind::relative})
+        difference_->addItem(difference_name(kind), int(kind));
+    connect(difference_, &QComboBox::activated, this, [this](int index) {
+        choose([&](ViewState& state) {
+            state.difference = DifferenceKind(difference_->itemData(index).toInt());
+        });
+    });
+    swap_ = make_button(second, QStringLiteral("swap"), "swap", tr("Swap A and B (X)"), false);
+    connect(swap_, &QToolButton::clicked, this, &ViewHeader::swap_wanted);
+    link_ = make_button(second, QStringLiteral("link"), "link",
+                        tr("Zoom, place, camera and colour range are one for all views (U)"), true);
+    connect(link_, &QToolButton::toggled, this, [this](bool on) {
+        if (on != fields_.linked) emit link_chosen(on);
+    });
+    for (QWidget* each : {static_cast<QWidget*>(pictures_), static_cast<QWidget*>(difference_),
+                          static_cast<QWidget*>(swap_), static_cast<QWidget*>(link_)})
+        second->layout()->addWidget(each);
+}
+
+void ViewHeader::show_source(const SourceLine& line, const ViewSource& source,
+                             const std::vector<OutputOption>& outputs) {
+    line.owner->clear();
+    for (const auto& owner : fields_.owners) {
+        line.owner->addItem(owner.label, owner.id);
+        line.owner->setItemData(line.owner->count() - 1, owner.tooltip, Qt::ToolTipRole);
+    }
+    line.owner->setCurrentIndex(line.owner->findData(text_of(source.owner)));
+    fill_outputs(line.output, outputs);
+    const auto* output = find_output(outputs, source.output);
+    line.output->setCurrentIndex(output ? line.output->findData(text_of(output->key)) : -1);
+    line.part->clear();
+    const auto parts = output ? parts_of(*output) : std::vector<PartEntry>();
+    for (const auto& part : parts)
+        line.part->addItem(part_name(*output, part.level, part.layer), QPoint(part.level, part.layer));
+    line.part->setCurrentIndex(line.part->findData(QPoint(source.level, source.layer)));
+    line.part->setVisible(!parts.empty());
+}
+
+void ViewHeader::set_fields(const ViewFields& fields) {
+    if (fields == fields_) return;
+    fields_ = fields;
+    const auto& state = fields_.state;
+    const auto* output = find_output(fields_.outputs_a, state.a.output);
+    const bool picture = !output || output->kind == OutputKind::image ||
+                         output->kind == OutputKind::pyramid || output->kind == OutputKind::stack;
+    const bool comparing = picture && compares(state.mode);
+    show_source(a_, state.a, fields_.outputs_a);
+    a_.badge->setVisible(comparing);
+    b_.line->setVisible(comparing);
+    show_source(b_, state.b, fields_.outputs_b);
+    const bool many = takes_many(state.mode);
+    // Rows of stages are chosen in the menu alone.
+    for (QWidget* each :
+         {static_cast<QWidget*>(b_.badge), static_cast<QWidget*>(b_.owner), static_cast<QWidget*>(b_.output)})
+        each->setVisible(state.mode != ViewMode::stages);
+    if (state.mode == ViewMode::stages) b_.part->hide();
+    pictures_->setVisible(many);
+    pictures_->setText(
+        tr("Pictures (%1)").arg(int(state.more.size()) + (state.mode == ViewMode::stages ? 1 : 2)));
+    difference_->setVisible(state.mode == ViewMode::difference || state.mode == ViewMode::stages);
+    difference_->setCurrentIndex(difference_->findData(int(state.difference)));
+    swap_->setVisible(state.mode != ViewMode::stages);
+    mode_->setVisible(picture);
+    mode_->setCurrentIndex(mode_->findData(int(state.mode)));
+    table_->setVisible(output && !picture);
+    table_->setEnabled(output && output->kind != OutputKind::table);
+    table_->setChecked(state.as_table || (output && output->kind == OutputKind::table));
+    layers_->setVisible(output && !picture && !table_->isChecked());
+    link_->setChecked(fields_.linked);
+    warning_->setText(fields_.warning);
+    warning_->setVisible(comparing && !fields_.warning.isEmpty());
+}
+
+void ViewHeader::show_layers_shown(bool shown) {
+    layers_->setChecked(shown);
+}
+
+void ViewHeader::fill_pictures_menu() {
+    pictures_menu_->clear();
+    for (const auto& [source, label] : fields_.candidates) {
+        auto* action = pictures_menu_->addAction(label);
+        action->setCheckable(true);
+        const auto& more = fields_.state.more;
+        action->setChecked(std::find(more.begin(), more.end(), source) != more.end());
+        connect(action, &QAction::toggled, this, [this, source = source](bool on) {
+            choose([&](ViewState& state) {
+                auto& list = state.more;
+                list.erase(std::remove(list.begin(), list.end(), source), list.end());
+                if (on) list.push_back(source);
+            });
+        });
+    }
+    if (pictures_menu_->isEmpty()) pictures_menu_->addAction(tr("Nothing else to show"))->setEnabled(false);
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/views/view_state.h"
+
+class QComboBox;
+class QLabel;
+class QMenu;
+class QToolButton;
+
+namespace ir::widgets {
+
+/// What a view shows, chosen by hand: one line for a picture, a second one for what it is compared with.
+class ViewHeader : public QWidget {
+    Q_OBJECT
+  public:
+    explicit ViewHeader(QWidget* parent = nullptr);
+    /// Emits nothing.
+    void set_fields(const ViewFields& fields);
+    const ViewFields& fields() const { return fields_; }
+    void show_layers_shown(bool shown);
+
+  signals:
+    /// A person changed something; what else follows from it (an owner without that output) is the
+    /// receiver's.
+    void state_chosen(const ir::widgets::ViewState& state);
+    void swap_wanted();
+    void link_chosen(bool linked);
+    /// Layers of a 3D view beside it.
+    void layers_toggled(bool shown);
+
+  private:
+    struct SourceLine {
+        QWidget* line = nullptr;
+        QLabel* badge = nullptr;
+        QComboBox *owner = nullptr, *output = nullptr, *part = nullptr;
+    };
+    SourceLine make_line(const QString& name, ViewSource ViewState::*member);
+    void make_mode_controls(QWidget* first, QWidget* second);
+    void show_source(const SourceLine& line, const ViewSource& source,
+                     const std::vector<OutputOption>& outputs);
+    void fill_pictures_menu();
+    template <class Change>
+    void choose(Change change);
+
+    ViewFields fields_;
+    SourceLine a_, b_;
+    QComboBox *mode_ = nullptr, *difference_ = nullptr;
+    QToolButton *pictures_ = nullptr, *swap_ = nullptr, *link_ = nullptr, *table_ = nullptr,
+                *layers_ = nullptr;
+    QMenu* pictures_menu_ = nullptr;
+    QLabel* warning_ = nullptr;
+};
+
+/// Text of a part of an image: "All levels", "Level 2", "Slice 5". Empty for plain images.
+QString part_name(const OutputOption& output, int level, int layer);
+
+}  // namespace ir::widgets

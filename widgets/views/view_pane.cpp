@@ -1,0 +1,119 @@
+#include "widgets/views/view_pane.h"
+
+#include <QMouseEvent>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace ir::widgets {
+
+ViewPane::ViewPane(QWidget* parent, ImageView::Surface surface) : QWidget(parent), surface_(surface) {
+    auto* column = new ::QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    header_ = new ViewHeader(this);
+    pages_ = new QStackedWidget(this);
+    compare_ = new CompareView(this, surface);
+    pages_->addWidget(compare_);
+    values_ = new ValueStrip(this);
+    column->addWidget(header_);
+    column->addWidget(pages_, 1);
+    column->addWidget(values_);
+    setFocusProxy(compare_);
+    connect(compare_, &CompareView::cursor_moved, this, &ViewPane::show_values);
+    connect(compare_, &CompareView::zoom_changed, values_, &ValueStrip::set_zoom);
+    connect(header_, &ViewHeader::swap_wanted, compare_, &CompareView::swap);
+    watch_views();
+}
+
+SpacePane& ViewPane::space() {
+    if (!space_) {
+        space_ = new SpacePane(this, surface_);
+        pages_->addWidget(space_);
+        connect(header_, &ViewHeader::layers_toggled, space_, &SpacePane::set_panel_shown);
+        connect(space_, &SpacePane::panel_shown_changed, header_, &ViewHeader::show_layers_shown);
+        header_->show_layers_shown(space_->is_panel_shown());
+    }
+    return *space_;
+}
+
+BufferTable& ViewPane::table() {
+    if (!table_) {
+        table_ = new BufferTable(this);
+        pages_->addWidget(table_);
+    }
+    return *table_;
+}
+
+void ViewPane::show_content(Content content) {
+    content_ = content;
+    QWidget* page = compare_;
+    if (content == Content::space) page = &space();
+    if (content == Content::table) page = &table();
+    pages_->setCurrentWidget(page);
+    setFocusProxy(page);
+    values_->setVisible(content == Content::picture);
+}
+
+void ViewPane::show_pictures(const ViewState& state, std::vector<std::shared_ptr<const Picture>> pictures) {
+    show_content(Content::picture);
+    compare_->set_mode(state.mode);
+    compare_->set_difference(state.difference);
+    compare_->set_pictures(std::move(pictures));
+    watch_views();
+    update_summary();
+}
+
+void ViewPane::watch_views() {
+    for (auto* view : compare_->views()) {
+        view->removeEventFilter(this);
+        view->installEventFilter(this);
+    }
+}
+
+std::shared_ptr<const Picture> ViewPane::picture_at(int number) const {
+    if (number < 0) return compare_->difference_picture();
+    const auto& pictures = compare_->pictures();
+    return number < int(pictures.size()) ? pictures[std::size_t(number)] : nullptr;
+}
+
+void ViewPane::update_summary() {
+    const bool difference = compare_->mode() == CompareView::Mode::difference;
+    const auto picture = picture_at(difference ? -1 : 0);
+    if (!picture || !picture->has_image()) {
+        values_->set_picture({}, Semantic::generic, picture ? picture->label : QString(), {});
+        summarised_ = nullptr;
+        return;
+    }
+    // Statistics of the same pixels are known already.
+    if (picture.get() != summarised_)
+        values_->set_picture(*picture->image, picture->semantic, picture->label, picture->unit);
+    summarised_ = picture.get();
+    values_->set_zoom(compare_->main_view().transform().zoom());
+    if (cursor_.x() >= 0) values_->show_pixel(*picture->image, cursor_);
+}
+
+void ViewPane::show_values(QPoint pixel, int number) {
+    cursor_ = pixel;
+    const auto picture = picture_at(number);
+    if (picture && picture->has_image()) values_->show_pixel(*picture->image, pixel);
+    emit cursor_moved(pixel);
+}
+
+QImage ViewPane::snapshot(bool overlays) const {
+    if (content_ == Content::space && space_) return space_->view().snapshot(overlays);
+    if (content_ == Content::table && table_) return table_->grab().toImage();
+    return compare_->snapshot(overlays, overlays);
+}
+
+bool ViewPane::eventFilter(QObject* watched, QEvent* event) {
+    auto* view = qobject_cast<ImageView*>(watched);
+    if (view && event->type() == QEvent::MouseButtonRelease) {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        if (view->tool() == ImageView::Tool::inspect && mouse->button() == Qt::LeftButton &&
+            mouse->modifiers() == Qt::ShiftModifier && cursor_.x() >= 0)
+            emit explain_wanted(cursor_);
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "widgets/compare/compare_view.h"
+#include "widgets/inspect/buffer_table.h"
+#include "widgets/panels/value_strip.h"
+#include "widgets/space/space_pane.h"
+#include "widgets/views/view_header.h"
+
+class QStackedWidget;
+
+namespace ir::widgets {
+
+/// One view: a header that says what is shown, and below it pictures, space or a table, by the kind of
+/// output. It decides nothing: whoever owns it turns the header's state into contents.
+class ViewPane : public QWidget {
+    Q_OBJECT
+  public:
+    enum class Content { picture, space, table };
+
+    explicit ViewPane(QWidget* parent = nullptr, ImageView::Surface surface = ImageView::Surface::best);
+
+    ViewHeader& header() { return *header_; }
+    CompareView& compare() { return *compare_; }
+    SpacePane& space();    ///< made when it is first needed
+    BufferTable& table();  ///< likewise
+    Content content() const { return content_; }
+    void show_content(Content content);
+    /// Takes mode and kind of difference over, then the pictures.
+    void show_pictures(const ViewState& state, std::vector<std::shared_ptr<const Picture>> pictures);
+    /// What the value strip says while the cursor is elsewhere.
+    void update_summary();
+    /// The picture under the cursor or, without one, A.
+    std::shared_ptr<const Picture> picture_at(int number) const;
+
+    /// What is seen, with labels, legend and marks on request.
+    QImage snapshot(bool overlays) const;
+
+  signals:
+    void cursor_moved(QPoint pixel);
+    /// Shift-click or the key for it: how did this pixel come about?
+    void explain_wanted(QPoint pixel);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void show_values(QPoint pixel, int picture);
+    void watch_views();
+    ImageView::Surface surface_;
+    Content content_ = Content::picture;
+    ViewHeader* header_;
+    QStackedWidget* pages_;
+    CompareView* compare_;
+    SpacePane* space_ = nullptr;
+    BufferTable* table_ = nullptr;
+    ValueStrip* values_;
+    const Picture* summarised_ = nullptr;
+    QPoint cursor_{-1, -1};
+};
+
+}  // namespace ir::widgets

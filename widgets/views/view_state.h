@@ -1,0 +1,69 @@
+#pragma once
+
+#include <QString>
+#include <string>
+#include <vector>
+
+#include "renderers/core/output.h"
+#include "renderers/image/difference.h"
+#include "widgets/compare/compare_view.h"
+#include "widgets/parameters/experiment_panel.h"
+#include "widgets/space/space_scene.h"
+
+/// What a view shows, as plain data: what session.json remembers and what the header edits.
+namespace ir::widgets {
+
+/// One picture or buffer. Owners are experiments by id, or images of other renderers as "image:ID".
+struct ViewSource {
+    static constexpr int all = -1;
+    std::string owner, output;  ///< output empty: the main result
+    int level = 0, layer = 0;   ///< or `all`
+    bool operator==(const ViewSource&) const = default;
+    bool is_image() const { return owner.rfind("image:", 0) == 0; }
+};
+
+using ViewMode = CompareView::Mode;
+
+struct ViewState {
+    ViewSource a, b;
+    std::vector<ViewSource> more;  ///< beside A (and B): for flip and stages
+    ViewMode mode = ViewMode::single;
+    DifferenceKind difference = DifferenceKind::signed_;
+    bool as_table = false;  ///< a buffer's numbers instead of its picture
+    SpaceScene space;       ///< for buffers that stand in space; its layers belong to A's owner
+    bool operator==(const ViewState&) const = default;
+};
+
+bool compares(ViewMode mode);    ///< needs B
+bool takes_many(ViewMode mode);  ///< flip and stages
+QString mode_name(ViewMode mode);
+QString difference_name(DifferenceKind difference);
+/// As files and the command line call them: "side-by-side". Unknown ones are single, signed.
+std::string to_key(ViewMode mode);
+ViewMode mode_from_key(const std::string& key);
+std::string to_key(DifferenceKind difference);
+DifferenceKind difference_from_key(const std::string& key);
+const std::vector<ViewMode>& all_modes();
+
+/// An output or buffer that could be shown.
+struct OutputOption {
+    std::string key;
+    QString label, group, doc;
+    OutputKind kind = OutputKind::image;
+    int levels = 1, layers = 1;
+    bool operator==(const OutputOption&) const = default;
+};
+
+/// Everything that a view's header offers and shows.
+struct ViewFields {
+    std::vector<Option> owners;
+    std::vector<OutputOption> outputs_a, outputs_b;
+    /// Pictures that flip and stages may take, with their labels.
+    std::vector<std::pair<ViewSource, QString>> candidates;
+    ViewState state;
+    bool linked = true;
+    QString warning = {};  ///< what should be known before pictures are compared
+    bool operator==(const ViewFields&) const = default;
+};
+
+}  // namespace ir::widgets
