@@ -123,13 +123,13 @@ void CompareView::request_differences() {
     const int pairs = mode_ == Mode::difference ? 1 : mode_ == Mode::stages ? count() - 1 : 0;
     for (int i = 0; i < pairs && i + 1 < count(); ++i)
         if (pictures_[i]->has_image() && pictures_[i + 1]->has_image())
-            worker_->request(i, {pictures_[i], pictures_[i + 1], kind_});
+            worker_->request(i, {pictures_[i], pictures_[i + 1], kind_, letter(i), letter(i + 1)});
 }
 
 void CompareView::fill_difference(ImageView& pane, int slot) {
     const auto* result = worker_->result(slot);
     pane.set_second(nullptr);
-    pane.set_labels(result ? result->picture->label.arg(letter(slot), letter(slot + 1)) : QString());
+    pane.set_labels(result ? result->picture->label : QString());
     const bool possible = pictures_[slot]->has_image() && pictures_[slot + 1]->has_image();
     if (!result || !possible) {
         pane.set_picture(make_note(possible ? tr("Computing the difference …") : QString()));

@@ -27,7 +27,7 @@ std::shared_ptr<const DifferenceResult> compute(const DifferenceRequest& request
     result->request = request;
     const Picture &a = *request.a, &b = *request.b;
     Picture picture;
-    picture.label = label_of(request.kind);
+    picture.label = label_of(request.kind).arg(request.name_a, request.name_b);
     picture.atlas = a.atlas;
     if (request.kind != DifferenceKind::relative) picture.unit = a.unit;
     try {

@@ -15,6 +15,7 @@ namespace ir::widgets {
 struct DifferenceRequest {
     std::shared_ptr<const Picture> a, b;
     DifferenceKind kind = DifferenceKind::signed_;
+    QString name_a = QStringLiteral("A"), name_b = QStringLiteral("B");  ///< in the difference's label
     /// The same pixels and the same question.
     bool same_as(const DifferenceRequest& other) const;
     /// Newer pixels for the same question: an older answer may stay on the screen meanwhile.

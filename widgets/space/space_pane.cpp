@@ -5,6 +5,12 @@
 #include <algorithm>
 
 namespace ir::widgets {
+namespace {
+
+/// From here on (logical pixels) the panel leaves enough of the view.
+constexpr int roomy_width = 620;
+
+}  // namespace
 
 SpacePane::SpacePane(QWidget* parent, ImageView::Surface surface) : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
@@ -30,6 +36,22 @@ SpacePane::SpacePane(QWidget* parent, ImageView::Surface surface) : QWidget(pare
         if (layer >= 0) panel_->set_current_layer(layer);
         mark(layer, element);
     });
+}
+
+void SpacePane::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (!panel_decided_) show_panel(width() >= roomy_width);
+}
+
+void SpacePane::set_panel_shown(bool shown) {
+    panel_decided_ = true;
+    show_panel(shown);
+}
+
+void SpacePane::show_panel(bool shown) {
+    if (shown == is_panel_shown()) return;
+    panel_->setVisible(shown);
+    emit panel_shown_changed(shown);
 }
 
 void SpacePane::set_scene(const SpaceScene& scene) {

@@ -23,15 +23,25 @@ class SpacePane : public QWidget {
     /// Marks an element of all layers that show a buffer; -1: none.
     void select_element(const std::string& key, std::int64_t element);
 
+    /// Whether the panel stands beside the view. Until somebody says so, it does where there is room.
+    void set_panel_shown(bool shown);
+    bool is_panel_shown() const { return !panel_->isHidden(); }
+
   signals:
+    void panel_shown_changed(bool shown);
     /// The wanted scene changed by hand: layers, camera, ticks.
     void scene_changed(const ir::widgets::SpaceScene& scene);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    void show_panel(bool shown);
     void mark(int layer, std::int64_t element);
     SpaceView* view_;
     LayerPanel* panel_;
-    bool chosen_ = false;  ///< somebody decided about the layers
+    bool chosen_ = false;         ///< somebody decided about the layers
+    bool panel_decided_ = false;  ///< somebody decided about the panel
 };
 
 }  // namespace ir::widgets
