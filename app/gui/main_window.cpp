@@ -10,7 +10,15 @@
 namespace ir::gui {
 
 MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Options& options)
-    : options_(options), session_(renderer, registry), renderer_(renderer) {
+    : options_(options),
+      recent_(options.remember),
+      renderer_(renderer),
+      session_(registry),
+      live_(session_, renderer, images_),
+      scenes_(renderer),
+      workspace_(session_, live_, renderer, images_, options.surface),
+      inspector_(session_, live_, renderer, workspace_),
+      exports_(session_, live_, renderer, workspace_) {
     setObjectName(QStringLiteral("main"));
     setWindowIcon(widgets::icon("app"));
     setAcceptDrops(true);
@@ -20,41 +28,54 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
     make_docks();
     make_status_bar();
     make_file_actions();
+    make_export_actions();
     make_edit_actions();
     make_view_actions();
+    make_display_actions();
+    make_arrangement_actions();
+    make_compare_actions();
+    make_inspect_actions();
     make_tool_actions();
+    make_window_actions();
     make_menus();
     make_toolbar();
     connect_session();
     connect_panels();
-    connect_view();
+    connect_views();
     restore_window();
     update_document();
-    update_state();
 }
 
 MainWindow::~MainWindow() {
-    // The session's last words would reach half-destroyed widgets.
-    session_.disconnect(this);
-    renderer_.disconnect(this);
+    // Last words of the parts would reach half-destroyed widgets.
+    for (QObject* part : {static_cast<QObject*>(&session_), static_cast<QObject*>(&renderer_),
+                          static_cast<QObject*>(&live_), static_cast<QObject*>(&workspace_),
+                          static_cast<QObject*>(&inspector_), static_cast<QObject*>(&scenes_)})
+        part->disconnect(this);
 }
 
 bool MainWindow::is_settled() const {
-    const auto state = session_.state();
-    return state != Session::State::rendering;
+    return live_.is_settled();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    document_->commit();
     if (!may_discard()) return event->ignore();
     if (options_.remember) {
         QSettings settings;
         settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
         settings.setValue(QStringLiteral("window/docks"),
-                          hidden_docks_.isEmpty() ? saveState(dock_version) : hidden_docks_);
+                          has_hidden_docks_ ? hidden_docks_ : saveState(dock_version));
     }
-    store_view_memory();
+    store_memory();
     session_.close();
     event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    // Whoever comes back may have changed files elsewhere.
+    if (event->type() == QEvent::ActivationChange && isActiveWindow()) session_.look_at_files();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -65,10 +86,16 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
     const QString path = event->mimeData()->urls().front().toLocalFile();
     event->acceptProposedAction();
-    const bool is_scene = path.endsWith(QStringLiteral(".gltf"), Qt::CaseInsensitive) ||
-                          path.endsWith(QStringLiteral(".glb"), Qt::CaseInsensitive);
-    if (is_scene && session_.has_project() && !session_.open_project().is_read_only())
+    const auto ends_with = [&](std::initializer_list<const char*> suffixes) {
+        for (const char* suffix : suffixes)
+            if (path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive)) return true;
+        return false;
+    };
+    const bool writable = session_.has_project() && !session_.open_project().is_read_only();
+    if (writable && ends_with({".gltf", ".glb"}))
         return void(run_file_step([&] { session_.add_scene(path.toStdString()); }, tr("Add scene")));
+    if (writable && ends_with({".exr", ".png", ".hdr", ".jpg", ".jpeg", ".tif", ".tiff"}))
+        return void(run_file_step([&] { session_.add_image(path.toStdString()); }, tr("Add image")));
     if (may_discard()) open_path(path);
 }
 

@@ -5,29 +5,31 @@
 #include <QSettings>
 #include <map>
 
-#include "app/gui/session.h"
-#include "widgets/image/image_view.h"
+#include "app/gui/document_dock.h"
+#include "app/gui/exports.h"
+#include "app/gui/known_projects.h"
+#include "app/gui/pixel_inspector.h"
+#include "app/gui/scene_shelf.h"
+#include "app/gui/status_line.h"
+#include "app/gui/workspace.h"
+#include "widgets/inspect/display_panel.h"
 #include "widgets/panels/banner.h"
-#include "widgets/panels/display_bar.h"
 #include "widgets/panels/messages_panel.h"
 #include "widgets/panels/rows_panel.h"
-#include "widgets/panels/value_strip.h"
 #include "widgets/panels/welcome_page.h"
 #include "widgets/parameters/experiment_panel.h"
 #include "widgets/parameters/parameter_panel.h"
 
 class QLabel;
-class QProgressBar;
 class QStackedWidget;
-class QToolButton;
 
 namespace ir::gui {
 
 /// Bumped when docks are added or renamed, so that a remembered arrangement of other docks is not applied.
-inline constexpr int dock_version = 1;
+inline constexpr int dock_version = 2;
 
-/// The window: docks around one view, joined to a session. It shows what the session says and turns gestures
-/// into the session's edits; it decides nothing about pictures or documents.
+/// The window: menus, docks and the views in their middle. It joins parts that know nothing of each other and
+/// decides nothing about pictures or documents.
 class MainWindow : public QMainWindow {
     Q_OBJECT
   public:
@@ -36,10 +38,16 @@ class MainWindow : public QMainWindow {
         widgets::ImageView::Surface surface = widgets::ImageView::Surface::best;
     };
     MainWindow(Renderer& renderer, const Registry& registry, const Options& options);
-    ~MainWindow() override;
+    ~MainWindow();
 
     Session& session() { return session_; }
-    widgets::ImageView& view() { return *view_; }
+    LivePictures& live() { return live_; }
+    Workspace& workspace() { return workspace_; }
+    PixelInspector& inspector() { return inspector_; }
+    DocumentDock& document() { return *document_; }
+    Exports& exports() { return exports_; }
+    /// The picture of the active view.
+    widgets::ImageView& view() { return workspace_.active_pane().compare().main_view(); }
     widgets::BannerStack& banners() { return *banners_; }
     widgets::MessagesPanel& messages() { return *messages_; }
     QAction* action(const QString& name) const { return actions_.value(name); }
@@ -53,10 +61,12 @@ class MainWindow : public QMainWindow {
     bool is_settled() const;
 
   signals:
+    /// Everything that is shown has arrived, or something of it is new.
     void settled();
 
   protected:
     void closeEvent(QCloseEvent*) override;
+    void changeEvent(QEvent*) override;
     void dragEnterEvent(QDragEnterEvent*) override;
     void dropEvent(QDropEvent*) override;
 
@@ -67,20 +77,34 @@ class MainWindow : public QMainWindow {
     QAction* add_switch(const QString& name, const QString& text, const char* icon_name,
                         const QList<QKeySequence>& keys, bool on, std::function<void(bool)> run);
     void make_file_actions();
+    void make_export_actions();
     void make_edit_actions();
-    void make_view_actions();
-    void make_tool_actions();
-    void make_menus();
-    void make_toolbar();
+    void make_window_actions();
     void show_shortcuts();
     void show_about();
 
+    // window_view_actions.cpp
+    void make_view_actions();
+    void make_display_actions();
+    void make_arrangement_actions();
+    void make_compare_actions();
+    void make_inspect_actions();
+    void make_tool_actions();
+
+    // window_menus.cpp
+    void make_menus();
+    void make_toolbar();
+    void update_actions();
+
     // window_docks.cpp
+    void make_centre();
     void make_docks();
     QDockWidget* add_dock(const QString& name, const QString& title, QWidget* content,
-                          Qt::DockWidgetArea area, const QKeySequence& key);
-    void make_parameter_dock();
+                          const QKeySequence& key);
+    QWidget* make_parameter_dock();
+    QWidget* make_timings_dock();
     void make_status_bar();
+    void watch_docks();
     void restore_default_layout();
     void restore_window();
     /// The welcome page stands alone; with a project the docks come back as they were.
@@ -93,13 +117,16 @@ class MainWindow : public QMainWindow {
     bool may_discard();
     void new_project();
     void choose_project();
-    void add_recent(const QString& path);
-    QStringList recent() const;
+    void save_thumbnail();
     void update_recent();
+    void store_memory();
+
+    // window_banners.cpp
     void update_project_banners();
     void update_scene_banner();
-    void locate_scene(std::size_t part);
-    void accept_scene();
+    void update_state_banner();
+    void locate_scene(const std::string& scene, std::size_t part);
+    void accept_scene(const std::string& scene);
 
     // window_document.cpp
     void connect_session();
@@ -107,51 +134,47 @@ class MainWindow : public QMainWindow {
     void update_document();
     void update_experiment_panel();
     void update_title();
-    void update_edit_actions();
     void choose_camera(const QString& id);
     void use_scene_camera(const QString& name);
-    void add_experiment();
-    void rename_experiment();
 
-    // window_view.cpp
-    void make_centre();
-    void connect_view();
-    void show_picture(std::shared_ptr<const engine::LiveResult> result);
-    void update_display();
-    void choose_display(const widgets::Display& display);
-    void update_lists(const engine::LiveResult& result);
+    // window_panels.cpp
+    void connect_views();
+    void update_display_panel();
+    void update_lists();
     void update_scene_tree();
-    void update_state();
     void update_camera();
     void step_exposure(double stops);
-    void step_buffer(int step);
-    void restore_view_memory();
-    void store_view_memory();
+    void choose_item_of_element(const std::string& owner, const std::string& buffer, qint64 element);
+    void go_to(const Message& message);
+    void export_to(const QString& suffix, const QString& filter, void (Exports::*save)(const QString&) const);
 
     Options options_;
-    Session session_;
+    RecentProjects recent_;
     Renderer& renderer_;
+    Session session_;
+    ImageLoader images_;
+    LivePictures live_;
+    SceneShelf scenes_;
+    Workspace workspace_;
+    PixelInspector inspector_;
+    Exports exports_;
     QHash<QString, QAction*> actions_;
     QList<QAction*> action_order_;
-    QMenu *recent_menu_ = nullptr, *experiment_menu_ = nullptr, *docks_menu_ = nullptr;
+    QMenu *recent_menu_ = nullptr, *experiment_menu_ = nullptr;
     QStackedWidget* pages_ = nullptr;
     widgets::WelcomePage* welcome_ = nullptr;
     widgets::BannerStack* banners_ = nullptr;
-    widgets::DisplayBar* display_bar_ = nullptr;
-    widgets::ImageView* view_ = nullptr;
-    widgets::ValueStrip* values_ = nullptr;
     widgets::ExperimentPanel* experiment_panel_ = nullptr;
     widgets::ParameterPanel* parameter_panel_ = nullptr;
+    DocumentDock* document_ = nullptr;
+    widgets::DisplayPanel* display_ = nullptr;
     widgets::RowsPanel *scene_tree_ = nullptr, *buffers_ = nullptr, *timings_ = nullptr, *counters_ = nullptr;
     widgets::MessagesPanel* messages_ = nullptr;
-    QLabel *state_label_ = nullptr, *device_label_ = nullptr;
-    QProgressBar* progress_ = nullptr;
-    QToolButton* cancel_button_ = nullptr;
+    StatusLine* status_ = nullptr;
+    QLabel* device_label_ = nullptr;
     std::map<std::string, QImage> thumbnails_;
-    std::map<std::string, widgets::Display> chosen_displays_;  ///< by buffer; absent: automatic
     QByteArray hidden_docks_;  ///< the arrangement while the welcome page is shown
-    double exposure_ = 0;
-    bool mark_bad_ = true;
+    bool has_hidden_docks_ = false;
 };
 
 }  // namespace ir::gui

@@ -45,7 +45,9 @@ void take_screenshot(MainWindow& window, const QString& file) {
         if (!window.is_settled()) return;
         const bool saved = window.grab().save(file);
         if (!saved) std::cerr << "interreflect: cannot write " << file.toStdString() << "\n";
-        QApplication::exit(saved && window.session().state() != Session::State::failed ? 0 : 1);
+        const auto* shown = window.session().experiment();
+        const bool failed = shown && window.live().state(shown->id) == LivePictures::State::failed;
+        QApplication::exit(saved && !failed ? 0 : 1);
     });
     if (window.is_settled()) timer->start();
 }

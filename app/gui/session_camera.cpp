@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "app/gui/session.h"
 
@@ -32,58 +33,92 @@ bool is_movable(const projects::Project& project, const projects::Camera* camera
                         [&](const auto& motion) { return motion.camera == camera->id; });
 }
 
-/// Adds a camera with the pose and makes the experiment use it, as one step.
-projects::EditPtr add_view(const projects::Project& project, const std::string& experiment,
-                           const widgets::CameraPose& pose) {
+/// A camera with the pose, named "View 2" and so on.
+projects::Camera new_view(const projects::Project& project, const widgets::CameraPose& pose,
+                          const std::string& name) {
     projects::Camera camera = posed({}, pose);
-    camera.id = projects::free_id_in(project.cameras, "view");
+    camera.id = projects::free_id_in(project.cameras, name);
     const auto number = camera.id.find_last_not_of("0123456789") + 1;
-    camera.name = number < camera.id.size() ? "View " + camera.id.substr(number) : "View";
-    std::vector<projects::EditPtr> steps;
-    steps.push_back(projects::edits::add(project, camera));
+    camera.name = number < camera.id.size() ? name + " " + camera.id.substr(number) : name;
+    return camera;
+}
+
+/// The experiments' cameras changed in place, or a new one for all whose camera cannot be, as one step.
+projects::EditPtr move_cameras(const projects::Project& project, const std::vector<std::string>& experiments,
+                               const widgets::CameraPose& pose) {
     projects::Project after = project;
-    steps.back()->apply(after);
-    steps.push_back(projects::edits::set_camera_of(after, experiment, camera.id));
+    std::vector<projects::EditPtr> steps;
+    const auto add = [&](projects::EditPtr step) {
+        step->apply(after);
+        steps.push_back(std::move(step));
+    };
+    std::string fresh;
+    for (const auto& id : experiments) {
+        const auto* experiment = projects::find_item(after.experiments, id);
+        if (!experiment) continue;
+        const auto* camera = projects::find_item(after.cameras, experiment->camera);
+        if (is_movable(after, camera)) {
+            auto step = projects::edits::change_camera(after, posed(*camera, pose));
+            if (!step->changes_nothing()) add(std::move(step));
+            continue;
+        }
+        if (fresh.empty()) {
+            const auto view = new_view(after, pose, "View");
+            fresh = view.id;
+            add(projects::edits::add(after, view));
+        }
+        add(projects::edits::set_camera_of(after, id, fresh));
+    }
+    if (steps.size() == 1) return std::move(steps.front());
     return projects::edits::group("Move camera", std::move(steps));
 }
 
 }  // namespace
 
 std::optional<widgets::CameraPose> Session::camera_pose() const {
-    if (moved_pose_) return moved_pose_;
     const auto* chosen = experiment();
     if (!chosen) return {};
+    if (moved_pose_) return moved_pose_;
     const auto* camera = projects::find_item(document().cameras, chosen->camera);
     if (camera && camera->scene_camera.empty())
         return pose_of(projects::camera_at(document(), *camera, chosen->time));
-    if (!scene_ || scene_->camera_values.empty()) return {};
     if (camera)
-        for (std::size_t i = 0; i < scene_->camera_values.size(); ++i)
-            if (scene_->camera_values[i].name == camera->scene_camera)
-                return pose_of(scene_->camera_values[i]);
-    return pose_of(scene_->camera_values.front());
+        for (const auto& each : scene_cameras_)
+            if (each.name == camera->scene_camera) return pose_of(each);
+    if (scene_cameras_.empty()) return {};
+    return pose_of(scene_cameras_.front());
 }
 
-void Session::move_camera(const widgets::CameraPose& pose) {
+std::optional<widgets::CameraPose> Session::moved_pose(const std::string& id) const {
+    return std::find(moved_.begin(), moved_.end(), id) == moved_.end() ? std::nullopt : moved_pose_;
+}
+
+void Session::move_camera(const widgets::CameraPose& pose, const std::vector<std::string>& others) {
     if (!experiment()) return;
     moved_pose_ = pose;
-    update_request();
+    moved_ = {experiment()->id};
+    for (const auto& id : others)
+        if (id != moved_.front() && experiment(id)) moved_.push_back(id);
+    emit camera_moved();
 }
 
 void Session::finish_camera_move() {
-    const auto* chosen = experiment();
     // Read-only: one may look around, nothing is written.
-    if (!moved_pose_ || !chosen || project_->is_read_only()) return;
+    if (!moved_pose_ || !experiment() || project_->is_read_only()) return;
     const auto pose = *moved_pose_;
-    const std::string id = chosen->id;
+    const auto moved = std::exchange(moved_, {});
     moved_pose_.reset();
-    edit([&](const projects::Project& project) {
-        const auto* camera =
-            projects::find_item(project.cameras, projects::find_item(project.experiments, id)->camera);
-        return is_movable(project, camera) ? projects::edits::change_camera(project, posed(*camera, pose))
-                                           : add_view(project, id, pose);
-    });
+    edit([&](const projects::Project& project) { return move_cameras(project, moved, pose); });
     end_gesture();
+}
+
+void Session::bookmark_camera() {
+    finish_camera_move();
+    const auto pose = camera_pose();
+    if (!pose) return;
+    edit([&](const projects::Project& project) {
+        return projects::edits::add(project, new_view(project, *pose, "Bookmark"));
+    });
 }
 
 }  // namespace ir::gui

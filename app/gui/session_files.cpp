@@ -21,7 +21,6 @@ projects::Scene scene_item(const projects::Project& project, const std::string& 
     scene.id = projects::free_id_in(project.scenes, scene.name);
     projects::ScenePart part;
     part.source = projects::is_builtin(source) ? source : projects::relative_source(source, folder);
-    part.content_hash = projects::scene_hash(source, folder);
     scene.parts.push_back(part);
     return scene;
 }
@@ -51,21 +50,39 @@ void Session::add_scene(const std::string& source) {
     });
 }
 
+void Session::add_image(const std::string& file) {
+    edit([&](const projects::Project& project) {
+        projects::ForeignImage image;
+        image.name = std::filesystem::path(file).stem().string();
+        image.id = projects::free_id_in(project.images, image.name);
+        image.source = projects::relative_source(file, project_->folder());
+        return projects::edits::add(project, image);
+    });
+}
+
 void Session::adopt(std::unique_ptr<projects::OpenProject> project) {
     close();
     project_ = std::move(project);
+    // The word comes from another thread; the project may be gone when it arrives.
+    project_->set_on_files_read(
+        [this] { QMetaObject::invokeMethod(this, &Session::poll_files, Qt::QueuedConnection); });
     memory_ =
         project_->folder().empty() ? projects::Json::object() : projects::load_session(project_->folder());
     const auto remembered = memory_.find("experiment");
     experiment_id_ =
         remembered != memory_.end() && remembered->is_string() ? remembered->get<std::string>() : "";
-    const auto buffer = memory_.find("buffer");
-    shown_ = buffer != memory_.end() && buffer->is_string() ? buffer->get<std::string>() : "";
     emit project_replaced();
     report_project_messages();
     emit document_changed();
     emit experiment_selected();
-    update_request();
+}
+
+void Session::poll_files() {
+    if (project_ && project_->poll_files()) emit files_changed();
+}
+
+void Session::look_at_files() {
+    if (project_) project_->look_at_files();
 }
 
 void Session::report_project_messages() {
@@ -75,20 +92,14 @@ void Session::report_project_messages() {
 void Session::close() {
     if (!project_) return;
     save_memory();
-    renderer_.cancel("view");
+    project_->close();  // an autosave that is no longer wanted goes
     project_.reset();
-    result_.reset();
-    scene_.reset();
     moved_pose_.reset();
+    moved_.clear();
+    scene_cameras_.clear();
     memory_ = projects::Json::object();
-    signature_.clear();
-    scene_key_.clear();
-    shown_.clear();
     experiment_id_.clear();
-    level_ = layer_ = 0;
-    set_state(State::empty);
     emit project_replaced();
-    emit scene_changed();
 }
 
 void Session::save(bool overwrite) {
@@ -103,13 +114,11 @@ void Session::save_as(const std::filesystem::path& path) {
     project_->save_as(path);
     save_memory();
     emit document_changed();
-    update_request();
 }
 
 void Session::save_memory() {
     if (!project_ || project_->folder().empty() || project_->is_read_only()) return;
-    memory_["experiment"] = experiment_id_;
-    memory_["buffer"] = shown_;
+    if (const auto* chosen = experiment()) memory_["experiment"] = chosen->id;
     try {
         projects::save_session(project_->folder(), memory_);
     } catch (const std::exception& error) {  // nothing of value is in it

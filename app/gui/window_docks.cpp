@@ -1,18 +1,16 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
-#include <QProgressBar>
 #include <QScrollArea>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
-#include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 
 #include "app/gui/main_window.h"
 #include "renderers/core/error.h"
 #include "widgets/models/report_rows.h"
-#include "widgets/style/icons.h"
 
 namespace ir::gui {
 namespace {
@@ -24,29 +22,52 @@ struct Layout {
 
 const QList<Layout>& layouts() {
     static const QList<Layout> all = {
-        {"default", {"parameters", "scene", "buffers", "timings", "messages"}},
+        {"default",
+         {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "timings",
+          "messages"}},
         {"picture", {}},
         {"parameters", {"parameters"}},
-        {"inspect", {"buffers", "timings", "messages"}},
+        {"inspect", {"display", "inspector", "buffers", "explain"}},
+        {"project", {"project"}},
         {"scene", {"parameters", "scene"}},
     };
     return all;
 }
 
+QList<QDockWidget*> docks_of(const QMainWindow* window) {
+    return window->findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
+}
+
 }  // namespace
 
+void MainWindow::make_centre() {
+    auto* centre = new QWidget;
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    banners_ = new widgets::BannerStack;
+    layout->addWidget(banners_);
+    pages_ = new QStackedWidget;
+    layout->addWidget(pages_, 1);
+    welcome_ = new widgets::WelcomePage;
+    pages_->addWidget(welcome_);
+    pages_->addWidget(&workspace_.area());
+    setCentralWidget(centre);
+}
+
 QDockWidget* MainWindow::add_dock(const QString& name, const QString& title, QWidget* content,
-                                  Qt::DockWidgetArea area, const QKeySequence& key) {
+                                  const QKeySequence& key) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name);
     dock->setWidget(content);
-    addDockWidget(area, dock);
+    addDockWidget(Qt::RightDockWidgetArea, dock);
     dock->toggleViewAction()->setShortcut(key);
     dock->toggleViewAction()->setText(tr("Show %1").arg(title));
+    connect(dock, &QDockWidget::visibilityChanged, this, &MainWindow::watch_docks);
     return dock;
 }
 
-void MainWindow::make_parameter_dock() {
+QWidget* MainWindow::make_parameter_dock() {
     experiment_panel_ = new widgets::ExperimentPanel;
     parameter_panel_ = new widgets::ParameterPanel;
     auto* filter = new QLineEdit;
@@ -65,20 +86,11 @@ void MainWindow::make_parameter_dock() {
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(356);
-    add_dock("parameters", tr("Parameters"), scroll, Qt::LeftDockWidgetArea, Qt::CTRL | Qt::Key_1);
+    scroll->setMinimumWidth(340);
+    return scroll;
 }
 
-void MainWindow::make_docks() {
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    make_parameter_dock();
-    scene_tree_ = new widgets::RowsPanel(widgets::scene_headings(), tr("No scene is open."));
-    buffers_ = new widgets::RowsPanel(widgets::buffer_headings(),
-                                      tr("Buffers appear when a frame has been rendered."));
-    buffers_->set_picture_size(QSize(48, 32));
-    buffers_->set_name_width(190);
-    buffers_->setMinimumWidth(260);
+QWidget* MainWindow::make_timings_dock() {
     timings_ = new widgets::RowsPanel(widgets::timing_headings(),
                                       tr("Times appear when a frame has been rendered."));
     timings_->view()->setRootIsDecorated(false);
@@ -86,58 +98,83 @@ void MainWindow::make_docks() {
     counters_ =
         new widgets::RowsPanel(widgets::counter_headings(), tr("This method has counted nothing yet."));
     counters_->view()->setRootIsDecorated(false);
-    messages_ = new widgets::MessagesPanel;
     auto* numbers = new QTabWidget;
     numbers->setDocumentMode(true);
     numbers->addTab(timings_, tr("Passes"));
     numbers->addTab(counters_, tr("Counters"));
-    add_dock("scene", tr("Scene"), scene_tree_, Qt::RightDockWidgetArea, Qt::CTRL | Qt::Key_2);
-    add_dock("buffers", tr("Buffers"), buffers_, Qt::RightDockWidgetArea, Qt::CTRL | Qt::Key_3);
-    add_dock("timings", tr("Timings"), numbers, Qt::RightDockWidgetArea, Qt::CTRL | Qt::Key_4);
-    add_dock("messages", tr("Messages"), messages_, Qt::BottomDockWidgetArea, Qt::CTRL | Qt::Key_5);
-    connect(findChild<QDockWidget*>("buffers"), &QDockWidget::visibilityChanged, this,
-            [this](bool shown) { session_.set_thumbnails_wanted(shown); });
+    return numbers;
+}
+
+void MainWindow::make_docks() {
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    document_ = new DocumentDock(session_, scenes_, workspace_);
+    display_ = new widgets::DisplayPanel;
+    scene_tree_ = new widgets::RowsPanel(widgets::scene_headings(), tr("No scene is open."));
+    buffers_ = new widgets::RowsPanel(widgets::buffer_headings(),
+                                      tr("Buffers appear when a frame has been rendered."));
+    buffers_->set_picture_size(QSize(48, 32));
+    buffers_->set_name_width(190);
+    buffers_->setMinimumWidth(240);
+    messages_ = new widgets::MessagesPanel;
+    const auto key = [](Qt::Key digit) { return QKeySequence(Qt::CTRL | digit); };
+    add_dock("parameters", tr("Parameters"), make_parameter_dock(), key(Qt::Key_1));
+    add_dock("project", tr("Project"), document_, key(Qt::Key_2));
+    add_dock("display", tr("Display"), display_, key(Qt::Key_3));
+    add_dock("scene", tr("Scene"), scene_tree_, key(Qt::Key_4));
+    add_dock("buffers", tr("Buffers"), buffers_, key(Qt::Key_5));
+    add_dock("inspector", tr("Inspector"), &inspector_.panel(), key(Qt::Key_6));
+    add_dock("explain", tr("Explain"), &inspector_.explain_panel(), key(Qt::Key_7));
+    add_dock("timings", tr("Timings"), make_timings_dock(), key(Qt::Key_8));
+    add_dock("messages", tr("Messages"), messages_, key(Qt::Key_9));
+}
+
+/// Panels behind tabs and closed ones ask for nothing.
+void MainWindow::watch_docks() {
+    const auto seen = [this](const char* name) {
+        const auto* dock = findChild<QDockWidget*>(QLatin1String(name));
+        return dock && dock->isVisible() && !dock->visibleRegion().isEmpty();
+    };
+    QMetaObject::invokeMethod(
+        this,
+        [this, seen] {
+            inspector_.set_visible(seen("inspector"), seen("explain"));
+            inspector_.set_thumbnails_wanted(seen("buffers"));
+        },
+        Qt::QueuedConnection);
 }
 
 void MainWindow::make_status_bar() {
-    state_label_ = new QLabel;
-    state_label_->setObjectName(QStringLiteral("state"));
-    state_label_->setMinimumWidth(1);
-    progress_ = new QProgressBar;
-    progress_->setRange(0, 1000);
-    progress_->setMaximumWidth(180);
-    progress_->setMaximumHeight(14);
-    progress_->setTextVisible(false);
-    cancel_button_ = new QToolButton;
-    cancel_button_->setIcon(widgets::icon("cancel"));
-    cancel_button_->setAutoRaise(true);
-    cancel_button_->setToolTip(tr("Cancel rendering (Esc)"));
-    cancel_button_->setAccessibleName(tr("Cancel rendering"));
-    connect(cancel_button_, &QToolButton::clicked, this, [this] { session_.cancel(); });
+    status_ = new StatusLine(session_, live_);
+    connect(status_, &StatusLine::cancel_wanted, this, [this] { live_.cancel(); });
     device_label_ = new QLabel(tr("starting …"));
     device_label_->setObjectName(QStringLiteral("device"));
-    statusBar()->addWidget(state_label_, 1);
-    statusBar()->addWidget(progress_);
-    statusBar()->addWidget(cancel_button_);
+    statusBar()->addWidget(status_, 1);
     statusBar()->addPermanentWidget(device_label_);
 }
 
 void MainWindow::restore_default_layout() {
-    hidden_docks_.clear();
-    for (auto* dock : findChildren<QDockWidget*>()) {
+    has_hidden_docks_ = false;
+    for (auto* dock : docks_of(this)) {
         dock->setFloating(false);
         removeDockWidget(dock);
     }
     const auto dock = [this](const char* name) { return findChild<QDockWidget*>(QLatin1String(name)); };
     addDockWidget(Qt::LeftDockWidgetArea, dock("parameters"));
-    addDockWidget(Qt::RightDockWidgetArea, dock("scene"));
+    tabifyDockWidget(dock("parameters"), dock("project"));
+    addDockWidget(Qt::RightDockWidgetArea, dock("display"));
+    tabifyDockWidget(dock("display"), dock("scene"));
     addDockWidget(Qt::RightDockWidgetArea, dock("buffers"));
+    tabifyDockWidget(dock("buffers"), dock("inspector"));
+    tabifyDockWidget(dock("inspector"), dock("explain"));
     addDockWidget(Qt::RightDockWidgetArea, dock("timings"));
     addDockWidget(Qt::BottomDockWidgetArea, dock("messages"));
-    for (auto* each : findChildren<QDockWidget*>()) each->show();
-    resizeDocks({dock("parameters"), dock("buffers")}, {360, 430}, Qt::Horizontal);
-    resizeDocks({dock("scene"), dock("buffers"), dock("timings")}, {200, 330, 220}, Qt::Vertical);
-    resizeDocks({dock("messages")}, {120}, Qt::Vertical);
+    for (auto* each : docks_of(this)) each->show();
+    for (const char* front : {"parameters", "display", "buffers"}) dock(front)->raise();
+    resizeDocks({dock("parameters"), dock("buffers")}, {350, 400}, Qt::Horizontal);
+    resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
+    resizeDocks({dock("messages")}, {110}, Qt::Vertical);
+    workspace_.area().arrange(widgets::ViewArea::Arrangement::one);
 }
 
 QStringList MainWindow::layout_names() {
@@ -150,8 +187,7 @@ void MainWindow::apply_layout(const QString& name) {
     for (const auto& layout : layouts()) {
         if (name != QLatin1String(layout.name)) continue;
         restore_default_layout();
-        for (auto* dock : findChildren<QDockWidget*>())
-            dock->setVisible(layout.docks.contains(dock->objectName()));
+        for (auto* dock : docks_of(this)) dock->setVisible(layout.docks.contains(dock->objectName()));
         if (!session_.has_project()) show_docks(false);
         return;
     }
@@ -160,14 +196,14 @@ void MainWindow::apply_layout(const QString& name) {
 }
 
 void MainWindow::show_docks(bool shown) {
-    if (shown == hidden_docks_.isEmpty()) return;
+    if (shown == !has_hidden_docks_) return;
+    has_hidden_docks_ = !shown;
     if (shown) {
         restoreState(hidden_docks_, dock_version);
-        hidden_docks_.clear();
         return;
     }
     hidden_docks_ = saveState(dock_version);
-    for (auto* dock : findChildren<QDockWidget*>()) dock->hide();
+    for (auto* dock : docks_of(this)) dock->hide();
 }
 
 void MainWindow::restore_window() {

@@ -1,6 +1,4 @@
-#include <QInputDialog>
 #include <QLabel>
-#include <QProgressBar>
 #include <QStackedWidget>
 
 #include "app/gui/main_window.h"
@@ -29,36 +27,47 @@ std::vector<widgets::Option> options_of(const List& list) {
 void MainWindow::connect_session() {
     connect(&session_, &Session::project_replaced, this, [this] {
         thumbnails_.clear();
-        chosen_displays_.clear();
-        restore_view_memory();
-        update_project_banners();
-        update_document();
         for (auto* panel : {buffers_, timings_, counters_}) panel->set_rows({});
-        if (!session_.has_project()) view_->set_note({});
+        if (!session_.has_project()) scenes_.clear();
+        update_document();  // before the views, which want to be seen and have the focus
+        workspace_.load(session_.memory());
+        inspector_.load(session_.memory());
+        update_project_banners();
     });
     connect(&session_, &Session::document_changed, this, &MainWindow::update_document);
+    connect(&session_, &Session::document_changed, this, &MainWindow::update_scene_banner);
+    connect(&session_, &Session::files_changed, this, &MainWindow::update_scene_banner);
     connect(&session_, &Session::experiment_selected, this, [this] {
         update_document();
-        update_scene_banner();
-        view_->setFocus();
+        update_lists();
+        update_state_banner();
     });
-    connect(&session_, &Session::picture_arrived, this, &MainWindow::show_picture);
-    connect(&session_, &Session::scene_changed, this, [this] {
+    connect(&live_, &LivePictures::composition_resolved, &scenes_, &SceneShelf::choose);
+    connect(&live_, &LivePictures::state_changed, this, [this] {
+        update_actions();
+        update_state_banner();
+        if (is_settled()) emit settled();
+    });
+    connect(&scenes_, &SceneShelf::changed, this, [this] {
+        session_.set_scene_cameras(scenes_.current() ? scenes_.current()->camera_values
+                                                     : std::vector<scene::Camera>());
         update_scene_tree();
         update_camera();
         update_experiment_panel();
     });
-    connect(&session_, &Session::state_changed, this, &MainWindow::update_state);
-    connect(&session_, &Session::progressed, this, [this](const std::string& what, double fraction) {
-        const int done = session_.committed_frames();
-        const auto* experiment = session_.experiment();
-        const int frames = experiment ? projects::effective(*experiment).frames : 1;
-        state_label_->setText(
-            frames > 1 ? tr("Rendering frame %1 of %2: %3").arg(done + 1).arg(frames).arg(text_of(what))
-                       : tr("Rendering: %1").arg(text_of(what)));
-        progress_->setValue(int((done + fraction) / frames * 1000));
-    });
     connect(&session_, &Session::message, messages_, &widgets::MessagesPanel::add);
+    connect(&live_, &LivePictures::message, messages_, &widgets::MessagesPanel::add);
+    connect(&scenes_, &SceneShelf::message, messages_, &widgets::MessagesPanel::add);
+    connect(&renderer_, &Renderer::messages_arrived, this, [this](const std::vector<Message>& messages) {
+        for (const auto& each : messages) messages_->add(each);
+    });
+    connect(&renderer_, &Renderer::exported, this,
+            [this](const std::string&, const std::string& file, const std::string& error) {
+                if (error.empty()) return status_->say(tr("Wrote %1").arg(text_of(file)));
+                messages_->add({Severity::error, "export", error});
+                banners_->show_banner(QStringLiteral("file"), widgets::BannerStack::Kind::error,
+                                      text_of(error));
+            });
     connect(&renderer_, &Renderer::ready, this,
             [this](const std::string& backend, const std::string& device) {
                 device_label_->setText(
@@ -67,6 +76,7 @@ void MainWindow::connect_session() {
             });
     connect(&renderer_, &Renderer::no_device, this, [this](const std::string& error) {
         device_label_->setText(tr("no device"));
+        messages_->add({Severity::error, "gl", error});
         banners_->show_banner(QStringLiteral("device"), widgets::BannerStack::Kind::error, text_of(error));
     });
 }
@@ -78,14 +88,12 @@ void MainWindow::connect_panels() {
     connect(panel, &ExperimentPanel::experiment_chosen, this,
             [this](const QString& chosen) { session_.select_experiment(chosen.toStdString()); });
     connect(panel, &ExperimentPanel::method_chosen, this, [this, id](const QString& method) {
-        session_.show_buffer("");
         session_.edit([&](const Project& p) {
             return edits::set_method(p, session_.registry(), id(), method.toStdString());
         });
     });
     connect(panel, &ExperimentPanel::scene_chosen, this, [this, id](const QString& scene) {
         session_.edit([&](const Project& p) { return edits::set_scene_of(p, id(), scene.toStdString()); });
-        update_scene_banner();
     });
     connect(panel, &ExperimentPanel::camera_chosen, this, &MainWindow::choose_camera);
     connect(panel, &ExperimentPanel::lights_chosen, this, [this, id](const QString& lights) {
@@ -135,7 +143,7 @@ void MainWindow::update_document() {
     pages_->setCurrentIndex(has_project ? 1 : 0);
     show_docks(has_project);
     update_title();
-    update_edit_actions();
+    update_actions();
     update_experiment_panel();
     update_camera();
     update_scene_tree();
@@ -155,30 +163,6 @@ void MainWindow::update_title() {
     setWindowModified(project.is_dirty());
 }
 
-void MainWindow::update_edit_actions() {
-    const bool open = session_.has_project(), writable = open && !session_.open_project().is_read_only();
-    const bool experiment = session_.experiment() != nullptr;
-    const auto set = [this](const char* name, bool enabled, const QString& text = {}) {
-        auto* action = actions_.value(QLatin1String(name));
-        action->setEnabled(enabled);
-        if (!text.isEmpty()) action->setText(text);
-    };
-    const auto* undo = open ? &session_.open_project().undo_stack() : nullptr;
-    set("undo", writable && undo->can_undo(),
-        undo && undo->can_undo() ? tr("&Undo: %1").arg(text_of(undo->undo_label())) : tr("&Undo"));
-    set("redo", writable && undo->can_redo(),
-        undo && undo->can_redo() ? tr("&Redo: %1").arg(text_of(undo->redo_label())) : tr("&Redo"));
-    set("save", writable && (session_.open_project().is_dirty() || session_.open_project().folder().empty()));
-    for (const char* name : {"save-as", "close"}) set(name, open);
-    set("experiment-add", writable);
-    for (const char* name : {"experiment-duplicate", "experiment-rename", "experiment-remove"})
-        set(name, writable && experiment);
-    for (const char* name :
-         {"fit", "actual", "zoom-in", "zoom-out", "grid", "marks", "brighter", "darker", "exposure-reset",
-          "buffer-main", "buffer-next", "buffer-previous", "rerun", "inspect", "orbit", "fly"})
-        set(name, open && experiment);
-}
-
 void MainWindow::update_experiment_panel() {
     const auto* experiment = session_.experiment();
     experiment_panel_->setEnabled(session_.has_project());
@@ -195,8 +179,8 @@ void MainWindow::update_experiment_panel() {
     fields.cameras = options_of(document.cameras);
     fields.cameras.insert(fields.cameras.begin(),
                           {"", tr("Scene's first camera"), tr("The first camera of the scene file")});
-    if (session_.scene())
-        for (const auto& name : session_.scene()->cameras)
+    if (const auto* scene = scenes_.current())
+        for (const auto& name : scene->cameras)
             fields.cameras.push_back({"scene:" + text_of(name), tr("%1 (in scene)").arg(text_of(name)),
                                       tr("A camera of the scene file")});
     fields.lights = options_of(document.lights);
@@ -258,34 +242,6 @@ void MainWindow::use_scene_camera(const QString& name) {
         steps.push_back(edits::set_camera_of(after, id, camera.id));
         return edits::group("Use camera " + wanted, std::move(steps));
     });
-}
-
-void MainWindow::add_experiment() {
-    const auto* method = session_.method();
-    if (!method && session_.registry().methods().empty()) return;
-    if (!method) method = session_.registry().methods().front();
-    const auto* now = session_.experiment();
-    std::string added;
-    session_.edit([&](const Project& p) {
-        const std::string scene = now ? now->scene : p.scenes.empty() ? "" : p.scenes.front().id;
-        const auto fresh = edits::new_experiment(p, session_.registry(), method->id, method->title, scene,
-                                                 now ? now->camera : "");
-        added = fresh.id;
-        return edits::add(p, fresh);
-    });
-    if (!added.empty()) session_.select_experiment(added);
-}
-
-void MainWindow::rename_experiment() {
-    const auto* experiment = session_.experiment();
-    if (!experiment) return;
-    const std::string id = experiment->id;
-    bool accepted = false;
-    const QString name = QInputDialog::getText(this, tr("Rename experiment"), tr("Name"), QLineEdit::Normal,
-                                               text_of(experiment->name), &accepted);
-    if (accepted)
-        session_.edit(
-            [&](const Project& p) { return edits::rename<projects::Experiment>(p, id, name.toStdString()); });
 }
 
 }  // namespace ir::gui

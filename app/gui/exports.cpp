@@ -1,0 +1,96 @@
+#include "app/gui/exports.h"
+
+#include <QRegularExpression>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+
+#include "renderers/core/error.h"
+#include "renderers/image/atomic_file.h"
+#include "renderers/image/exr.h"
+
+namespace ir::gui {
+namespace {
+
+void write_number(std::ostream& out, float value) {
+    if (std::isnan(value)) {
+        out << "nan";
+        return;
+    }
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    out.write(text, end - text);
+}
+
+}  // namespace
+
+void write_csv(std::ostream& out, const widgets::Picture& picture) {
+    const auto& image = *picture.image;
+    const bool tiled = !picture.atlas.tiles.empty();
+    out << (tiled ? "level,slice,x,y" : "x,y");
+    for (int c = 0; c < image.channels; ++c)
+        out << ',' << widgets::channel_name(picture.semantic, image.channels, c).toStdString();
+    out << '\n';
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const auto place = widgets::locate(picture, {x, y});
+            if (place.pixel.x() < 0) continue;  // the gap between tiles
+            if (tiled) out << place.level << ',' << place.layer << ',';
+            out << place.pixel.x() << ',' << place.pixel.y();
+            for (int c = 0; c < image.channels; ++c) {
+                out << ',';
+                write_number(out, image.at(x, y, c));
+            }
+            out << '\n';
+        }
+}
+
+std::shared_ptr<const widgets::Picture> Exports::picture() const {
+    const auto shown = workspace_.display_picture();
+    if (workspace_.active_pane().content() != widgets::ViewPane::Content::picture || !shown ||
+        !shown->has_image())
+        throw Error("the view shows no picture; choose an image or a table");
+    return shown;
+}
+
+QString Exports::suggested_name(const QString& suffix) const {
+    const auto& state = workspace_.active_state();
+    QString name = QString::fromStdString(workspace_.pictures().owner_name(state.a.owner) + "-" +
+                                          workspace_.shown_key());
+    name.replace(QRegularExpression(QStringLiteral("[^A-Za-z0-9._-]+")), QStringLiteral("-"));
+    return name + suffix;
+}
+
+void Exports::save_view(const QString& file) const {
+    const QImage image = workspace_.active_pane().snapshot(true);
+    if (image.isNull()) throw Error("the view shows nothing to save");
+    if (!image.save(file, "PNG")) throw Error(file.toStdString() + ": cannot be written");
+}
+
+void Exports::save_buffer(const QString& file) const {
+    const auto shown = picture();
+    const bool vectors = shown->semantic == Semantic::normal || shown->semantic == Semantic::position ||
+                         shown->semantic == Semantic::velocity;
+    ImageLayer layer{"", standard_channels(shown->image->channels, vectors), *shown->image};
+    write_exr(file.toStdString(), {std::move(layer)}, {{"interreflect.shown", shown->label.toStdString()}});
+}
+
+void Exports::save_values(const QString& file) const {
+    auto& pane = workspace_.active_pane();
+    if (pane.content() == widgets::ViewPane::Content::table) return pane.table().save_csv(file);
+    const auto shown = picture();
+    AtomicFile target(file.toStdString());
+    std::ofstream out(target.temporary(), std::ios::binary);
+    write_csv(out, *shown);
+    out.close();
+    if (!out) throw Error(file.toStdString() + ": cannot be written; is the disk full?");
+    target.commit();
+}
+
+void Exports::save_all_buffers(const QString& file) const {
+    const auto& owner = workspace_.active_state().a.owner;
+    if (!live_.result(owner)) throw Error("nothing has been rendered yet");
+    renderer_.export_layers({owner, file.toStdString(), {"*"}});
+}
+
+}  // namespace ir::gui

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QString>
+#include <string>
+
+#include "app/gui/workspace.h"
+
+namespace ir::gui {
+
+/// Files of what the active view shows. All throw Error with one line that names the file.
+class Exports {
+  public:
+    Exports(Session& session, LivePictures& live, Renderer& renderer, Workspace& workspace)
+        : session_(session), live_(live), renderer_(renderer), workspace_(workspace) {}
+
+    /// As seen, with labels, legend and marks.
+    void save_view(const QString& file) const;
+    /// The buffer's values as they are; for differences those, for pairs A.
+    void save_buffer(const QString& file) const;
+    /// Values of a picture (x, y, channels) or of a buffer's elements, as comma-separated lines.
+    void save_values(const QString& file) const;
+    /// All buffers that exist in one multi-layer EXR; written by the renderer, which answers with exported().
+    void save_all_buffers(const QString& file) const;
+    QString suggested_name(const QString& suffix) const;
+
+  private:
+    std::shared_ptr<const widgets::Picture> picture() const;
+    Session& session_;
+    LivePictures& live_;
+    Renderer& renderer_;
+    Workspace& workspace_;
+};
+
+/// Lines "x,y,R,G,B" of a picture, with the digits that read back as the same float; pixels without a value
+/// are empty. Atlases name level and slice first.
+void write_csv(std::ostream& out, const widgets::Picture& picture);
+
+}  // namespace ir::gui

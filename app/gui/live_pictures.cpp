@@ -1,0 +1,240 @@
+#include "app/gui/live_pictures.h"
+
+#include <algorithm>
+
+#include "app/engine/from_project.h"
+#include "app/gui/signature.h"
+#include "projects/check.h"
+#include "projects/scene_files.h"
+#include "renderers/core/error.h"
+
+namespace ir::gui {
+namespace {
+
+/// Below this part of the work an estimate of the rest is a guess.
+constexpr double least_known = 0.03;
+
+engine::Experiment with_pose(engine::Experiment experiment, const widgets::CameraPose& pose) {
+    scene::Camera camera;
+    camera.eye = pose.eye;
+    camera.target = pose.target;
+    camera.up = pose.up;
+    camera.fov_y = float(glm::radians(pose.fov_y_degrees));
+    camera.orthographic = pose.orthographic;
+    camera.height = float(pose.height);
+    experiment.camera = camera;
+    return experiment;
+}
+
+std::string text_of(const Want& want) {
+    std::string text;
+    for (const auto& part : want.parts)
+        text += part.key + '/' + std::to_string(part.level) + '/' + std::to_string(part.layer) + '\n';
+    for (const auto* keys : {&want.buffers, &want.kept}) {
+        text += '|';
+        for (const auto& key : *keys) text += key + '\n';
+    }
+    text += '|' + std::to_string(want.inspection.x) + ' ' + std::to_string(want.inspection.y);
+    for (const auto& [key, item] : want.inspection.chosen) text += ' ' + key + '=' + std::to_string(item);
+    return text + (want.thumbnails ? "|thumbnails" : "");
+}
+
+}  // namespace
+
+LivePictures::LivePictures(Session& session, Renderer& renderer, ImageLoader& images, QObject* parent)
+    : QObject(parent), session_(session), renderer_(renderer), images_(images) {
+    connect(&renderer_, &Renderer::result_arrived, this, &LivePictures::on_result);
+    connect(&renderer_, &Renderer::failed, this, &LivePictures::on_failure);
+    connect(&renderer_, &Renderer::progressed, this, &LivePictures::on_progress);
+    connect(&renderer_, &Renderer::no_device, this, [this](const std::string& error) {
+        for (auto& [id, entry] : entries_) set_state(id, entry, State::failed, error);
+    });
+    for (const auto signal : {&Session::document_changed, &Session::camera_moved})
+        connect(&session_, signal, this, qOverload<>(&LivePictures::update));
+    connect(&session_, &Session::project_replaced, this, [this] { set_wants({}); });
+    connect(&images_, &ImageLoader::arrived, this, qOverload<>(&LivePictures::update));
+    connect(&images_, &ImageLoader::failed, this, qOverload<>(&LivePictures::update));
+}
+
+void LivePictures::set_wants(std::map<std::string, Want> wants) {
+    for (auto it = entries_.begin(); it != entries_.end();) {
+        if (wants.count(it->first)) {
+            ++it;
+            continue;
+        }
+        const auto id = it->first;
+        const bool was_busy = it->second.state == State::rendering;
+        renderer_.release(id);
+        it = entries_.erase(it);
+        if (was_busy) emit state_changed(id);
+    }
+    for (auto& [id, want] : wants) entries_[id].want = std::move(want);
+    update();
+}
+
+void LivePictures::update() {
+    std::vector<std::string> ids;  // answers may change the entries while they are gone through
+    for (const auto& [id, entry] : entries_) ids.push_back(id);
+    for (const auto& id : ids)
+        if (const auto found = entries_.find(id); found != entries_.end()) update(id, found->second);
+}
+
+void LivePictures::update(const std::string& id, Entry& entry) {
+    const auto* chosen = session_.experiment(id);
+    if (!chosen) return;
+    try {
+        const auto reason = projects::why_not_runnable(session_.document(), *chosen, session_.registry(),
+                                                       session_.open_project().folder());
+        if (!reason.empty()) throw Error(reason);
+        auto wanted = resolved(*chosen);
+        if (!wanted) return set_state(id, entry, State::rendering);
+        if (session_.experiment()->id == id) emit composition_resolved(wanted->composition());
+        if (const auto pose = session_.moved_pose(id)) wanted = with_pose(std::move(*wanted), *pose);
+        const auto text = signature(*wanted) + "\n" + text_of(entry.want);
+        if (text == entry.signature) return;
+        entry.signature = text;
+        send(id, entry, *wanted);
+    } catch (const std::exception& error) {
+        entry.signature.clear();
+        renderer_.cancel(id);
+        set_state(id, entry, State::blocked, error.what());
+    }
+}
+
+std::optional<engine::Experiment> LivePictures::resolved(const projects::Experiment& chosen) {
+    using Kind = projects::Environment::Kind;
+    const auto& document = session_.document();
+    const auto& folder = session_.open_project().folder();
+    const auto* lights = projects::find_item(document.lights, projects::effective(chosen).lights);
+    if (!lights || lights->environment.kind != Kind::map)
+        return engine::from_project(document, chosen, folder);
+    const auto file = projects::resolve(lights->environment.source, folder);
+    const auto map = images_.get(file);
+    if (!map) {
+        if (const auto error = images_.error(file); !error.empty()) throw Error(error);
+        return {};
+    }
+    projects::Project without = document;  // the map is here already and not to be read again
+    projects::find_item(without.lights, lights->id)->environment.kind = Kind::scene;
+    auto wanted = engine::from_project(without, chosen, folder);
+    wanted.environment =
+        scene::Environment{glm::vec3(0), std::shared_ptr<const Image>(map, &map->front().image)};
+    return wanted;
+}
+
+void LivePictures::send(const std::string& id, Entry& entry, const engine::Experiment& experiment) {
+    engine::LiveRequest request;
+    request.tag = id;
+    request.experiment = experiment;
+    request.parts.assign(entry.want.parts.begin(), entry.want.parts.end());
+    request.buffers.assign(entry.want.buffers.begin(), entry.want.buffers.end());
+    request.kept.assign(entry.want.kept.begin(), entry.want.kept.end());
+    request.inspection = entry.want.inspection;
+    request.thumbnails = entry.want.thumbnails;
+    entry.serial = renderer_.request(std::move(request));
+    entry.fraction = 0;
+    entry.doing.clear();
+    entry.since.start();
+    set_state(id, entry, State::rendering);
+}
+
+void LivePictures::set_state(const std::string& id, Entry& entry, State state, const std::string& text) {
+    entry.state = state;
+    entry.text = text;
+    emit state_changed(id);
+}
+
+void LivePictures::on_result(std::shared_ptr<const engine::LiveResult> result) {
+    const auto found = entries_.find(result->tag);
+    if (found == entries_.end() || found->second.state == State::blocked) return;
+    auto& entry = found->second;
+    const auto id = found->first;
+    entry.result = result;
+    entry.fraction = result->frames > 0 ? double(result->frame) / result->frames : 1;
+    const bool done = result->serial == entry.serial && result->finished;
+    for (const auto& each : result->report.messages) emit message(each);
+    emit picture_arrived(id);
+    // Whoever heard of the picture may want something else by now.
+    if (const auto now = entries_.find(id);
+        done && now != entries_.end() && now->second.result == result && now->second.serial == result->serial)
+        set_state(id, now->second, State::done);
+}
+
+void LivePictures::on_failure(const std::string& tag, const std::string& error, bool cancelled) {
+    const auto found = entries_.find(tag);
+    if (found == entries_.end()) return;
+    if (!cancelled) emit message({Severity::error, "render", error});
+    set_state(tag, found->second, cancelled ? State::cancelled : State::failed,
+              cancelled ? std::string() : error);
+}
+
+void LivePictures::on_progress(const std::string& tag, const std::string& what, double fraction) {
+    const auto found = entries_.find(tag);
+    if (found == entries_.end() || found->second.state != State::rendering) return;
+    auto& entry = found->second;
+    const auto* result = entry.result && entry.result->serial == entry.serial ? entry.result.get() : nullptr;
+    const auto* chosen = session_.experiment(tag);
+    const int frames = chosen ? std::max(1, projects::effective(*chosen).frames) : 1;
+    entry.fraction = ((result ? result->frame : 0) + fraction) / frames;
+    entry.doing = what;
+    emit progressed(tag);
+}
+
+const LivePictures::Entry* LivePictures::find(const std::string& id) const {
+    const auto found = entries_.find(id);
+    return found == entries_.end() ? nullptr : &found->second;
+}
+
+LivePictures::State LivePictures::state(const std::string& id) const {
+    const auto* entry = find(id);
+    return entry ? entry->state : State::absent;
+}
+
+const std::string& LivePictures::text(const std::string& id) const {
+    static const std::string none;
+    const auto* entry = find(id);
+    return entry ? entry->text : none;
+}
+
+std::shared_ptr<const engine::LiveResult> LivePictures::result(const std::string& id) const {
+    const auto* entry = find(id);
+    return entry ? entry->result : nullptr;
+}
+
+double LivePictures::progress(const std::string& id) const {
+    const auto* entry = find(id);
+    return entry ? entry->fraction : 0;
+}
+
+QString LivePictures::doing(const std::string& id) const {
+    const auto* entry = find(id);
+    return entry ? QString::fromStdString(entry->doing) : QString();
+}
+
+std::optional<double> LivePictures::seconds_left(const std::string& id) const {
+    const auto* entry = find(id);
+    if (!entry || entry->state != State::rendering || entry->fraction < least_known) return {};
+    const double seconds = double(entry->since.elapsed()) / 1000;
+    return seconds * (1 - entry->fraction) / entry->fraction;
+}
+
+std::vector<std::string> LivePictures::rendering() const {
+    std::vector<std::string> ids;
+    for (const auto& [id, entry] : entries_)
+        if (entry.state == State::rendering) ids.push_back(id);
+    return ids;
+}
+
+void LivePictures::cancel() {
+    for (const auto& id : rendering()) renderer_.cancel(id);
+}
+
+void LivePictures::render_again() {
+    for (auto& [id, entry] : entries_) {
+        renderer_.release(id);  // nothing of the old run is taken over
+        entry.signature.clear();
+    }
+    update();
+}
+
+}  // namespace ir::gui

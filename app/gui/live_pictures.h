@@ -1,0 +1,86 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "app/gui/image_loader.h"
+#include "app/gui/renderer.h"
+#include "app/gui/session.h"
+
+namespace ir::gui {
+
+/// What somebody looks at of one experiment.
+struct Want {
+    std::set<engine::Part> parts;         ///< images
+    std::set<std::string> buffers, kept;  ///< sent as they are; computed for 3D views
+    Inspection inspection;
+    bool thumbnails = false;
+    bool operator==(const Want&) const = default;
+};
+
+/// The pictures of the experiments that are looked at: turns the document and what is wanted into requests,
+/// of which the newest wins, and keeps the newest answers.
+class LivePictures : public QObject {
+    Q_OBJECT
+  public:
+    enum class State { absent, blocked, rendering, done, cancelled, failed };
+
+    LivePictures(Session& session, Renderer& renderer, ImageLoader& images, QObject* parent = nullptr);
+
+    /// By experiment id. Experiments that nobody wants any more are released.
+    void set_wants(std::map<std::string, Want> wants);
+
+    State state(const std::string& id) const;
+    const std::string& text(const std::string& id) const;                           ///< why blocked or failed
+    std::shared_ptr<const engine::LiveResult> result(const std::string& id) const;  ///< may be null
+    /// Of the experiment's whole run, 0 … 1, and what is being done.
+    double progress(const std::string& id) const;
+    QString doing(const std::string& id) const;
+    /// Estimated from what is done; absent while that says nothing.
+    std::optional<double> seconds_left(const std::string& id) const;
+    std::vector<std::string> rendering() const;
+    bool is_settled() const { return rendering().empty(); }
+
+    void cancel();
+    void render_again();  ///< everything that is wanted
+    void update();        ///< asks again where the document or the camera has changed
+
+  signals:
+    void picture_arrived(const std::string& id);
+    void state_changed(const std::string& id);
+    void progressed(const std::string& id);
+    void message(const ir::Message& message);
+    /// The composition of the experiment that is worked on, whenever it is resolved.
+    void composition_resolved(const std::vector<ir::scene::Part>& parts);
+
+  private:
+    struct Entry {
+        Want want;
+        std::string signature, text, doing;
+        State state = State::absent;
+        std::uint64_t serial = 0;
+        double fraction = 0;
+        QElapsedTimer since;
+        std::shared_ptr<const engine::LiveResult> result;
+    };
+    void update(const std::string& id, Entry& entry);
+    std::optional<engine::Experiment> resolved(const projects::Experiment& chosen);
+    void send(const std::string& id, Entry& entry, const engine::Experiment& experiment);
+    void set_state(const std::string& id, Entry& entry, State state, const std::string& text = {});
+    void on_result(std::shared_ptr<const engine::LiveResult> result);
+    void on_failure(const std::string& tag, const std::string& error, bool cancelled);
+    void on_progress(const std::string& tag, const std::string& what, double fraction);
+    const Entry* find(const std::string& id) const;
+
+    Session& session_;
+    Renderer& renderer_;
+    ImageLoader& images_;
+    std::map<std::string, Entry> entries_;
+};
+
+}  // namespace ir::gui

@@ -1,0 +1,269 @@
+#include "app/gui/picture_source.h"
+
+#include <algorithm>
+
+#include "projects/scene_files.h"
+#include "projects/settings.h"
+#include "renderers/core/transport.h"
+#include "widgets/views/view_header.h"
+
+namespace ir::gui {
+namespace {
+
+using widgets::OutputOption;
+using widgets::Picture;
+using widgets::ViewSource;
+
+QString tr(const char* text) {
+    return QObject::tr(text);
+}
+
+QString text_of(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+OutputOption option_of(const ResourceReport& resource) {
+    OutputOption option;
+    option.key = resource.key;
+    option.label = text_of(resource.label.empty() ? resource.key : resource.label);
+    option.group = resource.is_output ? tr("Outputs") : text_of(resource.pass);
+    option.doc = text_of(resource.doc);
+    option.kind = resource.kind;
+    option.levels = std::max(1, resource.levels);
+    option.layers = std::max(1, resource.layers);
+    return option;
+}
+
+OutputOption option_of(const OutputDescription& output) {
+    OutputOption option;
+    option.key = output.key;
+    option.label = text_of(output.label);
+    option.group = tr("Outputs");
+    option.doc = text_of(output.doc);
+    option.kind = output.kind;
+    return option;
+}
+
+std::vector<OutputOption> options_of_file(const std::vector<ImageLayer>& layers) {
+    std::vector<OutputOption> options;
+    for (const auto& layer : layers) {
+        OutputOption option;
+        option.key = layer.name;
+        option.label = layer.name.empty() ? tr("Image") : text_of(layer.name);
+        option.group = tr("Layers");
+        options.push_back(option);
+    }
+    return options;
+}
+
+QString why_no_picture(const ResourceReport* resource, const std::string& key) {
+    if (!resource) return tr("This method has no buffer “%1”.").arg(text_of(key));
+    if (!resource->available)
+        return resource->explains ? tr("“%1” explains a pixel: Shift-click one, or press H over it.")
+                                        .arg(text_of(resource->label))
+                                  : tr("“%1” has not been computed.").arg(text_of(resource->label));
+    return tr("“%1” holds a %2, which has no picture.")
+        .arg(text_of(resource->label), text_of(to_string(resource->kind)));
+}
+
+bool same(const Picture& a, const Picture& b) {
+    return a.image == b.image && a.valid == b.valid && a.note == b.note && a.label == b.label &&
+           a.stale == b.stale && a.unit == b.unit && a.atlas.tiles == b.atlas.tiles;
+}
+
+}  // namespace
+
+const ResourceReport* find_resource(const FrameReport& report, const std::string& key) {
+    const auto found = std::find_if(report.resources.begin(), report.resources.end(),
+                                    [&](const auto& resource) { return resource.key == key; });
+    return found == report.resources.end() ? nullptr : &*found;
+}
+
+const projects::ForeignImage* PictureSource::foreign(const std::string& owner) const {
+    if (owner.rfind("image:", 0) != 0 || !session_.has_project()) return nullptr;
+    return projects::find_item(session_.document().images, owner.substr(6));
+}
+
+std::vector<widgets::Option> PictureSource::owners() const {
+    std::vector<widgets::Option> options;
+    if (!session_.has_project()) return options;
+    for (const auto& each : session_.document().experiments)
+        options.push_back(
+            {text_of(each.id), text_of(each.name.empty() ? each.id : each.name), text_of(each.method)});
+    for (const auto& each : session_.document().images)
+        options.push_back({text_of("image:" + each.id), text_of(each.name.empty() ? each.id : each.name),
+                           text_of(each.source + (each.notes.empty() ? "" : "\n" + each.notes))});
+    return options;
+}
+
+bool PictureSource::has_owner(const std::string& owner) const {
+    return session_.experiment(owner) || foreign(owner);
+}
+
+std::string PictureSource::owner_name(const std::string& owner) const {
+    if (const auto* experiment = session_.experiment(owner))
+        return experiment->name.empty() ? experiment->id : experiment->name;
+    if (const auto* image = foreign(owner)) return image->name.empty() ? image->id : image->name;
+    return owner;
+}
+
+std::vector<OutputOption> PictureSource::outputs(const std::string& owner) const {
+    std::vector<OutputOption> options;
+    if (const auto* image = foreign(owner)) {
+        const auto file = projects::resolve(image->source, session_.open_project().folder());
+        const auto layers = images_.get(file);
+        return layers ? options_of_file(*layers) : options;
+    }
+    const auto* experiment = session_.experiment(owner);
+    if (!experiment) return options;
+    const auto* method = session_.registry().find(experiment->method);
+    const auto result = live_.result(owner);
+    const auto* report = result && !result->report.resources.empty() ? &result->report : nullptr;
+    if (method)
+        for (const auto& output : method->outputs) {
+            const auto* resource = report ? find_resource(*report, output.key) : nullptr;
+            options.push_back(resource ? option_of(*resource) : option_of(output));
+        }
+    if (report)
+        for (const auto& resource : report->resources)
+            if (!resource.is_output) options.push_back(option_of(resource));
+    // One heading a group: passes may write in turns.
+    std::vector<QString> groups;
+    for (const auto& option : options)
+        if (std::find(groups.begin(), groups.end(), option.group) == groups.end())
+            groups.push_back(option.group);
+    std::stable_sort(options.begin(), options.end(), [&](const auto& a, const auto& b) {
+        return std::find(groups.begin(), groups.end(), a.group) <
+               std::find(groups.begin(), groups.end(), b.group);
+    });
+    return options;
+}
+
+const OutputOption* PictureSource::find(const std::vector<OutputOption>& outputs,
+                                        const std::string& key) const {
+    for (const auto& output : outputs)
+        if (output.key == key) return &output;
+    return key.empty() && !outputs.empty() ? &outputs.front() : nullptr;
+}
+
+std::string PictureSource::key_of(const ViewSource& source) const {
+    if (!source.output.empty() || source.is_image()) return source.output;
+    const auto* experiment = session_.experiment(source.owner);
+    const auto* method = experiment ? session_.registry().find(experiment->method) : nullptr;
+    return method && !method->outputs.empty() ? method->outputs.front().key : std::string();
+}
+
+Picture PictureSource::of_experiment(const ViewSource& source) const {
+    Picture picture;
+    const auto key = key_of(source);
+    const auto result = live_.result(source.owner);
+    const auto* resource = result ? find_resource(result->report, key) : nullptr;
+    OutputOption option;
+    option.key = key;
+    option.label = text_of(key);
+    if (resource) option = option_of(*resource);
+    const auto part = widgets::part_name(option, source.level, source.layer);
+    picture.label = QStringLiteral("%1 · %2").arg(text_of(owner_name(source.owner)), option.label) +
+                    (part.isEmpty() ? QString() : QStringLiteral(" · ") + part);
+    const auto state = live_.state(source.owner);
+    picture.stale = state == LivePictures::State::rendering;
+    if (!result) {
+        const auto& reason = live_.text(source.owner);
+        picture.note = reason.empty() ? tr("Rendering …") : text_of(reason);
+        return picture;
+    }
+    if (resource) {
+        picture.semantic = resource->semantic;
+        picture.unit = text_of(resource->unit);
+        picture.colour_map = resource->colour_map;
+    }
+    const auto found = result->images.find({source.output, source.level, source.layer});
+    if (found == result->images.end() || found->second.empty()) {
+        picture.note = picture.stale && (!resource || !resource->available) ? tr("Rendering …")
+                                                                            : why_no_picture(resource, key);
+        return picture;
+    }
+    picture.image = {result, &found->second};
+    if (result->valid.width == found->second.width && result->valid.height == found->second.height)
+        picture.valid = {result, &result->valid};
+    if (resource && (source.level == ViewSource::all || source.layer == ViewSource::all))
+        picture.atlas = make_atlas(resource->width, resource->height,
+                                   source.level == ViewSource::all ? resource->levels : 1,
+                                   source.layer == ViewSource::all ? std::max(1, resource->layers) : 1);
+    return picture;
+}
+
+Picture PictureSource::of_file(const ViewSource& source) const {
+    Picture picture;
+    const auto* image = foreign(source.owner);
+    picture.label = text_of(owner_name(source.owner));
+    if (!image) {
+        picture.note = tr("The project has no image “%1”.").arg(text_of(source.owner));
+        return picture;
+    }
+    const auto file = projects::resolve(image->source, session_.open_project().folder());
+    const auto layers = images_.get(file);
+    if (!layers) {
+        const auto error = images_.error(file);
+        picture.note = error.empty() ? tr("Reading …") : text_of(error);
+        return picture;
+    }
+    const auto found = std::find_if(layers->begin(), layers->end(),
+                                    [&](const auto& layer) { return layer.name == source.output; });
+    const auto& layer = found == layers->end() ? layers->front() : *found;
+    picture.semantic = Semantic::radiance;
+    if (!layer.name.empty()) picture.label += QStringLiteral(" · ") + text_of(layer.name);
+    picture.image = {layers, &layer.image};
+    return picture;
+}
+
+Picture PictureSource::make(const ViewSource& source) const {
+    return source.is_image() ? of_file(source) : of_experiment(source);
+}
+
+PictureSource::Entry& PictureSource::entry(const ViewSource& source) {
+    auto& entry = cache_[{source.owner, source.output, source.level, source.layer}];
+    auto made = make(source);
+    if (!entry.picture || !same(*entry.picture, made))
+        entry.picture = std::make_shared<const Picture>(std::move(made));
+    return entry;
+}
+
+std::shared_ptr<const Picture> PictureSource::picture(const ViewSource& source) {
+    return entry(source).picture;
+}
+
+widgets::Display PictureSource::automatic_display(const ViewSource& source) {
+    auto& found = entry(source);
+    const auto& picture = *found.picture;
+    if (picture.has_image() && found.measured != picture.image) {
+        found.measured = picture.image;
+        found.automatic = widgets::display_for(picture.semantic, picture.colour_map, *picture.image);
+    }
+    return found.automatic;
+}
+
+QString PictureSource::warning(const ViewSource& a, const ViewSource& b) const {
+    const auto* first = session_.experiment(a.owner);
+    const auto* second = session_.experiment(b.owner);
+    if (!first || !second || first == second) return {};
+    const auto* method_a = session_.registry().find(first->method);
+    const auto* method_b = session_.registry().find(second->method);
+    if (!method_a || !method_b) return {};
+    const auto values_a = projects::runnable_settings(*first, *method_a);
+    const auto values_b = projects::runnable_settings(*second, *method_b);
+    QStringList different;
+    for (const auto& [key, value] : values_a) {
+        if (!is_transport_key(key)) continue;
+        const auto other = values_b.find(key);
+        if (other != values_b.end() && other->second != value)
+            different << QStringLiteral("%1 %2 / %3")
+                             .arg(text_of(key), text_of(to_string(value)), text_of(to_string(other->second)));
+    }
+    if (first->scene != second->scene) different << tr("scene");
+    return different.isEmpty()
+               ? QString()
+               : tr("A and B do not compute the same: %1").arg(different.join(QStringLiteral(", ")));
+}
+
+}  // namespace ir::gui

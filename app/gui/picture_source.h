@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "app/gui/live_pictures.h"
+#include "widgets/views/view_state.h"
+
+namespace ir::gui {
+
+/// Turns what a view asks for into what can be shown: pictures of running experiments and of files. Equal
+/// questions get the same object while its content is the same.
+class PictureSource {
+  public:
+    PictureSource(Session& session, LivePictures& live, ImageLoader& images)
+        : session_(session), live_(live), images_(images) {}
+
+    std::vector<widgets::Option> owners() const;
+    bool has_owner(const std::string& owner) const;
+    std::string owner_name(const std::string& owner) const;
+    /// The method's outputs first, then its buffers by pass; the layers of a file.
+    std::vector<widgets::OutputOption> outputs(const std::string& owner) const;
+    /// Null when the owner has no such output.
+    const widgets::OutputOption* find(const std::vector<widgets::OutputOption>& outputs,
+                                      const std::string& key) const;
+    /// Key of the resource behind a source: the main result has one, too.
+    std::string key_of(const widgets::ViewSource& source) const;
+
+    std::shared_ptr<const widgets::Picture> picture(const widgets::ViewSource& source);
+    /// How it is shown when nobody chose: by its meaning and its values.
+    widgets::Display automatic_display(const widgets::ViewSource& source);
+    /// What a user should know before comparing: transports that differ. Empty: nothing.
+    QString warning(const widgets::ViewSource& a, const widgets::ViewSource& b) const;
+    void clear() { cache_.clear(); }
+
+  private:
+    struct Entry {
+        std::shared_ptr<const widgets::Picture> picture;
+        std::shared_ptr<const Image> measured;  ///< the image that `automatic` is for
+        widgets::Display automatic;
+    };
+    using Key = std::tuple<std::string, std::string, int, int>;
+    Entry& entry(const widgets::ViewSource& source);
+    widgets::Picture make(const widgets::ViewSource& source) const;
+    widgets::Picture of_experiment(const widgets::ViewSource& source) const;
+    widgets::Picture of_file(const widgets::ViewSource& source) const;
+    const projects::ForeignImage* foreign(const std::string& owner) const;
+
+    Session& session_;
+    LivePictures& live_;
+    ImageLoader& images_;
+    std::map<Key, Entry> cache_;
+};
+
+const ResourceReport* find_resource(const FrameReport& report, const std::string& key);
+
+}  // namespace ir::gui

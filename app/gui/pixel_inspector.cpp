@@ -1,0 +1,280 @@
+#include "app/gui/pixel_inspector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/gui/json_fields.h"
+
+namespace ir::gui {
+namespace {
+
+constexpr std::size_t most_pins = 16;
+constexpr int probe_patience_ms = 500;
+
+QString text_of(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+/// World positions, where some image of three or four channels means them.
+std::vector<std::array<float, 3>> positions_of(const engine::ProbeResult& result) {
+    std::vector<std::array<float, 3>> positions;
+    for (const auto& row : result.rows) {
+        if (row.semantic != Semantic::position || !row.available || row.channels < 3) continue;
+        for (const auto& values : row.values)
+            positions.push_back(values.size() < 3 ? std::array<float, 3>{NAN, NAN, NAN}
+                                                  : std::array<float, 3>{values[0], values[1], values[2]});
+        break;
+    }
+    return positions;
+}
+
+}  // namespace
+
+PixelInspector::PixelInspector(Session& session, LivePictures& live, Renderer& renderer, Workspace& workspace)
+    : session_(session),
+      live_(live),
+      renderer_(renderer),
+      workspace_(workspace),
+      panel_(new widgets::InspectorPanel),
+      explain_(new widgets::ExplainPanel) {
+    connect(&workspace_, &Workspace::cursor_moved, this, [this](QPoint pixel) {
+        cursor_ = pixel;
+        ask();
+    });
+    connect(&workspace_, &Workspace::picked, this, [this](QPoint pixel) { marked_ = pixel; });
+    connect(&workspace_, &Workspace::explain_wanted, this, &PixelInspector::explain);
+    connect(&workspace_, &Workspace::active_changed, this, &PixelInspector::update);
+    connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
+        if (id == experiment()) update();
+    });
+    connect(&renderer_, &Renderer::probe_arrived, this, &PixelInspector::on_probe);
+    using Panel = widgets::InspectorPanel;
+    connect(panel_, &Panel::pin_wanted, this, &PixelInspector::pin);
+    connect(panel_, &Panel::pin_removed, this, [this](int number) {
+        if (number < 0 || number >= int(pins_.size())) return;
+        pins_.erase(pins_.begin() + number);
+        emit pins_changed();
+        update();
+    });
+    connect(panel_, &Panel::pins_cleared, this, [this] {
+        pins_.clear();
+        emit pins_changed();
+        update();
+    });
+    connect(panel_, &Panel::explain_wanted, this, &PixelInspector::explain);
+    connect(panel_, &Panel::show_wanted, this,
+            [this](const QString& key) { workspace_.show_output(key.toStdString()); });
+    connect(panel_, &Panel::compute_wanted, this, [this](const QString& key) {
+        computed_.insert(key.toStdString());
+        send_wants();
+    });
+    connect(panel_, &Panel::compute_all_chosen, this, [this](bool on) {
+        compute_all_ = on;
+        send_wants();
+    });
+    using Explain = widgets::ExplainPanel;
+    connect(explain_, &Explain::show_wanted, this,
+            [this](const QString& key) { workspace_.show_output(key.toStdString()); });
+    connect(explain_, &Explain::pixel_cleared, this, &PixelInspector::explain_nothing);
+    connect(explain_, &Explain::item_chosen, this, [this](const QString& selector, int item) {
+        auto now = workspace_.inspection(experiment());
+        now.chosen[selector.toStdString()] = item;
+        workspace_.set_inspection(experiment(), now);
+        update_explain();
+    });
+}
+
+std::string PixelInspector::experiment() const {
+    const auto& owner = workspace_.active_state().a.owner;
+    return session_.experiment(owner) ? owner : std::string();
+}
+
+std::optional<QPoint> PixelInspector::explained() const {
+    const auto& now = workspace_.inspection(experiment());
+    return now.has_pixel() ? std::optional(QPoint(now.x, now.y)) : std::nullopt;
+}
+
+void PixelInspector::set_visible(bool inspector, bool explain) {
+    inspector_shown_ = inspector;
+    explain_shown_ = explain;
+    send_wants();
+    update();
+}
+
+void PixelInspector::set_thumbnails_wanted(bool wanted) {
+    thumbnails_ = wanted;
+    send_wants();
+}
+
+void PixelInspector::send_wants() {
+    std::map<std::string, Want> wants;
+    if (const auto id = experiment(); !id.empty()) {
+        auto& want = wants[id];
+        want.thumbnails = thumbnails_;
+        if (inspector_shown_) {
+            want.kept = computed_;
+            if (compute_all_) want.kept.insert("*");
+        }
+        if (explain_shown_ || open_explanation_)
+            if (explained())
+                for (const auto& key : explaining_keys(false)) want.kept.insert(key);
+    }
+    workspace_.set_panel_wants(std::move(wants));
+}
+
+std::vector<std::string> PixelInspector::explaining_keys(bool spatial) const {
+    std::vector<std::string> keys;
+    const auto* chosen = session_.experiment(experiment());
+    const auto* method = chosen ? session_.registry().find(chosen->method) : nullptr;
+    if (!method) return keys;
+    for (const auto& output : method->outputs) {
+        if (!output.explains) continue;
+        const bool drawn = widgets::is_spatial(output.kind) && output.kind != OutputKind::sphere_values;
+        if (!spatial || drawn) keys.push_back(output.key);
+    }
+    return keys;
+}
+
+void PixelInspector::pin(QPoint pixel) {
+    if (pixel.x() < 0 || std::find(pins_.begin(), pins_.end(), pixel) != pins_.end()) return;
+    if (pins_.size() >= most_pins) pins_.erase(pins_.begin());
+    pins_.push_back(pixel);
+    emit pins_changed();
+    update();
+}
+
+void PixelInspector::pin_cursor() {
+    pin(cursor_.x() >= 0 ? cursor_ : marked_);
+}
+
+void PixelInspector::explain(QPoint pixel) {
+    if (pixel.x() < 0 || experiment().empty()) return;
+    auto now = workspace_.inspection(experiment());
+    now.x = pixel.x();
+    now.y = pixel.y();
+    open_explanation_ = !explaining_keys(true).empty();
+    workspace_.set_inspection(experiment(), now);
+    send_wants();
+    update_explain();
+    show_everything();
+}
+
+void PixelInspector::explain_cursor() {
+    explain(cursor_.x() >= 0 ? cursor_ : marked_);
+}
+
+void PixelInspector::explain_nothing() {
+    auto now = workspace_.inspection(experiment());
+    now.x = now.y = -1;
+    workspace_.set_inspection(experiment(), now);
+    send_wants();
+    update_explain();
+}
+
+/// Once its buffers are there, an explanation is drawn over the scene.
+void PixelInspector::show_everything() {
+    if (!open_explanation_) return;
+    const auto result = live_.result(experiment());
+    const auto pixel = explained();
+    if (!result || !pixel || result->inspection.x != pixel->x() || result->inspection.y != pixel->y()) return;
+    std::vector<std::string> keys;
+    for (const auto& key : explaining_keys(true))
+        if (const auto* resource = find_resource(result->report, key); resource && resource->available)
+            keys.push_back(key);
+    if (keys.empty()) return;
+    open_explanation_ = false;
+    workspace_.show_in_space(experiment(), keys);
+}
+
+void PixelInspector::update() {
+    panel_->set_pins(pins_);
+    send_wants();
+    update_explain();
+    show_everything();
+    ask();
+}
+
+void PixelInspector::update_explain() {
+    std::vector<widgets::ExplainOutput> outputs;
+    std::vector<widgets::ExplainSelector> selectors;
+    const auto id = experiment();
+    const auto* chosen = session_.experiment(id);
+    const auto* method = chosen ? session_.registry().find(chosen->method) : nullptr;
+    const auto result = live_.result(id);
+    if (method) {
+        for (const auto& output : method->outputs) {
+            if (!output.explains) continue;
+            const auto* resource = result ? find_resource(result->report, output.key) : nullptr;
+            const bool available = resource && resource->available;
+            const bool counted = available && resource->width == 0;
+            outputs.push_back({output.key, text_of(output.label), text_of(to_string(output.kind)),
+                               text_of(output.doc), counted ? qint64(resource->elements) : -1, available});
+        }
+        for (const auto& each : workspace_.selectors(id))
+            selectors.push_back({each.key, text_of(each.label), text_of(each.doc), each.count, each.item});
+    }
+    explain_->set_content(explained(), outputs, selectors);
+}
+
+void PixelInspector::ask() {
+    const auto id = experiment();
+    if (!inspector_shown_ || id.empty() || !live_.result(id)) return;
+    // An execution that is gone never answers.
+    if (asked_ && asked_since_.elapsed() < probe_patience_ms) {
+        ask_again_ = true;
+        return;
+    }
+    engine::ProbeRequest request;
+    request.tag = id;
+    if (cursor_.x() >= 0) request.pixels.push_back({cursor_.x(), cursor_.y()});
+    for (const auto& pin : pins_) request.pixels.push_back({pin.x(), pin.y()});
+    asked_ = true;
+    asked_since_.start();
+    renderer_.probe(std::move(request));
+}
+
+void PixelInspector::on_probe(std::shared_ptr<const engine::ProbeResult> result) {
+    asked_ = false;
+    if (result->tag == experiment()) {
+        widgets::Readings readings;
+        for (const auto& pixel : result->pixels) readings.pixels.push_back({pixel.x, pixel.y});
+        if (cursor_.x() >= 0 && !readings.pixels.empty()) readings.cursor = readings.pixels.front();
+        readings.world = positions_of(*result);
+        const auto frame = live_.result(result->tag);
+        for (const auto& row : result->rows) {
+            const auto* resource = frame ? find_resource(frame->report, row.key) : nullptr;
+            readings.buffers.push_back({row.key, text_of(row.label), text_of(row.unit),
+                                        resource ? text_of(resource->doc) : QString(),
+                                        resource ? text_of(resource->pass) : QString(), row.semantic,
+                                        resource && resource->is_output, row.available, row.channels,
+                                        row.values});
+        }
+        panel_->set_readings(std::move(readings));
+    }
+    if (std::exchange(ask_again_, false)) ask();
+}
+
+void PixelInspector::save(projects::Json& memory) const {
+    auto& pins = memory["pins"] = projects::Json::array();
+    for (const auto& pin : pins_) pins.push_back({pin.x(), pin.y()});
+    memory["compute_all"] = compute_all_;
+}
+
+void PixelInspector::load(const projects::Json& memory) {
+    pins_.clear();
+    computed_.clear();
+    cursor_ = marked_ = {-1, -1};
+    asked_ = ask_again_ = open_explanation_ = false;
+    for (const auto& pin : member_or_null(memory, "pins"))
+        if (pin.is_array() && pin.size() == 2 && pin[0].is_number_integer() && pin[1].is_number_integer() &&
+            pins_.size() < most_pins)
+            pins_.push_back(
+                {std::clamp(pin[0].get<int>(), 0, 65535), std::clamp(pin[1].get<int>(), 0, 65535)});
+    compute_all_ = field_or(memory, "compute_all", false);
+    panel_->set_compute_all(compute_all_);
+    emit pins_changed();
+    update();
+}
+
+}  // namespace ir::gui

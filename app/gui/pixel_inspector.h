@@ -1,0 +1,72 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QPoint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/gui/workspace.h"
+#include "widgets/inspect/explain_panel.h"
+#include "widgets/inspect/inspector_panel.h"
+
+namespace ir::gui {
+
+/// The pixel under the cursor, pinned pixels, and the pixel that is explained: asks the renderer for values
+/// and for the method's explanations, and fills the panels with the answers.
+class PixelInspector : public QObject {
+    Q_OBJECT
+  public:
+    PixelInspector(Session& session, LivePictures& live, Renderer& renderer, Workspace& workspace);
+
+    widgets::InspectorPanel& panel() { return *panel_; }
+    widgets::ExplainPanel& explain_panel() { return *explain_; }
+
+    /// Panels that are not seen ask for nothing.
+    void set_visible(bool inspector, bool explain);
+    void set_thumbnails_wanted(bool wanted);
+    void pin(QPoint pixel);
+    void pin_cursor();
+    void explain(QPoint pixel);
+    void explain_cursor();  ///< the pixel under the cursor, else the marked one
+    void explain_nothing();
+    const std::vector<QPoint>& pins() const { return pins_; }
+    /// The explained pixel of the active experiment.
+    std::optional<QPoint> explained() const;
+
+    void save(projects::Json& memory) const;
+    void load(const projects::Json& memory);
+
+  signals:
+    void pins_changed();
+
+  private:
+    void update();
+    void update_explain();
+    void ask();
+    void send_wants();
+    void on_probe(std::shared_ptr<const engine::ProbeResult> result);
+    void show_everything();
+    std::string experiment() const;  ///< of the active view; empty: none
+    std::vector<std::string> explaining_keys(bool spatial) const;
+
+    Session& session_;
+    LivePictures& live_;
+    Renderer& renderer_;
+    Workspace& workspace_;
+    widgets::InspectorPanel* panel_;
+    widgets::ExplainPanel* explain_;
+    QPoint cursor_{-1, -1}, marked_{-1, -1};
+    std::vector<QPoint> pins_;
+    std::set<std::string> computed_;  ///< buffers asked for one by one
+    bool compute_all_ = false, thumbnails_ = false, inspector_shown_ = false, explain_shown_ = false;
+    bool asked_ = false, ask_again_ = false;  ///< one probe at a time
+    QElapsedTimer asked_since_;
+    bool open_explanation_ = false;  ///< show it in space when its buffers are there
+};
+
+}  // namespace ir::gui

@@ -1,0 +1,43 @@
+#include "app/gui/scene_shelf.h"
+
+namespace ir::gui {
+namespace {
+
+constexpr std::size_t most_kept = 8;
+
+}  // namespace
+
+SceneShelf::SceneShelf(Renderer& renderer) : renderer_(renderer) {
+    connect(&renderer_, &Renderer::scene_arrived, this, [this](const engine::SceneSummary& scene) {
+        if (scenes_.size() >= most_kept) scenes_.clear();
+        scenes_[scene.composition_key] = scene;
+        for (const auto& warning : scene.warnings) emit message({Severity::warning, "scene", warning});
+        if (scene.composition_key == key_) emit changed();
+    });
+    connect(&renderer_, &Renderer::failed, this,
+            [this](const std::string& tag, const std::string& error, bool cancelled) {
+                if (tag == "scene" && !cancelled) emit message({Severity::error, "scene", error});
+            });
+}
+
+void SceneShelf::choose(const std::vector<scene::Part>& parts) {
+    const auto key = scene::composition_key(parts);
+    if (key == key_) return;
+    key_ = key;
+    parts_ = parts;
+    if (!current()) renderer_.load_scene(parts);
+    emit changed();
+}
+
+void SceneShelf::clear() {
+    key_.clear();
+    parts_.clear();
+    emit changed();
+}
+
+const engine::SceneSummary* SceneShelf::current() const {
+    const auto found = scenes_.find(key_);
+    return found == scenes_.end() ? nullptr : &found->second;
+}
+
+}  // namespace ir::gui

@@ -1,0 +1,134 @@
+#include "app/gui/status_line.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QTimer>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/models/report_rows.h"
+#include "widgets/style/icons.h"
+
+namespace ir::gui {
+namespace {
+
+constexpr int said_ms = 4000;
+
+QString text_of(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+}  // namespace
+
+QString duration_text(double seconds) {
+    const auto whole = std::llround(std::max(0.0, seconds));
+    if (whole < 60) return QObject::tr("%1 s").arg(whole);
+    const auto two = [](long long n) { return QStringLiteral("%1").arg(n, 2, 10, QLatin1Char('0')); };
+    if (whole < 3600) return QObject::tr("%1:%2 min").arg(whole / 60).arg(two(whole % 60));
+    return QObject::tr("%1:%2 h").arg(whole / 3600).arg(two(whole / 60 % 60));
+}
+
+StatusLine::StatusLine(Session& session, LivePictures& live, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      live_(live),
+      state_(new QLabel(this)),
+      progress_(new QProgressBar(this)),
+      cancel_(new QToolButton(this)) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(4, 0, 4, 0);
+    state_->setObjectName(QStringLiteral("state"));
+    state_->setMinimumWidth(1);
+    progress_->setRange(0, 1000);
+    progress_->setMaximumWidth(180);
+    progress_->setMaximumHeight(14);
+    progress_->setTextVisible(false);
+    cancel_->setIcon(widgets::icon("cancel"));
+    cancel_->setAutoRaise(true);
+    cancel_->setToolTip(tr("Cancel rendering (Esc)"));
+    cancel_->setAccessibleName(tr("Cancel rendering"));
+    row->addWidget(state_, 1);
+    row->addWidget(progress_);
+    row->addWidget(cancel_);
+    connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancel_wanted);
+    connect(&live_, &LivePictures::state_changed, this, &StatusLine::update_text);
+    connect(&live_, &LivePictures::progressed, this, &StatusLine::update_text);
+    connect(&session_, &Session::experiment_selected, this, &StatusLine::update_text);
+    connect(&session_, &Session::project_replaced, this, &StatusLine::update_text);
+    update_text();
+}
+
+void StatusLine::say(const QString& text) {
+    saying_ = text;
+    said_.start();
+    QTimer::singleShot(said_ms, this, [this] {
+        if (said_.elapsed() >= said_ms) saying_.clear();
+        update_text();
+    });
+    update_text();
+}
+
+QString StatusLine::text_of_rendering(const std::vector<std::string>& ids) const {
+    const auto* chosen = session_.experiment();
+    const bool shown = chosen && std::find(ids.begin(), ids.end(), chosen->id) != ids.end();
+    const auto& id = shown ? chosen->id : ids.front();
+    const auto* experiment = session_.experiment(id);
+    const QString name = experiment ? text_of(experiment->name) : text_of(id);
+    QString text = tr("Rendering %1").arg(name);
+    const int frames = experiment ? projects::effective(*experiment).frames : 1;
+    const auto result = live_.result(id);
+    if (frames > 1 && result)
+        text += tr(", frame %1 of %2").arg(std::min(frames, result->frame + 1)).arg(frames);
+    if (const auto doing = live_.doing(id); !doing.isEmpty()) text += QStringLiteral(": ") + doing;
+    if (const auto left = live_.seconds_left(id); left && *left >= 1)
+        text += tr(", %1 left").arg(duration_text(*left));
+    if (ids.size() > 1) text += tr(" (and %n more)", nullptr, int(ids.size()) - 1);
+    return text;
+}
+
+QString StatusLine::text_of_state() const {
+    using State = LivePictures::State;
+    if (!session_.has_project()) return tr("Ready");
+    const auto* chosen = session_.experiment();
+    if (!chosen) return tr("The project has no experiment yet.");
+    const auto reason = text_of(live_.text(chosen->id));
+    const auto result = live_.result(chosen->id);
+    switch (live_.state(chosen->id)) {
+        case State::blocked:
+            return reason;
+        case State::cancelled:
+            return tr("Cancelled. F5 renders again.");
+        case State::failed:
+            return tr("Failed: %1").arg(reason);
+        case State::done:
+            if (!result) return tr("Ready");
+            return tr("%1 of %2 frames, %3 ms, %4")
+                .arg(result->frame)
+                .arg(result->frames)
+                .arg(widgets::milliseconds_text(result->report.wall_ms),
+                     widgets::bytes_text(result->report.memory_bytes));
+        default:
+            return tr("Ready");
+    }
+}
+
+void StatusLine::update_text() {
+    const auto ids = live_.rendering();
+    progress_->setVisible(!ids.empty());
+    cancel_->setVisible(!ids.empty());
+    if (!ids.empty()) {
+        double sum = 0;
+        for (const auto& id : ids) sum += live_.progress(id);
+        progress_->setValue(int(1000 * sum / double(ids.size())));
+    }
+    const QString text = !saying_.isEmpty() ? saying_
+                         : ids.empty()      ? text_of_state()
+                                            : text_of_rendering(ids);
+    if (text == state_->text()) return;
+    state_->setText(text);
+    state_->setToolTip(text);
+}
+
+}  // namespace ir::gui

@@ -1,0 +1,141 @@
+#include "app/gui/view_memory.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/json_fields.h"
+
+namespace ir::gui {
+namespace {
+
+using projects::Json;
+using widgets::SpaceLayer;
+using widgets::ViewSource;
+
+constexpr std::size_t most_items = 64;  ///< of a list in a session file
+
+Json to_json(const ViewSource& source) {
+    return {
+        {"owner", source.owner}, {"output", source.output}, {"level", source.level}, {"layer", source.layer}};
+}
+
+ViewSource source_from_json(const Json& json) {
+    ViewSource source;
+    source.owner = field_or(json, "owner", source.owner);
+    source.output = field_or(json, "output", source.output);
+    source.level = std::max(ViewSource::all, field_or(json, "level", 0));
+    source.layer = std::max(ViewSource::all, field_or(json, "layer", 0));
+    return source;
+}
+
+constexpr OutputKind spatial_kinds[] = {OutputKind::point_set, OutputKind::line_set, OutputKind::glyphs,
+                                        OutputKind::sphere_values};
+
+Json to_json(const SpaceLayer& layer) {
+    Json json = {{"key", layer.key},
+                 {"label", layer.label},
+                 {"kind", to_string(layer.kind)},
+                 {"colour_by", layer.colour_by},
+                 {"component", layer.component},
+                 {"colour_map", layer.colour_map},
+                 {"size_px", layer.size_px},
+                 {"visible", layer.visible}};
+    if (layer.low) json["low"] = *layer.low;
+    if (layer.high) json["high"] = *layer.high;
+    for (const auto& filter : layer.filters)
+        json["filters"].push_back({{"field", filter.field}, {"low", filter.low}, {"high", filter.high}});
+    return json;
+}
+
+SpaceLayer layer_from_json(const Json& json) {
+    SpaceLayer layer;
+    layer.key = field_or(json, "key", layer.key);
+    layer.label = field_or(json, "label", layer.label);
+    const auto kind = field_or(json, "kind", std::string());
+    for (const auto each : spatial_kinds)
+        if (to_string(each) == kind) layer.kind = each;
+    layer.colour_by = field_or(json, "colour_by", layer.colour_by);
+    layer.component = std::clamp(field_or(json, "component", 0), 0, 15);
+    layer.colour_map = field_or(json, "colour_map", layer.colour_map);
+    layer.size_px = std::clamp(field_or(json, "size_px", layer.size_px), 1.0f, 64.0f);
+    layer.visible = field_or(json, "visible", true);
+    if (member_or_null(json, "low").is_number()) layer.low = json["low"].get<double>();
+    if (member_or_null(json, "high").is_number()) layer.high = json["high"].get<double>();
+    for (const auto& filter : member_or_null(json, "filters"))
+        if (layer.filters.size() < most_items)
+            layer.filters.push_back({field_or(filter, "field", std::string()), field_or(filter, "low", 0.0),
+                                     field_or(filter, "high", 0.0)});
+    return layer;
+}
+
+std::optional<glm::dvec3> vector_from_json(const Json& json) {
+    if (!json.is_array() || json.size() != 3) return {};
+    glm::dvec3 v;
+    for (int i = 0; i < 3; ++i) {
+        if (!json[std::size_t(i)].is_number()) return {};
+        v[i] = json[std::size_t(i)].get<double>();
+        if (!std::isfinite(v[i])) return {};
+    }
+    return v;
+}
+
+Json to_json(const glm::dvec3& v) {
+    return Json::array({v.x, v.y, v.z});
+}
+
+}  // namespace
+
+Json to_json(const widgets::CameraPose& pose) {
+    return {{"eye", to_json(pose.eye)},
+            {"target", to_json(pose.target)},
+            {"up", to_json(pose.up)},
+            {"fov_y_degrees", pose.fov_y_degrees},
+            {"orthographic", pose.orthographic},
+            {"height", pose.height}};
+}
+
+std::optional<widgets::CameraPose> pose_from_json(const Json& json) {
+    const auto eye = vector_from_json(member_or_null(json, "eye"));
+    const auto target = vector_from_json(member_or_null(json, "target"));
+    const auto up = vector_from_json(member_or_null(json, "up"));
+    if (!eye || !target || !up || *eye == *target) return {};
+    widgets::CameraPose pose{*eye, *target, *up};
+    pose.fov_y_degrees = std::clamp(field_or(json, "fov_y_degrees", pose.fov_y_degrees), 0.1, 179.0);
+    pose.orthographic = field_or(json, "orthographic", false);
+    pose.height = std::max(1e-6, field_or(json, "height", pose.height));
+    return pose;
+}
+
+Json to_json(const widgets::ViewState& state) {
+    Json json = {{"a", to_json(state.a)},
+                 {"b", to_json(state.b)},
+                 {"mode", widgets::to_key(state.mode)},
+                 {"difference", widgets::to_key(state.difference)},
+                 {"as_table", state.as_table}};
+    for (const auto& source : state.more) json["more"].push_back(to_json(source));
+    auto& space = json["space"];
+    space = {{"show_scene", state.space.show_scene}, {"show_centres", state.space.show_centres}};
+    if (state.space.camera) space["camera"] = to_json(*state.space.camera);
+    for (const auto& layer : state.space.layers) space["layers"].push_back(to_json(layer));
+    return json;
+}
+
+widgets::ViewState view_state_from_json(const Json& json) {
+    widgets::ViewState state;
+    state.a = source_from_json(member_or_null(json, "a"));
+    state.b = source_from_json(member_or_null(json, "b"));
+    state.mode = widgets::mode_from_key(field_or(json, "mode", std::string()));
+    state.difference = widgets::difference_from_key(field_or(json, "difference", std::string()));
+    state.as_table = field_or(json, "as_table", false);
+    for (const auto& source : member_or_null(json, "more"))
+        if (state.more.size() < most_items) state.more.push_back(source_from_json(source));
+    const auto& space = member_or_null(json, "space");
+    state.space.show_scene = field_or(space, "show_scene", true);
+    state.space.show_centres = field_or(space, "show_centres", true);
+    state.space.camera = pose_from_json(member_or_null(space, "camera"));
+    for (const auto& layer : member_or_null(space, "layers"))
+        if (state.space.layers.size() < most_items) state.space.layers.push_back(layer_from_json(layer));
+    return state;
+}
+
+}  // namespace ir::gui

@@ -1,0 +1,100 @@
+#include <QFileDialog>
+#include <QMessageBox>
+
+#include "app/gui/main_window.h"
+#include "projects/scene_files.h"
+
+namespace ir::gui {
+namespace {
+
+using Kind = widgets::BannerStack::Kind;
+
+}  // namespace
+
+void MainWindow::update_project_banners() {
+    for (const char* name : {"read-only", "recovery", "scene", "check"})
+        banners_->hide_banner(QLatin1String(name));
+    if (!session_.has_project()) return;
+    const auto& project = session_.open_project();
+    if (project.is_read_only())
+        banners_->show_banner(
+            QStringLiteral("read-only"), Kind::warning,
+            tr("Read-only: %1").arg(QString::fromStdString(project.read_only_reason())),
+            {{tr("Save as …"), [this] { save_as(); }},
+             {tr("Take over …"),
+              [this] {
+                  if (QMessageBox::question(this, tr("Take over"),
+                                            tr("Open for writing although another process holds the "
+                                               "project? Its unsaved changes may be lost.")) ==
+                      QMessageBox::Yes)
+                      session_.break_lock(), update_project_banners();
+              }}},
+            false);
+    if (project.recovery())
+        banners_->show_banner(
+            QStringLiteral("recovery"), Kind::warning, QString::fromStdString(project.recovery()->summary),
+            {{tr("Recover"), [this] { session_.take_recovery(), update_project_banners(); }},
+             {tr("Discard"), [this] { session_.discard_recovery(), update_project_banners(); }}},
+            false);
+    update_scene_banner();
+}
+
+/// The first scene of the document that is missing or has changed; missing ones first.
+void MainWindow::update_scene_banner() {
+    banners_->hide_banner(QStringLiteral("scene"));
+    if (!session_.has_project()) return;
+    const auto& open = session_.open_project();
+    for (const auto wanted : {projects::FileState::missing, projects::FileState::changed})
+        for (const auto& scene : session_.document().scenes)
+            for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+                const auto status = projects::status(scene.parts[i], open.folder(), &open.contents());
+                if (status.state != wanted) continue;
+                const QString source = QString::fromStdString(status.source);
+                const auto locate = [this, id = scene.id, i] { locate_scene(id, i); };
+                if (wanted == projects::FileState::missing)
+                    return banners_->show_banner(
+                        QStringLiteral("scene"), Kind::error,
+                        tr("The scene %1 is missing. The experiments that use it are kept.").arg(source),
+                        {{tr("Locate …"), locate}}, false);
+                return banners_->show_banner(
+                    QStringLiteral("scene"), Kind::warning,
+                    tr("The scene %1 has changed since the project was saved.").arg(source),
+                    {{tr("Accept"), [this, id = scene.id] { accept_scene(id); }}, {tr("Locate …"), locate}});
+            }
+}
+
+void MainWindow::locate_scene(const std::string& id, std::size_t part) {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Locate the scene"), {},
+                                                      tr("Scenes (*.gltf *.glb);;All files (*)"));
+    if (file.isEmpty()) return;
+    session_.edit([&](const projects::Project& project) {
+        const auto* scene = projects::find_item(project.scenes, id);
+        return projects::edits::change_scene(
+            project, projects::located(*scene, part, file.toStdString(), session_.open_project().folder()));
+    });
+    session_.look_at_files();
+    update_scene_banner();
+}
+
+void MainWindow::accept_scene(const std::string& id) {
+    session_.edit([&](const projects::Project& project) {
+        const auto& open = session_.open_project();
+        const auto* scene = projects::find_item(project.scenes, id);
+        return projects::edits::change_scene(
+            project, projects::with_current_hashes(*scene, open.folder(), &open.contents()));
+    });
+    update_scene_banner();
+}
+
+void MainWindow::update_state_banner() {
+    using State = LivePictures::State;
+    const auto* chosen = session_.experiment();
+    const auto state = chosen ? live_.state(chosen->id) : State::absent;
+    if (state == State::failed || state == State::blocked)
+        banners_->show_banner(QStringLiteral("render"), Kind::error,
+                              QString::fromStdString(live_.text(chosen->id)));
+    else
+        banners_->hide_banner(QStringLiteral("render"));
+}
+
+}  // namespace ir::gui

@@ -1,0 +1,346 @@
+#include "app/gui/workspace.h"
+
+#include <QDockWidget>
+#include <algorithm>
+
+#include "app/gui/json_fields.h"
+#include "app/gui/view_memory.h"
+
+namespace ir::gui {
+
+using widgets::CompareView;
+using widgets::ImageView;
+using widgets::ViewArea;
+using widgets::ViewPane;
+using widgets::ViewState;
+
+Workspace::Workspace(Session& session, LivePictures& live, Renderer& renderer, ImageLoader& images,
+                     ImageView::Surface surface)
+    : session_(session),
+      live_(live),
+      renderer_(renderer),
+      pictures_(session, live, images),
+      surface_(surface) {
+    area_ = new ViewArea([this](int view) { return make_pane(view); });
+    connect(area_, &ViewArea::active_changed, this, &Workspace::on_active_changed);
+    connect(area_, &ViewArea::views_changed, this, &Workspace::update_all);
+    connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
+        for (const int view : area_->open_views())
+            for (const auto& source : sources(state(view)))
+                if (source.owner == id) {
+                    update_view(view);
+                    break;
+                }
+    });
+    connect(&live_, &LivePictures::state_changed, this, [this](const std::string& id) {
+        for (const int view : area_->open_views())
+            if (state(view).a.owner == id || state(view).b.owner == id) update_view(view);
+    });
+    connect(&images, &ImageLoader::arrived, this, &Workspace::update_all);
+    connect(&images, &ImageLoader::failed, this, &Workspace::update_all);
+    connect(&renderer_, &Renderer::scene_view_arrived, this, &Workspace::on_scene_view);
+    connect(&session_, &Session::document_changed, this, &Workspace::update_all);
+    connect(&session_, &Session::experiment_selected, this, [this] {
+        if (const auto* chosen = session_.experiment()) show_owner(chosen->id);
+    });
+}
+
+ViewPane* Workspace::make_pane(int view) {
+    auto* pane = new ViewPane(nullptr, surface_);
+    pane->setObjectName(QStringLiteral("pane-%1").arg(view + 1));
+    panes_[std::size_t(view)] = pane;
+    pane->compare().set_tool(tool_);
+    pane->compare().set_pixel_grid(grid_);
+    pane->compare().set_legend(legend_);
+    connect_pane(view, *pane);
+    return pane;
+}
+
+void Workspace::connect_pane(int view, ViewPane& pane) {
+    auto& compare = pane.compare();
+    connect(&pane.header(), &widgets::ViewHeader::state_chosen, this, [this, view](const ViewState& state) {
+        area_->set_active(view);
+        set_state(view, state);
+    });
+    connect(&pane.header(), &widgets::ViewHeader::link_chosen, this, &Workspace::set_linked);
+    connect(&compare, &CompareView::linked_changed, this, &Workspace::set_linked);
+    connect(&compare, &CompareView::swapped, this, [this, view] {
+        auto state = states_[std::size_t(view)];
+        std::swap(state.a, state.b);
+        set_state(view, state);
+    });
+    connect(&compare, &CompareView::activated, this, [this, view] { area_->set_active(view); });
+    connect(&compare, &CompareView::tool_changed, this, &Workspace::set_tool);
+    connect(&compare, &CompareView::camera_moved, this,
+            [this, view](const widgets::CameraPose& pose, int picture) {
+                area_->set_active(view);
+                const auto& state = states_[std::size_t(view)];
+                const auto& owner = picture == 1 ? state.b.owner : state.a.owner;
+                if (!linked_ && session_.experiment(owner)) session_.select_experiment(owner);
+                session_.move_camera(pose, linked_ ? shown_experiments() : std::vector<std::string>());
+            });
+    connect(&compare, &CompareView::camera_gesture_finished, this,
+            [this](int) { session_.finish_camera_move(); });
+    connect(&compare, &CompareView::picked_changed, this, &Workspace::picked);
+    connect(&compare, &CompareView::difference_shown, this, [this, view, &pane] {
+        update_displays(view);
+        pane.update_summary();
+        if (view == area_->active()) emit picture_shown();
+    });
+    connect(&pane, &ViewPane::cursor_moved, this, [this, view](QPoint pixel) {
+        if (view == area_->active()) emit cursor_moved(pixel);
+    });
+    connect(&pane, &ViewPane::explain_wanted, this, [this, view](QPoint pixel) {
+        area_->set_active(view);
+        emit explain_wanted(pixel);
+    });
+}
+
+void Workspace::set_state(int view, ViewState state) {
+    state = completed(std::move(state));
+    auto& present = states_[std::size_t(view)];
+    if (state == present) return;
+    present = std::move(state);
+    if (view == area_->active() && session_.experiment(present.a.owner))
+        session_.select_experiment(present.a.owner);
+    send_wants();
+    update_view(view);
+    if (view == area_->active()) emit active_changed();
+}
+
+void Workspace::update_all() {
+    if (loading_) return;
+    for (auto& state : states_) state = completed(std::move(state));
+    send_wants();
+    for (const int view : area_->open_views()) update_view(view);
+}
+
+void Workspace::on_active_changed() {
+    const auto& owner = active_state().a.owner;
+    if (session_.experiment(owner)) session_.select_experiment(owner);
+    emit active_changed();
+}
+
+void Workspace::update_view(int view) {
+    auto* pane = panes_[std::size_t(view)];
+    if (!pane) return;
+    update_header(view);
+    switch (content_of(state(view))) {
+        case ViewPane::Content::picture:
+            update_pictures(view);
+            break;
+        case ViewPane::Content::space:
+            update_space(view);
+            break;
+        case ViewPane::Content::table:
+            update_table(view);
+            break;
+    }
+    update_camera(view);
+    if (view == area_->active()) emit picture_shown();
+}
+
+void Workspace::update_header(int view) {
+    const auto& shown = state(view);
+    widgets::ViewFields fields;
+    fields.owners = pictures_.owners();
+    fields.outputs_a = pictures_.outputs(shown.a.owner);
+    fields.outputs_b = pictures_.outputs(shown.b.owner);
+    if (widgets::takes_many(shown.mode)) fields.candidates = candidates(shown);
+    fields.state = shown;
+    fields.linked = linked_;
+    if (widgets::compares(shown.mode)) fields.warning = pictures_.warning(shown.a, shown.b);
+    pane(view)->header().set_fields(fields);
+    const auto* output = pictures_.find(fields.outputs_a, shown.a.output);
+    area_->set_title(view,
+                     output ? QStringLiteral("%1 · %2").arg(
+                                  QString::fromStdString(pictures_.owner_name(shown.a.owner)), output->label)
+                            : QString());
+}
+
+void Workspace::update_camera(int view) {
+    const auto result = live_.result(state(view).a.owner);
+    const auto* chosen = session_.experiment();
+    std::optional<widgets::CameraPose> pose;
+    if (chosen && chosen->id == state(view).a.owner) pose = session_.camera_pose();
+    if (!pose && result)
+        pose = widgets::CameraPose{result->camera.eye,          result->camera.target,
+                                   result->camera.up,           glm::degrees(double(result->camera.fov_y)),
+                                   result->camera.orthographic, result->camera.height};
+    if (pose) pane(view)->compare().set_camera(*pose);
+}
+
+std::vector<std::string> Workspace::shown_experiments() const {
+    std::vector<std::string> ids;
+    for (const int view : area_->open_views())
+        for (const auto& source : sources(state(view)))
+            if (session_.experiment(source.owner) &&
+                std::find(ids.begin(), ids.end(), source.owner) == ids.end())
+                ids.push_back(source.owner);
+    return ids;
+}
+
+void Workspace::send_wants() {
+    std::map<std::string, Want> wants;
+    for (const auto& id : shown_experiments()) {
+        Want& want = wants[id];
+        for (const int view : area_->open_views()) {
+            const auto more = want_of(state(view), id);
+            want.parts.insert(more.parts.begin(), more.parts.end());
+            want.buffers.insert(more.buffers.begin(), more.buffers.end());
+            want.kept.insert(more.kept.begin(), more.kept.end());
+        }
+        want.inspection = inspection(id);
+        if (const auto found = panel_wants_.find(id); found != panel_wants_.end()) {
+            want.thumbnails = found->second.thumbnails;
+            want.kept.insert(found->second.kept.begin(), found->second.kept.end());
+            want.buffers.insert(found->second.buffers.begin(), found->second.buffers.end());
+        }
+    }
+    live_.set_wants(std::move(wants));
+}
+
+void Workspace::set_panel_wants(std::map<std::string, Want> wants) {
+    panel_wants_ = std::move(wants);
+    send_wants();
+}
+
+void Workspace::set_inspection(const std::string& experiment, const Inspection& inspection) {
+    inspections_[experiment] = inspection;
+    send_wants();
+    update_all();
+}
+
+const Inspection& Workspace::inspection(const std::string& experiment) const {
+    static const Inspection none;
+    const auto found = inspections_.find(experiment);
+    return found == inspections_.end() ? none : found->second;
+}
+
+void Workspace::show_output(const std::string& key, int level, int layer) {
+    auto state = active_state();
+    state.a.output = key;
+    state.a.level = level;
+    state.a.layer = layer;
+    state.as_table = false;
+    // The same buffer of both experiments is what one wants to compare.
+    if (state.b.owner != state.a.owner) {
+        state.b.output = key;
+        state.b.level = level;
+        state.b.layer = layer;
+    }
+    set_state(area_->active(), state);
+}
+
+void Workspace::step_output(int step) {
+    const auto outputs = pictures_.outputs(active_state().a.owner);
+    if (outputs.empty()) return;
+    const auto* now = pictures_.find(outputs, shown_key());
+    const int count = int(outputs.size()), at = now ? int(now - outputs.data()) : 0;
+    show_output(outputs[std::size_t((at + step + count) % count)].key);
+}
+
+void Workspace::show_owner(const std::string& owner) {
+    auto state = active_state();
+    if (state.a.owner == owner) return;
+    state.a.owner = owner;
+    set_state(area_->active(), state);
+}
+
+void Workspace::set_mode(widgets::ViewMode mode) {
+    auto state = active_state();
+    state.mode = mode;
+    set_state(area_->active(), state);
+}
+
+void Workspace::swap() {
+    active_pane().compare().swap();
+}
+
+std::string Workspace::shown_key() const {
+    return pictures_.key_of(active_state().a);
+}
+
+void Workspace::set_linked(bool linked) {
+    if (linked == linked_) return;
+    linked_ = linked;
+    for (auto* pane : panes_)
+        if (pane) pane->compare().set_linked(linked);
+    link_.set_linked(linked);
+    for (const int view : area_->open_views()) update_view(view);
+    emit linked_changed(linked);
+}
+
+void Workspace::set_tool(ImageView::Tool tool) {
+    if (tool == tool_) return;
+    tool_ = tool;
+    for (auto* pane : panes_)
+        if (pane) pane->compare().set_tool(tool);
+    emit tool_changed(tool);
+}
+
+void Workspace::set_pixel_grid(bool on) {
+    grid_ = on;
+    for (auto* pane : panes_)
+        if (pane) pane->compare().set_pixel_grid(on);
+}
+
+void Workspace::set_legend(bool on) {
+    legend_ = on;
+    for (auto* pane : panes_)
+        if (pane) pane->compare().set_legend(on);
+}
+
+void Workspace::save(projects::Json& memory) const {
+    auto& views = memory["views"];
+    views = {{"arrangement", area_->save().toBase64().toStdString()},
+             {"active", area_->active()},
+             {"linked", linked_}};
+    views["states"] = projects::Json::array();
+    for (const auto& state : states_) views["states"].push_back(to_json(state));
+    const auto* pane = panes_[std::size_t(area_->active())];
+    if (pane) {
+        const auto& transform = const_cast<ViewPane*>(pane)->compare().main_view().transform();
+        views["zoom"] = {{"fitted", transform.is_fitted()},
+                         {"zoom", transform.zoom()},
+                         {"x", transform.centre().x()},
+                         {"y", transform.centre().y()}};
+    }
+    memory["displays"] = displays_.save();
+}
+
+void Workspace::load(const projects::Json& memory) {
+    loading_ = true;
+    pictures_.clear();
+    inspections_.clear();
+    panel_wants_.clear();
+    displays_.clear();
+    displays_.load(member_or_null(memory, "displays"));
+    const auto& views = member_or_null(memory, "views");
+    states_ = {};
+    std::size_t view = 0;
+    for (const auto& state : member_or_null(views, "states"))
+        if (view < states_.size()) states_[view++] = view_state_from_json(state);
+    const auto arrangement = field_or(views, "arrangement", std::string());
+    // Written by hand, a session file may name the views alone.
+    using A = ViewArea::Arrangement;
+    if (arrangement.empty())
+        area_->arrange(view > 3 ? A::four : view == 3 ? A::three : view == 2 ? A::side_by_side : A::one);
+    else
+        area_->restore(QByteArray::fromBase64(QByteArray::fromStdString(arrangement)));
+    loading_ = false;
+    area_->set_active(field_or(views, "active", 0));
+    linked_ = !field_or(views, "linked", true);
+    set_linked(!linked_);
+    update_all();
+    const auto& zoom = member_or_null(views, "zoom");
+    auto& compare = active_pane().compare();
+    if (field_or(zoom, "fitted", true))
+        compare.fit();
+    else
+        compare.look_at({field_or(zoom, "x", 0.0), field_or(zoom, "y", 0.0)}, field_or(zoom, "zoom", 1.0));
+    active_pane().setFocus();  // whatever gets the focus is the active view
+    emit active_changed();
+}
+
+}  // namespace ir::gui

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <QObject>
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/gui/display_memory.h"
+#include "app/gui/picture_source.h"
+#include "widgets/compare/view_link.h"
+#include "widgets/views/view_area.h"
+#include "widgets/views/view_pane.h"
+
+namespace ir::gui {
+
+/// The views: what each of them shows, what is therefore wanted of the experiments, and the pictures on their
+/// way back. All by kind of output; it knows no method.
+class Workspace : public QObject {
+    Q_OBJECT
+  public:
+    Workspace(Session& session, LivePictures& live, Renderer& renderer, ImageLoader& images,
+              widgets::ImageView::Surface surface);
+
+    widgets::ViewArea& area() { return *area_; }
+    widgets::ViewPane* pane(int view) const { return panes_[std::size_t(view)]; }  ///< null: never open
+    widgets::ViewPane& active_pane() const { return *pane(area_->active()); }
+    const widgets::ViewState& state(int view) const { return states_[std::size_t(view)]; }
+    const widgets::ViewState& active_state() const { return state(area_->active()); }
+    /// Sets what a view shows; an owner or output that does not exist becomes one that does.
+    void set_state(int view, widgets::ViewState state);
+    PictureSource& pictures() { return pictures_; }
+
+    // In the active view.
+    void show_output(const std::string& key, int level = 0, int layer = 0);  ///< empty: the main result
+    void step_output(int step);
+    void show_owner(const std::string& owner);
+    void set_mode(widgets::ViewMode mode);
+    void swap();
+    std::string shown_key() const;  ///< resource key of A
+    /// Key and picture whose display the active view shows: A's, or the difference's.
+    std::string display_key() const;
+    std::shared_ptr<const widgets::Picture> display_picture() const;
+    widgets::Display display() const;
+    bool is_automatic() const;
+    void choose_display(const widgets::Display& display);
+    void choose_automatic();
+
+    /// Puts buffers that stand in space into one view: the active one if it shows space, else another.
+    void show_in_space(const std::string& owner, const std::vector<std::string>& keys);
+
+    bool linked() const { return linked_; }
+    void set_linked(bool linked);
+    void set_tool(widgets::ImageView::Tool tool);
+    widgets::ImageView::Tool tool() const { return tool_; }
+    void set_pixel_grid(bool on);
+    void set_legend(bool on);
+
+    /// What panels want beside the views, by experiment; only of experiments that a view shows.
+    void set_panel_wants(std::map<std::string, Want> wants);
+    void set_inspection(const std::string& experiment, const Inspection& inspection);
+    const Inspection& inspection(const std::string& experiment) const;
+    std::vector<widgets::SpaceSelector> selectors(const std::string& owner) const;
+
+    /// A comparison of the document in the active view, and the active view as one.
+    void open_comparison(const projects::Comparison& comparison);
+    projects::Comparison as_comparison() const;
+
+    void save(projects::Json& memory) const;
+    void load(const projects::Json& memory);
+
+  signals:
+    /// Another view is active, or it shows something else.
+    void active_changed();
+    /// A picture in the active view is new.
+    void picture_shown();
+    void cursor_moved(QPoint pixel);
+    void picked(QPoint pixel);
+    void explain_wanted(QPoint pixel);
+    void element_clicked(const std::string& owner, const std::string& buffer, qint64 element);
+    void linked_changed(bool linked);
+    void tool_changed(ir::widgets::ImageView::Tool tool);
+
+  private:
+    // workspace.cpp
+    widgets::ViewPane* make_pane(int view);
+    void connect_pane(int view, widgets::ViewPane& pane);
+    void update_all();
+    void update_view(int view);
+    void update_header(int view);
+    void update_camera(int view);
+    void send_wants();
+    void on_active_changed();
+    std::vector<std::string> shown_experiments() const;
+
+    // workspace_state.cpp
+    widgets::ViewState completed(widgets::ViewState state) const;
+    widgets::ViewSource another_source(const widgets::ViewSource& a) const;
+    std::vector<widgets::ViewSource> sources(const widgets::ViewState& state) const;
+    std::vector<std::pair<widgets::ViewSource, QString>> candidates(const widgets::ViewState& state) const;
+    widgets::ViewPane::Content content_of(const widgets::ViewState& state) const;
+    Want want_of(const widgets::ViewState& state, const std::string& owner) const;
+
+    // workspace_pictures.cpp
+    void update_pictures(int view);
+    void update_displays(int view);
+    widgets::Display display_of(const widgets::ViewSource& source, int view);
+    std::string display_key_of(const widgets::ViewSource& source) const;
+    void link_views();
+    void update_table(int view);
+
+    // workspace_space.cpp
+    void connect_space(int view, widgets::SpacePane& space);
+    void update_space(int view);
+    void request_space(int view, const widgets::SpaceScene& scene, QSize device_px, int oversampling);
+    void on_scene_view(std::shared_ptr<const engine::SceneViewResult> result);
+    std::vector<widgets::AvailableBuffer> spatial_buffers(const std::string& owner) const;
+
+    Session& session_;
+    LivePictures& live_;
+    Renderer& renderer_;
+    PictureSource pictures_;
+    widgets::ImageView::Surface surface_;
+    std::array<widgets::ViewState, widgets::ViewArea::most_views> states_;
+    std::array<widgets::ViewPane*, widgets::ViewArea::most_views> panes_{};
+    std::array<std::shared_ptr<const engine::LiveResult>, widgets::ViewArea::most_views> drawn_;
+    widgets::ViewArea* area_ = nullptr;
+    widgets::ViewLink link_;
+    DisplayMemory displays_;
+    std::map<std::string, Want> panel_wants_;
+    std::map<std::string, Inspection> inspections_;
+    bool linked_ = true, grid_ = true, legend_ = true, loading_ = false;
+    widgets::ImageView::Tool tool_ = widgets::ImageView::Tool::inspect;
+};
+
+}  // namespace ir::gui

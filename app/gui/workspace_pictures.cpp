@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include "app/gui/workspace.h"
+
+namespace ir::gui {
+
+using widgets::Display;
+using widgets::ViewMode;
+using widgets::ViewSource;
+
+namespace {
+
+constexpr const char* difference_prefix = "difference:";
+
+}  // namespace
+
+void Workspace::update_pictures(int view) {
+    std::vector<std::shared_ptr<const widgets::Picture>> shown;
+    for (const auto& source : sources(state(view))) shown.push_back(pictures_.picture(source));
+    pane(view)->show_pictures(state(view), std::move(shown));
+    update_displays(view);
+    link_views();
+}
+
+std::string Workspace::display_key_of(const ViewSource& source) const {
+    return source.is_image() ? source.owner + "/" + source.output : pictures_.key_of(source);
+}
+
+Display Workspace::display_of(const ViewSource& source, int view) {
+    const int owner = linked_ ? DisplayMemory::shared : view;
+    const auto* chosen = displays_.chosen(display_key_of(source), owner);
+    return chosen ? *chosen : pictures_.automatic_display(source);
+}
+
+void Workspace::update_displays(int view) {
+    auto& compare = pane(view)->compare();
+    std::vector<Display> displays;
+    for (const auto& source : sources(state(view))) displays.push_back(display_of(source, view));
+    compare.set_displays(std::move(displays));
+    const auto key =
+        difference_prefix + widgets::to_key(state(view).difference) + ":" + display_key_of(state(view).a);
+    const auto* chosen = displays_.chosen(key, linked_ ? DisplayMemory::shared : view);
+    compare.set_difference_display(chosen ? std::optional(*chosen) : std::nullopt);
+}
+
+/// All picture views of all panes are one set: those of equal size move together.
+void Workspace::link_views() {
+    for (const int view : area_->open_views())
+        if (pane(view))
+            for (auto* each : pane(view)->compare().views()) link_.add(each);
+}
+
+std::string Workspace::display_key() const {
+    const auto& state = active_state();
+    const auto key = display_key_of(state.a);
+    return state.mode == ViewMode::difference
+               ? difference_prefix + widgets::to_key(state.difference) + ":" + key
+               : key;
+}
+
+std::shared_ptr<const widgets::Picture> Workspace::display_picture() const {
+    return active_pane().picture_at(active_state().mode == ViewMode::difference ? -1 : 0);
+}
+
+Display Workspace::display() const {
+    const auto& compare = active_pane().compare();
+    return active_state().mode == ViewMode::difference ? compare.difference_display()
+                                                       : compare.shown_display(0);
+}
+
+bool Workspace::is_automatic() const {
+    return !displays_.chosen(display_key(), linked_ ? DisplayMemory::shared : area_->active());
+}
+
+void Workspace::choose_display(const Display& display) {
+    displays_.choose(display_key(), display, linked_ ? DisplayMemory::shared : area_->active());
+    for (const int view : area_->open_views())
+        if (pane(view)) update_displays(view);
+    emit picture_shown();
+}
+
+void Workspace::choose_automatic() {
+    displays_.forget(display_key(), linked_ ? DisplayMemory::shared : area_->active());
+    for (const int view : area_->open_views())
+        if (pane(view)) update_displays(view);
+    emit picture_shown();
+}
+
+void Workspace::update_table(int view) {
+    auto& pane = *panes_[std::size_t(view)];
+    pane.show_content(widgets::ViewPane::Content::table);
+    const auto& source = state(view).a;
+    const auto key = pictures_.key_of(source);
+    const auto result = live_.result(source.owner);
+    const auto* resource = result ? find_resource(result->report, key) : nullptr;
+    if (!result) return pane.table().clear(tr("Rendering …"));
+    const auto found = result->buffers.find(key);
+    if (found == result->buffers.end())
+        return pane.table().clear(resource && resource->explains
+                                      ? tr("Explains a pixel: Shift-click one, or press H over it.")
+                                      : tr("Not computed."));
+    // Shared with the result, not copied.
+    widgets::BufferData data{found->second.fields, found->second.elements, {result, &found->second.bytes}};
+    if (data.bytes == pane.table().model().buffer().bytes) return;
+    pane.table().set_buffer(QString::fromStdString(resource ? resource->label : key), std::move(data));
+}
+
+}  // namespace ir::gui

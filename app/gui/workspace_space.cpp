@@ -1,0 +1,197 @@
+#include <algorithm>
+
+#include "app/gui/workspace.h"
+
+namespace ir::gui {
+
+using widgets::SpacePane;
+using widgets::SpaceScene;
+using widgets::SpaceView;
+
+namespace {
+
+std::string tag_of(int view) {
+    return "view-" + std::to_string(view + 1);
+}
+
+scene::Camera camera_of(const widgets::CameraPose& pose) {
+    scene::Camera camera;
+    camera.eye = pose.eye;
+    camera.target = pose.target;
+    camera.up = pose.up;
+    camera.fov_y = float(glm::radians(pose.fov_y_degrees));
+    camera.orthographic = pose.orthographic;
+    camera.height = float(pose.height);
+    return camera;
+}
+
+widgets::CameraPose pose_of(const scene::Camera& camera) {
+    return {camera.eye,          camera.target, camera.up, glm::degrees(double(camera.fov_y)),
+            camera.orthographic, camera.height};
+}
+
+passes::viewers::Layer layer_of(const widgets::SpaceLayer& layer) {
+    passes::viewers::Layer result;
+    result.key = layer.key;
+    result.colour_by = layer.colour_by;
+    result.component = layer.component;
+    result.low = layer.low;
+    result.high = layer.high;
+    result.colour_map = layer.colour_map;
+    result.size_px = layer.size_px;
+    for (const auto& filter : layer.filters)
+        result.filters.push_back({filter.field, filter.low, filter.high});
+    result.selected = layer.selected;
+    return result;
+}
+
+widgets::LayerInfo info_of(const passes::viewers::DrawnLayer& layer) {
+    widgets::LayerInfo info;
+    info.key = layer.key;
+    info.note = layer.note;
+    info.fields = layer.fields;
+    info.elements = layer.elements;
+    info.stride = layer.stride;
+    info.low = layer.low;
+    info.high = layer.high;
+    info.least = layer.least;
+    info.most = layer.most;
+    return info;
+}
+
+widgets::SpacePicture picture_of(const passes::viewers::Picture3D& drawn) {
+    widgets::SpacePicture picture;
+    picture.colour = drawn.colour;
+    picture.layer = drawn.layer;
+    picture.element = drawn.element;
+    for (const auto& layer : drawn.layers) picture.layers.push_back(info_of(layer));
+    picture.camera = pose_of(drawn.camera);
+    return picture;
+}
+
+}  // namespace
+
+std::vector<widgets::AvailableBuffer> Workspace::spatial_buffers(const std::string& owner) const {
+    std::vector<widgets::AvailableBuffer> buffers;
+    const auto result = live_.result(owner);
+    for (const auto& output : pictures_.outputs(owner)) {
+        if (!widgets::is_spatial(output.kind)) continue;
+        const auto* resource = result ? find_resource(result->report, output.key) : nullptr;
+        buffers.push_back({output.key, output.label.toStdString(), output.kind, output.doc.toStdString(),
+                           resource ? resource->fields : std::vector<Field>()});
+    }
+    return buffers;
+}
+
+std::vector<widgets::SpaceSelector> Workspace::selectors(const std::string& owner) const {
+    std::vector<widgets::SpaceSelector> list;
+    const auto* experiment = session_.experiment(owner);
+    const auto* method = experiment ? session_.registry().find(experiment->method) : nullptr;
+    if (!method) return list;
+    auto values = defaults(method->parameters);
+    for (const auto& [key, value] : projects::effective(*experiment).values) values[key] = value;
+    for (const auto& each : method->selectors) {
+        const auto count = values.find(each.count);
+        const auto* items = count == values.end() ? nullptr : std::get_if<std::int64_t>(&count->second);
+        list.push_back(
+            {each.key, each.label, each.doc, items ? int(*items) : 1, inspection(owner).item(each.key)});
+    }
+    return list;
+}
+
+void Workspace::connect_space(int view, SpacePane& space) {
+    if (space.property("connected").toBool()) return;
+    space.setProperty("connected", true);
+    connect(&space.view(), &SpaceView::view_wanted, this,
+            [this, view](const SpaceScene& scene, QSize size, int oversampling) {
+                request_space(view, scene, size, oversampling);
+            });
+    connect(&space, &SpacePane::scene_changed, this, [this, view](const SpaceScene& scene) {
+        auto state = states_[std::size_t(view)];
+        state.space = scene;
+        for (auto& layer : state.space.layers) layer.selected = -1;
+        set_state(view, state);
+    });
+    connect(&space.panel(), &widgets::LayerPanel::item_chosen, this,
+            [this, view](const QString& selector, int item) {
+                const auto& owner = state(view).a.owner;
+                auto now = inspection(owner);
+                now.chosen[selector.toStdString()] = item;
+                set_inspection(owner, now);
+            });
+    connect(&space.view(), &SpaceView::element_clicked, this, [this, view](int layer, qint64 element) {
+        const auto& layers = state(view).space.layers;
+        if (layer < 0 || layer >= int(layers.size()) || element < 0) return;
+        emit element_clicked(state(view).a.owner, layers[std::size_t(layer)].key, element);
+    });
+}
+
+void Workspace::update_space(int view) {
+    auto& pane = *panes_[std::size_t(view)];
+    pane.show_content(widgets::ViewPane::Content::space);
+    auto& space = pane.space();
+    connect_space(view, space);
+    const auto& owner = state(view).a.owner;
+    space.set_available(spatial_buffers(owner));
+    space.set_selectors(selectors(owner));
+    auto wanted = state(view).space;
+    for (auto& layer : wanted.layers)  // what is marked is the view's own
+        for (const auto& present : space.view().scene().layers)
+            if (present.key == layer.key) layer.selected = present.selected;
+    if (space.view().scene() != wanted) space.set_scene(wanted);
+    const auto result = live_.result(owner);
+    if (!result) return space.view().set_note(tr("Rendering …"));
+    if (drawn_[std::size_t(view)] == result) return;
+    drawn_[std::size_t(view)] = result;
+    space.view().refresh();
+}
+
+void Workspace::request_space(int view, const SpaceScene& scene, QSize device_px, int oversampling) {
+    const auto& owner = state(view).a.owner;
+    if (!live_.result(owner) || device_px.isEmpty()) return;
+    engine::SceneViewRequest request;
+    request.tag = tag_of(view);
+    request.execution = owner;
+    request.view.width = device_px.width();
+    request.view.height = device_px.height();
+    request.view.oversampling = oversampling;
+    if (scene.camera) request.view.camera = camera_of(*scene.camera);
+    request.view.show_scene = scene.show_scene;
+    request.view.show_centres = scene.show_centres;
+    for (const auto& layer : scene.layers)
+        if (layer.visible) request.view.layers.push_back(layer_of(layer));
+    renderer_.draw(std::move(request));
+}
+
+void Workspace::on_scene_view(std::shared_ptr<const engine::SceneViewResult> result) {
+    for (int view = 0; view < widgets::ViewArea::most_views; ++view) {
+        if (tag_of(view) != result->tag || !pane(view)) continue;
+        auto& space = pane(view)->space();
+        if (!result->error.empty()) return space.view().set_note(QString::fromStdString(result->error));
+        space.view().set_picture(picture_of(result->picture));
+    }
+}
+
+void Workspace::show_in_space(const std::string& owner, const std::vector<std::string>& keys) {
+    if (keys.empty()) return;
+    int view = -1;
+    for (const int open : area_->open_views())
+        if (content_of(state(open)) == widgets::ViewPane::Content::space && state(open).a.owner == owner)
+            view = open;
+    const int before = area_->active();
+    if (view < 0)
+        view =
+            area_->open_views().size() > 1 ? area_->open_views()[before == 0 ? 1 : 0] : area_->open_another();
+    if (view < 0) view = before;
+    auto state = states_[std::size_t(view)];
+    state.a = {owner, keys.front()};
+    state.as_table = false;
+    state.space.layers.clear();
+    for (const auto& key : keys)
+        for (const auto& buffer : spatial_buffers(owner))
+            if (buffer.key == key) state.space.layers.push_back(widgets::default_layer(buffer));
+    set_state(view, state);
+    area_->set_active(before);
+}
+
+}  // namespace ir::gui
