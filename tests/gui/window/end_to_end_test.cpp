@@ -31,6 +31,11 @@ struct RealWindow {
     ~RealWindow() {
         if (window.session().has_project()) window.session().close();
     }
+    LivePictures::State state() {
+        const auto* chosen = window.session().experiment();
+        return chosen ? window.live().state(chosen->id) : LivePictures::State::absent;
+    }
+    std::string reason() { return window.live().text(window.session().experiment()->id); }
     bool wait() {
         QApplication::processEvents();
         return QTest::qWaitFor([this] { return window.is_settled(); }, patience_ms);
@@ -85,7 +90,7 @@ TEST(EndToEnd, ChangeSaveReopenFindsTheSameStateAndPicture) {
         ASSERT_TRUE(real.window.open_path(QString::fromStdString(path.string())));
         shrink(real.window.session());
         ASSERT_TRUE(real.wait());
-        ASSERT_EQ(real.window.session().state(), Session::State::done) << real.window.session().state_text();
+        ASSERT_EQ(real.state(), LivePictures::State::done) << real.reason();
         const Image before = real.window.view().image();
         auto* field = editable_number(real.window);
         ASSERT_NE(field, nullptr) << "the sample's method has no number to edit";
@@ -96,9 +101,9 @@ TEST(EndToEnd, ChangeSaveReopenFindsTheSameStateAndPicture) {
         QTest::keyClick(field, Qt::Key_Return);
         EXPECT_NE(field->value(), old_value);
         EXPECT_TRUE(real.window.isWindowModified());
-        EXPECT_EQ(real.window.session().state(), Session::State::rendering);
+        EXPECT_EQ(real.state(), LivePictures::State::rendering);
         ASSERT_TRUE(real.wait());
-        ASSERT_EQ(real.window.session().state(), Session::State::done) << real.window.session().state_text();
+        ASSERT_EQ(real.state(), LivePictures::State::done) << real.reason();
         picture = real.window.view().image();
         EXPECT_NE(picture.pixels, before.pixels);
         QTest::keyClick(&real.window, Qt::Key_S, Qt::ControlModifier);
@@ -108,7 +113,7 @@ TEST(EndToEnd, ChangeSaveReopenFindsTheSameStateAndPicture) {
     RealWindow again;
     ASSERT_TRUE(again.window.open_path(QString::fromStdString(path.string())));
     ASSERT_TRUE(again.wait());
-    ASSERT_EQ(again.window.session().state(), Session::State::done) << again.window.session().state_text();
+    ASSERT_EQ(again.state(), LivePictures::State::done) << again.reason();
     EXPECT_EQ(again.window.session().document(), saved);
     EXPECT_EQ(again.window.view().image().width, picture.width);
     EXPECT_EQ(again.window.view().image().pixels, picture.pixels);
@@ -119,16 +124,23 @@ TEST(EndToEnd, EveryBufferOfTheExperimentCanBeShown) {
     ASSERT_TRUE(real.window.open_path("builtin:cornell"));
     shrink(real.window.session());
     ASSERT_TRUE(real.wait());
-    ASSERT_NE(real.window.session().result(), nullptr);
-    const auto resources = real.window.session().result()->report.resources;
+    const auto id = real.window.session().experiment()->id;
+    ASSERT_NE(real.window.live().result(id), nullptr);
+    const auto resources = real.window.live().result(id)->report.resources;
     ASSERT_FALSE(resources.empty());
+    using Content = widgets::ViewPane::Content;
     for (const auto& resource : resources) {
-        real.window.session().show_buffer(resource.key);
+        real.window.workspace().show_output(resource.key);
         ASSERT_TRUE(real.wait()) << resource.key;
-        EXPECT_EQ(real.window.session().state(), Session::State::done)
-            << resource.key << real.window.session().state_text();
-        EXPECT_EQ(real.window.session().shown_key(*real.window.session().result()), resource.key);
-        EXPECT_EQ(real.window.view().image().empty(), resource.width == 0) << resource.key;
+        EXPECT_EQ(real.state(), LivePictures::State::done) << resource.key << real.reason();
+        EXPECT_EQ(real.window.workspace().shown_key(), resource.key);
+        auto& pane = real.window.workspace().active_pane();
+        const bool image = resource.width > 0;
+        EXPECT_EQ(pane.content() == Content::picture, image) << resource.key;
+        if (image) {
+            EXPECT_EQ(real.window.view().image().empty(), resource.explains && !resource.available)
+                << resource.key;
+        }
     }
 }
 

@@ -7,10 +7,11 @@
 #include "app/engine/execution.h"
 #include "app/gui/renderer.h"
 #include "renderers/core/method.h"
+#include "renderers/image/atlas.h"
 
 namespace ir::gui {
 
-/// One method with a few parameters, known to nobody but these tests.
+/// One method with an output of every kind, known to nobody but these tests.
 inline const MethodDescription& fake_method() {
     static const MethodDescription method = [] {
         MethodDescription m;
@@ -25,12 +26,52 @@ inline const MethodDescription& fake_method() {
         level.default_value = 0.25;
         level.hard = {0, 10};
         level.soft = {0, 1};
-        m.parameters = {level};
+        ParameterDescription items;
+        items.key = "items";
+        items.label = "Items";
+        items.doc = "How many there are.";
+        items.type = ParameterType::integer;
+        items.default_value = std::int64_t{6};
+        items.hard = {1, 100};
+        items.soft = {1, 10};
+        m.parameters = {level, items};
+        m.selectors = {{"item", "Item", "The one that is shown.", "items"}};
         m.outputs = {{.key = "picture", .label = "Picture", .semantic = Semantic::radiance},
-                     {.key = "depth", .label = "Depth", .semantic = Semantic::depth}};
+                     {.key = "depth", .label = "Depth", .semantic = Semantic::depth},
+                     {.key = "levels", .label = "Levels", .kind = OutputKind::pyramid},
+                     {.key = "slices", .label = "Slices", .kind = OutputKind::stack},
+                     {.key = "cloud", .label = "Cloud", .kind = OutputKind::point_set},
+                     {.key = "ball", .label = "Ball", .kind = OutputKind::sphere_values},
+                     {.key = "numbers", .label = "Numbers", .kind = OutputKind::table},
+                     {.key = "why", .label = "Why", .kind = OutputKind::line_set, .explains = true}};
         return m;
     }();
     return method;
+}
+
+inline constexpr int fake_levels = 3, fake_slices = 4, fake_elements = 6;
+
+inline std::vector<Field> fake_fields(const std::string& key) {
+    if (key == "cloud") return {{"position", FieldType::f32, 3}, {"layer", FieldType::u32}};
+    if (key == "ball") return {{"centre", FieldType::f32, 3}, {"item", FieldType::u32}};
+    if (key == "numbers") return {{"value", FieldType::f32}, {"count", FieldType::u32}};
+    if (key == "why") return {{"start", FieldType::f32, 3}, {"end", FieldType::f32, 3}};
+    return {};
+}
+
+/// Every scalar is the element's number.
+inline std::vector<std::byte> fake_bytes(const std::string& key) {
+    std::vector<std::byte> bytes;
+    for (std::uint32_t element = 0; element < fake_elements; ++element)
+        for (const auto& field : fake_fields(key))
+            for (int i = 0; i < field.count; ++i) {
+                const float real = float(element);
+                std::byte raw[4];
+                std::memcpy(raw, field.type == FieldType::f32 ? static_cast<const void*>(&real) : &element,
+                            4);
+                bytes.insert(bytes.end(), raw, raw + 4);
+            }
+    return bytes;
 }
 
 inline const Registry& fake_registry() {
@@ -73,10 +114,15 @@ class FakeRenderer final : public Renderer {
     }
     void release(const std::string& tag) override { releases.push_back(tag); }
     std::uint64_t draw(engine::SceneViewRequest request) override {
-        views.push_back(std::move(request));
-        return views.size();
+        views.push_back(request);
+        const auto serial = std::uint64_t(views.size());
+        QTimer::singleShot(0, this, [this, request, serial] { answer(request, serial); });
+        return serial;
     }
-    void probe(engine::ProbeRequest request) override { probes.push_back(std::move(request)); }
+    void probe(engine::ProbeRequest request) override {
+        probes.push_back(request);
+        QTimer::singleShot(0, this, [this, request] { answer(request); });
+    }
     void export_layers(engine::ExportRequest request) override { exports.push_back(std::move(request)); }
     void reload_shaders() override {}
 
@@ -90,31 +136,113 @@ class FakeRenderer final : public Renderer {
             level == request.experiment.settings.end() ? 0.25 : std::get<double>(level->second);
         result->inspection = request.inspection;
         std::vector<std::string> computed{"picture"};
+        for (const auto& key : request.kept)
+            for (const auto& output : fake_method().outputs)
+                if (key == output.key || key == "*") computed.push_back(output.key);
         for (const auto& part : request.parts) {
-            const bool colour = part.key.empty() || part.key == "picture";
-            if (!colour) computed.push_back(part.key);
-            result->images[part] =
-                Image(request.experiment.width, request.experiment.height, colour ? 3 : 1, float(value));
+            computed.push_back(part.key);
+            result->images[part] = paint(request.experiment, part, float(value));
+        }
+        for (const auto& key : request.buffers) {
+            computed.push_back(key);
+            result->buffers[key] = {fake_fields(key), fake_elements, fake_bytes(key)};
         }
         result->finished = true;
-        result->report.backend = "fake";
+        result->report = report(request, computed);
+        emit result_arrived(result);
+    }
+
+    static Image paint(const engine::Experiment& experiment, const engine::Part& part, float value) {
+        const bool colour = part.key.empty() || part.key == "picture";
+        const int w = experiment.width, h = experiment.height;
+        if (part.key == "levels" || part.key == "slices") {
+            const bool levels = part.key == "levels";
+            if (part.level != engine::Part::all && part.layer != engine::Part::all)
+                return Image(std::max(1, w >> part.level), std::max(1, h >> part.level), 1,
+                             float(part.level + part.layer));
+            const auto atlas = make_atlas(w, h, levels ? fake_levels : 1, levels ? 1 : fake_slices);
+            Image all(atlas.width, atlas.height, 1);
+            for (const auto& tile : atlas.tiles)
+                paste(all, tile, Image(tile.width, tile.height, 1, float(tile.level + tile.layer)));
+            return all;
+        }
+        return Image(w, h, colour ? 3 : 1, value);
+    }
+
+    static FrameReport report(const engine::LiveRequest& request, const std::vector<std::string>& computed) {
+        FrameReport report;
+        report.backend = "fake";
         PassReport pass;
         pass.name = "paint";
         pass.queue = "cpu";
         pass.cpu_ms = 1.5;
-        result->report.passes = {pass};
+        report.passes = {pass};
         for (const auto& output : fake_method().outputs) {
             ResourceReport resource;
             resource.key = output.key;
             resource.label = output.label;
             resource.pass = "paint";
+            resource.kind = output.kind;
             resource.semantic = output.semantic;
-            resource.width = request.experiment.width;
-            resource.height = request.experiment.height;
-            resource.available = std::find(computed.begin(), computed.end(), output.key) != computed.end();
-            result->report.resources.push_back(resource);
+            resource.is_output = true;
+            resource.explains = output.explains;
+            resource.fields = fake_fields(output.key);
+            resource.available = std::find(computed.begin(), computed.end(), output.key) != computed.end() &&
+                                 (!output.explains || request.inspection.has_pixel());
+            if (resource.fields.empty()) {
+                resource.width = request.experiment.width;
+                resource.height = request.experiment.height;
+            } else {
+                resource.elements = fake_elements;
+            }
+            if (output.key == "levels") resource.levels = fake_levels;
+            if (output.key == "slices") resource.layers = fake_slices;
+            report.resources.push_back(resource);
         }
-        emit result_arrived(result);
+        return report;
+    }
+
+    /// The left half of the picture is element 2 of the first layer, the right half nothing.
+    void answer(const engine::SceneViewRequest& request, std::uint64_t serial) {
+        auto result = std::make_shared<engine::SceneViewResult>();
+        result->tag = request.tag;
+        result->serial = serial;
+        auto& picture = result->picture;
+        const auto& view = request.view;
+        picture.colour = Image(view.width, view.height, 3, 0.5f);
+        for (int i = 0; i < view.width * view.height; ++i) {
+            const bool left = i % view.width < view.width / 2 && !view.layers.empty();
+            picture.layer.push_back(left ? 0 : -1);
+            picture.element.push_back(left ? 2 : -1);
+        }
+        for (const auto& layer : view.layers) {
+            passes::viewers::DrawnLayer drawn;
+            drawn.key = layer.key;
+            drawn.fields = fake_fields(layer.key);
+            drawn.elements = fake_elements;
+            drawn.most = drawn.high = fake_elements - 1;
+            picture.layers.push_back(drawn);
+        }
+        if (view.camera) picture.camera = *view.camera;
+        emit scene_view_arrived(result);
+    }
+
+    void answer(const engine::ProbeRequest& request) {
+        auto result = std::make_shared<engine::ProbeResult>();
+        result->tag = request.tag;
+        result->pixels = request.pixels;
+        for (const auto& output : fake_method().outputs) {
+            if (output.kind != OutputKind::image) continue;
+            engine::ProbeResult::Row row;
+            row.key = output.key;
+            row.label = output.label;
+            row.semantic = output.semantic;
+            row.available = true;
+            row.channels = 1;
+            for (const auto& pixel : request.pixels) row.values.push_back({float(pixel.x + 100 * pixel.y)});
+            result->rows.push_back(row);
+        }
+        emit probe_arrived(result);
     }
 
     std::vector<engine::LiveRequest> requests;

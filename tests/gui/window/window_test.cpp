@@ -18,48 +18,10 @@
 #include "app/gui/main_window.h"
 #include "projects/lock.h"
 #include "renderers/core/error.h"
-#include "tests/gui/window/fake_renderer.h"
-#include "widgets/parameters/number_field.h"
+#include "tests/gui/window/window_fixture.h"
 
 namespace ir::gui {
 namespace {
-
-class WindowTest : public testing::Test {
-  protected:
-    void SetUp() override {
-        window.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-        QApplication::setActiveWindow(&window);  // a bare X server has no window manager to do it
-    }
-    void TearDown() override {
-        // The window would ask whether to save.
-        if (window.session().has_project()) window.session().close();
-    }
-    void open_scene() {
-        ASSERT_TRUE(window.open_path("builtin:cornell"));
-        ASSERT_TRUE(
-            QTest::qWaitFor([this] { return window.session().state() == Session::State::done; }, 5000));
-    }
-    bool settle() {
-        QApplication::processEvents();
-        return QTest::qWaitFor([this] { return window.is_settled(); }, 5000);
-    }
-    widgets::NumberField* level() {
-        return window.findChild<QWidget*>("editor:level")->findChild<widgets::NumberField*>();
-    }
-    void type_level(const char* text) {
-        level()->setFocus();
-        level()->selectAll();
-        QTest::keyClicks(level(), text);
-        QTest::keyClick(level(), Qt::Key_Return);
-        ASSERT_TRUE(settle());
-    }
-    float pixel() { return window.view().image().at(0, 0); }
-    std::string label(const char* name) { return window.findChild<QLabel*>(name)->text().toStdString(); }
-
-    FakeRenderer renderer;
-    MainWindow window{renderer, fake_registry(), {.remember = false}};
-};
 
 TEST_F(WindowTest, StartsEmptyWithDocksAsideAndNamesTheDevice) {
     ASSERT_TRUE(settle());
@@ -148,13 +110,13 @@ TEST_F(WindowTest, RenderingShowsProgressAndEscapeCancels) {
     renderer.hold = true;
     window.action("rerun")->trigger();
     EXPECT_FALSE(window.is_settled());
-    emit renderer.progressed("view", "painting", 0.5);
+    emit renderer.progressed(window.session().experiment()->id, "painting", 0.5);
     EXPECT_NE(label("state").find("painting"), std::string::npos);
     EXPECT_EQ(window.findChild<QProgressBar*>()->value(), 500);
     QTest::keyClick(&window.view(), Qt::Key_Escape);
     ASSERT_TRUE(settle());
     EXPECT_GE(renderer.cancels, 1);
-    EXPECT_EQ(window.session().state(), Session::State::cancelled);
+    EXPECT_EQ(state(), LivePictures::State::cancelled);
     EXPECT_FALSE(window.view().image().empty());  // the last picture stays
 }
 
@@ -202,7 +164,7 @@ TEST_F(WindowTest, AMissingSceneIsABannerAndTheExperimentIsKept) {
     ASSERT_TRUE(window.open_path(folder.path() + "/kept.interreflect"));
     ASSERT_TRUE(settle());
     EXPECT_TRUE(window.banners().names().contains("scene"));
-    EXPECT_EQ(window.session().state(), Session::State::blocked);
+    EXPECT_EQ(state(), LivePictures::State::blocked);
     EXPECT_EQ(window.session().document().experiments.size(), 1u);
 }
 
@@ -237,7 +199,8 @@ TEST_F(WindowTest, ADroppedSceneStartsAProject) {
 
 TEST_F(WindowTest, DocksUndockAndRedockAndTheDefaultLayoutComesBack) {
     open_scene();
-    for (auto* dock : window.findChildren<QDockWidget*>()) {
+    const auto docks = window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
+    for (auto* dock : docks) {
         dock->setFloating(true);
         QApplication::processEvents();
         EXPECT_TRUE(dock->isFloating());
@@ -246,8 +209,7 @@ TEST_F(WindowTest, DocksUndockAndRedockAndTheDefaultLayoutComesBack) {
     }
     window.action("layout-default")->trigger();
     QApplication::processEvents();
-    for (auto* dock : window.findChildren<QDockWidget*>())
-        EXPECT_TRUE(dock->isVisible()) << dock->objectName().toStdString();
+    for (auto* dock : docks) EXPECT_FALSE(dock->isHidden()) << dock->objectName().toStdString();
 }
 
 TEST_F(WindowTest, LayoutsAreNamed) {
@@ -255,7 +217,8 @@ TEST_F(WindowTest, LayoutsAreNamed) {
     window.apply_layout("picture");
     EXPECT_FALSE(window.findChild<QDockWidget*>("messages")->isVisible());
     window.apply_layout("inspect");
-    EXPECT_TRUE(window.findChild<QDockWidget*>("timings")->isVisible());
+    EXPECT_TRUE(window.findChild<QDockWidget*>("inspector")->isVisible());
+    EXPECT_FALSE(window.findChild<QDockWidget*>("timings")->isVisible());
     EXPECT_THROW(window.apply_layout("nonsense"), UsageError);
 }
 

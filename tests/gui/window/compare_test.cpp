@@ -1,0 +1,152 @@
+#include <QTemporaryDir>
+
+#include "renderers/image/exr.h"
+#include "tests/gui/window/window_fixture.h"
+
+namespace ir::gui {
+namespace {
+
+using widgets::ViewMode;
+
+class CompareWindowTest : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        open_scene();
+        add_second_experiment(0.75);
+    }
+    Workspace& workspace() { return window.workspace(); }
+    widgets::CompareView& compare() { return window.workspace().active_pane().compare(); }
+    bool wait_for_difference() {
+        return QTest::qWaitFor([this] { return compare().difference_picture() != nullptr; }, 3000);
+    }
+};
+
+TEST_F(CompareWindowTest, TwoExperimentsAreComparedInEveryMode) {
+    for (const char* action : {"mode-side-by-side", "mode-wipe", "mode-flip", "mode-difference"}) {
+        trigger(action);
+        ASSERT_GE(compare().pictures().size(), 2u) << action;
+        EXPECT_FLOAT_EQ(compare().pictures()[0]->image->at(0, 0), 0.25f) << action;
+        EXPECT_FLOAT_EQ(compare().pictures()[1]->image->at(0, 0), 0.75f) << action;
+        EXPECT_TRUE(compare().refusal().isEmpty()) << action;
+    }
+    ASSERT_TRUE(wait_for_difference());
+    EXPECT_FLOAT_EQ(compare().difference_picture()->image->at(0, 0), -0.5f);
+}
+
+TEST_F(CompareWindowTest, TheKindOfDifferenceIsChosenInTheHeader) {
+    trigger("mode-difference");
+    ASSERT_TRUE(wait_for_difference());
+    choose(header("difference"), "|A − B|");
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return compare().difference_picture() && compare().difference_picture()->image->at(0, 0) > 0; },
+        3000));
+    EXPECT_FLOAT_EQ(compare().difference_picture()->image->at(0, 0), 0.5f);
+}
+
+TEST_F(CompareWindowTest, SwapExchangesAAndB) {
+    trigger("mode-difference");
+    ASSERT_TRUE(wait_for_difference());
+    const auto before = workspace().active_state();
+    QTest::keyClick(&compare().main_view(), Qt::Key_X);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(workspace().active_state().a, before.b);
+    EXPECT_EQ(workspace().active_state().b, before.a);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return compare().difference_picture() && compare().difference_picture()->image->at(0, 0) > 0; },
+        3000));
+}
+
+TEST_F(CompareWindowTest, AForeignImageTakesPart) {
+    const QTemporaryDir folder;
+    const auto size = window.session().experiment()->size;
+    const std::string file = (folder.path() + "/other.exr").toStdString();
+    write_exr(file, {{"", {"R", "G", "B"}, Image(size.x, size.y, 3, 0.125f)}}, {});
+    window.session().add_image(file);
+    auto state = workspace().active_state();
+    state.mode = ViewMode::wipe;
+    state.b = {"image:" + window.session().document().images[0].id, ""};
+    workspace().set_state(0, state);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return compare().pictures().size() == 2 && compare().pictures()[1]->has_image(); }, 5000));
+    EXPECT_FLOAT_EQ(compare().pictures()[1]->image->at(0, 0), 0.125f);
+    EXPECT_TRUE(compare().refusal().isEmpty());
+}
+
+TEST_F(CompareWindowTest, UnequalSizesAreRefusedWithAReason) {
+    const auto second = window.session().document().experiments[1].id;
+    window.session().edit([&](const projects::Project& project) {
+        return projects::edits::set_size(project, second, {40, 30});
+    });
+    trigger("mode-difference");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !compare().refusal().isEmpty(); }, 3000));
+    EXPECT_TRUE(compare().refusal().contains("40")) << compare().refusal().toStdString();
+}
+
+TEST_F(CompareWindowTest, DifferentScenesAreComparedOnlyWithAWarning) {
+    const QTemporaryDir folder;
+    trigger("mode-wipe");
+    auto* warning = workspace().active_pane().header().findChild<QLabel*>("warning");
+    EXPECT_FALSE(warning->isVisible());
+    window.session().add_scene("builtin:plane");
+    const auto second = window.session().document().experiments[1].id;
+    const auto scene = window.session().document().scenes[1].id;
+    window.session().edit([&](const projects::Project& project) {
+        return projects::edits::set_scene_of(project, second, scene);
+    });
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(warning->isVisible());
+    EXPECT_TRUE(warning->text().contains("scene"));
+}
+
+TEST_F(CompareWindowTest, ZoomIsOneForAllViewsUntilUnlinked) {
+    trigger("views-2");
+    auto& first = workspace().pane(0)->compare().main_view();
+    auto& second = workspace().pane(1)->compare().main_view();
+    workspace().pane(0)->compare().look_at({10, 10}, 8);
+    EXPECT_DOUBLE_EQ(second.transform().zoom(), 8);
+    trigger("link");
+    EXPECT_FALSE(workspace().linked());
+    workspace().pane(0)->compare().look_at({10, 10}, 16);
+    EXPECT_DOUBLE_EQ(first.transform().zoom(), 16);
+    EXPECT_DOUBLE_EQ(second.transform().zoom(), 8);
+}
+
+TEST_F(CompareWindowTest, ALinkedCameraMovesBothExperimentsAsOneStep) {
+    trigger("mode-wipe");
+    const auto position = window.session().open_project().undo_stack().position();
+    trigger("orbit");
+    auto& view = compare().main_view();
+    QTest::mousePress(&view, Qt::LeftButton, {}, {50, 50});
+    for (int x = 55; x < 90; x += 5) QTest::mouseMove(&view, {x, 60});
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, {90, 60});
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.session().open_project().undo_stack().position(), position + 1);
+    const auto& experiments = window.session().document().experiments;
+    EXPECT_FALSE(experiments[0].camera.empty());
+    EXPECT_EQ(experiments[0].camera, experiments[1].camera);
+}
+
+TEST_F(CompareWindowTest, StagesPutTheMethodsPicturesInARow) {
+    trigger("mode-stages");
+    EXPECT_GE(compare().views().size(), 2u);
+    EXPECT_EQ(compare().difference_views().size() + 1, compare().views().size());
+}
+
+TEST_F(CompareWindowTest, AComparisonIsKeptInTheProjectAndOpensAgain) {
+    trigger("mode-difference");
+    ASSERT_TRUE(wait_for_difference());
+    trigger("comparison-add");
+    ASSERT_EQ(window.session().document().comparisons.size(), 1u);
+    const auto kept = window.session().document().comparisons[0];
+    EXPECT_EQ(kept.mode, "difference:signed");
+    trigger("mode-single");
+    workspace().open_comparison(kept);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(workspace().active_state().mode, ViewMode::difference);
+    trigger("undo");
+    EXPECT_TRUE(window.session().document().comparisons.empty());
+}
+
+}  // namespace
+}  // namespace ir::gui

@@ -1,0 +1,180 @@
+#include <QDockWidget>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include "renderers/core/error.h"
+#include "renderers/image/exr.h"
+#include "tests/gui/window/window_fixture.h"
+
+namespace ir::gui {
+namespace {
+
+class InspectWindowTest : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        open_scene();
+        window.workspace().active_pane().compare().look_at({15, 10}, 8);  // a pixel can be hit
+    }
+    /// A dock that stands behind a tab comes to the front.
+    void raise(const char* name) {
+        auto* dock = window.findChild<QDockWidget*>(name);
+        dock->show();
+        dock->raise();
+        QTest::qWait(50);
+    }
+    QPoint place_of(QPoint pixel) {
+        auto& view = window.view();
+        const QPointF device = view.transform().view_from_image(QPointF(pixel) + QPointF(0.5, 0.5));
+        return (device / view.devicePixelRatioF()).toPoint();
+    }
+    void move_to(QPoint pixel) {
+        QTest::mouseMove(&window.view(), place_of(pixel) + QPoint(1, 1));
+        QTest::mouseMove(&window.view(), place_of(pixel));
+    }
+};
+
+TEST_F(InspectWindowTest, ThePixelUnderTheCursorIsReadFromAllImages) {
+    raise("inspector");
+    move_to({12, 7});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.probes.empty(); }, 2000));
+    auto& model = window.inspector().panel().model();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return model.readings().cursor == QPoint(12, 7); }, 2000));
+    const QString text = window.inspector().panel().csv();
+    EXPECT_TRUE(text.contains("712")) << text.toStdString();
+    EXPECT_TRUE(text.contains("depth"));
+}
+
+TEST_F(InspectWindowTest, PinsStayWithTheProject) {
+    const QTemporaryDir folder;
+    raise("inspector");
+    move_to({12, 7});
+    QTest::keyClick(&window.view(), Qt::Key_P);
+    move_to({3, 4});
+    QTest::keyClick(&window.view(), Qt::Key_P);
+    ASSERT_EQ(window.inspector().pins().size(), 2u);
+    EXPECT_EQ(window.inspector().pins()[0], QPoint(12, 7));
+    window.session().save_as((folder.path() + "/kept.interreflect").toStdString());
+    QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
+    trigger("close");
+    ASSERT_TRUE(window.open_path(folder.path() + "/kept.interreflect"));
+    EXPECT_EQ(window.inspector().pins().size(), 2u);
+}
+
+TEST_F(InspectWindowTest, PanelsThatAreNotSeenAskForNothing) {
+    raise("buffers");
+    renderer.probes.clear();
+    move_to({12, 7});
+    move_to({13, 7});
+    QTest::qWait(50);
+    EXPECT_TRUE(renderer.probes.empty());
+}
+
+TEST_F(InspectWindowTest, ShiftClickExplainsAPixelAndDrawsItInSpace) {
+    QTest::mouseMove(&window.view(), place_of({20, 10}));
+    QTest::mouseClick(&window.view(), Qt::LeftButton, Qt::ShiftModifier, place_of({20, 10}));
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(window.inspector().explained().has_value());
+    EXPECT_EQ(*window.inspector().explained(), QPoint(20, 10));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.workspace().area().open_views().size() == 2; }, 3000));
+    const auto& state = window.workspace().state(1);
+    EXPECT_EQ(state.a.output, "why");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.views.empty(); }, 3000));
+    EXPECT_EQ(renderer.views.back().view.layers[0].key, "why");
+    EXPECT_EQ(renderer.requests.back().inspection.x, 20);
+    EXPECT_EQ(renderer.requests.back().inspection.y, 10);
+    EXPECT_EQ(window.workspace().area().active(), 0);
+    trigger("explain-nothing");
+    EXPECT_FALSE(window.inspector().explained().has_value());
+}
+
+TEST_F(InspectWindowTest, AnExplanationIsNoEdit) {
+    const auto position = window.session().open_project().undo_stack().position();
+    window.inspector().explain({1, 2});
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.session().open_project().undo_stack().position(), position);
+}
+
+TEST_F(InspectWindowTest, DisplayIsRememberedByBuffer) {
+    trigger("brighter");
+    EXPECT_DOUBLE_EQ(window.workspace().display().exposure, 0.5);
+    window.workspace().show_output("depth");
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(window.workspace().is_automatic());
+    auto display = window.workspace().display();
+    display.high = 7;
+    window.workspace().choose_display(display);
+    trigger("buffer-main");
+    EXPECT_DOUBLE_EQ(window.workspace().display().exposure, 0.5);
+    window.workspace().show_output("depth");
+    ASSERT_TRUE(settle());
+    EXPECT_DOUBLE_EQ(window.workspace().display().high, 7);
+    trigger("display-reset");
+    EXPECT_TRUE(window.workspace().is_automatic());
+}
+
+TEST_F(InspectWindowTest, ZebraAndMarksAreSwitchedByKeys) {
+    QTest::keyClick(&window.view(), Qt::Key_Z);
+    EXPECT_TRUE(window.view().display().zebra);
+    QTest::keyClick(&window.view(), Qt::Key_M);
+    EXPECT_FALSE(window.view().display().mark_bad);
+    QTest::keyClick(&window.view(), Qt::Key_M);
+    EXPECT_TRUE(window.view().display().mark_bad);
+}
+
+TEST_F(InspectWindowTest, WhatIsShownIsExported) {
+    const QTemporaryDir folder;
+    const QString png = folder.path() + "/view.png", exr = folder.path() + "/buffer.exr",
+                  csv = folder.path() + "/values.csv";
+    window.exports().save_view(png);
+    EXPECT_FALSE(QImage(png).isNull());
+    window.exports().save_buffer(exr);
+    const auto image = read_image(exr.toStdString());
+    EXPECT_EQ(image.pixels, window.view().image().pixels);
+    window.exports().save_values(csv);
+    QFile file(csv);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_EQ(file.readLine().trimmed(), "x,y,R,G,B");
+    EXPECT_EQ(file.readLine().trimmed(), "0,0,0.25,0.25,0.25");
+    window.exports().save_all_buffers(folder.path() + "/all.exr");
+    ASSERT_EQ(renderer.exports.size(), 1u);
+    EXPECT_EQ(renderer.exports[0].tag, window.session().experiment()->id);
+    window.workspace().show_output("numbers");
+    ASSERT_TRUE(settle());
+    window.exports().save_values(csv);
+    file.close();
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_EQ(file.readAll().count('\n'), fake_elements + 1);
+    EXPECT_THROW(window.exports().save_buffer(exr), Error);
+    EXPECT_THROW(window.exports().save_view(folder.path() + "/no/such/folder.png"), Error);
+}
+
+TEST_F(InspectWindowTest, AMessageLeadsToItsPlace) {
+    window.messages().add({Severity::warning, "render", "look at this", "depth"});
+    emit window.messages().go_to({Severity::warning, "render", "look at this", "depth"});
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.workspace().shown_key(), "depth");
+}
+
+TEST_F(InspectWindowTest, ACameraIsBookmarkedAndUsedAgain) {
+    QTest::keyClick(&window, Qt::Key_B, Qt::ControlModifier);
+    ASSERT_EQ(window.session().document().cameras.size(), 1u);
+    const auto id = window.session().document().cameras[0].id;
+    raise("project");
+    emit window.document().tree().item_activated({widgets::ItemKind::camera, QString::fromStdString(id)});
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.session().experiment()->camera, id);
+}
+
+TEST_F(InspectWindowTest, AnEditInTheProjectPanelIsUndone) {
+    raise("project");
+    emit window.document().tree().edit_wanted([](const projects::Project& project) {
+        return projects::edits::set_project_name(project, "renamed");
+    });
+    EXPECT_EQ(window.session().document().name, "renamed");
+    trigger("undo");
+    EXPECT_NE(window.session().document().name, "renamed");
+}
+
+}  // namespace
+}  // namespace ir::gui

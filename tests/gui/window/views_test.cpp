@@ -1,0 +1,213 @@
+#include <QDockWidget>
+#include <QStackedWidget>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+#include "tests/gui/window/window_fixture.h"
+
+namespace ir::gui {
+namespace {
+
+using widgets::ViewArea;
+using widgets::ViewMode;
+using widgets::ViewPane;
+
+class ViewsTest : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        open_scene();
+    }
+    Workspace& workspace() { return window.workspace(); }
+    ViewArea& area() { return window.workspace().area(); }
+    const engine::LiveRequest& request() { return renderer.requests.back(); }
+};
+
+TEST_F(ViewsTest, OneToFourViewsOpenAndCloseByKeysAndOneStays) {
+    EXPECT_EQ(area().open_views().size(), 1u);
+    for (const auto& [action, count] : {std::pair{"views-2", 2u},
+                                        {"views-3", 3u},
+                                        {"views-4", 4u},
+                                        {"views-2-stacked", 2u},
+                                        {"views-1", 1u}}) {
+        trigger(action);
+        EXPECT_EQ(area().open_views().size(), count) << action;
+    }
+    QTest::keyClick(&window, Qt::Key_T, Qt::ControlModifier);
+    EXPECT_EQ(area().open_views().size(), 2u);
+    QTest::keyClick(&window, Qt::Key_W, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(area().open_views().size(), 1u);
+    QTest::keyClick(&window, Qt::Key_W, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(area().open_views().size(), 1u);
+}
+
+TEST_F(ViewsTest, AnyOutputOfAnyExperimentIsShownInAnyView) {
+    add_second_experiment(0.75);
+    trigger("views-2");
+    area().set_active(1);
+    choose(header("owner-a"), QString::fromStdString(window.session().document().experiments[1].name));
+    EXPECT_FLOAT_EQ(window.view().image().at(0, 0), 0.75f);
+    choose(header("output-a"), "Depth");
+    EXPECT_EQ(window.view().semantic(), Semantic::depth);
+    area().set_active(0);
+    EXPECT_FLOAT_EQ(window.view().image().at(0, 0), 0.25f);
+    EXPECT_EQ(window.view().semantic(), Semantic::radiance);
+    // One execution an experiment, however many views show it.
+    std::set<std::string> tags;
+    for (const auto& each : renderer.requests) tags.insert(each.tag);
+    EXPECT_EQ(tags.size(), 2u);
+}
+
+TEST_F(ViewsTest, AnExperimentThatNobodyLooksAtIsReleased) {
+    add_second_experiment(0.75);
+    const auto second = window.session().document().experiments[1].id;
+    trigger("views-2");
+    area().set_active(1);
+    workspace().show_owner(second);
+    ASSERT_TRUE(settle());
+    renderer.releases.clear();
+    trigger("views-1");
+    EXPECT_EQ(std::count(renderer.releases.begin(), renderer.releases.end(), second), 1);
+}
+
+TEST_F(ViewsTest, TheActiveViewSaysWhichExperimentIsWorkedOn) {
+    add_second_experiment(0.75);
+    const auto& experiments = window.session().document().experiments;
+    trigger("views-2");
+    area().set_active(1);
+    workspace().show_owner(experiments[1].id);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.session().experiment()->id, experiments[1].id);
+    QTest::keyClick(&window, Qt::Key_F6);
+    EXPECT_EQ(area().active(), 0);
+    EXPECT_EQ(window.session().experiment()->id, experiments[0].id);
+}
+
+TEST_F(ViewsTest, PyramidsAndStacksShowOnePartOrAllAtOnce) {
+    choose(header("output-a"), "Levels");
+    EXPECT_FLOAT_EQ(window.view().image().at(0, 0), 0);
+    const int width = window.view().image().width;
+    choose(header("part-a"), "Level 2");
+    EXPECT_FLOAT_EQ(window.view().image().at(0, 0), 2);
+    EXPECT_EQ(window.view().image().width, width / 4);
+    choose(header("part-a"), "All levels");
+    EXPECT_GT(window.view().image().width, width);
+    EXPECT_EQ(window.view().picture()->atlas.tiles.size(), std::size_t(fake_levels));
+    choose(header("output-a"), "Slices");
+    choose(header("part-a"), "Slice 3");
+    EXPECT_FLOAT_EQ(window.view().image().at(0, 0), 3);
+    choose(header("part-a"), "All slices");
+    EXPECT_EQ(window.view().picture()->atlas.tiles.size(), std::size_t(fake_slices));
+}
+
+TEST_F(ViewsTest, EachKindOfOutputHasItsViewer) {
+    const std::pair<const char*, ViewPane::Content> viewers[] = {{"Picture", ViewPane::Content::picture},
+                                                                 {"Levels", ViewPane::Content::picture},
+                                                                 {"Cloud", ViewPane::Content::space},
+                                                                 {"Ball", ViewPane::Content::space},
+                                                                 {"Numbers", ViewPane::Content::table}};
+    for (const auto& [label, content] : viewers) {
+        choose(header("output-a"), label);
+        EXPECT_EQ(workspace().active_pane().content(), content) << label;
+    }
+}
+
+TEST_F(ViewsTest, ABufferInSpaceIsDrawnAndCanBeReadAsATable) {
+    choose(header("output-a"), "Cloud");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.views.empty(); }, 2000));
+    const auto& view = renderer.views.back();
+    ASSERT_EQ(view.view.layers.size(), 1u);
+    EXPECT_EQ(view.view.layers[0].key, "cloud");
+    EXPECT_EQ(view.view.layers[0].colour_by, "layer");
+    EXPECT_EQ(view.execution, window.session().experiment()->id);
+    EXPECT_NE(std::find(request().kept.begin(), request().kept.end(), "cloud"), request().kept.end());
+    auto& space = workspace().active_pane().space().view();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !space.picture().colour.empty(); }, 2000));
+    auto* table = workspace().active_pane().header().findChild<QToolButton*>("table");
+    ASSERT_TRUE(table->isVisible());
+    QTest::mouseClick(table, Qt::LeftButton);
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(workspace().active_pane().content(), ViewPane::Content::table);
+    auto& model = workspace().active_pane().table().model();
+    EXPECT_EQ(model.rowCount({}), fake_elements);
+    EXPECT_EQ(model.index(4, 1).data().toString(), "4");
+}
+
+TEST_F(ViewsTest, AFreeCameraAsksForAPictureAndRendersNothingAgain) {
+    choose(header("output-a"), "Cloud");
+    auto& space = workspace().active_pane().space().view();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !space.picture().colour.empty(); }, 2000));
+    const auto requests = renderer.requests.size();
+    const auto views = renderer.views.size();
+    const QPoint middle = space.picture_area().center();
+    QTest::mousePress(&space, Qt::LeftButton, {}, middle);
+    QTest::mouseMove(&space, middle + QPoint(30, 10));
+    QTest::mouseRelease(&space, Qt::LeftButton, {}, middle + QPoint(30, 10));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return renderer.views.size() > views; }, 2000));
+    EXPECT_TRUE(renderer.views.back().view.camera.has_value());
+    EXPECT_EQ(renderer.requests.size(), requests);
+}
+
+TEST_F(ViewsTest, AClickOnTheSphereChoosesTheItemThatTheRegionStandsFor) {
+    choose(header("output-a"), "Ball");
+    auto& space = workspace().active_pane().space().view();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !space.picture().colour.empty(); }, 2000));
+    const QRect area = space.picture_area();
+    QTest::mouseClick(&space, Qt::LeftButton, {}, QPoint(area.left() + area.width() / 4, area.center().y()));
+    ASSERT_TRUE(settle());
+    const auto id = window.session().experiment()->id;
+    EXPECT_EQ(workspace().inspection(id).item("item"), 2);
+    EXPECT_EQ(request().inspection.item("item"), 2);
+}
+
+TEST_F(ViewsTest, UndockedAndRedockedEveryViewKeepsItsPicture) {
+    trigger("views-2");
+    for (const int number : area().open_views()) {
+        auto* dock = area().dock(number);
+        auto& view = workspace().pane(number)->compare().main_view();
+        const Image before = view.image();
+        ASSERT_FALSE(before.empty());
+        const auto middle = [&] {
+            QApplication::processEvents();
+            const QImage seen = view.grab().toImage();
+            return seen.pixelColor(seen.width() / 2, seen.height() / 2);
+        };
+        const QColor docked = middle();
+        EXPECT_NE(docked, widgets::surround_colour);
+        dock->setFloating(true);
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(dock));
+        EXPECT_EQ(middle(), docked) << number;
+        dock->setFloating(false);
+        QTest::qWait(50);
+        EXPECT_EQ(middle(), docked) << number;
+        EXPECT_EQ(view.image().pixels, before.pixels);
+    }
+}
+
+TEST_F(ViewsTest, WhatViewsShowIsRememberedWithTheProject) {
+    const QTemporaryDir folder;
+    add_second_experiment(0.75);
+    trigger("views-2");
+    area().set_active(1);
+    workspace().show_owner(window.session().document().experiments[1].id);
+    workspace().show_output("depth");
+    workspace().set_mode(ViewMode::difference);
+    ASSERT_TRUE(settle());
+    auto display = workspace().display();
+    display.low = -2;
+    display.high = 2;
+    workspace().choose_display(display);
+    const auto shown = workspace().active_state();
+    window.session().save_as((folder.path() + "/kept.interreflect").toStdString());
+    QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
+    trigger("close");
+    ASSERT_TRUE(window.open_path(folder.path() + "/kept.interreflect"));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(area().open_views().size(), 2u);
+    EXPECT_EQ(area().active(), 1);
+    EXPECT_EQ(workspace().active_state(), shown);
+    EXPECT_EQ(workspace().display().low, -2);
+}
+
+}  // namespace
+}  // namespace ir::gui

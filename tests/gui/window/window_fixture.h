@@ -1,0 +1,87 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QTest>
+
+#include "app/gui/main_window.h"
+#include "tests/gui/window/fake_renderer.h"
+#include "widgets/parameters/number_field.h"
+
+namespace ir::gui {
+
+/// A real window on a renderer that answers at once with what it was asked for.
+class WindowTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+        QApplication::setActiveWindow(&window);  // a bare X server has no window manager to do it
+    }
+    void TearDown() override {
+        // The window would ask whether to save.
+        if (window.session().has_project()) window.session().close();
+    }
+    void open_scene() {
+        ASSERT_TRUE(window.open_path("builtin:cornell"));
+        ASSERT_TRUE(QTest::qWaitFor([this] { return state() == LivePictures::State::done; }, 5000));
+    }
+    LivePictures::State state() {
+        const auto* chosen = window.session().experiment();
+        return chosen ? window.live().state(chosen->id) : LivePictures::State::absent;
+    }
+    bool settle() {
+        QApplication::processEvents();
+        return QTest::qWaitFor([this] { return window.is_settled(); }, 5000);
+    }
+    widgets::NumberField* level() {
+        return window.findChild<QWidget*>("editor:level")->findChild<widgets::NumberField*>();
+    }
+    void type_level(const char* text) {
+        level()->setFocus();
+        level()->selectAll();
+        QTest::keyClicks(level(), text);
+        QTest::keyClick(level(), Qt::Key_Return);
+        ASSERT_TRUE(settle());
+    }
+    /// Chooses an entry of a combo box as a person does.
+    void choose(QComboBox* combo, const QString& text) {
+        const int index = combo->findText(text);
+        ASSERT_GE(index, 0) << text.toStdString();
+        combo->setFocus();
+        combo->setCurrentIndex(index);
+        emit combo->activated(index);
+        ASSERT_TRUE(settle());
+    }
+    QComboBox* header(const char* name) {
+        return window.workspace().active_pane().header().findChild<QComboBox*>(name);
+    }
+    void trigger(const char* action) {
+        ASSERT_TRUE(window.action(action)->isEnabled()) << action;
+        window.action(action)->trigger();
+        ASSERT_TRUE(settle());
+    }
+    /// A second experiment with another value, and the first one chosen again.
+    void add_second_experiment(double value) {
+        const auto first = window.session().experiment()->id;
+        trigger("experiment-duplicate");
+        const auto second = window.session().experiment()->id;
+        ASSERT_NE(first, second);
+        window.session().edit([&](const projects::Project& project) {
+            return projects::edits::set_values(project, fake_registry(), second, {{"level", value}});
+        });
+        ASSERT_TRUE(settle());
+        window.session().select_experiment(first);
+        ASSERT_TRUE(settle());
+    }
+    float pixel() { return window.view().image().at(0, 0); }
+    std::string label(const char* name) { return window.findChild<QLabel*>(name)->text().toStdString(); }
+
+    FakeRenderer renderer;
+    MainWindow window{renderer, fake_registry(), {.remember = false}};
+};
+
+}  // namespace ir::gui
