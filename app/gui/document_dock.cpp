@@ -67,6 +67,7 @@ void DocumentDock::connect_panels() {
     connect(tree_, &widgets::ProjectPanel::item_activated, this, &DocumentDock::activate);
     connect(tree_, &widgets::ProjectPanel::add_wanted, this, &DocumentDock::add);
     connect(editor_, &widgets::ItemEditor::browse_wanted, this, &DocumentDock::browse);
+    connect(editor_, &widgets::ItemEditor::add_wanted, this, &DocumentDock::add);
 }
 
 void DocumentDock::update_document() {
@@ -222,17 +223,6 @@ void DocumentDock::add(ItemKind kind, const ItemRef& owner) {
             return add_experiment();
         case ItemKind::image:
             return add_image();
-        case ItemKind::sweep:
-            if (const auto* chosen = session_.experiment()) {
-                projects::Sweep sweep;
-                sweep.experiment = chosen->id;
-                sweep.name = "Sweep";
-                session_.edit([&](const Project& project) {
-                    sweep.id = projects::free_id_in(project.sweeps, sweep.name);
-                    return edits::add(project, sweep);
-                });
-            }
-            return;
         default:
             return;
     }

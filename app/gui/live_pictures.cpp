@@ -152,7 +152,10 @@ void LivePictures::on_result(std::shared_ptr<const engine::LiveResult> result) {
     entry.result = result;
     entry.fraction = result->frames > 0 ? double(result->frame) / result->frames : 1;
     const bool done = result->serial == entry.serial && result->finished;
-    for (const auto& each : result->report.messages) emit message(each);
+    for (auto each : result->report.messages) {
+        if (each.place.empty()) each.place = "experiment:" + id;
+        emit message(each);
+    }
     emit picture_arrived(id);
     // Whoever heard of the picture may want something else by now.
     if (const auto now = entries_.find(id);
@@ -163,7 +166,7 @@ void LivePictures::on_result(std::shared_ptr<const engine::LiveResult> result) {
 void LivePictures::on_failure(const std::string& tag, const std::string& error, bool cancelled) {
     const auto found = entries_.find(tag);
     if (found == entries_.end()) return;
-    if (!cancelled) emit message({Severity::error, "render", error});
+    if (!cancelled) emit message({Severity::error, "render", error, "experiment:" + tag});
     set_state(tag, found->second, cancelled ? State::cancelled : State::failed,
               cancelled ? std::string() : error);
 }

@@ -244,6 +244,12 @@ widgets::Display PictureSource::automatic_display(const ViewSource& source) {
 }
 
 QString PictureSource::warning(const ViewSource& a, const ViewSource& b) const {
+    for (const auto& source : {a, b})
+        if (const auto* image = foreign(source.owner))
+            return image->notes.empty()
+                       ? tr("Nothing is noted about the light that %1 shows.")
+                             .arg(text_of(owner_name(source.owner)))
+                       : tr("%1: %2").arg(text_of(owner_name(source.owner)), text_of(image->notes));
     const auto* first = session_.experiment(a.owner);
     const auto* second = session_.experiment(b.owner);
     if (!first || !second || first == second) return {};

@@ -54,12 +54,12 @@ PixelInspector::PixelInspector(Session& session, LivePictures& live, Renderer& r
     connect(panel_, &Panel::pin_removed, this, [this](int number) {
         if (number < 0 || number >= int(pins_.size())) return;
         pins_.erase(pins_.begin() + number);
-        emit pins_changed();
+        show_pins();
         update();
     });
     connect(panel_, &Panel::pins_cleared, this, [this] {
         pins_.clear();
-        emit pins_changed();
+        show_pins();
         update();
     });
     connect(panel_, &Panel::explain_wanted, this, &PixelInspector::explain);
@@ -140,8 +140,15 @@ void PixelInspector::pin(QPoint pixel) {
     if (pixel.x() < 0 || std::find(pins_.begin(), pins_.end(), pixel) != pins_.end()) return;
     if (pins_.size() >= most_pins) pins_.erase(pins_.begin());
     pins_.push_back(pixel);
-    emit pins_changed();
+    show_pins();
     update();
+}
+
+void PixelInspector::show_pins() {
+    std::vector<widgets::PinMark> marks;
+    for (int i = 0; i < int(pins_.size()); ++i)
+        marks.push_back({pins_[std::size_t(i)], widgets::pin_colour(i), i + 1});
+    workspace_.set_pins(std::move(marks));
 }
 
 void PixelInspector::pin_cursor() {
@@ -273,7 +280,7 @@ void PixelInspector::load(const projects::Json& memory) {
                 {std::clamp(pin[0].get<int>(), 0, 65535), std::clamp(pin[1].get<int>(), 0, 65535)});
     compute_all_ = field_or(memory, "compute_all", false);
     panel_->set_compute_all(compute_all_);
-    emit pins_changed();
+    show_pins();
     update();
 }
 

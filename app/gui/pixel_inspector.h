@@ -41,11 +41,9 @@ class PixelInspector : public QObject {
     void save(projects::Json& memory) const;
     void load(const projects::Json& memory);
 
-  signals:
-    void pins_changed();
-
   private:
     void update();
+    void show_pins();
     void update_explain();
     void ask();
     void send_wants();

@@ -11,12 +11,13 @@ SceneShelf::SceneShelf(Renderer& renderer) : renderer_(renderer) {
     connect(&renderer_, &Renderer::scene_arrived, this, [this](const engine::SceneSummary& scene) {
         if (scenes_.size() >= most_kept) scenes_.clear();
         scenes_[scene.composition_key] = scene;
-        for (const auto& warning : scene.warnings) emit message({Severity::warning, "scene", warning});
+        for (const auto& warning : scene.warnings)
+            emit message({Severity::warning, "scene", warning, place_});
         if (scene.composition_key == key_) emit changed();
     });
     connect(&renderer_, &Renderer::failed, this,
             [this](const std::string& tag, const std::string& error, bool cancelled) {
-                if (tag == "scene" && !cancelled) emit message({Severity::error, "scene", error});
+                if (tag == "scene" && !cancelled) emit message({Severity::error, "scene", error, place_});
             });
 }
 

@@ -18,6 +18,8 @@ class SceneShelf : public QObject {
     void choose(const std::vector<scene::Part>& parts);
     void clear();
     const engine::SceneSummary* current() const;
+    /// Where messages about the scene lead: a key of widgets::ItemRef.
+    void set_place(const std::string& place) { place_ = place; }
     /// Its parts' sources in order.
     const std::vector<scene::Part>& parts() const { return parts_; }
 
@@ -28,7 +30,7 @@ class SceneShelf : public QObject {
   private:
     Renderer& renderer_;
     std::vector<scene::Part> parts_;
-    std::string key_;
+    std::string key_, place_;
     std::map<std::string, engine::SceneSummary> scenes_;  ///< the last few, by composition
 };
 

@@ -53,6 +53,10 @@ void MainWindow::make_centre() {
     pages_->addWidget(welcome_);
     pages_->addWidget(&workspace_.area());
     setCentralWidget(centre);
+    if (options_.surface == widgets::ImageView::Surface::best && !widgets::has_opengl())
+        banners_->show_banner(QStringLiteral("opengl"), widgets::BannerStack::Kind::note,
+                              tr("This screen offers no OpenGL 3.3; pictures are painted by the processor. "
+                                 "All functions work, only slower."));
 }
 
 QDockWidget* MainWindow::add_dock(const QString& name, const QString& title, QWidget* content,

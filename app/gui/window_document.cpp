@@ -42,7 +42,10 @@ void MainWindow::connect_session() {
         update_lists();
         update_state_banner();
     });
-    connect(&live_, &LivePictures::composition_resolved, &scenes_, &SceneShelf::choose);
+    connect(&live_, &LivePictures::composition_resolved, this, [this](const std::vector<scene::Part>& parts) {
+        scenes_.set_place("scene:" + session_.experiment()->scene);
+        scenes_.choose(parts);
+    });
     connect(&live_, &LivePictures::state_changed, this, [this] {
         update_actions();
         update_state_banner();

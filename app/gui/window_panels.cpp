@@ -163,7 +163,7 @@ void MainWindow::choose_item_of_element(const std::string& owner, const std::str
     workspace_.set_inspection(owner, now);
 }
 
-/// From a message to where it can be mended.
+/// From a message to where it can be mended: a file's line, an item of the project, a buffer.
 void MainWindow::go_to(const Message& message) {
     const QString place = text_of(message.place);
     const QString file = place.section(QLatin1Char(':'), 0, 0);
@@ -176,21 +176,14 @@ void MainWindow::go_to(const Message& message) {
         dock->show();
         dock->raise();
     };
-    if (message.source == "scene" || message.source == "project" || message.source == "environment") {
+    if (const auto item = widgets::ItemRef::from_key(place); item.is_valid()) {
         raise("project");
-        const auto item = widgets::ItemRef::from_key(place);
-        const auto* chosen = session_.experiment();
-        if (item.is_valid())
-            document_->select(item);
-        else if (chosen)
-            document_->select({widgets::ItemKind::scene, text_of(chosen->scene)});
-        return;
+        if (item.kind == widgets::ItemKind::experiment) session_.select_experiment(item.id.toStdString());
+        return document_->select(item);
     }
-    if (find_resource(live_.result(session_.experiment() ? session_.experiment()->id : "")
-                          ? live_.result(session_.experiment()->id)->report
-                          : FrameReport(),
-                      message.place))
-        return workspace_.show_output(message.place);
+    const auto* chosen = session_.experiment();
+    const auto result = chosen ? live_.result(chosen->id) : nullptr;
+    if (result && find_resource(result->report, message.place)) return workspace_.show_output(message.place);
     raise("timings");
 }
 

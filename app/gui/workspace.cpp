@@ -24,14 +24,7 @@ Workspace::Workspace(Session& session, LivePictures& live, Renderer& renderer, I
     area_ = new ViewArea([this](int view) { return make_pane(view); });
     connect(area_, &ViewArea::active_changed, this, &Workspace::on_active_changed);
     connect(area_, &ViewArea::views_changed, this, &Workspace::update_all);
-    connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
-        for (const int view : area_->open_views())
-            for (const auto& source : sources(state(view)))
-                if (source.owner == id) {
-                    update_view(view);
-                    break;
-                }
-    });
+    connect(&live_, &LivePictures::picture_arrived, this, &Workspace::on_picture);
     connect(&live_, &LivePictures::state_changed, this, [this](const std::string& id) {
         for (const int view : area_->open_views())
             if (state(view).a.owner == id || state(view).b.owner == id) update_view(view);
@@ -52,6 +45,7 @@ ViewPane* Workspace::make_pane(int view) {
     pane->compare().set_tool(tool_);
     pane->compare().set_pixel_grid(grid_);
     pane->compare().set_legend(legend_);
+    pane->compare().set_pins(pins_);
     connect_pane(view, *pane);
     return pane;
 }
@@ -113,6 +107,23 @@ void Workspace::update_all() {
     for (auto& state : states_) state = completed(std::move(state));
     send_wants();
     for (const int view : area_->open_views()) update_view(view);
+}
+
+/// Sizes and fields of buffers are known now, and with them what was left open.
+void Workspace::on_picture(const std::string& id) {
+    bool completed_some = false;
+    for (const int view : area_->open_views()) {
+        const auto shown = sources(state(view));
+        if (std::none_of(shown.begin(), shown.end(), [&](const auto& source) { return source.owner == id; }))
+            continue;
+        auto state = completed(states_[std::size_t(view)]);
+        if (state != states_[std::size_t(view)]) {
+            states_[std::size_t(view)] = std::move(state);
+            completed_some = true;
+        }
+        update_view(view);
+    }
+    if (completed_some) send_wants();
 }
 
 void Workspace::on_active_changed() {
@@ -289,6 +300,12 @@ void Workspace::set_legend(bool on) {
     legend_ = on;
     for (auto* pane : panes_)
         if (pane) pane->compare().set_legend(on);
+}
+
+void Workspace::set_pins(std::vector<widgets::PinMark> pins) {
+    pins_ = std::move(pins);
+    for (auto* pane : panes_)
+        if (pane) pane->compare().set_pins(pins_);
 }
 
 void Workspace::save(projects::Json& memory) const {

@@ -55,6 +55,7 @@ class Workspace : public QObject {
     widgets::ImageView::Tool tool() const { return tool_; }
     void set_pixel_grid(bool on);
     void set_legend(bool on);
+    void set_pins(std::vector<widgets::PinMark> pins);
 
     /// What panels want beside the views, by experiment; only of experiments that a view shows.
     void set_panel_wants(std::map<std::string, Want> wants);
@@ -91,6 +92,7 @@ class Workspace : public QObject {
     void update_camera(int view);
     void send_wants();
     void on_active_changed();
+    void on_picture(const std::string& id);
     std::vector<std::string> shown_experiments() const;
 
     // workspace_state.cpp
@@ -113,6 +115,7 @@ class Workspace : public QObject {
     void connect_space(int view, widgets::SpacePane& space);
     void update_space(int view);
     void request_space(int view, const widgets::SpaceScene& scene, QSize device_px, int oversampling);
+    QString hover_text(int view, int layer, qint64 element) const;
     void on_scene_view(std::shared_ptr<const engine::SceneViewResult> result);
     std::vector<widgets::AvailableBuffer> spatial_buffers(const std::string& owner) const;
 
@@ -127,6 +130,7 @@ class Workspace : public QObject {
     widgets::ViewArea* area_ = nullptr;
     widgets::ViewLink link_;
     DisplayMemory displays_;
+    std::vector<widgets::PinMark> pins_;
     std::map<std::string, Want> panel_wants_;
     std::map<std::string, Inspection> inspections_;
     bool linked_ = true, grid_ = true, legend_ = true, loading_ = false;

@@ -119,11 +119,32 @@ void Workspace::connect_space(int view, SpacePane& space) {
                 now.chosen[selector.toStdString()] = item;
                 set_inspection(owner, now);
             });
+    connect(&space.view(), &SpaceView::element_hovered, this,
+            [this, view, &space](int layer, qint64 element) {
+                space.view().set_hover_values(hover_text(view, layer, element));
+            });
     connect(&space.view(), &SpaceView::element_clicked, this, [this, view](int layer, qint64 element) {
         const auto& layers = state(view).space.layers;
         if (layer < 0 || layer >= int(layers.size()) || element < 0) return;
         emit element_clicked(state(view).a.owner, layers[std::size_t(layer)].key, element);
     });
+}
+
+/// Values of the element under the cursor, where its buffer was sent.
+QString Workspace::hover_text(int view, int layer, qint64 element) const {
+    const auto& layers = state(view).space.layers;
+    const auto result = live_.result(state(view).a.owner);
+    if (layer < 0 || layer >= int(layers.size()) || element < 0 || !result) return {};
+    const auto found = result->buffers.find(layers[std::size_t(layer)].key);
+    if (found == result->buffers.end()) return {};
+    const widgets::BufferData data{
+        found->second.fields, found->second.elements, {result, &found->second.bytes}};
+    const widgets::BufferReader reader(data);
+    QStringList lines;
+    for (std::size_t i = 0; i < reader.scalars().size() && element < qint64(reader.elements()); ++i)
+        lines << QString::fromStdString(reader.scalars()[i].name + " " +
+                                        reader.text(std::uint64_t(element), i));
+    return lines.join(QLatin1Char('\n'));
 }
 
 void Workspace::update_space(int view) {

@@ -45,7 +45,7 @@ ViewState Workspace::completed(ViewState state) const {
     state.more.erase(std::remove_if(state.more.begin(), state.more.end(),
                                     [&](const auto& source) { return !pictures_.has_owner(source.owner); }),
                      state.more.end());
-    if (state.mode == ViewMode::stages && state.more.empty())
+    if (state.mode == ViewMode::stages && state.more.empty() && live_.result(state.a.owner))
         for (const auto& [source, label] : candidates(state))
             if (source.owner == state.a.owner && state.more.size() + 1 < most_stages)
                 state.more.push_back(source);

@@ -29,9 +29,17 @@ std::string joined(const std::vector<std::string>& words) {
     return text;
 }
 
+/// "FILE:LINE" where an error begins with it.
+std::string place_of(const std::string& error) {
+    const auto colon = error.find(':');
+    if (colon == std::string::npos) return {};
+    const auto end = error.find_first_not_of("0123456789", colon + 1);
+    return error.substr(0, end == colon + 1 ? colon : end);
+}
+
 std::vector<Message> as_messages(const std::vector<std::string>& errors) {
     std::vector<Message> messages;
-    for (const auto& error : errors) messages.push_back({Severity::error, "shader", error});
+    for (const auto& error : errors) messages.push_back({Severity::error, "shader", error, place_of(error)});
     return messages;
 }
 

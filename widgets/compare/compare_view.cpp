@@ -114,6 +114,11 @@ void CompareView::set_picked(QPoint pixel) {
     for (auto* view : panes_) view->set_picked(pixel);
 }
 
+void CompareView::set_pins(std::vector<PinMark> pins) {
+    pins_ = std::move(pins);
+    for (auto* view : panes_) view->set_pins(pins_);
+}
+
 void CompareView::swap() {
     if (count() < 2) return;
     std::swap(pictures_[0], pictures_[1]);
@@ -203,6 +208,7 @@ ImageView* CompareView::pane(int index) {
         view->set_pixel_grid(pixel_grid_);
         view->set_fly_speed(fly_speed_);
         view->set_picked(picked_);
+        view->set_pins(pins_);
         if (!poses_.empty()) view->set_camera(poses_.front());
         view->installEventFilter(this);
         connect_pane(view, int(panes_.size()));

@@ -45,6 +45,7 @@ class CompareView : public QWidget {
     void set_camera(int picture, const CameraPose& pose);
     void set_fly_speed(double metres_per_second);
     void set_picked(QPoint pixel);
+    void set_pins(std::vector<PinMark> pins);
 
     Mode mode() const { return mode_; }
     DifferenceKind difference_kind() const { return kind_; }
@@ -163,6 +164,7 @@ class CompareView : public QWidget {
     ImageView::Tool tool_ = ImageView::Tool::inspect;
     double fly_speed_ = 1;
     QPoint picked_{-1, -1};
+    std::vector<PinMark> pins_;
     int active_pane_ = 0, flipped_ = 0, held_ = -1;
 };
 

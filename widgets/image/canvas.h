@@ -3,6 +3,7 @@
 #include <QColor>
 #include <QWidget>
 #include <array>
+#include <vector>
 
 #include "widgets/image/display.h"
 #include "widgets/image/prepared_picture.h"
@@ -12,6 +13,14 @@ namespace ir::widgets {
 
 /// Surroundings of pictures: the sRGB code of 18 % grey, so that colours can be judged.
 inline constexpr QColor surround_colour{118, 118, 118};
+
+/// A marked pixel with its number, in a colour of its own.
+struct PinMark {
+    QPoint pixel;
+    QColor colour;
+    int number = 1;
+    bool operator==(const PinMark&) const = default;
+};
 
 /// What a canvas draws. Owned by the view, read by its canvas.
 struct CanvasState {
@@ -24,6 +33,7 @@ struct CanvasState {
     QString note;                 ///< instead of a picture: why there is none
     QString hint;                 ///< in the bottom left corner: how the tool is used
     bool stale = false;           ///< a newer picture is being rendered
+    std::vector<PinMark> pins;    ///< pixels that are kept in sight
     QPoint picked{-1, -1};        ///< marked pixel; negative: none
     QPoint cursor_mark{-1, -1};   ///< where the cursor is in a linked view; negative: nowhere
 

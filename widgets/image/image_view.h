@@ -40,6 +40,7 @@ class ImageView : public QWidget {
     /// Marks a pixel that the cursor is on in another view; (-1, -1): none.
     void set_cursor_mark(QPoint pixel);
     void set_picked(QPoint pixel);
+    void set_pins(const std::vector<PinMark>& pins);
     /// Takes zoom and place (or being fitted) over from another view of the same picture size. Emits nothing.
     void follow(const ViewTransform& transform);
     void set_stale(bool stale);

@@ -89,6 +89,12 @@ void ImageView::set_cursor_mark(QPoint pixel) {
     overlay_->update();
 }
 
+void ImageView::set_pins(const std::vector<PinMark>& pins) {
+    if (pins == state_.pins) return;
+    state_.pins = pins;
+    repaint_all();
+}
+
 void ImageView::set_picked(QPoint pixel) {
     if (pixel == state_.picked) return;
     state_.picked = pixel;
@@ -154,6 +160,7 @@ QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) cons
             drawn.label.clear();
             drawn.second_label.clear();
             drawn.picked = {-1, -1};
+            drawn.pins.clear();
             drawn.pixel_grid = false;
         }
         paint_overlay(painter, drawn, ratio);

@@ -62,6 +62,24 @@ QRectF pixel_box(const CanvasState& state, QPoint pixel, qreal ratio) {
     return QRectF(box.center() - QPointF(3, 3) * ratio, QSizeF(6, 6) * ratio);
 }
 
+/// A frame around the pixel and its number at the corner.
+void paint_pin(QPainter& painter, const CanvasState& state, const PinMark& pin, qreal ratio) {
+    const QRectF box = pixel_box(state, pin.pixel, ratio);
+    if (box.isNull()) return;
+    paint_frame(painter, box, pin.colour, ratio);
+    QFont font = painter.font();
+    font.setPixelSize(int(10 * ratio));
+    font.setBold(true);
+    painter.setFont(font);
+    const QRectF label(box.topRight() + QPointF(2, -13) * ratio, QSizeF(13, 13) * ratio);
+    painter.setPen(QPen(Qt::black, ratio));
+    painter.setBrush(pin.colour);
+    painter.drawEllipse(label);
+    painter.setPen(Qt::black);
+    painter.drawText(label, Qt::AlignCenter, QString::number(pin.number));
+    painter.setBrush(Qt::NoBrush);
+}
+
 /// Four short lines around the pixel, which leave it free.
 void paint_cursor_mark(QPainter& painter, const CanvasState& state, qreal ratio) {
     const QRectF box = pixel_box(state, state.cursor_mark, ratio);
@@ -197,6 +215,7 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
     if (state.has_image()) {
         paint_tiles(painter, state, ratio);
         if (state.has_divider()) paint_divider(painter, state, view, ratio);
+        for (const auto& pin : state.pins) paint_pin(painter, state, pin, ratio);
         const QRectF picked = pixel_box(state, state.picked, ratio);
         if (!picked.isNull()) paint_frame(painter, picked, Qt::white, ratio);
         paint_cursor_mark(painter, state, ratio);
