@@ -4,6 +4,7 @@
 
 #include "app/engine/live_session.h"
 #include "app/engine/render_queue.h"
+#include "app/engine/thread_priority.h"
 
 namespace ir::engine {
 
@@ -83,6 +84,7 @@ bool RenderThread::State::render_start() {
 }
 
 void RenderThread::State::render_loop() {
+    give_way_to_others();
     bool started = render_start();
     while (started) {
         const auto work = queue.take();

@@ -139,6 +139,8 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
 }
 
 void LivePictures::set_state(const std::string& id, Entry& entry, State state, const std::string& text) {
+    // A dragged camera sends many requests and is rendering all the while.
+    if (state == State::rendering && entry.state == state && entry.text == text) return;
     entry.state = state;
     entry.text = text;
     emit state_changed(id);
