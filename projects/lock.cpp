@@ -167,6 +167,14 @@ Lock Lock::break_and_acquire(const fs::path& folder) {
     return take(folder, true);
 }
 
+bool Lock::is_free(const fs::path& folder) {
+    const auto file = folder / lock_file_name;
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(file, error))) return true;
+    const auto holder = read_holder(file);
+    return holder && has_ended(*holder);
+}
+
 Lock::Lock(Lock&& other) noexcept {
     *this = std::move(other);
 }

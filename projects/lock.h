@@ -25,6 +25,8 @@ class Lock {
     static Lock acquire(const std::filesystem::path& folder);
     /// Takes the lock whoever holds it; only after the user said so.
     static Lock break_and_acquire(const std::filesystem::path& folder);
+    /// Whether acquire() would find nobody in its way. Writes nothing.
+    static bool is_free(const std::filesystem::path& folder);
 
     Lock() = default;
     Lock(Lock&& other) noexcept;

@@ -16,8 +16,8 @@ std::string range_text(const std::string& kind, const std::string& min, const st
 
 }  // namespace
 
-ObjectReader::ObjectReader(const Json& object, const std::string& file, std::string pointer)
-    : object_(object), file_(file), pointer_(std::move(pointer)) {
+ObjectReader::ObjectReader(const Json& object, std::string file, std::string pointer)
+    : object_(object), file_(std::move(file)), pointer_(std::move(pointer)) {
     if (!object.is_object())
         throw InputError(file_, printable(pointer_, longest_pointer), "must be an object {…}");
 }

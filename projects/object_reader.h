@@ -17,7 +17,8 @@ namespace ir::projects {
 class ObjectReader {
   public:
     /// Throws InputError when `object` is no object.
-    ObjectReader(const Json& object, const std::string& file, std::string pointer);
+    ObjectReader(const Json& object, std::string file, std::string pointer);
+    ObjectReader(const Json&& object, std::string file, std::string pointer) = delete;  ///< is referred to
 
     const std::string& file() const { return file_; }
     const std::string& pointer() const { return pointer_; }
@@ -54,8 +55,7 @@ class ObjectReader {
     void numbers(const std::string& key, const Json& array, double* out, std::size_t count) const;
 
     const Json& object_;
-    const std::string& file_;
-    std::string pointer_;
+    std::string file_, pointer_;
     std::set<std::string> known_;
 };
 

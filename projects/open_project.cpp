@@ -53,9 +53,24 @@ OpenProject::OpenProject(const fs::path& given, const Registry& registry, FileSy
     load();
 }
 
+std::unique_ptr<OpenProject> OpenProject::recover_unsaved(const fs::path& folder, const Registry& registry,
+                                                          FileSystem& files) {
+    auto open = std::make_unique<OpenProject>(registry, files);
+    open->unsaved_home_ = UnsavedHome::take_over(folder, files);
+    auto found = find_recovery(folder, registry, files);
+    if (!found) throw InputError(folder.string(), "", "its autosave is damaged and cannot be read");
+    open->project_ = std::move(found->project);
+    open->unsaved_place_ = folder.parent_path();
+    open->recovered_ = open->has_autosave_ = true;
+    open->look_at_files();
+    open->check_again();
+    return open;
+}
+
 OpenProject::~OpenProject() = default;
 
 void OpenProject::close() {
+    if (folder_.empty()) drop_unsaved_home();
     if (!read_only_ && lock_.is_still_ours()) {
         if (has_autosave_) drop_autosave();
         forget_taken();
@@ -72,6 +87,7 @@ void OpenProject::load() {
     file_hash_ = loaded.file_hash;
     project_ = std::move(loaded.project);
     undo_.clear();
+    recorded_.clear();
     kept_since_save_ = recovered_ = false;
     has_autosave_ = lost_lock_ = false;
     recovery_.reset();
@@ -129,18 +145,37 @@ void OpenProject::require_writable() const {
 bool OpenProject::edit(EditPtr edit) {
     require_writable();
     const bool is_change = undo_.push(project_, std::move(edit));
-    if (is_change) changed();
-    return is_change;
+    if (!is_change) return false;
+    forget_named_anew();
+    changed();
+    return true;
 }
 
 void OpenProject::undo() {
     undo_.undo(project_);
-    changed();
+    undone();
 }
 
 void OpenProject::redo() {
     undo_.redo(project_);
+    undone();
+}
+
+void OpenProject::undone() {
+    record_missing_hashes(project_, recorded_);
     changed();
+}
+
+/// A file that an edit names anew may have another content by now.
+void OpenProject::forget_named_anew() {
+    if (recorded_.empty()) return;
+    auto copy = project_;
+    for (const auto& [source, hash] : record_missing_hashes(copy, recorded_)) recorded_.erase(source);
+}
+
+/// Without it nobody would notice later that a file changed.
+void OpenProject::record_hashes() {
+    recorded_.merge(record_missing_hashes(project_, contents_));
 }
 
 void OpenProject::mark_kept(const std::string& experiment, const std::string& key) {
@@ -211,6 +246,7 @@ void OpenProject::save(bool overwrite) {
     if (folder_.empty()) throw UsageError("the project has no folder yet; use save as");
     if (!holds_lock())
         throw Error(folder_.string() + ": somebody else took the lock; save under another name");
+    record_hashes();
     write(overwrite ? "" : file_hash_);
 }
 
@@ -245,11 +281,13 @@ void OpenProject::save_as(const fs::path& given) {
     const auto folder_before = folder_;
     const auto hash_before = file_hash_;
     const bool was_ours = !folder_.empty() && !read_only_ && lock_.is_still_ours();
+    record_hashes();
     const bool moved = move_sources(target);
     if (folder_.empty() && (project_.name.empty() || project_.name == "Untitled"))
         project_.name = target.stem().string();
     try {
         autosave_.settle();
+        autosaved_revision_ = revision_ - 1;  // what was dropped is asked for again if saving fails
         if (!folder_.empty()) copy_companions(folder_, target, files_);
         folder_ = target;
         write("");
@@ -262,11 +300,12 @@ void OpenProject::save_as(const fs::path& given) {
         throw;
     }
     if (was_ours) leave(folder_before);
+    drop_unsaved_home();
     lock_ = std::move(lock);
     read_only_ = false;
     recovery_.reset();
     older_recoveries_.clear();
-    if (moved) undo_.clear();
+    if (moved) undo_.clear(), recorded_.clear();
     contents_.clear();
     look_at_files();
     check_again();
@@ -282,8 +321,33 @@ void OpenProject::leave(const fs::path& folder) {
     }
 }
 
+void OpenProject::drop_unsaved_home() {
+    try {
+        autosave_.settle();
+        unsaved_home_.remove(files_);
+    } catch (const Error&) {
+        // It will be offered again: better than losing it.
+    }
+}
+
+void OpenProject::autosave_unsaved() {
+    if (unsaved_place_.empty() || !is_dirty()) return;
+    const bool has_home = unsaved_home_.is_ours();
+    if (has_home && has_autosave_ && autosaved_revision_ == revision_ && !autosave_.has_failed()) return;
+    try {
+        if (!has_home) unsaved_home_ = UnsavedHome::make(unsaved_place_, project_.name, files_);
+    } catch (const Error& error) {
+        if (unsaved_error_ != error.what()) autosave_error_ = unsaved_error_ = error.what();
+        return;
+    }
+    autosave_.request(with_absolute_sources(project_, {}), unsaved_home_.folder(), "");
+    autosaved_revision_ = revision_;
+    has_autosave_ = true;
+}
+
 void OpenProject::autosave() {
-    if (read_only_ || folder_.empty()) return;
+    if (read_only_) return;
+    if (folder_.empty()) return autosave_unsaved();
     if (recovery_ && recovery_->file == folder_ / autosave_file_name) return;  // it could not be put aside
     if (!is_dirty() && !has_autosave_) return;
     if (!holds_lock()) {  // the autosave is somebody else's now

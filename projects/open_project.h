@@ -11,6 +11,7 @@
 #include "projects/scene_hasher.h"
 #include "projects/store.h"
 #include "projects/undo_stack.h"
+#include "projects/unsaved.h"
 
 namespace ir::projects {
 
@@ -22,6 +23,11 @@ class OpenProject {
     /// Opens for editing, or read-only when another process holds the lock or the folder cannot be written.
     OpenProject(const std::filesystem::path& given, const Registry& registry,
                 FileSystem& files = real_file_system());
+    /// Takes over what a process that ended left of a project that was never saved (see unsaved.h): again
+    /// without a folder, and unsaved. Throws Error when another process has it.
+    static std::unique_ptr<OpenProject> recover_unsaved(const std::filesystem::path& folder,
+                                                        const Registry& registry,
+                                                        FileSystem& files = real_file_system());
     /// Gives the lock back. Without close() before, an autosave stays behind and is offered as a recovery.
     ~OpenProject();
     /// The user is done with the project, unsaved changes included: removes the autosave, gives back the
@@ -64,6 +70,7 @@ class OpenProject {
     void mark_kept(const std::string& experiment, const std::string& key);
 
     /// Throws Error (one line) and loses nothing on failure. `overwrite` also when the file on disk changed.
+    /// Sources without a recorded hash get that of contents(), as far as it is known; no step of undo.
     void save(bool overwrite = false);
     /// Into another folder, whose lock is taken; kept results are copied to those that are there; relative
     /// sources are rewritten to stay valid (then undo begins anew, because older states would point to the
@@ -72,6 +79,9 @@ class OpenProject {
     /// To be called now and then (a timer): writes an autosave when there are unsaved changes, again when the
     /// last one failed.
     void autosave();
+    /// While the project was never saved, it is autosaved in a folder of its own inside `place` (see
+    /// unsaved.h), which goes with close() and the first save. Empty: not at all.
+    void autosave_unsaved_in(const std::filesystem::path& place) { unsaved_place_ = place; }
     void wait_for_autosave() { autosave_.flush(); }
     std::string take_autosave_error();  ///< one line or empty; every failure once
 
@@ -96,19 +106,27 @@ class OpenProject {
     void leave(const std::filesystem::path& folder);
     bool holds_lock();
     bool move_sources(const std::filesystem::path& to);
+    void autosave_unsaved();
+    void drop_unsaved_home();
+    void record_hashes();
+    void forget_named_anew();
+    void undone();
     const Registry& registry_;
     FileSystem& files_;
     std::filesystem::path folder_;
     Lock lock_;
+    std::filesystem::path unsaved_place_;
+    UnsavedHome unsaved_home_;
     bool read_only_ = false, kept_since_save_ = false, recovered_ = false;
     bool has_autosave_ = false, lost_lock_ = false;
-    std::string autosave_error_;
+    std::string autosave_error_, unsaved_error_;
     int schema_in_file_ = schema_version;
     std::vector<Message> reading_messages_;
     Project project_;
     UndoStack undo_;
     std::vector<Message> messages_;
     ContentHashes contents_;
+    ContentHashes recorded_;  ///< at saves, where nothing was: older states do not have it
     std::set<std::string> requested_sources_;
     std::optional<Recovery> recovery_;
     std::vector<Recovery> older_recoveries_;    ///< oldest first

@@ -195,4 +195,20 @@ Project with_missing_hashes(const Project& project, const fs::path& project_fold
     return result;
 }
 
+ContentHashes record_missing_hashes(Project& project, const ContentHashes& known) {
+    ContentHashes recorded;
+    const auto record = [&](const std::string& source, std::string& hash) {
+        const auto found = known.find(source);
+        if (!hash.empty() || found == known.end() || found->second.empty()) return;
+        hash = recorded[source] = found->second;
+    };
+    for (auto& scene : project.scenes)
+        for (auto& part : scene.parts) record(part.source, part.content_hash);
+    for (auto& set : project.lights)
+        if (set.environment.kind == Environment::Kind::map)
+            record(set.environment.source, set.environment.content_hash);
+    for (auto& image : project.images) record(image.source, image.content_hash);
+    return recorded;
+}
+
 }  // namespace ir::projects

@@ -77,5 +77,7 @@ Project with_contents(const Project& project, const ContentHashes& known);
 /// The document with hashes recorded for all sources that have none yet and whose files exist: to be called
 /// after adding files and before keeping results.
 Project with_missing_hashes(const Project& project, const std::filesystem::path& project_folder);
+/// The same in place with what is known, without a look at any file. Returns what was recorded.
+ContentHashes record_missing_hashes(Project& project, const ContentHashes& known);
 
 }  // namespace ir::projects
