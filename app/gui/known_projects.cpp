@@ -4,11 +4,15 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QSettings>
+#include <QStandardPaths>
 #include <algorithm>
 #include <filesystem>
 
+#include "app/engine/execution.h"
 #include "app/gui/json_fields.h"
+#include "projects/autosave.h"
 #include "projects/store.h"
+#include "projects/unsaved.h"
 #include "renderers/core/resources_path.h"
 
 namespace ir::gui {
@@ -31,19 +35,47 @@ projects::Json peek(const QString& path) {
     }
 }
 
+QStringList saved_paths() {
+    return QSettings().value(key()).toStringList();
+}
+
+std::vector<projects::UnsavedProject> unsaved_projects() {
+    return projects::find_unsaved(unsaved_projects_folder(), engine::registry());
+}
+
+widgets::RecentProject card_of(const projects::UnsavedProject& unsaved) {
+    widgets::RecentProject project;
+    project.path = QString::fromStdString(unsaved.folder.string());
+    project.name = QObject::tr("%1 (not saved)").arg(QString::fromStdString(unsaved.name));
+    project.when = QFileInfo(project.path + QLatin1Char('/') + QLatin1String(projects::autosave_file_name))
+                       .lastModified();
+    return project;
+}
+
 }  // namespace
+
+std::filesystem::path unsaved_projects_folder() {
+    const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    return data.isEmpty() ? std::filesystem::path() : std::filesystem::path(data.toStdString()) / "unsaved";
+}
 
 QString thumbnail_file(const QString& project) {
     return project + QStringLiteral("/thumbnails/view.png");
 }
 
 QStringList RecentProjects::paths() const {
-    return remember_ ? QSettings().value(key()).toStringList() : QStringList();
+    QStringList list;
+    if (!remember_) return list;
+    for (const auto& unsaved : unsaved_projects())
+        list.append(QString::fromStdString(unsaved.folder.string()));
+    return list + saved_paths();
 }
 
 std::vector<widgets::RecentProject> RecentProjects::all() const {
     std::vector<widgets::RecentProject> list;
-    for (const auto& path : paths()) {
+    if (!remember_) return list;
+    for (const auto& unsaved : unsaved_projects()) list.push_back(card_of(unsaved));
+    for (const auto& path : saved_paths()) {
         widgets::RecentProject project;
         project.path = path;
         const QFileInfo document(path + QStringLiteral("/project.json"));
@@ -57,8 +89,8 @@ std::vector<widgets::RecentProject> RecentProjects::all() const {
 }
 
 void RecentProjects::add(const QString& path) {
-    if (!remember_) return;
-    auto list = paths();
+    if (!remember_ || path.isEmpty()) return;
+    auto list = saved_paths();
     list.removeAll(path);
     list.prepend(path);
     QSettings().setValue(key(), list.mid(0, most_recent));
@@ -66,7 +98,9 @@ void RecentProjects::add(const QString& path) {
 
 void RecentProjects::remove(const QString& path) {
     if (!remember_) return;
-    auto list = paths();
+    for (const auto& unsaved : unsaved_projects())
+        if (path == QString::fromStdString(unsaved.folder.string())) QFile::moveToTrash(path);
+    auto list = saved_paths();
     list.removeAll(path);
     QSettings().setValue(key(), list);
 }

@@ -1,5 +1,8 @@
 #include "app/gui/session.h"
 
+#include <exception>
+
+#include "app/gui/known_projects.h"
 #include "renderers/core/error.h"
 
 namespace ir::gui {
@@ -9,10 +12,16 @@ constexpr int autosave_ms = 20000;
 
 }  // namespace
 
-Session::Session(const Registry& registry, QObject* parent) : QObject(parent), registry_(registry) {
+Session::Session(const Registry& registry, QObject* parent)
+    : QObject(parent), registry_(registry), unsaved_folder_(unsaved_projects_folder()) {
     autosave_timer_.setInterval(autosave_ms);
     connect(&autosave_timer_, &QTimer::timeout, this, &Session::autosave);
     autosave_timer_.start();
+}
+
+Session::~Session() {
+    // The program ends in order, not by an error that unwinds everything.
+    if (project_ && project_->folder().empty() && std::uncaught_exceptions() == 0) project_->close();
 }
 
 const projects::Experiment* Session::experiment(const std::string& id) const {

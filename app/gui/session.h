@@ -11,6 +11,7 @@
 #include "projects/edits.h"
 #include "projects/open_project.h"
 #include "projects/session.h"
+#include "projects/text.h"
 #include "renderers/scene/scene.h"
 #include "widgets/image/camera_motion.h"
 
@@ -22,8 +23,14 @@ class Session : public QObject {
     Q_OBJECT
   public:
     explicit Session(const Registry& registry, QObject* parent = nullptr);
+    /// A project that was never saved is dropped; that a crash leaves behind is offered later.
+    ~Session() override;
+    /// Where projects that were never saved are autosaved, from the next one on; at first
+    /// unsaved_projects_folder().
+    void set_unsaved_folder(const std::filesystem::path& folder) { unsaved_folder_ = folder; }
 
     // Files. All throw Error with one line; the project that was open stays open then.
+    /// A project's folder, also one that a crash left before the project was ever saved.
     void open(const std::filesystem::path& path);
     void create_from_scene(const std::string& scene);
     void add_scene(const std::string& scene);  ///< an edit
@@ -83,12 +90,13 @@ class Session : public QObject {
     void message(const ir::Message& message);
 
   private:
+    static constexpr std::size_t longest_line = 4096;  ///< paths may be long and hold line breaks
     template <class Work>
     bool guarded(Work work) {
         try {
             return work();
         } catch (const std::exception& error) {
-            emit message({Severity::error, "project", error.what()});
+            emit message({Severity::error, "project", projects::printable(error.what(), longest_line)});
             return false;
         }
     }
@@ -105,6 +113,7 @@ class Session : public QObject {
     std::optional<widgets::CameraPose> moved_pose_;
     std::vector<std::string> moved_;  ///< experiments that the gesture moves
     projects::Json memory_ = projects::Json::object();
+    std::filesystem::path unsaved_folder_;
     QTimer autosave_timer_;
 };
 

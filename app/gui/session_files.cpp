@@ -28,7 +28,8 @@ projects::Scene scene_item(const projects::Project& project, const std::string& 
 }  // namespace
 
 void Session::open(const std::filesystem::path& path) {
-    adopt(std::make_unique<projects::OpenProject>(path, registry_));
+    adopt(projects::is_unsaved(path) ? projects::OpenProject::recover_unsaved(path, registry_)
+                                     : std::make_unique<projects::OpenProject>(path, registry_));
 }
 
 void Session::create_from_scene(const std::string& source) {
@@ -63,6 +64,7 @@ void Session::add_image(const std::string& file) {
 void Session::adopt(std::unique_ptr<projects::OpenProject> project) {
     close();
     project_ = std::move(project);
+    if (!unsaved_folder_.empty()) project_->autosave_unsaved_in(unsaved_folder_);
     // The word comes from another thread; the project may be gone when it arrives.
     project_->set_on_files_read(
         [this] { QMetaObject::invokeMethod(this, &Session::poll_files, Qt::QueuedConnection); });
@@ -139,7 +141,7 @@ void Session::break_lock() {
 }
 
 void Session::autosave() {
-    if (!project_ || project_->folder().empty() || project_->is_read_only()) return;
+    if (!project_ || project_->is_read_only()) return;
     guarded([&] {
         project_->autosave();
         const auto error = project_->take_autosave_error();
