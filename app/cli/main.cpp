@@ -3,6 +3,7 @@
 
 #include "app/cli/command.h"
 #include "app/engine/version.h"
+#include "projects/text.h"
 #include "renderers/core/error.h"
 
 namespace ir::cli {
@@ -16,8 +17,11 @@ CancelToken& interruption() {
 
 namespace {
 
+constexpr std::size_t longest_line = 4096;
+
+/// Paths may hold line breaks; what is printed is one line all the same.
 int fail(const std::string& line, int status) {
-    std::cerr << "interreflect-cli: " << line << "\n";
+    std::cerr << "interreflect-cli: " << ir::projects::printable(line, longest_line) << "\n";
     return status;
 }
 

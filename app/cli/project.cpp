@@ -13,6 +13,7 @@
 #include "projects/results.h"
 #include "projects/scene_files.h"
 #include "projects/store.h"
+#include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/image/metrics.h"
 
@@ -55,8 +56,18 @@ Json sources(const projects::Scene& scene) {
     return list;
 }
 
+/// The document with the contents of its files. They are read only where a kept result is judged by them.
+projects::Project as_on_disk(const projects::LoadedProject& loaded) {
+    for (const auto& experiment : loaded.project.experiments)
+        if (!experiment.last_kept_key.empty())
+            return projects::with_contents(loaded.project,
+                                           projects::read_contents(loaded.project, loaded.folder));
+    return loaded.project;
+}
+
 Json summary(const projects::LoadedProject& loaded) {
     const auto& project = loaded.project;
+    const auto now = as_on_disk(loaded);
     Json json{{"name", project.name}, {"schema", project.schema}, {"folder", loaded.folder.string()}};
     json["scenes"] = Json::array();
     for (const auto& scene : project.scenes)
@@ -71,7 +82,7 @@ Json summary(const projects::LoadedProject& loaded) {
              {"preset", experiment.active_preset},
              {"runnable",
               projects::why_not_runnable(project, experiment, engine::registry(), loaded.folder).empty()},
-             {"result", word(projects::result_state(project, experiment, engine::registry()))}});
+             {"result", word(projects::result_state(now, experiment, engine::registry()))}});
     return json;
 }
 
@@ -140,7 +151,7 @@ int verify_all(const Flags& flags, projects::LoadedProject loaded) {
         try {
             verify(row, *machine, loaded, experiment, index);
         } catch (const Error& error) {
-            row["error"] = error.what();
+            row["error"] = projects::printable(error.what(), 4096);
             status = std::max(status, status_of(error));
         }
         if (!flags.json) print_row(row);

@@ -8,6 +8,7 @@
 #include "app/engine/from_project.h"
 #include "app/engine/keep_result.h"
 #include "projects/open_project.h"
+#include "projects/text.h"
 #include "renderers/core/error.h"
 
 namespace ir::cli {
@@ -39,6 +40,9 @@ Image without_alpha(const Image& image) {
             for (int c = 0; c < 3; ++c) result.at(x, y, c) = image.at(x, y, c);
     return result;
 }
+
+/// Paths in an error may be long and hold line breaks.
+constexpr std::size_t longest_line = 4096;
 
 /// What the command line got wrong, not the project.
 class WrongFlags : public UsageError {
@@ -108,8 +112,10 @@ int render_project(const ProjectRender& job) {
                 render_one(job, machine, loaded.project, experiment, loaded.folder, editable.get());
             all[id] = nlohmann::ordered_json::parse(statistics);
         } catch (const Error& error) {
-            std::cerr << "interreflect-cli: " << job.project << ": experiment '" << id
-                      << "': " << error.what() << "\n";
+            std::cerr << "interreflect-cli: "
+                      << projects::printable(job.project + ": experiment '" + id + "': " + error.what(),
+                                             longest_line)
+                      << "\n";
             if (dynamic_cast<const WrongFlags*>(&error)) {
                 status = std::max<int>(status, wrong_usage);
                 continue;
@@ -119,7 +125,10 @@ int render_project(const ProjectRender& job) {
             status = std::max<int>(status, file_at_fault ? bad_input : failed);
         }
     }
-    if (editable) editable->save();
+    if (editable) {
+        editable->wait_for_files();  // hashes that were never recorded are known then
+        editable->save();
+    }
     if (job.json == "-")
         std::cout << all.dump(2) << "\n";
     else if (!job.json.empty())

@@ -9,6 +9,7 @@
 #include "projects/autosave.h"
 #include "projects/lock.h"
 #include "projects/results.h"
+#include "tests/unit/scene/gltf_builder.h"
 
 namespace ir {
 namespace {
@@ -165,6 +166,51 @@ TEST_F(ProjectCommand, VerifiesWithOneJsonObject) {
     EXPECT_NE(row["changed"].dump().find("seed"), std::string::npos);
     EXPECT_NE(row["changed"].dump().find("size"), std::string::npos);
     EXPECT_NE(command("--verify").out.find("of another size"), std::string::npos);
+}
+
+TEST_F(ProjectCommand, KeptResultsAreOfTheFilesAsTheyAre) {
+    const auto write_triangle = [&](float side) {
+        test::GltfBuilder builder;
+        const int positions = builder.floats({0, 0, 0, side, 0, 0, 0, side, 0}, "VEC3");
+        builder.draw({{"POSITION", positions}});
+        write(project / "triangle.gltf", builder.embedded_text());
+    };
+    write_triangle(1);
+    json["scenes"][0]["parts"][0] = {{"source", "triangle.gltf"}, {"content_hash", "of another file"}};
+    json["experiments"][0].erase("camera");  // one of the scene that it had
+    store();
+    keep();
+    const auto result = [&] { return Json::parse(command("--json").out)["experiments"][0]["result"]; };
+    EXPECT_EQ(json["scenes"][0]["parts"][0]["content_hash"], "of another file") << "nobody accepted it";
+    EXPECT_EQ(result(), "current");
+    EXPECT_EQ(Json::parse(command("--verify --json").out)["results"][0]["changed"], Json::array());
+
+    write_triangle(2);
+    EXPECT_EQ(result(), "stale");
+    EXPECT_NE(Json::parse(command("--verify --json").out)["results"][0]["changed"].dump().find("scene"),
+              std::string::npos);
+    write_triangle(1);
+    EXPECT_EQ(result(), "current");
+
+    json["scenes"][0]["parts"][0].erase("content_hash");
+    store();
+    keep();
+    EXPECT_TRUE(json["scenes"][0]["parts"][0].contains("content_hash")) << "what was not recorded is now";
+    EXPECT_EQ(result(), "current");
+    for (const auto& entry : fs::recursive_directory_iterator(project / "results"))
+        EXPECT_NE(entry.path().extension(), ".tmp");
+}
+
+TEST_F(ProjectCommand, PathsWithLineBreaksGiveOneLine) {
+    json["scenes"][0]["parts"][0]["source"] = "gone\nand\nlost.glb";
+    store();
+    const auto outcome = run("render " + project.string() + " --quiet --out " + (root_ / "out").string());
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_NE(outcome.err.find("gone?and?lost.glb"), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    const auto missing = run("project \"$(printf 'no\\nfolder')\" --check");
+    EXPECT_EQ(missing.status, 3);
+    EXPECT_EQ(std::count(missing.err.begin(), missing.err.end(), '\n'), 1) << missing.err;
 }
 
 TEST_F(ProjectCommand, VerifyReportsWhatIsMissingAndGoesOn) {
