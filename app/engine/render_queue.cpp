@@ -24,7 +24,7 @@ std::uint64_t RenderQueue::request(LiveRequest request) {
     const std::lock_guard lock(mutex_);
     const auto serial = ++serial_;
     const auto tag = request.tag;
-    jobs_[tag] = {{std::move(request), serial}, true};
+    jobs_[tag] = {{std::move(request), serial}, true, false};
     std::erase(cancelled_, tag);
     if (!running_ || running_tag_ != tag)
         give_turn(tag);
@@ -81,6 +81,7 @@ void RenderQueue::cancel(const std::string& tag) {
     const auto known = jobs_.find(tag);
     if (known == jobs_.end() || !known->second.active) return;
     known->second.active = false;
+    known->second.cancelled = true;
     drop_turn(tag);
     if (running_ && running_tag_ == tag)
         cancel_.cancel();
@@ -169,6 +170,7 @@ RenderQueue::Looks RenderQueue::take_looks() {
 void RenderQueue::run_all_again() {
     const std::lock_guard lock(mutex_);
     for (auto& [tag, known] : jobs_) {
+        if (known.cancelled) continue;
         known.active = true;
         give_turn(tag);
     }

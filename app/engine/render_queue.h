@@ -57,7 +57,7 @@ class RenderQueue {
         std::vector<View> views;
     };
     Looks take_looks();
-    /// All requests that are known, again.
+    /// All requests that are known, again; also those that failed, but none that was cancelled.
     void run_all_again();
     /// Of the frame that runs.
     const CancelToken& cancel_token() const { return cancel_; }
@@ -66,7 +66,8 @@ class RenderQueue {
     using Clock = std::chrono::steady_clock;
     struct Known {
         Job job;
-        bool active = false;  ///< frames are left to render
+        bool active = false;     ///< frames are left to render
+        bool cancelled = false;  ///< by hand, with frames left
     };
     void give_turn(const std::string& tag);
     bool has_work() const;

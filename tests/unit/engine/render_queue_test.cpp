@@ -144,5 +144,21 @@ TEST_F(RenderQueueTest, EverythingKnownRunsAgain) {
     EXPECT_EQ(take().request.tag, "a");
 }
 
+TEST_F(RenderQueueTest, WhatFailedRunsAgainButNotWhatWasCancelled) {
+    for (const char* tag : {"cancelled", "failed"}) queue.request(request_of(tag));
+    const auto job = take();
+    queue.cancel("cancelled");
+    queue.finish(job, Outcome::failed);
+    queue.finish(take(), Outcome::failed);
+    queue.run_all_again();
+    const auto again = take();
+    EXPECT_EQ(again.request.tag, "failed");
+    queue.finish(again, Outcome::more);
+    EXPECT_EQ(take().request.tag, "failed") << "no other has a turn";
+    queue.request(request_of("cancelled"));
+    queue.run_all_again();
+    EXPECT_EQ(take().request.tag, "cancelled") << "asked for anew";
+}
+
 }  // namespace
 }  // namespace ir::engine
