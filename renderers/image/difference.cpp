@@ -10,11 +10,25 @@
 namespace ir {
 namespace {
 
+std::string size_text(const Image& image) {
+    return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
+
+/// As signed_difference() requires, but in the words of what compares A with B.
+void require_comparable(const Image& a, const Image& b) {
+    if (a.width != b.width || a.height != b.height)
+        throw UsageError("sizes differ: A " + size_text(a) + ", B " + size_text(b) +
+                         "; render both at one size");
+    const auto compared = [](const Image& image) { return image.channels == 4 ? 3 : image.channels; };
+    if (compared(a) != compared(b))
+        throw UsageError("channels differ: A has " + std::to_string(a.channels) + ", B has " +
+                         std::to_string(b.channels) + "; choose layers of one kind");
+}
+
 void require_mask_size(const Image& image, const Image* mask, const char* name) {
     if (!mask || (mask->width == image.width && mask->height == image.height && mask->channels == 1)) return;
-    throw UsageError(std::string("sizes differ: mask of ") + name + " " + std::to_string(mask->width) + "x" +
-                     std::to_string(mask->height) + " with " + std::to_string(mask->channels) +
-                     " channels, image " + std::to_string(image.width) + "x" + std::to_string(image.height) +
+    throw UsageError(std::string("sizes differ: mask of ") + name + " " + size_text(*mask) + " with " +
+                     std::to_string(mask->channels) + " channels, " + name + " " + size_text(image) +
                      "; a mask has the image's size and one channel");
 }
 
@@ -36,6 +50,7 @@ void apply(DifferenceKind kind, float* difference, const float* reference, int c
 
 DifferenceImage difference(const Image& a, const Image& b, DifferenceKind kind, const Image* valid_a,
                            const Image* valid_b) {
+    require_comparable(a, b);
     DifferenceImage result;
     result.image = signed_difference(a, b);
     require_mask_size(a, valid_a, "A");
