@@ -53,6 +53,14 @@ CameraPose sphere_pose() {
     return pose;
 }
 
+CameraPose fitted_to_width(const CameraPose& pose, double aspect) {
+    if (!(aspect > 0) || aspect >= 1) return pose;
+    CameraPose result = pose;
+    result.fov_y_degrees = std::atan(std::tan(half_angle(pose)) / aspect) * 360 / std::numbers::pi;
+    if (pose.orthographic) result.height = pose.height / aspect;
+    return result;
+}
+
 CameraPose sphere_dollied(const CameraPose& pose, double factor) {
     constexpr double nearest = 1.3, furthest = 20;
     const double distance = glm::length(pose.eye);

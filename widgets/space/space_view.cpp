@@ -159,10 +159,11 @@ void SpaceView::send_request() {
     divisor_ = gesture_ ? moving_divisor_ : 1;
     oversampling_ = refine_ ? still_oversampling : 1;
     sent_ = scene_;
-    if (shows_sphere(scene_)) sent_.camera = sphere_pose_;
+    const QSize size = wanted_size();
+    if (shows_sphere(scene_))
+        sent_.camera = fitted_to_width(sphere_pose_, double(size.width()) / size.height());
     for (SpaceLayer& layer : sent_.layers)
         layer.size_px = float(layer.size_px * devicePixelRatioF() / divisor_);
-    const QSize size = wanted_size();
     emit view_wanted(sent_, {std::max(1, size.width() / divisor_), std::max(1, size.height() / divisor_)},
                      oversampling_);
 }

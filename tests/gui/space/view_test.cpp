@@ -348,6 +348,21 @@ TEST_F(SpaceViewTest, ASphereIsSeenFromOutside) {
     EXPECT_FALSE(wanted_.back().camera.has_value());
 }
 
+TEST_F(SpaceViewTest, ASphereFitsTheSmallerSide) {
+    view_.set_layers({default_layer(FakeSpace::directions())});
+    for (const QSize size : {QSize(480, 360), QSize(240, 640)}) {
+        view_.resize(size);
+        settle();
+        ASSERT_EQ(sizes_.back(), view_.wanted_size());
+        const CameraPose& pose = wanted_.back().camera.value();
+        const double aspect = std::min(1.0, double(sizes_.back().width()) / sizes_.back().height());
+        const double half = std::tan(glm::radians(pose.fov_y_degrees / 2));
+        const double of_sphere = std::tan(std::asin(1 / glm::length(pose.eye)));
+        EXPECT_LT(of_sphere, half * aspect) << "nothing is cut off";
+        EXPECT_GT(of_sphere, 0.8 * half * aspect) << "and it fills the view";
+    }
+}
+
 TEST_F(SpaceViewTest, TicksAskForThePicture) {
     QSignalSpy changes(&view_, &SpaceView::scene_changed);
     action("show_scene")->trigger();
