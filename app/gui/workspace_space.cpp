@@ -52,6 +52,7 @@ widgets::LayerInfo info_of(const passes::viewers::DrawnLayer& layer) {
     info.fields = layer.fields;
     info.elements = layer.elements;
     info.stride = layer.stride;
+    info.passing = layer.passing;
     info.low = layer.low;
     info.high = layer.high;
     info.least = layer.least;

@@ -17,6 +17,15 @@ bool same_rows(const std::vector<SpaceLayer>& a, const std::vector<SpaceLayer>& 
                       [](const SpaceLayer& x, const SpaceLayer& y) { return x.key == y.key; });
 }
 
+/// "12.3 k of 2.7 M": short, since the column stands beside the name.
+QString column_text(const LayerInfo& info) {
+    const QString all = count_text(info.elements);
+    if (info.asked.filters.empty() || !info.passing) return all;
+    if (info.stride <= 1) return QStringLiteral("%1 of %2").arg(count_text(*info.passing), all);
+    const auto about = std::min(info.elements, *info.passing * info.stride);  // the rest was not looked at
+    return QStringLiteral("≈ %1 of %2").arg(count_text(about), all);
+}
+
 }  // namespace
 
 void LayersModel::set_layers(const std::vector<SpaceLayer>& layers) {
@@ -118,13 +127,13 @@ QVariant LayersModel::data(const QModelIndex& index, int role) const {
     const bool noted = drawn && !drawn->note.empty();
     if (role == Qt::ToolTipRole) {
         QStringList lines{QString::fromStdString(layer.key)};
-        if (drawn && drawn->elements > 0) lines << amount_text(layer.kind, drawn->elements, drawn->stride);
+        if (drawn && drawn->elements > 0) lines << amount_text(*drawn);
         if (noted) lines << QString::fromStdString(drawn->note);
         return lines.join(QLatin1Char('\n'));
     }
     if (index.column() == count_column) {
         if (role == Qt::TextAlignmentRole) return int(Qt::AlignRight | Qt::AlignVCenter);
-        return role == Qt::DisplayRole && drawn ? QVariant(count_text(drawn->elements)) : QVariant();
+        return role == Qt::DisplayRole && drawn ? QVariant(column_text(*drawn)) : QVariant();
     }
     if (role == Qt::DisplayRole) return QString::fromStdString(layer.label);
     if (role == Qt::CheckStateRole) return int(layer.visible ? Qt::Checked : Qt::Unchecked);

@@ -32,7 +32,7 @@ class Legend {
              text_colour);
         painter_.setFont(small_font(painter_, 11));
         if (!layer_.colour_by.empty() && info_.elements > 0) ramp();
-        if (info_.elements > 0) line(amount_text(layer_.kind, info_.elements, info_.stride), dim_text_colour);
+        if (info_.elements > 0) line(amount_text(info_), dim_text_colour);
         if (!info_.note.empty()) paragraph(QString::fromStdString(info_.note));
         return y_;
     }

@@ -29,6 +29,8 @@ QWidget* make_space_overlay(const OverlayState& state, QWidget* parent);
 QString count_text(std::uint64_t count);
 /// "every 7th of 3.2 M points", or "3.2 M points".
 QString amount_text(OutputKind kind, std::uint64_t elements, std::uint64_t stride);
+/// The same of a drawn layer; where filters are set, how many pass: "12.3 k of 2.7 M points".
+QString amount_text(const LayerInfo& info);
 /// "depth", "radiance [2]", "facing", "one colour".
 QString colour_text(const SpaceLayer& layer, const std::vector<Field>& fields);
 

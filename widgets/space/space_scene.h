@@ -67,12 +67,13 @@ struct LayerInfo {
     std::vector<Field> fields = {};  ///< of the buffer's element
     /// By field, of its first component over all elements, filters or not; empty: unknown.
     std::vector<std::optional<FieldRange>> ranges = {};
-    std::uint64_t elements = 0;           ///< in the buffer
-    std::uint64_t stride = 1;             ///< every n-th was looked at
-    double low = 0, high = 0;             ///< range of the colours that was used
-    double least = 0, most = 0;           ///< of the field that colours, over the elements that pass
-    SpaceLayer asked = {};                ///< what it was drawn for; SpaceView fills it in
-    std::optional<SpaceBox> bounds = {};  ///< metres; absent: unknown
+    std::uint64_t elements = 0;                 ///< in the buffer
+    std::uint64_t stride = 1;                   ///< every n-th was looked at
+    std::optional<std::uint64_t> passing = {};  ///< of those, how many pass the filters; absent: unknown
+    double low = 0, high = 0;                   ///< range of the colours that was used
+    double least = 0, most = 0;                 ///< of the field that colours, over the elements that pass
+    SpaceLayer asked = {};                      ///< what it was drawn for; SpaceView fills it in
+    std::optional<SpaceBox> bounds = {};        ///< metres; absent: unknown
 };
 
 /// What the renderer drew, and what stands at each pixel.

@@ -42,6 +42,12 @@ QString amount_text(OutputKind kind, std::uint64_t elements, std::uint64_t strid
     return stride <= 1 ? all : QStringLiteral("every %1 of %2").arg(ordinal(stride), all);
 }
 
+QString amount_text(const LayerInfo& info) {
+    const QString all = amount_text(info.asked.kind, info.elements, info.stride);
+    if (info.asked.filters.empty() || !info.passing) return all;
+    return QStringLiteral("%1 of %2").arg(count_text(*info.passing), all);
+}
+
 QString colour_text(const SpaceLayer& layer, const std::vector<Field>& fields) {
     if (layer.colour_by.empty()) return QStringLiteral("one colour");
     if (layer.colour_by == SpaceLayer::facing) return QStringLiteral("facing");

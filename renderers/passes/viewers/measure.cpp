@@ -81,6 +81,7 @@ void LayerPainter::measure(std::vector<LayerPlan>& plans, const Sight& eye, scen
     for (std::size_t i = 0; i < plans.size(); ++i) {
         if (!plans[i].drawable) continue;
         set_range(plans[i], measures[i]);
+        plans[i].drawn.passing = measures[i].count;
         if (measures[i].count > 0 && plans[i].primitive != Primitive::sphere) extend(bounds, measures[i]);
     }
 }

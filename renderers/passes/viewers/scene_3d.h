@@ -70,6 +70,7 @@ struct DrawnLayer {
     std::vector<Field> fields;
     std::uint64_t elements = 0;  ///< in the buffer
     std::uint64_t stride = 1;    ///< every n-th was looked at, for the ranges too
+    std::uint64_t passing = 0;   ///< of those, how many have a place and pass the filters: they are drawn
     double low = 0, high = 0;    ///< range of the colours that was used
     double least = 0, most = 0;  ///< of the field that colours, over all elements that pass the filters
 };

@@ -82,6 +82,7 @@ SpacePicture FakeSpace::draw(const SpaceScene& scene, QSize size) {
         for (int i = 0; i < points; ++i) {
             const double value = i % layers_of_points;
             if (!passes(layer, value)) continue;
+            info.passing = info.passing.value_or(0) + 1;
             info.least = std::min(info.least, value);
             info.most = std::max(info.most, value);
             const glm::dvec3 from_eye = point(i, points) - picture.camera.eye;

@@ -53,7 +53,10 @@ TEST_F(LayersTest, FiltersKeepWhatLiesInAllRanges) {
     Layer layer{.key = "row", .size_px = 5};
     const auto with = [&](std::vector<Filter> filters) {
         layer.filters = std::move(filters);
-        return shown(draw({layer}, width, height));
+        const auto picture = draw({layer}, width, height);
+        const auto elements = shown(picture);
+        EXPECT_EQ(picture.layers[0].passing, elements.size());
+        return elements;
     };
     EXPECT_EQ(with({{"id", 4'000'000'003.0, 4'000'000'005.0}}), (std::vector{3, 4, 5}))
         << "beyond 2^31 and 2^24";
