@@ -29,6 +29,12 @@ std::uint64_t choose_stride(const Maps& maps, MapRange shown, std::uint64_t max_
     return stride;
 }
 
+std::string stride_note(std::uint64_t stride) {
+    return "of the maps shown, one texel in " + std::to_string(stride) +
+           " has points, so that at most about " + std::to_string(most_points / 1'000'000) +
+           " million result";
+}
+
 void write_points(const graph::PassContext& context, const Maps& maps, int batch, MapRange range,
                   const Points& points) {
     if (range.first == points.maps.first)
@@ -207,10 +213,6 @@ Points declare_points(graph::GraphBuilder& builder, const Maps& maps, MapRange s
                                            .label = "Texels to one with points",
                                            .doc = "Of the maps shown, one texel in so many has points."});
     declare_scratch(builder, maps, points);
-    if (points.stride > 1)
-        builder.note("of the maps shown, one texel in " + std::to_string(points.stride) +
-                     " has points, so that at most about " + std::to_string(most_points / 1'000'000) +
-                     " million result");
     return points;
 }
 
@@ -221,7 +223,11 @@ void find_points(graph::GraphBuilder& builder, const SceneBuffers& scene, std::s
     auto places = builder.pass("points" + maps->batch_name(batch));
     reads_maps(places, *maps);
     places.writes(points.texels, points.points).counts(points.count).counts(points.stride_shown);
-    places.execute([=](graph::PassContext& context) { write_points(context, *maps, batch, range, points); });
+    // Only a pass that runs knows that points are wanted; the builder outlives its passes.
+    places.execute([=, &builder](graph::PassContext& context) {
+        if (points.stride > 1) builder.note(stride_note(points.stride));
+        write_points(context, *maps, batch, range, points);
+    });
 
     auto faces = builder.pass("point faces" + maps->batch_name(batch));
     faces.reads(maps->frame_buffer, points.texels, scene.positions, scene.indices, scene.triangle_materials,

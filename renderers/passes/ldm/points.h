@@ -23,10 +23,11 @@ struct Points {
     graph::CounterRef count, stride_shown, strips_asked;
 };
 
-/// Declares resources, and notes a stride.
+/// Declares resources.
 Points declare_points(graph::GraphBuilder& builder, const Maps& maps, MapRange shown);
 
-/// Declares passes "points" and "point faces" for the maps shown of a batch, which was built. The maps hold
+/// Declares passes "points" and "point faces" for the maps shown of a batch, which was built; where they run,
+/// the frame's notes tell a stride of more than 1. The maps hold
 /// depths alone: faces come from rasterising the same triangles again by the same builder. A fragment and an
 /// entry belong together where texel and depth in quanta are equal, so facing and normal are exact. Among
 /// entries of equal depth faces take turns (shaders/passes/ldm/point_ties.comp).
