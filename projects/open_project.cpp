@@ -44,6 +44,13 @@ OpenProject::OpenProject(const Registry& registry, FileSystem& files)
     project_.name = "Untitled";
 }
 
+OpenProject::OpenProject(Project start, const Registry& registry, FileSystem& files)
+    : OpenProject(registry, files) {
+    project_ = std::move(start);
+    begins_unsaved_ = true;
+    look_at_files();
+}
+
 OpenProject::OpenProject(const fs::path& given, const Registry& registry, FileSystem& files)
     : registry_(registry),
       files_(files),
@@ -61,7 +68,7 @@ std::unique_ptr<OpenProject> OpenProject::recover_unsaved(const fs::path& folder
     if (!found) throw InputError(folder.string(), "", "its autosave is damaged and cannot be read");
     open->project_ = std::move(found->project);
     open->unsaved_place_ = folder.parent_path();
-    open->recovered_ = open->has_autosave_ = true;
+    open->begins_unsaved_ = open->has_autosave_ = true;
     open->look_at_files();
     open->check_again();
     return open;
@@ -88,7 +95,7 @@ void OpenProject::load() {
     project_ = std::move(loaded.project);
     undo_.clear();
     recorded_.clear();
-    kept_since_save_ = recovered_ = false;
+    kept_since_save_ = begins_unsaved_ = false;
     has_autosave_ = lost_lock_ = false;
     recovery_.reset();
     older_recoveries_.clear();
@@ -205,7 +212,7 @@ void OpenProject::write(const std::string& expected_hash) {
         throw;
     }
     undo_.set_clean();
-    kept_since_save_ = recovered_ = false;
+    kept_since_save_ = begins_unsaved_ = false;
     schema_in_file_ = schema_version;
     reading_messages_.clear();
     drop_autosave();
@@ -218,17 +225,6 @@ void OpenProject::drop_autosave() {
         autosave_.discard(folder_);
     } catch (const Error&) {
         // It is older than what was saved just now and will not be offered.
-    }
-}
-
-/// What was taken over is saved now, or given up.
-void OpenProject::forget_taken() {
-    for (const auto& file : std::exchange(taken_, {})) {
-        try {
-            files_.remove(file);
-        } catch (const Error&) {
-            // It will be offered again: better than losing it.
-        }
     }
 }
 
@@ -305,6 +301,7 @@ void OpenProject::save_as(const fs::path& given) {
     read_only_ = false;
     recovery_.reset();
     older_recoveries_.clear();
+    taken_.clear();  // what was undone stays where it is and is offered there
     if (moved) undo_.clear(), recorded_.clear();
     contents_.clear();
     look_at_files();
@@ -359,7 +356,7 @@ void OpenProject::autosave() {
     }
     if (!is_dirty()) return drop_autosave();
     if (has_autosave_ && autosaved_revision_ == revision_ && !autosave_.has_failed()) return;
-    autosave_.request(project_, folder_, file_hash_, taken_);
+    autosave_.request(project_, folder_, file_hash_, contained_recoveries());
     autosaved_revision_ = revision_;
     has_autosave_ = true;
 }
@@ -367,32 +364,6 @@ void OpenProject::autosave() {
 std::string OpenProject::take_autosave_error() {
     auto error = std::exchange(autosave_error_, {});
     return error.empty() ? autosave_.take_error() : error;
-}
-
-void OpenProject::next_recovery() {
-    recovery_.reset();
-    if (older_recoveries_.empty()) return;
-    recovery_ = std::move(older_recoveries_.back());
-    older_recoveries_.pop_back();
-}
-
-void OpenProject::take_recovery() {
-    if (!recovery_) return;
-    project_ = std::move(recovery_->project);
-    taken_.push_back(recovery_->file);
-    undo_.clear();
-    recovered_ = true;
-    ++revision_;
-    next_recovery();
-    look_at_files();
-    check_again();
-}
-
-void OpenProject::discard_recovery() {
-    if (!recovery_) return;
-    const auto file = recovery_->file;
-    next_recovery();
-    files_.remove(file);
 }
 
 void OpenProject::break_lock() {

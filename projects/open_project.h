@@ -20,6 +20,8 @@ class OpenProject {
   public:
     /// A new, empty, unsaved project.
     explicit OpenProject(const Registry& registry, FileSystem& files = real_file_system());
+    /// A new, unsaved project that begins as `start`; nothing before that can be undone to.
+    OpenProject(Project start, const Registry& registry, FileSystem& files = real_file_system());
     /// Opens for editing, or read-only when another process holds the lock or the folder cannot be written.
     OpenProject(const std::filesystem::path& given, const Registry& registry,
                 FileSystem& files = real_file_system());
@@ -64,7 +66,7 @@ class OpenProject {
     void undo();
     void redo();
     const UndoStack& undo_stack() const { return undo_; }
-    bool is_dirty() const { return !undo_.is_clean() || kept_since_save_ || recovered_; }
+    bool is_dirty() const { return !undo_.is_clean() || kept_since_save_ || begins_unsaved_; }
 
     /// Remembers that a result was kept: part of the document, but no step of undo.
     void mark_kept(const std::string& experiment, const std::string& key);
@@ -88,6 +90,8 @@ class OpenProject {
     /// What a crashed session left; ask the user, then take or discard it. It stays on the disk until then,
     /// whatever is edited and saved meanwhile. Afterwards an older one may follow.
     const std::optional<Recovery>& recovery() const { return recovery_; }
+    /// A step of undo: unsaved changes come back with it. The recovery goes with the next save or close()
+    /// that has it; undone, it stays and is offered again when the project is opened.
     void take_recovery();
     void discard_recovery();
 
@@ -95,6 +99,12 @@ class OpenProject {
     void break_lock();
 
   private:
+    /// Shared with the step of undo that took it.
+    struct TakenRecovery {
+        std::filesystem::path file;
+        bool is_held = false;  ///< the document has that step
+    };
+    class TakeRecovery;
     void load();
     void changed();
     void look_at_new_files();
@@ -103,6 +113,7 @@ class OpenProject {
     void drop_autosave();
     void next_recovery();
     void forget_taken();
+    std::vector<std::filesystem::path> contained_recoveries() const;
     void leave(const std::filesystem::path& folder);
     bool holds_lock();
     bool move_sources(const std::filesystem::path& to);
@@ -117,7 +128,7 @@ class OpenProject {
     Lock lock_;
     std::filesystem::path unsaved_place_;
     UnsavedHome unsaved_home_;
-    bool read_only_ = false, kept_since_save_ = false, recovered_ = false;
+    bool read_only_ = false, kept_since_save_ = false, begins_unsaved_ = false;
     bool has_autosave_ = false, lost_lock_ = false;
     std::string autosave_error_, unsaved_error_;
     int schema_in_file_ = schema_version;
@@ -129,8 +140,8 @@ class OpenProject {
     ContentHashes recorded_;  ///< at saves, where nothing was: older states do not have it
     std::set<std::string> requested_sources_;
     std::optional<Recovery> recovery_;
-    std::vector<Recovery> older_recoveries_;    ///< oldest first
-    std::vector<std::filesystem::path> taken_;  ///< recoveries that the document holds, not saved yet
+    std::vector<Recovery> older_recoveries_;             ///< oldest first
+    std::vector<std::shared_ptr<TakenRecovery>> taken_;  ///< not saved yet, oldest first
     std::string file_hash_;
     std::size_t autosaved_revision_ = 0, revision_ = 0;
     AutosaveThread autosave_;

@@ -137,6 +137,19 @@ TEST_F(OpenProjectTest, NewProjectsGetTheirFolderLater) {
     EXPECT_EQ(load_project(temporary.path() / "fresh.interreflect", registry()).project.name, "fresh");
 }
 
+TEST_F(OpenProjectTest, WhatANewProjectBeginsWithIsUnsavedAndCannotBeUndone) {
+    OpenProject open(sample_project(), registry());
+    EXPECT_EQ(open.project(), sample_project());
+    EXPECT_TRUE(open.folder().empty());
+    EXPECT_TRUE(open.is_dirty());
+    EXPECT_FALSE(open.undo_stack().can_undo());
+    open.edit(edits::set_notes(open.project(), "n"));
+    open.undo();
+    EXPECT_TRUE(open.is_dirty());
+    open.save_as(temporary.path() / "begun");
+    EXPECT_FALSE(open.is_dirty());
+}
+
 TEST_F(OpenProjectTest, MissingAndChangedScenesOpenWithMessages) {
     fs::remove(folder / "scenes/church.glb");
     testing::write_text(folder / "scenes/organ.glb", "another organ");

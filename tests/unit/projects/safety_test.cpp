@@ -195,6 +195,58 @@ TEST_F(Safety, ARecoveryThatWasTakenOverIsReplacedByItsSuccessor) {
     EXPECT_EQ(open_again(folder).recoverable, std::set<int>{3});
 }
 
+TEST_F(Safety, TakingARecoveryCanBeUndoneBackToUnsavedEdits) {
+    crash_in_state(2);
+    {
+        OpenProject open(folder, registry());
+        edit_to(open, 3);
+        open.take_recovery();
+        EXPECT_EQ(state_of(open.project()), 2);
+        open.mark_kept("fog-nave", "key");
+        open.undo();
+        EXPECT_EQ(state_of(open.project()), 3);
+        EXPECT_EQ(find_item(open.project().experiments, "fog-nave")->last_kept_key, "key");
+        open.redo();
+        EXPECT_EQ(state_of(open.project()), 2);
+        open.undo();
+        open.undo();
+        EXPECT_EQ(state_of(open.project()), 1);
+        EXPECT_FALSE(open.undo_stack().can_undo());
+        open.redo();
+        open.save();
+        open.close();
+    }
+    const auto found = open_again(folder);
+    EXPECT_EQ(found.saved, 3);
+    EXPECT_EQ(found.recoverable, std::set<int>{2}) << "undone, it is as if nobody had decided";
+}
+
+TEST_F(Safety, TwoRecoveriesTakenInTurnAreBothSafeUntilSaved) {
+    crash_in_state(2);
+    crash_in_state(3);
+    {
+        OpenProject open(folder, registry());
+        open.take_recovery();
+        open.take_recovery();
+        open.autosave();
+        open.wait_for_autosave();
+    }
+    EXPECT_EQ(open_again(folder).recoverable, (std::set<int>{2, 3}));
+}
+
+TEST_F(Safety, AnUndoneRecoveryIsNotReplacedByTheNextAutosave) {
+    crash_in_state(2);
+    {
+        OpenProject open(folder, registry());
+        edit_to(open, 3);
+        open.take_recovery();
+        open.undo();
+        open.autosave();
+        open.wait_for_autosave();
+    }
+    EXPECT_EQ(open_again(folder).recoverable, (std::set<int>{2, 3}));
+}
+
 TEST_F(Safety, ARecoveryEqualToWhatIsSavedGoes) {
     crash_in_state(2);
     {
