@@ -81,8 +81,8 @@ std::string save_project(const Project& project, const fs::path& folder, const s
         const auto disk_hash = hash_bytes(on_disk);
         if (disk_hash == new_hash) return new_hash;
         if (!expected_hash.empty() && disk_hash != expected_hash)
-            throw Error(file.string() + ": was changed by somebody else since it was opened; save under " +
-                        "another name, or overwrite it");
+            throw ChangedOnDisk(file.string() + ": was changed by somebody else since it was opened; " +
+                                "save under another name, or overwrite it");
         keep_previous(folder, on_disk, files);
     }
     write_atomically(files, file, text);

@@ -5,6 +5,7 @@
 
 #include "projects/document_json.h"
 #include "projects/file_system.h"
+#include "renderers/core/error.h"
 
 namespace ir::projects {
 
@@ -19,6 +20,12 @@ std::filesystem::path project_folder(const std::filesystem::path& given);
 /// Where a new project called so would live: adds the suffix .interreflect where it is missing.
 std::filesystem::path folder_with_suffix(const std::filesystem::path& given);
 
+/// project.json was written by somebody else since it was read; overwriting would lose that.
+class ChangedOnDisk : public Error {
+  public:
+    using Error::Error;
+};
+
 struct LoadedProject : ReadProject {
     std::filesystem::path folder;
     std::string file_hash;  ///< of the bytes read; save() compares
@@ -31,8 +38,8 @@ LoadedProject load_project(const std::filesystem::path& given, const Registry& r
 
 /// Saves into `folder` (created where missing): the version before is kept as project.json.previous.
 /// `expected_hash` is LoadedProject::file_hash or what the last save returned; when the file on disk has
-/// another content, somebody else wrote it and the save is refused with an Error (pass an empty string to
-/// overwrite regardless). Returns the hash of the bytes written. On failure nothing is lost.
+/// another content, somebody else wrote it and the save is refused with ChangedOnDisk (pass an empty string
+/// to overwrite regardless). Returns the hash of the bytes written. On failure nothing is lost.
 std::string save_project(const Project& project, const std::filesystem::path& folder,
                          const std::string& expected_hash, FileSystem& files = real_file_system());
 

@@ -49,6 +49,13 @@ StatusLine::StatusLine(Session& session, LivePictures& live, QWidget* parent)
     cancel_->setAutoRaise(true);
     cancel_->setToolTip(tr("Cancel rendering (Esc)"));
     cancel_->setAccessibleName(tr("Cancel rendering"));
+    // The bar is as high while nothing is rendered, so that the docks above do not jump.
+    for (QWidget* each : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) {
+        auto policy = each->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        each->setSizePolicy(policy);
+    }
+    state_->setTextFormat(Qt::PlainText);
     row->addWidget(state_, 1);
     row->addWidget(progress_);
     row->addWidget(cancel_);
@@ -126,8 +133,8 @@ void StatusLine::update_text() {
     const QString text = !saying_.isEmpty() ? saying_
                          : ids.empty()      ? text_of_state()
                                             : text_of_rendering(ids);
-    if (text == state_->text()) return;
-    state_->setText(text);
+    if (text == state_->toolTip()) return;
+    state_->setText(text.simplified());  // one line, whatever a driver's reason holds
     state_->setToolTip(text);
 }
 

@@ -1,9 +1,11 @@
 #include <QApplication>
+#include <QDir>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QMessageBox>
 
 #include "app/engine/version.h"
+#include "app/gui/dialog_folder.h"
 #include "app/gui/main_window.h"
 #include "widgets/panels/shortcuts_dialog.h"
 #include "widgets/style/icons.h"
@@ -99,8 +101,10 @@ void MainWindow::make_edit_actions() {
 
 void MainWindow::export_to(const QString& suffix, const QString& filter,
                            void (Exports::*save)(const QString&) const) {
-    QString file = QFileDialog::getSaveFileName(this, tr("Export"), exports_.suggested_name(suffix), filter);
+    const QString proposed = QDir(dialog_folder(session_)).filePath(exports_.suggested_name(suffix));
+    QString file = QFileDialog::getSaveFileName(this, tr("Export"), proposed, filter);
     if (file.isEmpty()) return;
+    remember_folder_of(file);
     if (!file.endsWith(suffix, Qt::CaseInsensitive)) file += suffix;
     if (run_file_step([&] { (exports_.*save)(file); }, tr("Cannot export")))
         status_->say(tr("Wrote %1").arg(file));

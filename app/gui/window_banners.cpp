@@ -1,6 +1,7 @@
 #include <QFileDialog>
 #include <QMessageBox>
 
+#include "app/gui/dialog_folder.h"
 #include "app/gui/main_window.h"
 #include "projects/scene_files.h"
 
@@ -8,6 +9,11 @@ namespace ir::gui {
 namespace {
 
 using Kind = widgets::BannerStack::Kind;
+
+/// What the banner was about is gone by now.
+projects::EditPtr no_edit() {
+    return projects::edits::group("Nothing", {});
+}
 
 }  // namespace
 
@@ -64,11 +70,13 @@ void MainWindow::update_scene_banner() {
 }
 
 void MainWindow::locate_scene(const std::string& id, std::size_t part) {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Locate the scene"), {},
+    const QString file = QFileDialog::getOpenFileName(this, tr("Locate the scene"), dialog_folder(session_),
                                                       tr("Scenes (*.gltf *.glb);;All files (*)"));
     if (file.isEmpty()) return;
+    remember_folder_of(file);
     session_.edit([&](const projects::Project& project) {
         const auto* scene = projects::find_item(project.scenes, id);
+        if (!scene || part >= scene->parts.size()) return no_edit();
         return projects::edits::change_scene(
             project, projects::located(*scene, part, file.toStdString(), session_.open_project().folder()));
     });
@@ -80,6 +88,7 @@ void MainWindow::accept_scene(const std::string& id) {
     session_.edit([&](const projects::Project& project) {
         const auto& open = session_.open_project();
         const auto* scene = projects::find_item(project.scenes, id);
+        if (!scene) return no_edit();
         return projects::edits::change_scene(
             project, projects::with_current_hashes(*scene, open.folder(), &open.contents()));
     });

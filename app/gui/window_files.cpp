@@ -5,6 +5,7 @@
 #include <QMessageBox>
 #include <QStackedWidget>
 
+#include "app/gui/dialog_folder.h"
 #include "app/gui/main_window.h"
 #include "projects/store.h"
 
@@ -42,6 +43,7 @@ bool MainWindow::open_path(const QString& path) {
             is_scene(path) ? session_.create_from_scene(text) : session_.open(text);
         },
         tr("Cannot open"));
+    if (opened && !path.startsWith(QStringLiteral("builtin:"))) remember_folder_of(path);
     if (opened && !is_scene(path)) {
         recent_.add(QString::fromStdString(session_.open_project().folder().string()));
         update_recent();
@@ -51,15 +53,16 @@ bool MainWindow::open_path(const QString& path) {
 
 void MainWindow::new_project() {
     if (!may_discard()) return;
-    const QString file = QFileDialog::getOpenFileName(this, tr("New project from a scene"), {},
-                                                      tr("Scenes (*.gltf *.glb);;All files (*)"));
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("New project from a scene"), dialog_folder(session_),
+                                     tr("Scenes (*.gltf *.glb);;All files (*)"));
     if (!file.isEmpty()) open_path(file);
 }
 
 void MainWindow::choose_project() {
     if (!may_discard()) return;
-    const QString folder =
-        QFileDialog::getExistingDirectory(this, tr("Open a project: choose a folder NAME.interreflect"));
+    const QString folder = QFileDialog::getExistingDirectory(
+        this, tr("Open a project: choose a folder NAME.interreflect"), dialog_folder(session_));
     if (!folder.isEmpty()) open_path(folder);
 }
 
@@ -68,25 +71,34 @@ bool MainWindow::save() {
     document_->commit();
     if (session_.open_project().folder().empty()) return save_as();
     store_memory();
-    const bool saved = run_file_step([this] { session_.save(); }, tr("Cannot save"));
-    if (saved) {
+    bool overwriting_helps = false;  // a full disk or a missing right stays what it is
+    const auto work = [&] {
+        try {
+            session_.save();
+        } catch (const projects::ChangedOnDisk&) {
+            overwriting_helps = true;
+            throw;
+        }
+    };
+    if (run_file_step(work, tr("Cannot save"))) {
         save_thumbnail();
         status_->say(tr("Saved %1").arg(QString::fromStdString(session_.open_project().folder().string())));
         return true;
     }
-    banners_->show_banner(
-        QStringLiteral("file"), Kind::error, banners_->text(QStringLiteral("file")),
-        {{tr("Save as …"), [this] { save_as(); }},
-         {tr("Overwrite"), [this] { run_file_step([this] { session_.save(true); }, tr("Cannot save")); }}});
+    std::vector<widgets::BannerStack::Action> ways{{tr("Save as …"), [this] { save_as(); }}};
+    if (overwriting_helps)
+        ways.push_back(
+            {tr("Overwrite"), [this] { run_file_step([this] { session_.save(true); }, tr("Cannot save")); }});
+    banners_->show_banner(QStringLiteral("file"), Kind::error, banners_->text(QStringLiteral("file")), ways);
     return false;
 }
 
 bool MainWindow::save_as() {
     if (!session_.has_project()) return false;
     document_->commit();
-    QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the project as"), {}, tr("Projects (*.interreflect)"),
-                                     nullptr, QFileDialog::DontConfirmOverwrite);
+    QString path = QFileDialog::getSaveFileName(this, tr("Save the project as"), dialog_folder(session_),
+                                                tr("Projects (*.interreflect)"), nullptr,
+                                                QFileDialog::DontConfirmOverwrite);
     if (path.isEmpty()) return false;
     path = QString::fromStdString(projects::folder_with_suffix(path.toStdString()).string());
     if (QFileInfo::exists(path) &&
@@ -96,6 +108,7 @@ bool MainWindow::save_as() {
     store_memory();
     const bool saved = run_file_step([&] { session_.save_as(path.toStdString()); }, tr("Cannot save"));
     if (!saved) return false;
+    remember_folder_of(path);
     save_thumbnail();
     recent_.add(path);
     update_recent();

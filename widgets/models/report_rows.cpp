@@ -57,7 +57,7 @@ Row resource_row(const ResourceReport& resource, const std::map<std::string, QIm
 
 Row pass_row(const std::string& pass, std::uint64_t bytes) {
     Row row{"pass:" + pass, {}};
-    row.cells = {{text_of(pass.empty() ? "(none)" : pass)}, {}, number_cell(bytes_text(bytes)), {}, {}};
+    row.cells = {{pass.empty() ? tr("other") : text_of(pass)}, {}, number_cell(bytes_text(bytes)), {}, {}};
     return row;
 }
 

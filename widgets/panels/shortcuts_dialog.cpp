@@ -19,7 +19,9 @@ QString plain_text(QString text) {
 
 const QMenu* menu_of(const QAction& action) {
     for (const QObject* owner : action.associatedObjects())
-        if (const auto* menu = qobject_cast<const QMenu*>(owner)) return menu;
+        // A menu without a title is a context menu, or what a narrow menu bar hides its last menus in.
+        if (const auto* menu = qobject_cast<const QMenu*>(owner); menu && !menu->title().isEmpty())
+            return menu;
     return nullptr;
 }
 

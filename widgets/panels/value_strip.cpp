@@ -1,6 +1,7 @@
 #include "widgets/panels/value_strip.h"
 
 #include <QFontDatabase>
+#include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QRect>
@@ -27,6 +28,7 @@ ValueStrip::ValueStrip(QWidget* parent)
     values_->setMinimumWidth(1);  // a long line must not widen the window
     const QFont mono = QFontDatabase::systemFont(QFontDatabase::FixedFont);
     values_->setFont(mono);
+    values_->setTextFormat(Qt::PlainText);
     zoom_->setFont(mono);
     zoom_->setToolTip(tr("Zoom: screen pixels per picture pixel"));
 }
@@ -39,36 +41,59 @@ void ValueStrip::set_picture(const Image& image, Semantic semantic, const QStrin
     unit_ = unit;
     size_ = {image.width, image.height};
     channels_ = image.channels;
-    values_->setText(summary());
+    say(summary(), true);
 }
 
-QString ValueStrip::summary() const {
+QString ValueStrip::summary(int statistics) const {
     if (size_.isEmpty()) return name_;
-    QString text = QStringLiteral("%1  %2×%3×%4   min %5  max %6  mean %7")
-                       .arg(name_)
-                       .arg(size_.width())
-                       .arg(size_.height())
-                       .arg(channels_)
-                       .arg(short_number(statistics_.min), short_number(statistics_.max),
-                            short_number(statistics_.mean));
-    if (!unit_.isEmpty()) text += QLatin1Char(' ') + unit_;
+    QString text =
+        QStringLiteral("%1  %2×%3×%4 ").arg(name_).arg(size_.width()).arg(size_.height()).arg(channels_);
+    const QString fields[] = {QStringLiteral("  min ") + short_number(statistics_.min),
+                              QStringLiteral("  max ") + short_number(statistics_.max),
+                              QStringLiteral("  mean ") + short_number(statistics_.mean)};
+    for (int i = 0; i < statistics; ++i) text += fields[i];
+    if (!unit_.isEmpty() && statistics > 0) text += QLatin1Char(' ') + unit_;
     if (statistics_.nan) text += tr("   %1 NaN").arg(statistics_.nan);
     if (statistics_.infinite) text += tr("   %1 Inf").arg(statistics_.infinite);
     return text;
 }
 
+void ValueStrip::say(const QString& full, bool is_summary) {
+    full_ = full;
+    is_summary_ = is_summary;
+    update_line();
+}
+
+/// Whole fields go rather than digits: half a number would be read as another one.
+void ValueStrip::update_line() {
+    const QFontMetrics metrics(values_->font());
+    const auto fits = [&](const QString& line) {
+        return metrics.horizontalAdvance(line) <= values_->width();
+    };
+    QString line = full_;
+    for (int statistics = 2; is_summary_ && statistics >= 0 && !fits(line); --statistics)
+        line = summary(statistics);
+    if (!fits(line)) line = metrics.elidedText(line, Qt::ElideRight, values_->width());
+    if (line != values_->text()) values_->setText(line);
+    values_->setToolTip(full_);
+}
+
+void ValueStrip::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    layout()->activate();  // the line gets its width first
+    update_line();
+}
+
 void ValueStrip::show_pixel(const Image& image, QPoint pixel) {
     // The cursor may rest where a smaller picture has no pixel.
     const auto text = pixel_text(image, pixel, semantic_, unit_);
-    values_->setText(text.isEmpty() ? summary() : text);
+    say(text.isEmpty() ? summary() : text, text.isEmpty());
 }
 
 void ValueStrip::set_zoom(double zoom) {
     zoom_->setText(QStringLiteral("%1 %").arg(zoom * 100, 0, 'f', zoom < 0.1 ? 1 : 0));
-}
-
-QString ValueStrip::text() const {
-    return values_->text();
+    layout()->activate();
+    update_line();
 }
 
 }  // namespace ir::widgets

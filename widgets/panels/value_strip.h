@@ -18,14 +18,21 @@ class ValueStrip : public QWidget {
     /// (-1, -1): none.
     void show_pixel(const Image& image, QPoint pixel);
     void set_zoom(double zoom);
-    QString text() const;
+    /// The whole line; what is shown lacks mean, max and min where they do not fit.
+    QString text() const { return full_; }
+
+  protected:
+    void resizeEvent(QResizeEvent*) override;
 
   private:
-    QString summary() const;
+    QString summary(int statistics = 3) const;  ///< with so many of min, max and mean
+    void say(const QString& full, bool is_summary);
+    void update_line();
     QLabel *values_, *zoom_;
     Statistics statistics_;
     Semantic semantic_ = Semantic::generic;
-    QString name_, unit_;
+    QString name_, unit_, full_;
+    bool is_summary_ = true;
     QSize size_;
     int channels_ = 0;
 };
