@@ -32,13 +32,15 @@ class Session : public QObject {
     // Files. All throw Error with one line; the project that was open stays open then.
     /// A project's folder, also one that a crash left before the project was ever saved.
     void open(const std::filesystem::path& path);
+    /// Not saved yet, with nothing to undo.
     void create_from_scene(const std::string& scene);
     void add_scene(const std::string& scene);  ///< an edit
-    void add_image(const std::string& file);   ///< an edit: a picture of another renderer
+    /// An edit: a picture of another renderer. Returns whether it was added.
+    bool add_image(const std::string& file);
     void save(bool overwrite = false);
     void save_as(const std::filesystem::path& path);
     void close();
-    void take_recovery();
+    void take_recovery();  ///< can be undone
     void discard_recovery();
     void break_lock();
     /// Looks again whether scenes and images on disk are those of the project; files_changed() follows.
@@ -79,6 +81,8 @@ class Session : public QObject {
     /// session.json: neither undone nor dirty.
     projects::Json& memory() { return memory_; }
     void save_memory();
+    /// Writes unsaved changes beside the project, and session.json where it changed. A timer calls it, too.
+    void autosave();
 
   signals:
     void project_replaced();
@@ -87,6 +91,8 @@ class Session : public QObject {
     void camera_moved();
     /// What is known of the scenes and images on disk.
     void files_changed();
+    /// memory() is about to be written: put into it what is to be remembered.
+    void memory_wanted();
     void message(const ir::Message& message);
 
   private:
@@ -104,7 +110,6 @@ class Session : public QObject {
     bool changed(bool really);
     void report_project_messages();
     void poll_files();
-    void autosave();
 
     const Registry& registry_;
     std::unique_ptr<projects::OpenProject> project_;
@@ -113,6 +118,7 @@ class Session : public QObject {
     std::optional<widgets::CameraPose> moved_pose_;
     std::vector<std::string> moved_;  ///< experiments that the gesture moves
     projects::Json memory_ = projects::Json::object();
+    projects::Json saved_memory_;  ///< as it is on disk
     std::filesystem::path unsaved_folder_;
     QTimer autosave_timer_;
 };

@@ -33,16 +33,16 @@ void Session::open(const std::filesystem::path& path) {
 }
 
 void Session::create_from_scene(const std::string& source) {
-    auto fresh = std::make_unique<projects::OpenProject>(registry_);
-    const auto scene = scene_item(fresh->project(), source, fresh->folder());
-    fresh->edit(projects::edits::add(fresh->project(), scene));
-    fresh->edit(projects::edits::set_project_name(fresh->project(), scene.name));
     if (registry_.methods().empty()) throw Error("this build has no methods");
     const auto& method = *registry_.methods().front();
-    fresh->edit(projects::edits::add(
-        fresh->project(),
-        projects::edits::new_experiment(fresh->project(), registry_, method.id, method.title, scene.id, "")));
-    adopt(std::move(fresh));
+    projects::Project start;
+    const auto scene = scene_item(start, source, {});
+    start.name = scene.name;
+    projects::edits::add(start, scene)->apply(start);
+    const auto experiment =
+        projects::edits::new_experiment(start, registry_, method.id, method.title, scene.id, "");
+    projects::edits::add(start, experiment)->apply(start);
+    adopt(std::make_unique<projects::OpenProject>(std::move(start), registry_));
 }
 
 void Session::add_scene(const std::string& source) {
@@ -51,8 +51,8 @@ void Session::add_scene(const std::string& source) {
     });
 }
 
-void Session::add_image(const std::string& file) {
-    edit([&](const projects::Project& project) {
+bool Session::add_image(const std::string& file) {
+    return edit([&](const projects::Project& project) {
         projects::ForeignImage image;
         image.name = std::filesystem::path(file).stem().string();
         image.id = projects::free_id_in(project.images, image.name);
@@ -70,6 +70,7 @@ void Session::adopt(std::unique_ptr<projects::OpenProject> project) {
         [this] { QMetaObject::invokeMethod(this, &Session::poll_files, Qt::QueuedConnection); });
     memory_ =
         project_->folder().empty() ? projects::Json::object() : projects::load_session(project_->folder());
+    saved_memory_ = memory_;
     const auto remembered = memory_.find("experiment");
     experiment_id_ =
         remembered != memory_.end() && remembered->is_string() ? remembered->get<std::string>() : "";
@@ -123,12 +124,14 @@ void Session::save_memory() {
     if (const auto* chosen = experiment()) memory_["experiment"] = chosen->id;
     try {
         projects::save_session(project_->folder(), memory_);
+        saved_memory_ = memory_;
     } catch (const std::exception& error) {  // nothing of value is in it
         emit message({Severity::warning, "project", error.what()});
     }
 }
 
 void Session::take_recovery() {
+    finish_camera_move();  // it belongs to what undo comes back to
     guarded([&] { return project_->take_recovery(), changed(true); });
 }
 
@@ -148,6 +151,8 @@ void Session::autosave() {
         if (!error.empty()) emit message({Severity::warning, "autosave", error});
         return true;
     });
+    emit memory_wanted();
+    if (memory_ != saved_memory_) save_memory();
 }
 
 }  // namespace ir::gui

@@ -36,6 +36,7 @@ void MainWindow::connect_session() {
     });
     connect(&session_, &Session::document_changed, this, &MainWindow::update_document);
     connect(&session_, &Session::document_changed, this, &MainWindow::update_scene_banner);
+    connect(&session_, &Session::memory_wanted, this, &MainWindow::store_memory);
     connect(&session_, &Session::files_changed, this, &MainWindow::update_scene_banner);
     connect(&session_, &Session::experiment_selected, this, [this] {
         update_document();

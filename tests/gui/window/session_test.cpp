@@ -1,0 +1,99 @@
+#include <QDialog>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <fstream>
+
+#include "tests/gui/window/window_fixture.h"
+
+namespace ir::gui {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SessionTest : WindowTest {
+    Session& session() { return window.session(); }
+    const projects::UndoStack& steps() { return session().open_project().undo_stack(); }
+    void set_notes(const char* notes) {
+        session().edit(
+            [&](const projects::Project& project) { return projects::edits::set_notes(project, notes); });
+        session().end_gesture();
+    }
+    /// Does `work` while the file dialog is open, then chooses the file in it.
+    void when_asked_for_a_file(const QString& file, const std::function<void()>& work) {
+        QTimer::singleShot(100, &window, [this, file, work] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            ASSERT_NE(dialog, nullptr);
+            work();
+            dialog->findChild<QLineEdit*>("fileNameEdit")->setText(file);
+            static_cast<QDialog*>(dialog)->accept();
+        });
+    }
+    QTemporaryDir temporary;
+    fs::path root = temporary.path().toStdString();
+    fs::path folder = root / "a.interreflect";
+};
+
+TEST_F(SessionTest, WhatASceneBeginsWithCannotBeUndoneAndIsNotSaved) {
+    open_scene();
+    EXPECT_EQ(session().document().name, "cornell");
+    ASSERT_NE(session().experiment(), nullptr);
+    EXPECT_FALSE(steps().can_undo());
+    EXPECT_FALSE(window.action("undo")->isEnabled());
+    EXPECT_TRUE(session().open_project().is_dirty());
+    set_notes("x");
+    session().undo();
+    EXPECT_FALSE(steps().can_undo());
+    EXPECT_NE(session().experiment(), nullptr);
+}
+
+TEST_F(SessionTest, RecoveringOverUnsavedEditsCanBeUndone) {
+    open_scene();
+    session().save_as(folder);
+    session().close();
+    {
+        projects::OpenProject crashed(folder, fake_registry());
+        crashed.edit(projects::edits::set_notes(crashed.project(), "crashed"));
+        crashed.autosave();
+        crashed.wait_for_autosave();
+    }
+    session().open(folder);
+    set_notes("edited");
+    session().take_recovery();
+    EXPECT_EQ(session().document().notes, "crashed");
+    trigger("undo");
+    EXPECT_EQ(session().document().notes, "edited");
+}
+
+TEST_F(SessionTest, ViewsAreWrittenWithTheAutosave) {
+    open_scene();
+    session().save_as(folder);
+    fs::remove(folder / "session.json");
+    QObject::connect(&session(), &Session::memory_wanted, &window, [&] { session().memory()["mark"] = 7; });
+    session().autosave();
+    const auto written = projects::load_session(folder);
+    EXPECT_EQ(written.value("mark", 0), 7);
+    EXPECT_GT(written.size(), 2u) << "the views and the experiment, too";
+    fs::remove(folder / "session.json");
+    session().autosave();
+    EXPECT_FALSE(fs::exists(folder / "session.json")) << "nothing is new";
+}
+
+TEST_F(SessionTest, AnImageThatIsRefusedIsNotSelected) {
+    open_scene();
+    session().save_as(folder);
+    session().close();
+    const projects::OpenProject other(folder, fake_registry());
+    session().open(folder);
+    ASSERT_TRUE(session().open_project().is_read_only());
+    std::ofstream(root / "photo.exr") << "x";
+    EXPECT_FALSE(session().add_image((root / "photo.exr").string()));
+    when_asked_for_a_file(QString::fromStdString((root / "photo.exr").string()), [] {});
+    window.document().add_image();
+    EXPECT_TRUE(session().document().images.empty());
+}
+
+}  // namespace
+}  // namespace ir::gui
