@@ -2,12 +2,16 @@
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QLoggingCategory>
 #include <QTimer>
+#include <algorithm>
 #include <iostream>
+#include <memory>
 
 #include "app/engine/version.h"
 #include "app/gui/main_window.h"
 #include "projects/light_spec.h"
+#include "projects/scene_files.h"
 #include "renderers/core/error.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
@@ -17,6 +21,7 @@ namespace {
 
 /// After the last change the window is left alone for so long before it is grabbed.
 constexpr int settle_ms = 400;
+constexpr int failed = 1, bad_input = 3;
 
 struct Arguments {
     std::string project, layout, screenshot, size, backend;
@@ -35,19 +40,75 @@ void describe(CLI::App& command, Arguments& arguments) {
                        "OpenGL through egl or osmesa (default: the best that works)");
 }
 
-/// Saves the window once nothing has changed for a while.
-void take_screenshot(MainWindow& window, const QString& file) {
+/// Experiments that the open views show, every one once.
+std::vector<std::string> shown_experiments(MainWindow& window) {
+    std::vector<std::string> ids;
+    const auto add = [&](const widgets::ViewSource& source) {
+        if (window.session().experiment(source.owner) &&
+            std::find(ids.begin(), ids.end(), source.owner) == ids.end())
+            ids.push_back(source.owner);
+    };
+    for (const int view : window.workspace().area().open_views()) {
+        const auto& state = window.workspace().state(view);
+        add(state.a);
+        if (widgets::compares(state.mode)) add(state.b);
+        if (widgets::takes_many(state.mode))
+            for (const auto& each : state.more) add(each);
+    }
+    return ids;
+}
+
+bool lacks_a_file(const Session& session, const std::string& experiment) {
+    const auto* chosen = session.experiment(experiment);
+    const auto& open = session.open_project();
+    const auto* scene = projects::find_item(session.document().scenes, projects::effective(*chosen).scene);
+    return scene && std::any_of(scene->parts.begin(), scene->parts.end(), [&](const auto& part) {
+               return projects::status(part, open.folder(), &open.contents()).state ==
+                      projects::FileState::missing;
+           });
+}
+
+/// What kept a shown experiment from its picture.
+struct Outcome {
+    int status = 0;
+    std::string line;
+};
+
+/// The worst of all shown experiments. Where a scene could not be loaded, that is the input's fault.
+Outcome outcome(MainWindow& window, const std::string& scene_error) {
+    Outcome worst;
+    for (const auto& id : shown_experiments(window)) {
+        const auto state = window.live().state(id);
+        if (state != LivePictures::State::failed && state != LivePictures::State::blocked) continue;
+        const auto& reason = window.live().text(id);
+        const bool input = reason == scene_error || lacks_a_file(window.session(), id);
+        if (worst.line.empty() || (input && worst.status != bad_input))
+            worst = {input ? bad_input : failed, reason};
+    }
+    return worst;
+}
+
+std::string in_one_line(const std::string& text) {
+    return QString::fromStdString(text).simplified().toStdString();
+}
+
+/// Saves the window once nothing has changed for a while, and ends the program.
+void take_screenshot(MainWindow& window, const Renderer& renderer, const QString& file) {
     auto* timer = new QTimer(&window);
     timer->setSingleShot(true);
     timer->setInterval(settle_ms);
+    const auto scene_error = std::make_shared<std::string>();
+    QObject::connect(&renderer, &Renderer::failed, &window,
+                     [scene_error](const std::string& tag, const std::string& error, bool cancelled) {
+                         if (tag == "scene" && !cancelled) *scene_error = error;
+                     });
     QObject::connect(&window, &MainWindow::settled, timer, [timer] { timer->start(); });
-    QObject::connect(timer, &QTimer::timeout, &window, [&window, timer, file] {
+    QObject::connect(timer, &QTimer::timeout, &window, [&window, file, scene_error] {
         if (!window.is_settled()) return;
-        const bool saved = window.grab().save(file);
-        if (!saved) std::cerr << "interreflect: cannot write " << file.toStdString() << "\n";
-        const auto* shown = window.session().experiment();
-        const bool failed = shown && window.live().state(shown->id) == LivePictures::State::failed;
-        QApplication::exit(saved && !failed ? 0 : 1);
+        Outcome end = outcome(window, *scene_error);
+        if (!window.grab().save(file)) end = {failed, "cannot write " + file.toStdString()};
+        if (!end.line.empty()) std::cerr << "interreflect: " << in_one_line(end.line) << "\n";
+        QApplication::exit(end.status);
     });
     if (window.is_settled()) timer->start();
 }
@@ -77,11 +138,14 @@ int run_window(const Arguments& arguments) {
     }
     if (!arguments.layout.empty()) window.apply_layout(QString::fromStdString(arguments.layout));
     window.show();
-    const bool opened =
-        arguments.project.empty() || window.open_path(QString::fromStdString(arguments.project));
-    if (screenshot) take_screenshot(window, QString::fromStdString(arguments.screenshot));
-    const int status = QApplication::exec();
-    return !opened && screenshot ? 3 : status;
+    const auto project = QString::fromStdString(arguments.project);
+    if (screenshot) take_screenshot(window, *renderer, QString::fromStdString(arguments.screenshot));
+    if (!project.isEmpty() && !window.open_path(project) && screenshot) {
+        std::cerr << "interreflect: "
+                  << in_one_line(window.banners().text(QStringLiteral("file")).toStdString()) << "\n";
+        return bad_input;
+    }
+    return QApplication::exec();
 }
 
 }  // namespace
@@ -103,6 +167,9 @@ int run(int argc, char** argv) {
             throw UsageError("unknown layout '" + arguments.layout + "'; known are " +
                              MainWindow::layout_names().join(", ").toStdString());
         check_display(arguments);
+        // Off screen Qt says what is no news to anybody; stderr is for the one line that says what failed.
+        if (!arguments.screenshot.empty())
+            QLoggingCategory::setFilterRules(QStringLiteral("default.warning=false\nqt.qpa.*=false"));
         QLocale::setDefault(QLocale::c());
         QApplication application(argc, argv);
         QApplication::setOrganizationName("Interreflect");
