@@ -4,6 +4,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "app/gui/dialog_folder.h"
 #include "projects/scene_files.h"
 #include "widgets/document/makers.h"
 
@@ -164,11 +165,16 @@ std::string DocumentDock::source_of(const std::string& file) const {
 }
 
 std::string DocumentDock::choose_scene_file() {
-    return QFileDialog::getOpenFileName(this, tr("Choose a scene"), {}, tr(scene_filter)).toStdString();
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("Choose a scene"), dialog_folder(session_), tr(scene_filter));
+    remember_folder_of(file);
+    return file.toStdString();
 }
 
 std::string DocumentDock::choose_image_file(const QString& title) {
-    return QFileDialog::getOpenFileName(this, title, {}, tr(image_filter)).toStdString();
+    const QString file = QFileDialog::getOpenFileName(this, title, dialog_folder(session_), tr(image_filter));
+    remember_folder_of(file);
+    return file.toStdString();
 }
 
 void DocumentDock::add_scene() {
@@ -179,17 +185,16 @@ void DocumentDock::add_scene() {
 void DocumentDock::add_image() {
     const auto file = choose_image_file(tr("Add an image of another renderer"));
     if (file.empty()) return;
-    session_.add_image(file);
-    select({ItemKind::image, text_of(session_.document().images.back().id)});
+    if (session_.add_image(file)) select({ItemKind::image, text_of(session_.document().images.back().id)});
 }
 
 void DocumentDock::add_comparison() {
     auto comparison = workspace_.as_comparison();
-    session_.edit([&](const Project& project) {
+    const bool added = session_.edit([&](const Project& project) {
         comparison.id = projects::free_id_in(project.comparisons, "comparison");
         return edits::add(project, comparison);
     });
-    select({ItemKind::comparison, text_of(comparison.id)});
+    if (added) select({ItemKind::comparison, text_of(comparison.id)});
 }
 
 void DocumentDock::add_experiment() {
@@ -198,7 +203,7 @@ void DocumentDock::add_experiment() {
     if (!method) method = session_.registry().methods().front();
     const auto* now = session_.experiment();
     std::string added;
-    session_.edit([&](const Project& project) {
+    const bool is_added = session_.edit([&](const Project& project) {
         const std::string scene = now ? now->scene : project.scenes.empty() ? "" : project.scenes.front().id;
         auto fresh = edits::new_experiment(project, session_.registry(), method->id, method->title, scene,
                                            now ? now->camera : "");
@@ -206,7 +211,7 @@ void DocumentDock::add_experiment() {
         added = fresh.id;
         return edits::add(project, fresh);
     });
-    if (!added.empty()) session_.select_experiment(added);
+    if (is_added) session_.select_experiment(added);
 }
 
 void DocumentDock::add(ItemKind kind, const ItemRef& owner) {
@@ -215,7 +220,9 @@ void DocumentDock::add(ItemKind kind, const ItemRef& owner) {
             return add_scene();
         case ItemKind::part:
             if (const auto file = choose_scene_file(); !file.empty())
-                session_.edit(widgets::makers::add_part(owner.id.toStdString(), source_of(file)));
+                session_.edit([&](const Project& project) {
+                    return widgets::makers::add_part(owner.id.toStdString(), source_of(file))(project);
+                });
             return;
         case ItemKind::camera:
             return session_.bookmark_camera();
@@ -232,13 +239,19 @@ void DocumentDock::browse(const ItemRef& item) {
     const auto id = item.id.toStdString();
     if (item.kind == ItemKind::part) {
         if (const auto file = choose_scene_file(); !file.empty())
-            session_.edit(widgets::makers::set_part_source(id, item.index, source_of(file)));
+            session_.edit([&](const Project& project) {
+                return widgets::makers::set_part_source(id, item.index, source_of(file))(project);
+            });
     } else if (item.kind == ItemKind::image) {
         if (const auto file = choose_image_file(tr("Choose an image")); !file.empty())
-            session_.edit(widgets::makers::set_image_source(id, source_of(file)));
+            session_.edit([&](const Project& project) {
+                return widgets::makers::set_image_source(id, source_of(file))(project);
+            });
     } else if (item.kind == ItemKind::light_set) {
         if (const auto file = choose_image_file(tr("Choose an environment map")); !file.empty())
-            session_.edit(widgets::makers::set_environment_map(id, source_of(file)));
+            session_.edit([&](const Project& project) {
+                return widgets::makers::set_environment_map(id, source_of(file))(project);
+            });
     }
 }
 
