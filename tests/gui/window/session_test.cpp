@@ -23,7 +23,7 @@ struct SessionTest : WindowTest {
     }
     /// Does `work` while the file dialog is open, then chooses the file in it.
     void when_asked_for_a_file(const QString& file, const std::function<void()>& work) {
-        QTimer::singleShot(100, &window, [this, file, work] {
+        QTimer::singleShot(300, &window, [this, file, work] {
             auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
             ASSERT_NE(dialog, nullptr);
             work();
@@ -79,6 +79,24 @@ TEST_F(SessionTest, ViewsAreWrittenWithTheAutosave) {
     fs::remove(folder / "session.json");
     session().autosave();
     EXPECT_FALSE(fs::exists(folder / "session.json")) << "nothing is new";
+}
+
+TEST_F(SessionTest, LocatingASceneThatIsGoneDoesNothing) {
+    open_scene();
+    session().add_scene((root / "missing.glb").string());
+    ASSERT_TRUE(window.banners().names().contains("scene"));
+    std::ofstream(root / "other.glb") << "x";
+    when_asked_for_a_file(QString::fromStdString((root / "other.glb").string()),
+                          [this] { session().undo(); });
+    QPushButton* locate = nullptr;
+    for (auto* button : window.banners().findChildren<QPushButton*>())
+        if (button->text().startsWith("Locate")) locate = button;
+    ASSERT_NE(locate, nullptr);
+    locate->click();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return steps().can_redo(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([] { return !QApplication::activeModalWidget(); }, 5000));
+    EXPECT_EQ(session().document().scenes.size(), 1u);
+    EXPECT_TRUE(steps().can_redo()) << "nothing was edited";
 }
 
 TEST_F(SessionTest, AnImageThatIsRefusedIsNotSelected) {
