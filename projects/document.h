@@ -133,9 +133,9 @@ struct Experiment {
 /// Two pictures side by side. A and B are ids of experiments or foreign images.
 struct Comparison {
     std::string id, name, a, b;
-    std::string output;  ///< key of the output; empty: main result
-    std::string mode =
-        "wipe";  ///< wipe, flip, side-by-side, difference, flip-metric, …: the views' own names
+    std::string output;         ///< key of the output; empty: main result
+    std::string mode = "wipe";  ///< side-by-side, wipe, flip, difference[:signed|absolute|relative], stages:
+                                ///< the views' own names
     std::optional<glm::dvec2> range;  ///< shown from … to; absent: automatic
     std::string notes;
     Json extra = Json::object();

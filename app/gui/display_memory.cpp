@@ -80,7 +80,8 @@ projects::Json to_json(const Display& display) {
             {"mark_bad", display.mark_bad},
             {"negative_is_bad", display.negative_is_bad},
             {"tone_map", name_in(tone_maps, display.tone_map)},
-            {"zebra", display.zebra}};
+            {"zebra", display.zebra},
+            {"hide_invalid", display.hide_invalid}};
 }
 
 Display display_from_json(const projects::Json& json) {
@@ -97,6 +98,7 @@ Display display_from_json(const projects::Json& json) {
     display.negative_is_bad = field_or(json, "negative_is_bad", true);
     display.tone_map = value_in(tone_maps, field_or(json, "tone_map", std::string()), display.tone_map);
     display.zebra = field_or(json, "zebra", false);
+    display.hide_invalid = field_or(json, "hide_invalid", false);
     return display;
 }
 

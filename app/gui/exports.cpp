@@ -49,7 +49,7 @@ std::shared_ptr<const widgets::Picture> Exports::picture() const {
     const auto shown = workspace_.display_picture();
     if (workspace_.active_pane().content() != widgets::ViewPane::Content::picture || !shown ||
         !shown->has_image())
-        throw Error("the view shows no picture; choose an image or a table");
+        throw Error("the active view shows no image; choose an image output (or, for values, a table)");
     return shown;
 }
 
@@ -88,7 +88,10 @@ void Exports::save_values(const QString& file) const {
 }
 
 void Exports::save_all_buffers(const QString& file) const {
-    const auto& owner = workspace_.active_state().a.owner;
+    const auto& state = workspace_.active_state();
+    const auto& owner = state.a.is_image() ? state.b.owner : state.a.owner;
+    if (!session_.experiment(owner))
+        throw Error("the active view shows a foreign image; choose an experiment");
     if (!live_.result(owner)) throw Error("nothing has been rendered yet");
     renderer_.export_layers({owner, file.toStdString(), {"*"}});
 }

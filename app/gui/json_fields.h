@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <type_traits>
 
 #include "projects/json.h"
 
@@ -17,6 +19,8 @@ T field_or(const projects::Json& object, const char* key, T fallback) {
         return found->is_boolean() ? found->template get<bool>() : fallback;
     else if constexpr (std::is_same_v<T, std::string>)
         return found->is_string() ? found->template get<std::string>() : fallback;
+    else if constexpr (std::is_integral_v<T>)  // far-off numbers are brought near before they are converted
+        return found->is_number() ? T(std::clamp(found->template get<double>(), -1e9, 1e9)) : fallback;
     else
         return found->is_number() ? found->template get<T>() : fallback;
 }

@@ -1,8 +1,10 @@
 #include "app/gui/live_pictures.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/engine/from_project.h"
+#include "app/gui/camera_pose.h"
 #include "app/gui/signature.h"
 #include "projects/check.h"
 #include "projects/scene_files.h"
@@ -15,14 +17,7 @@ namespace {
 constexpr double least_known = 0.03;
 
 engine::Experiment with_pose(engine::Experiment experiment, const widgets::CameraPose& pose) {
-    scene::Camera camera;
-    camera.eye = pose.eye;
-    camera.target = pose.target;
-    camera.up = pose.up;
-    camera.fov_y = float(glm::radians(pose.fov_y_degrees));
-    camera.orthographic = pose.orthographic;
-    camera.height = float(pose.height);
-    experiment.camera = camera;
+    experiment.camera = camera_of(pose);
     return experiment;
 }
 
@@ -47,10 +42,14 @@ LivePictures::LivePictures(Session& session, Renderer& renderer, ImageLoader& im
     connect(&renderer_, &Renderer::failed, this, &LivePictures::on_failure);
     connect(&renderer_, &Renderer::progressed, this, &LivePictures::on_progress);
     connect(&renderer_, &Renderer::no_device, this, [this](const std::string& error) {
-        for (auto& [id, entry] : entries_) set_state(id, entry, State::failed, error);
+        no_device_ = error;
+        update();
     });
-    for (const auto signal : {&Session::document_changed, &Session::camera_moved})
-        connect(&session_, signal, this, qOverload<>(&LivePictures::update));
+    connect(&renderer_, &Renderer::ready, this, [this] {
+        if (!std::exchange(no_device_, {}).empty()) update();
+    });
+    connect(&session_, &Session::document_changed, this, qOverload<>(&LivePictures::update));
+    connect(&session_, &Session::camera_moved, this, &LivePictures::follow_camera);
     connect(&session_, &Session::project_replaced, this, [this] { set_wants({}); });
     connect(&images_, &ImageLoader::arrived, this, qOverload<>(&LivePictures::update));
     connect(&images_, &ImageLoader::failed, this, qOverload<>(&LivePictures::update));
@@ -82,23 +81,36 @@ void LivePictures::update() {
 void LivePictures::update(const std::string& id, Entry& entry) {
     const auto* chosen = session_.experiment(id);
     if (!chosen) return;
+    entry.experiment.reset();
+    if (!no_device_.empty()) return set_state(id, entry, State::failed, no_device_);
     try {
         const auto reason = projects::why_not_runnable(session_.document(), *chosen, session_.registry(),
                                                        session_.open_project().folder());
         if (!reason.empty()) throw Error(reason);
-        auto wanted = resolved(*chosen);
-        if (!wanted) return set_state(id, entry, State::rendering);
-        if (session_.experiment()->id == id) emit composition_resolved(wanted->composition());
-        if (const auto pose = session_.moved_pose(id)) wanted = with_pose(std::move(*wanted), *pose);
-        const auto text = signature(*wanted) + "\n" + text_of(entry.want);
-        if (text == entry.signature) return;
-        entry.signature = text;
-        send(id, entry, *wanted);
+        entry.experiment = resolved(*chosen);
+        if (!entry.experiment) return set_state(id, entry, State::rendering);
+        if (session_.experiment()->id == id) emit composition_resolved(entry.experiment->composition());
+        send_if_changed(id, entry);
     } catch (const std::exception& error) {
         entry.signature.clear();
         renderer_.cancel(id);
         set_state(id, entry, State::blocked, error.what());
     }
+}
+
+/// A dragged camera changes nothing else: nothing is looked up again.
+void LivePictures::follow_camera() {
+    for (auto& [id, entry] : entries_)
+        if (entry.experiment && session_.moved_pose(id)) send_if_changed(id, entry);
+}
+
+void LivePictures::send_if_changed(const std::string& id, Entry& entry) {
+    const auto pose = session_.moved_pose(id);
+    const auto wanted = pose ? with_pose(*entry.experiment, *pose) : *entry.experiment;
+    const auto text = signature(wanted) + "\n" + text_of(entry.want);
+    if (text == entry.signature) return;
+    entry.signature = text;
+    send(id, entry, wanted);
 }
 
 std::optional<engine::Experiment> LivePictures::resolved(const projects::Experiment& chosen) {
@@ -132,6 +144,7 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     request.inspection = entry.want.inspection;
     request.thumbnails = entry.want.thumbnails;
     entry.serial = renderer_.request(std::move(request));
+    if (entry.first_serial == 0) entry.first_serial = entry.serial;
     entry.fraction = 0;
     entry.doing.clear();
     entry.since.start();
@@ -151,6 +164,7 @@ void LivePictures::on_result(std::shared_ptr<const engine::LiveResult> result) {
     if (found == entries_.end() || found->second.state == State::blocked) return;
     auto& entry = found->second;
     const auto id = found->first;
+    if (entry.first_serial == 0 || result->serial < entry.first_serial) return;
     entry.result = result;
     entry.fraction = result->frames > 0 ? double(result->frame) / result->frames : 1;
     const bool done = result->serial == entry.serial && result->finished;
@@ -168,6 +182,9 @@ void LivePictures::on_result(std::shared_ptr<const engine::LiveResult> result) {
 void LivePictures::on_failure(const std::string& tag, const std::string& error, bool cancelled) {
     const auto found = entries_.find(tag);
     if (found == entries_.end()) return;
+    const auto& now = found->second;
+    // Given up for a reason that is shown, or for a request that has a successor by now.
+    if (cancelled && (now.state != State::rendering || now.serial != now.cancelled_serial)) return;
     if (!cancelled) emit message({Severity::error, "render", error, "experiment:" + tag});
     set_state(tag, found->second, cancelled ? State::cancelled : State::failed,
               cancelled ? std::string() : error);
@@ -231,13 +248,17 @@ std::vector<std::string> LivePictures::rendering() const {
 }
 
 void LivePictures::cancel() {
-    for (const auto& id : rendering()) renderer_.cancel(id);
+    for (const auto& id : rendering()) {
+        entries_[id].cancelled_serial = entries_[id].serial;
+        renderer_.cancel(id);
+    }
 }
 
 void LivePictures::render_again() {
     for (auto& [id, entry] : entries_) {
         renderer_.release(id);  // nothing of the old run is taken over
         entry.signature.clear();
+        entry.first_serial = 0;
     }
     update();
 }

@@ -64,11 +64,16 @@ class LivePictures : public QObject {
         std::string signature, text, doing;
         State state = State::absent;
         std::uint64_t serial = 0;
+        std::uint64_t first_serial = 0;      ///< answers to older requests are of another life of the tag
+        std::uint64_t cancelled_serial = 0;  ///< of the request that was given up
+        std::optional<engine::Experiment> experiment;  ///< as the document has it
         double fraction = 0;
         QElapsedTimer since;
         std::shared_ptr<const engine::LiveResult> result;
     };
     void update(const std::string& id, Entry& entry);
+    void follow_camera();
+    void send_if_changed(const std::string& id, Entry& entry);
     std::optional<engine::Experiment> resolved(const projects::Experiment& chosen);
     void send(const std::string& id, Entry& entry, const engine::Experiment& experiment);
     void set_state(const std::string& id, Entry& entry, State state, const std::string& text = {});
@@ -81,6 +86,7 @@ class LivePictures : public QObject {
     Renderer& renderer_;
     ImageLoader& images_;
     std::map<std::string, Entry> entries_;
+    std::string no_device_;  ///< why nothing can be rendered
 };
 
 }  // namespace ir::gui

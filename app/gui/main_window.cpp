@@ -55,7 +55,7 @@ MainWindow::~MainWindow() {
 }
 
 bool MainWindow::is_settled() const {
-    return live_.is_settled();
+    return live_.is_settled() && workspace_.is_settled();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -179,8 +179,7 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
     }
     const auto found = result->images.find({source.output, source.level, source.layer});
     if (found == result->images.end() || found->second.empty()) {
-        picture.note = picture.stale && (!resource || !resource->available) ? tr("Rendering …")
-                                                                            : why_no_picture(resource, key);
+        picture.note = picture.stale ? tr("Rendering …") : why_no_picture(resource, key);
         return picture;
     }
     picture.image = {result, &found->second};
@@ -229,6 +228,14 @@ PictureSource::Entry& PictureSource::entry(const ViewSource& source) {
     return entry;
 }
 
+void PictureSource::keep_only(const std::vector<ViewSource>& sources) {
+    std::erase_if(cache_, [&](const auto& each) {
+        return std::none_of(sources.begin(), sources.end(), [&](const auto& source) {
+            return each.first == Key{source.owner, source.output, source.level, source.layer};
+        });
+    });
+}
+
 std::shared_ptr<const Picture> PictureSource::picture(const ViewSource& source) {
     return entry(source).picture;
 }
@@ -236,7 +243,7 @@ std::shared_ptr<const Picture> PictureSource::picture(const ViewSource& source) 
 widgets::Display PictureSource::automatic_display(const ViewSource& source) {
     auto& found = entry(source);
     const auto& picture = *found.picture;
-    if (picture.has_image() && found.measured != picture.image) {
+    if (picture.has_image() && found.measured.lock() != picture.image) {
         found.measured = picture.image;
         found.automatic = widgets::display_for(picture.semantic, picture.colour_map, *picture.image);
     }

@@ -34,12 +34,14 @@ class PictureSource {
     widgets::Display automatic_display(const widgets::ViewSource& source);
     /// What a user should know before comparing: transports that differ. Empty: nothing.
     QString warning(const widgets::ViewSource& a, const widgets::ViewSource& b) const;
+    /// Forgets all but these: a picture keeps the whole result that it is of.
+    void keep_only(const std::vector<widgets::ViewSource>& sources);
     void clear() { cache_.clear(); }
 
   private:
     struct Entry {
         std::shared_ptr<const widgets::Picture> picture;
-        std::shared_ptr<const Image> measured;  ///< the image that `automatic` is for
+        std::weak_ptr<const Image> measured;  ///< the image that `automatic` is for
         widgets::Display automatic;
     };
     using Key = std::tuple<std::string, std::string, int, int>;

@@ -1,5 +1,6 @@
 #include "app/gui/pixel_inspector.h"
 
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,6 +12,8 @@ namespace {
 
 constexpr std::size_t most_pins = 16;
 constexpr int probe_patience_ms = 500;
+/// Larger sets are shown on their own, not as a part of an explanation.
+constexpr std::uint64_t most_drawn = 20000;
 
 QString text_of(const std::string& text) {
     return QString::fromStdString(text);
@@ -27,6 +30,17 @@ std::vector<std::array<float, 3>> positions_of(const engine::ProbeResult& result
         break;
     }
     return positions;
+}
+
+/// Images of the main result's size or of a power of two of it; textures and maps have other pixels.
+bool shows_pixels_of(const ResourceReport& resource, const FrameReport& report, const std::string& main_key) {
+    const auto* main = find_resource(report, main_key);
+    if (!main || resource.width == 0) return main != nullptr && resource.is_output;
+    for (int level = 0; level < 16; ++level)
+        if (std::max(1, main->width >> level) == resource.width &&
+            std::max(1, main->height >> level) == resource.height)
+            return true;
+    return false;
 }
 
 }  // namespace
@@ -160,7 +174,7 @@ void PixelInspector::explain(QPoint pixel) {
     auto now = workspace_.inspection(experiment());
     now.x = pixel.x();
     now.y = pixel.y();
-    open_explanation_ = !explaining_keys(true).empty();
+    open_explanation_ = !explaining_keys(true).empty() || !explaining_keys(false).empty();
     workspace_.set_inspection(experiment(), now);
     send_wants();
     update_explain();
@@ -185,13 +199,21 @@ void PixelInspector::show_everything() {
     const auto result = live_.result(experiment());
     const auto pixel = explained();
     if (!result || !pixel || result->inspection.x != pixel->x() || result->inspection.y != pixel->y()) return;
-    std::vector<std::string> keys;
-    for (const auto& key : explaining_keys(true))
-        if (const auto* resource = find_resource(result->report, key); resource && resource->available)
-            keys.push_back(key);
-    if (keys.empty()) return;
+    std::vector<std::string> drawn, spheres;
+    bool complete = true;
+    const auto* method = session_.registry().find(session_.experiment(experiment())->method);
+    for (const auto& output : method->outputs) {
+        if (!output.explains || !widgets::is_spatial(output.kind)) continue;
+        const auto* resource = find_resource(result->report, output.key);
+        complete = complete && resource && resource->available;
+        if (!resource || !resource->available || resource->elements > most_drawn) continue;
+        (output.kind == OutputKind::sphere_values ? spheres : drawn).push_back(output.key);
+    }
+    if (!complete && live_.state(experiment()) == LivePictures::State::rendering) return;
+    if (drawn.empty() && spheres.empty()) return;
     open_explanation_ = false;
-    workspace_.show_in_space(experiment(), keys);
+    workspace_.show_in_space(experiment(), drawn);
+    workspace_.show_in_space(experiment(), spheres);
 }
 
 void PixelInspector::update() {
@@ -228,29 +250,38 @@ void PixelInspector::ask() {
     const auto id = experiment();
     if (!inspector_shown_ || id.empty() || !live_.result(id)) return;
     // An execution that is gone never answers.
-    if (asked_ && asked_since_.elapsed() < probe_patience_ms) {
-        ask_again_ = true;
+    if (asked_ && asked_tag_ == id && asked_since_.elapsed() < probe_patience_ms) {
+        if (!std::exchange(ask_again_, true))
+            QTimer::singleShot(probe_patience_ms, this, [this] {
+                if (ask_again_) ask();
+            });
         return;
     }
+    ask_again_ = false;
     engine::ProbeRequest request;
     request.tag = id;
     if (cursor_.x() >= 0) request.pixels.push_back({cursor_.x(), cursor_.y()});
     for (const auto& pin : pins_) request.pixels.push_back({pin.x(), pin.y()});
     asked_ = true;
+    asked_tag_ = id;
+    asked_with_cursor_ = cursor_.x() >= 0;
     asked_since_.start();
     renderer_.probe(std::move(request));
 }
 
 void PixelInspector::on_probe(std::shared_ptr<const engine::ProbeResult> result) {
+    if (result->tag != asked_tag_) return;
     asked_ = false;
     if (result->tag == experiment()) {
         widgets::Readings readings;
         for (const auto& pixel : result->pixels) readings.pixels.push_back({pixel.x, pixel.y});
-        if (cursor_.x() >= 0 && !readings.pixels.empty()) readings.cursor = readings.pixels.front();
+        if (asked_with_cursor_ && !readings.pixels.empty()) readings.cursor = readings.pixels.front();
         readings.world = positions_of(*result);
         const auto frame = live_.result(result->tag);
+        const auto main = workspace_.pictures().key_of({result->tag, {}});
         for (const auto& row : result->rows) {
             const auto* resource = frame ? find_resource(frame->report, row.key) : nullptr;
+            if (!frame || !resource || !shows_pixels_of(*resource, frame->report, main)) continue;
             readings.buffers.push_back({row.key, text_of(row.label), text_of(row.unit),
                                         resource ? text_of(resource->doc) : QString(),
                                         resource ? text_of(resource->pass) : QString(), row.semantic,

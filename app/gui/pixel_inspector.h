@@ -64,7 +64,9 @@ class PixelInspector : public QObject {
     bool compute_all_ = false, thumbnails_ = false, inspector_shown_ = false, explain_shown_ = false;
     bool asked_ = false, ask_again_ = false;  ///< one probe at a time
     QElapsedTimer asked_since_;
-    bool open_explanation_ = false;  ///< show it in space when its buffers are there
+    std::string asked_tag_;           ///< of the probe under way
+    bool asked_with_cursor_ = false;  ///< its first pixel is the cursor's
+    bool open_explanation_ = false;   ///< show it in space when its buffers are there
 };
 
 }  // namespace ir::gui

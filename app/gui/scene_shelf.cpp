@@ -9,7 +9,8 @@ constexpr std::size_t most_kept = 8;
 
 SceneShelf::SceneShelf(Renderer& renderer) : renderer_(renderer) {
     connect(&renderer_, &Renderer::scene_arrived, this, [this](const engine::SceneSummary& scene) {
-        if (scenes_.size() >= most_kept) scenes_.clear();
+        if (scenes_.size() >= most_kept)
+            std::erase_if(scenes_, [this](const auto& each) { return each.first != key_; });
         scenes_[scene.composition_key] = scene;
         for (const auto& warning : scene.warnings)
             emit message({Severity::warning, "scene", warning, place_});

@@ -72,8 +72,9 @@ class Session : public QObject {
     std::optional<widgets::CameraPose> camera_pose() const;
     /// While a gesture lasts: the pose of an experiment that it moves.
     std::optional<widgets::CameraPose> moved_pose(const std::string& experiment) const;
-    /// Moves the experiment that is worked on, and others together with it.
-    void move_camera(const widgets::CameraPose& pose, const std::vector<std::string>& others = {});
+    /// Moves an experiment, and others together with it.
+    void move_camera(const std::string& experiment, const widgets::CameraPose& pose,
+                     const std::vector<std::string>& others = {});
     void finish_camera_move();
     /// A camera of the document with the present pose.
     void bookmark_camera();

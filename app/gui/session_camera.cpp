@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/gui/camera_pose.h"
 #include "app/gui/session.h"
 
 namespace ir::gui {
@@ -8,11 +9,6 @@ namespace {
 
 widgets::CameraPose pose_of(const projects::Camera& camera) {
     return {camera.eye, camera.target, camera.up, camera.fov_y_degrees, camera.orthographic, camera.height};
-}
-
-widgets::CameraPose pose_of(const scene::Camera& camera) {
-    return {camera.eye,          camera.target, camera.up, glm::degrees(double(camera.fov_y)),
-            camera.orthographic, camera.height};
 }
 
 projects::Camera posed(projects::Camera camera, const widgets::CameraPose& pose) {
@@ -78,7 +74,7 @@ projects::EditPtr move_cameras(const projects::Project& project, const std::vect
 std::optional<widgets::CameraPose> Session::camera_pose() const {
     const auto* chosen = experiment();
     if (!chosen) return {};
-    if (moved_pose_) return moved_pose_;
+    if (const auto moved = moved_pose(chosen->id)) return moved;
     const auto* camera = projects::find_item(document().cameras, chosen->camera);
     if (camera && camera->scene_camera.empty())
         return pose_of(projects::camera_at(document(), *camera, chosen->time));
@@ -93,10 +89,11 @@ std::optional<widgets::CameraPose> Session::moved_pose(const std::string& id) co
     return std::find(moved_.begin(), moved_.end(), id) == moved_.end() ? std::nullopt : moved_pose_;
 }
 
-void Session::move_camera(const widgets::CameraPose& pose, const std::vector<std::string>& others) {
-    if (!experiment()) return;
+void Session::move_camera(const std::string& id, const widgets::CameraPose& pose,
+                          const std::vector<std::string>& others) {
+    if (!experiment(id)) return;
     moved_pose_ = pose;
-    moved_ = {experiment()->id};
+    moved_ = {id};
     for (const auto& id : others)
         if (id != moved_.front() && experiment(id)) moved_.push_back(id);
     emit camera_moved();
@@ -104,7 +101,7 @@ void Session::move_camera(const widgets::CameraPose& pose, const std::vector<std
 
 void Session::finish_camera_move() {
     // Read-only: one may look around, nothing is written.
-    if (!moved_pose_ || !experiment() || project_->is_read_only()) return;
+    if (!moved_pose_ || !project_ || project_->is_read_only()) return;
     const auto pose = *moved_pose_;
     const auto moved = std::exchange(moved_, {});
     moved_pose_.reset();

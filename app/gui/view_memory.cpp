@@ -85,6 +85,24 @@ Json to_json(const glm::dvec3& v) {
 
 }  // namespace
 
+Json to_json(const Inspection& inspection) {
+    Json json = {{"x", inspection.x}, {"y", inspection.y}, {"chosen", Json::object()}};
+    for (const auto& [selector, item] : inspection.chosen) json["chosen"][selector] = item;
+    return json;
+}
+
+Inspection inspection_from_json(const Json& json) {
+    Inspection inspection;
+    inspection.x = std::clamp(field_or(json, "x", -1), -1, 65535);
+    inspection.y = std::clamp(field_or(json, "y", -1), -1, 65535);
+    const auto& chosen = member_or_null(json, "chosen");
+    if (!chosen.is_object()) return inspection;
+    for (const auto& [selector, item] : chosen.items())
+        if (item.is_number_integer() && inspection.chosen.size() < most_items)
+            inspection.chosen[selector] = std::clamp(item.get<int>(), Inspection::all, 1 << 24);
+    return inspection;
+}
+
 Json to_json(const widgets::CameraPose& pose) {
     return {{"eye", to_json(pose.eye)},
             {"target", to_json(pose.target)},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "projects/json.h"
+#include "renderers/core/inspection.h"
 #include "widgets/views/view_state.h"
 
 namespace ir::gui {
@@ -9,6 +10,10 @@ namespace ir::gui {
 projects::Json to_json(const widgets::ViewState& state);
 /// What is missing or odd keeps its default.
 widgets::ViewState view_state_from_json(const projects::Json& json);
+
+/// What a person points at, with the views that show it.
+projects::Json to_json(const Inspection& inspection);
+Inspection inspection_from_json(const projects::Json& json);
 
 projects::Json to_json(const widgets::CameraPose& pose);
 std::optional<widgets::CameraPose> pose_from_json(const projects::Json& json);

@@ -114,6 +114,7 @@ void MainWindow::make_docks() {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     document_ = new DocumentDock(session_, scenes_, workspace_);
     display_ = new widgets::DisplayPanel;
+    display_->setMinimumWidth(300);
     scene_tree_ = new widgets::RowsPanel(widgets::scene_headings(), tr("No scene is open."));
     buffers_ = new widgets::RowsPanel(widgets::buffer_headings(),
                                       tr("Buffers appear when a frame has been rendered."));

@@ -39,6 +39,7 @@ void MainWindow::connect_session() {
     connect(&session_, &Session::memory_wanted, this, &MainWindow::store_memory);
     connect(&session_, &Session::files_changed, this, &MainWindow::update_scene_banner);
     connect(&session_, &Session::experiment_selected, this, [this] {
+        thumbnails_.clear();
         update_document();
         update_lists();
         update_state_banner();

@@ -3,6 +3,7 @@
 #include <QDockWidget>
 #include <algorithm>
 
+#include "app/gui/camera_pose.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/view_memory.h"
 
@@ -60,7 +61,9 @@ void Workspace::connect_pane(int view, ViewPane& pane) {
     connect(&compare, &CompareView::linked_changed, this, &Workspace::set_linked);
     connect(&compare, &CompareView::swapped, this, [this, view] {
         auto state = states_[std::size_t(view)];
-        std::swap(state.a, state.b);
+        const bool row = state.mode == widgets::ViewMode::stages;
+        if (row && state.more.empty()) return;
+        std::swap(state.a, row ? state.more.front() : state.b);
         set_state(view, state);
     });
     connect(&compare, &CompareView::activated, this, [this, view] { area_->set_active(view); });
@@ -69,24 +72,24 @@ void Workspace::connect_pane(int view, ViewPane& pane) {
             [this, view](const widgets::CameraPose& pose, int picture) {
                 area_->set_active(view);
                 const auto& state = states_[std::size_t(view)];
-                const auto& owner = picture == 1 ? state.b.owner : state.a.owner;
-                if (!linked_ && session_.experiment(owner)) session_.select_experiment(owner);
-                session_.move_camera(pose, linked_ ? shown_experiments() : std::vector<std::string>());
+                const std::string owner = picture == 1 && !linked_ ? state.b.owner : state.a.owner;
+                session_.move_camera(owner, pose, linked_ ? shown_experiments() : std::vector<std::string>());
             });
     connect(&compare, &CompareView::camera_gesture_finished, this,
             [this](int) { session_.finish_camera_move(); });
-    connect(&compare, &CompareView::picked_changed, this, &Workspace::picked);
+    connect(&compare, &CompareView::picked_changed, this,
+            [this, view](QPoint pixel) { emit picked(pixel_of_result(view, pixel)); });
     connect(&compare, &CompareView::difference_shown, this, [this, view, &pane] {
         update_displays(view);
         pane.update_summary();
         if (view == area_->active()) emit picture_shown();
     });
     connect(&pane, &ViewPane::cursor_moved, this, [this, view](QPoint pixel) {
-        if (view == area_->active()) emit cursor_moved(pixel);
+        if (view == area_->active()) emit cursor_moved(pixel_of_result(view, pixel));
     });
     connect(&pane, &ViewPane::explain_wanted, this, [this, view](QPoint pixel) {
         area_->set_active(view);
-        emit explain_wanted(pixel);
+        emit explain_wanted(pixel_of_result(view, pixel));
     });
 }
 
@@ -100,6 +103,35 @@ void Workspace::set_state(int view, ViewState state) {
     send_wants();
     update_view(view);
     if (view == area_->active()) emit active_changed();
+}
+
+/// Images of the view's size, or of a power of two of it, show its pixels; textures and maps do not.
+QPoint Workspace::pixel_of_result(int view, QPoint pixel) const {
+    const auto picture = pane(view)->picture_at(0);
+    const auto result = live_.result(state(view).a.owner);
+    const auto* main =
+        result ? find_resource(result->report, pictures_.key_of({state(view).a.owner, {}})) : nullptr;
+    if (pixel.x() < 0 || !picture || !picture->has_image()) return {-1, -1};
+    if (!main) return pixel;
+    const auto place = widgets::locate(*picture, pixel);
+    QSize size = picture->size();
+    for (const auto& tile : picture->atlas.tiles)
+        if (tile.level == place.level && tile.layer == place.layer) size = {tile.width, tile.height};
+    for (int level = 0; level < 16; ++level) {
+        const QSize scaled(std::max(1, main->width >> level), std::max(1, main->height >> level));
+        if (scaled != size) continue;
+        const QPoint centre((2 * place.pixel.x() + 1) * main->width / (2 * size.width()),
+                            (2 * place.pixel.y() + 1) * main->height / (2 * size.height()));
+        return level == 0 ? place.pixel : centre;
+    }
+    return {-1, -1};
+}
+
+bool Workspace::is_settled() const {
+    for (const int view : area_->open_views())
+        if (const auto* shown = pane(view))
+            if (const_cast<ViewPane*>(shown)->compare().is_computing()) return false;
+    return drawing_.empty();
 }
 
 void Workspace::update_all() {
@@ -174,11 +206,11 @@ void Workspace::update_camera(int view) {
     const auto* chosen = session_.experiment();
     std::optional<widgets::CameraPose> pose;
     if (chosen && chosen->id == state(view).a.owner) pose = session_.camera_pose();
-    if (!pose && result)
-        pose = widgets::CameraPose{result->camera.eye,          result->camera.target,
-                                   result->camera.up,           glm::degrees(double(result->camera.fov_y)),
-                                   result->camera.orthographic, result->camera.height};
+    if (!pose && result) pose = pose_of(result->camera);
     if (pose) pane(view)->compare().set_camera(*pose);
+    const auto other = linked_ ? nullptr : live_.result(state(view).b.owner);
+    if (other && state(view).b.owner != state(view).a.owner)
+        pane(view)->compare().set_camera(1, pose_of(other->camera));
 }
 
 std::vector<std::string> Workspace::shown_experiments() const {
@@ -209,6 +241,10 @@ void Workspace::send_wants() {
         }
     }
     live_.set_wants(std::move(wants));
+    std::vector<widgets::ViewSource> shown;
+    for (const int view : area_->open_views())
+        for (const auto& source : sources(state(view))) shown.push_back(source);
+    pictures_.keep_only(shown);
 }
 
 void Workspace::set_panel_wants(std::map<std::string, Want> wants) {
@@ -324,6 +360,9 @@ void Workspace::save(projects::Json& memory) const {
                          {"y", transform.centre().y()}};
     }
     memory["displays"] = displays_.save();
+    auto& inspections = memory["inspections"] = projects::Json::object();
+    for (const auto& [id, inspection] : inspections_)
+        if (session_.experiment(id)) inspections[id] = to_json(inspection);
 }
 
 void Workspace::load(const projects::Json& memory) {
@@ -331,6 +370,10 @@ void Workspace::load(const projects::Json& memory) {
     pictures_.clear();
     inspections_.clear();
     panel_wants_.clear();
+    if (const auto& kept = member_or_null(memory, "inspections"); kept.is_object())
+        for (const auto& [id, inspection] : kept.items()) inspections_[id] = inspection_from_json(inspection);
+    drawings_ = {};
+    drawing_.clear();
     displays_.clear();
     displays_.load(member_or_null(memory, "displays"));
     const auto& views = member_or_null(memory, "views");

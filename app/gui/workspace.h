@@ -3,6 +3,7 @@
 #include <QObject>
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,9 @@ class Workspace : public QObject {
     void open_comparison(const projects::Comparison& comparison);
     projects::Comparison as_comparison() const;
 
+    /// No 3D picture and no difference is under way.
+    bool is_settled() const;
+
     void save(projects::Json& memory) const;
     void load(const projects::Json& memory);
 
@@ -90,6 +94,8 @@ class Workspace : public QObject {
     void update_view(int view);
     void update_header(int view);
     void update_camera(int view);
+    /// The pixel of the main result that a pixel of the view's picture shows; (-1, -1): none.
+    QPoint pixel_of_result(int view, QPoint pixel) const;
     void send_wants();
     void on_active_changed();
     void on_picture(const std::string& id);
@@ -126,10 +132,18 @@ class Workspace : public QObject {
     widgets::ImageView::Surface surface_;
     std::array<widgets::ViewState, widgets::ViewArea::most_views> states_;
     std::array<widgets::ViewPane*, widgets::ViewArea::most_views> panes_{};
-    std::array<std::shared_ptr<const engine::LiveResult>, widgets::ViewArea::most_views> drawn_;
+    /// 3D pictures of a view: what the newest was drawn from, whose they are, and the first serial of that
+    /// owner.
+    struct Drawing {
+        std::weak_ptr<const engine::LiveResult> result;
+        std::string owner;
+        std::uint64_t first_serial = 0;
+    };
+    std::array<Drawing, widgets::ViewArea::most_views> drawings_;
     widgets::ViewArea* area_ = nullptr;
     widgets::ViewLink link_;
     DisplayMemory displays_;
+    std::set<int> drawing_;  ///< views whose 3D picture is under way
     std::vector<widgets::PinMark> pins_;
     std::map<std::string, Want> panel_wants_;
     std::map<std::string, Inspection> inspections_;

@@ -16,10 +16,28 @@ constexpr const char* difference_prefix = "difference:";
 
 void Workspace::update_pictures(int view) {
     std::vector<std::shared_ptr<const widgets::Picture>> shown;
-    for (const auto& source : sources(state(view))) shown.push_back(pictures_.picture(source));
+    const auto wanted = sources(state(view));
+    for (const auto& source : wanted) shown.push_back(pictures_.picture(source));
+    // What a foreign image means nobody says: beside a picture of ours of as many channels, the same.
+    for (std::size_t i = 1; i < shown.size(); ++i) {
+        if (wanted[0].is_image() == wanted[i].is_image()) continue;
+        const auto &ours = wanted[0].is_image() ? shown[i] : shown[0],
+                   &foreign = wanted[0].is_image() ? shown[0] : shown[i];
+        if (!ours->has_image() || !foreign->has_image() || ours->image->channels != foreign->image->channels)
+            continue;
+        auto alike = *foreign;
+        alike.semantic = ours->semantic;
+        alike.unit = ours->unit;
+        alike.colour_map = ours->colour_map;
+        (wanted[0].is_image() ? shown[0] : shown[i]) =
+            std::make_shared<const widgets::Picture>(std::move(alike));
+    }
     pane(view)->show_pictures(state(view), std::move(shown));
     update_displays(view);
     link_views();
+    // What is explained is marked, also when it was chosen elsewhere.
+    if (const auto& now = inspection(state(view).a.owner); now.has_pixel())
+        pane(view)->compare().set_picked({now.x, now.y});
 }
 
 std::string Workspace::display_key_of(const ViewSource& source) const {
@@ -59,6 +77,8 @@ std::string Workspace::display_key() const {
 }
 
 std::shared_ptr<const widgets::Picture> Workspace::display_picture() const {
+    if (!active_pane().compare().refusal().isEmpty() && active_state().mode == ViewMode::difference)
+        return nullptr;
     return active_pane().picture_at(active_state().mode == ViewMode::difference ? -1 : 0);
 }
 
@@ -89,6 +109,16 @@ void Workspace::choose_automatic() {
 void Workspace::update_table(int view) {
     auto& pane = *panes_[std::size_t(view)];
     pane.show_content(widgets::ViewPane::Content::table);
+    if (!pane.table().property("connected").toBool()) {
+        pane.table().setProperty("connected", true);
+        connect(&pane.table(), &widgets::BufferTable::show_wanted, this, [this, view](qint64 element) {
+            auto state = states_[std::size_t(view)];
+            state.as_table = false;
+            set_state(view, state);
+            if (content_of(state) == widgets::ViewPane::Content::space)
+                panes_[std::size_t(view)]->space().select_element(pictures_.key_of(state.a), element);
+        });
+    }
     const auto& source = state(view).a;
     const auto key = pictures_.key_of(source);
     const auto result = live_.result(source.owner);

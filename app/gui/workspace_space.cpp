@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/gui/camera_pose.h"
 #include "app/gui/workspace.h"
 
 namespace ir::gui {
@@ -12,22 +13,6 @@ namespace {
 
 std::string tag_of(int view) {
     return "view-" + std::to_string(view + 1);
-}
-
-scene::Camera camera_of(const widgets::CameraPose& pose) {
-    scene::Camera camera;
-    camera.eye = pose.eye;
-    camera.target = pose.target;
-    camera.up = pose.up;
-    camera.fov_y = float(glm::radians(pose.fov_y_degrees));
-    camera.orthographic = pose.orthographic;
-    camera.height = float(pose.height);
-    return camera;
-}
-
-widgets::CameraPose pose_of(const scene::Camera& camera) {
-    return {camera.eye,          camera.target, camera.up, glm::degrees(double(camera.fov_y)),
-            camera.orthographic, camera.height};
 }
 
 passes::viewers::Layer layer_of(const widgets::SpaceLayer& layer) {
@@ -161,10 +146,15 @@ void Workspace::update_space(int view) {
         for (const auto& present : space.view().scene().layers)
             if (present.key == layer.key) layer.selected = present.selected;
     if (space.view().scene() != wanted) space.set_scene(wanted);
+    auto& drawing = drawings_[std::size_t(view)];
+    if (drawing.owner != owner) {
+        drawing = {{}, owner, 0};
+        space.view().clear(tr("Rendering …"));
+    }
     const auto result = live_.result(owner);
     if (!result) return space.view().set_note(tr("Rendering …"));
-    if (drawn_[std::size_t(view)] == result) return;
-    drawn_[std::size_t(view)] = result;
+    if (drawing.result.lock() == result) return;
+    drawing.result = result;
     space.view().refresh();
 }
 
@@ -182,12 +172,18 @@ void Workspace::request_space(int view, const SpaceScene& scene, QSize device_px
     request.view.show_centres = scene.show_centres;
     for (const auto& layer : scene.layers)
         if (layer.visible) request.view.layers.push_back(layer_of(layer));
-    renderer_.draw(std::move(request));
+    drawing_.insert(view);
+    const auto serial = renderer_.draw(std::move(request));
+    auto& first = drawings_[std::size_t(view)].first_serial;
+    if (first == 0) first = serial;
 }
 
 void Workspace::on_scene_view(std::shared_ptr<const engine::SceneViewResult> result) {
     for (int view = 0; view < widgets::ViewArea::most_views; ++view) {
         if (tag_of(view) != result->tag || !pane(view)) continue;
+        const auto first = drawings_[std::size_t(view)].first_serial;
+        if (first == 0 || result->serial < first) return;  // of what the view showed before
+        drawing_.erase(view);
         auto& space = pane(view)->space();
         if (!result->error.empty()) return space.view().set_note(QString::fromStdString(result->error));
         space.view().set_picture(picture_of(result->picture));
@@ -196,14 +192,21 @@ void Workspace::on_scene_view(std::shared_ptr<const engine::SceneViewResult> res
 
 void Workspace::show_in_space(const std::string& owner, const std::vector<std::string>& keys) {
     if (keys.empty()) return;
+    const auto is_sphere = [this, &owner](const std::string& key) {
+        const auto outputs = pictures_.outputs(owner);
+        const auto* output = pictures_.find(outputs, key);
+        return output && output->kind == OutputKind::sphere_values;
+    };
+    // A view that shows such things already, else a new one, else whichever is not the active one.
+    const int before = area_->active();
     int view = -1;
     for (const int open : area_->open_views())
-        if (content_of(state(open)) == widgets::ViewPane::Content::space && state(open).a.owner == owner)
+        if (content_of(state(open)) == widgets::ViewPane::Content::space && state(open).a.owner == owner &&
+            is_sphere(pictures_.key_of(state(open).a)) == is_sphere(keys.front()))
             view = open;
-    const int before = area_->active();
-    if (view < 0)
-        view =
-            area_->open_views().size() > 1 ? area_->open_views()[before == 0 ? 1 : 0] : area_->open_another();
+    if (view < 0) view = area_->open_another();
+    for (const int open : area_->open_views())
+        if (view < 0 && open != before) view = open;
     if (view < 0) view = before;
     auto state = states_[std::size_t(view)];
     state.a = {owner, keys.front()};

@@ -14,6 +14,8 @@ namespace {
 
 /// Rows of stages begin with at most so many pictures.
 constexpr std::size_t most_stages = 6;
+/// Buffers of 3D views are sent along up to this size, so that their values can be read.
+constexpr std::uint64_t most_sent_bytes = 4u << 20;
 
 bool is_picture(OutputKind kind) {
     return kind == OutputKind::image || kind == OutputKind::pyramid || kind == OutputKind::stack;
@@ -34,8 +36,8 @@ ViewState Workspace::completed(ViewState state) const {
         if (!output && !outputs.empty() && (source.is_image() || live_.result(source.owner)))
             source.output.clear(), source.level = source.layer = 0;
         if (!output || !live_.result(source.owner)) return;
-        if (output->levels < 2) source.level = 0;
-        if (output->layers < 2) source.layer = 0;
+        source.level = output->levels < 2 ? 0 : std::min(source.level, output->levels - 1);
+        source.layer = output->layers < 2 ? 0 : std::min(source.layer, output->layers - 1);
     };
     mend(state.a);
     // B is chosen when there is something to compare, among all that is there by then.
@@ -130,8 +132,10 @@ Want Workspace::want_of(const ViewState& state, const std::string& owner) const 
         for (const auto& layer : state.space.layers) {
             if (!layer.visible) continue;
             want.kept.insert(layer.key);
-            // A click on a region says which item it stands for; other sets are too large to send.
-            if (layer.kind == OutputKind::sphere_values) want.buffers.insert(layer.key);
+            // A click says which item an element stands for, as far as sets are small enough to send.
+            const auto result = live_.result(owner);
+            const auto* resource = result ? find_resource(result->report, layer.key) : nullptr;
+            if (resource && resource->bytes <= most_sent_bytes) want.buffers.insert(layer.key);
         }
     return want;
 }

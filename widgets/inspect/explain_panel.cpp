@@ -26,7 +26,7 @@ QLabel* heading(const QString& text) {
 }
 
 QString kind_text(QString kind) {
-    return kind.replace(QLatin1Char('_'), QLatin1Char(' '));
+    return kind.replace(QLatin1Char('-'), QLatin1Char(' '));
 }
 
 QString amount_text(const ExplainOutput& output) {
@@ -189,7 +189,7 @@ void ExplainPanel::update_pixel() {
     title_->setVisible(explains || selectors_.empty());
     clear_->setVisible(pixel_.has_value());
     const bool asks = explains && !pixel_;
-    help_->setText(asks ? tr("Shift-click a pixel of a picture, or point at it and press X: the method then "
+    help_->setText(asks ? tr("Shift-click a pixel of a picture, or point at it and press H: the method then "
                              "shows how it came to this pixel's value.")
                         : QString());
     help_->setVisible(asks);

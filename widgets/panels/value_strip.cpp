@@ -8,13 +8,23 @@
 
 namespace ir::widgets {
 
-QString pixel_text(const Image& image, QPoint pixel, Semantic semantic, const QString& unit) {
-    if (!QRect(0, 0, image.width, image.height).contains(pixel)) return {};
-    QString text = QStringLiteral("x %1  y %2 ").arg(pixel.x(), 4).arg(pixel.y(), 4);
+namespace {
+
+/// "  R 0.25  G 0.5  B 1 W/(m² sr)" of a pixel that the image has.
+QString channels_text(const Image& image, QPoint pixel, Semantic semantic, const QString& unit) {
+    QString text;
     for (int c = 0; c < image.channels; ++c)
         text += QStringLiteral("  %1 %2").arg(channel_name(semantic, image.channels, c),
                                               QString::number(image.at(pixel.x(), pixel.y(), c), 'g', 6));
     return unit.isEmpty() ? text : text + QLatin1Char(' ') + unit;
+}
+
+}  // namespace
+
+QString pixel_text(const Image& image, QPoint pixel, Semantic semantic, const QString& unit) {
+    if (!QRect(0, 0, image.width, image.height).contains(pixel)) return {};
+    return QStringLiteral("x %1  y %2 ").arg(pixel.x(), 4).arg(pixel.y(), 4) +
+           channels_text(image, pixel, semantic, unit);
 }
 
 ValueStrip::ValueStrip(QWidget* parent)
@@ -88,6 +98,13 @@ void ValueStrip::show_pixel(const Image& image, QPoint pixel) {
     // The cursor may rest where a smaller picture has no pixel.
     const auto text = pixel_text(image, pixel, semantic_, unit_);
     say(text.isEmpty() ? summary() : text, text.isEmpty());
+}
+
+void ValueStrip::show_pixel(const Picture& picture, QPoint pixel) {
+    if (picture.atlas.tiles.empty()) return show_pixel(*picture.image, pixel);
+    const auto place = place_text(picture, pixel);
+    values_->setText(place.isEmpty() ? summary()
+                                     : place + channels_text(*picture.image, pixel, semantic_, unit_));
 }
 
 void ValueStrip::set_zoom(double zoom) {

@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "widgets/image/display.h"
+#include "widgets/image/picture.h"
 
 class QLabel;
 
@@ -15,6 +16,8 @@ class ValueStrip : public QWidget {
   public:
     explicit ValueStrip(QWidget* parent = nullptr);
     void set_picture(const Image& image, Semantic semantic, const QString& name, const QString& unit);
+    /// As below; levels and slices of an atlas by their own pixels.
+    void show_pixel(const Picture& picture, QPoint pixel);
     /// (-1, -1): none.
     void show_pixel(const Image& image, QPoint pixel);
     void set_zoom(double zoom);

@@ -93,9 +93,17 @@ void ViewArea::arrange(Arrangement arrangement) {
         dock->setFloating(false);
         removeDockWidget(dock);
     }
+    if (arrangement == Arrangement::one) {  // what one works with stays
+        ensure(active_);
+        addDockWidget(Qt::LeftDockWidgetArea, dock(active_));
+        dock(active_)->show();
+        arranging_ = false;
+        mark_active();
+        emit views_changed();
+        return;
+    }
     for (std::size_t i = 0; i < count; ++i) ensure(int(i));
-    const auto place = [this](int i, Qt::DockWidgetArea area) { addDockWidget(area, dock(i)); };
-    place(0, Qt::LeftDockWidgetArea);
+    addDockWidget(Qt::LeftDockWidgetArea, dock(0));
     using A = Arrangement;
     if (arrangement == A::side_by_side || arrangement == A::three || arrangement == A::four)
         splitDockWidget(dock(0), dock(1), Qt::Horizontal);
@@ -180,6 +188,9 @@ bool ViewArea::restore(const QByteArray& state) {
 }
 
 bool ViewArea::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonPress)
+        for (int i = 0; i < most_views; ++i)
+            if (dock(i) == watched) set_active(i);
     if (event->type() == QEvent::Close && open_views().size() < 2) {
         event->ignore();  // a window without any view shows nothing
         return true;

@@ -26,7 +26,7 @@ QComboBox* make_combo(QWidget* parent, const QString& name, const QString& tip, 
     combo->setAccessibleName(tip);
     combo->setMinimumWidth(least);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    combo->setMinimumContentsLength(4);
+    combo->setMinimumContentsLength(2);
     combo->view()->setMinimumWidth(240);
     combo->setFocusPolicy(Qt::StrongFocus);
     return combo;
@@ -127,11 +127,11 @@ ViewHeader::SourceLine ViewHeader::make_line(const QString& name, ViewSource Vie
     result.badge = new QLabel(name.toUpper(), result.line);
     result.badge->setStyleSheet(QStringLiteral("font-weight: bold; padding: 0 3px;"));
     result.owner =
-        make_combo(result.line, QStringLiteral("owner-") + name, tr("Experiment or image that is shown"), 70);
+        make_combo(result.line, QStringLiteral("owner-") + name, tr("Experiment or image that is shown"), 48);
     result.output =
-        make_combo(result.line, QStringLiteral("output-") + name, tr("Output or buffer that is shown"), 80);
+        make_combo(result.line, QStringLiteral("output-") + name, tr("Output or buffer that is shown"), 48);
     result.part =
-        make_combo(result.line, QStringLiteral("part-") + name, tr("Level or slice, or all at once"), 60);
+        make_combo(result.line, QStringLiteral("part-") + name, tr("Level or slice, or all at once"), 48);
     row->addWidget(result.badge);
     row->addWidget(result.owner, 3);
     row->addWidget(result.output, 3);
@@ -159,8 +159,8 @@ ViewHeader::SourceLine ViewHeader::make_line(const QString& name, ViewSource Vie
 }
 
 void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
-    mode_ = make_combo(first, QStringLiteral("mode"), tr("How pictures are put beside each other"), 90);
-    mode_->setMinimumContentsLength(10);
+    mode_ = make_combo(first, QStringLiteral("mode"), tr("How pictures are put beside each other"), 64);
+    mode_->setMinimumContentsLength(5);
     for (const auto mode : all_modes()) mode_->addItem(mode_name(mode), int(mode));
     connect(mode_, &QComboBox::activated, this, [this](int index) {
         choose([&](ViewState& state) { state.mode = ViewMode(mode_->itemData(index).toInt()); });
@@ -185,8 +185,8 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
     pictures_menu_ = new QMenu(pictures_);
     pictures_->setMenu(pictures_menu_);
     connect(pictures_menu_, &QMenu::aboutToShow, this, &ViewHeader::fill_pictures_menu);
-    difference_ = make_combo(second, QStringLiteral("difference"), tr("Kind of difference"), 80);
-    difference_->setMinimumContentsLength(9);
+    difference_ = make_combo(second, QStringLiteral("difference"), tr("Kind of difference"), 64);
+    difference_->setMinimumContentsLength(4);
     for (const auto kind : {DifferenceKind::signed_, DifferenceKind::absolute, DifferenceKind::relative})
         difference_->addItem(difference_name(kind), int(kind));
     connect(difference_, &QComboBox::activated, this, [this](int index) {
@@ -197,7 +197,7 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
     swap_ = make_button(second, QStringLiteral("swap"), "swap", tr("Swap A and B (X)"), false);
     connect(swap_, &QToolButton::clicked, this, &ViewHeader::swap_wanted);
     link_ = make_button(second, QStringLiteral("link"), "link",
-                        tr("Zoom, place, camera and colour range are one for all views (U)"), true);
+                        tr("Zoom, place, camera and colour range are one for all views (L)"), true);
     connect(link_, &QToolButton::toggled, this, [this](bool on) {
         if (on != fields_.linked) emit link_chosen(on);
     });

@@ -79,23 +79,23 @@ std::shared_ptr<const Picture> ViewPane::picture_at(int number) const {
 void ViewPane::update_summary() {
     const bool difference = compare_->mode() == CompareView::Mode::difference;
     const auto picture = picture_at(difference ? -1 : 0);
-    if (!picture || !picture->has_image()) {
-        values_->set_picture({}, Semantic::generic, picture ? picture->label : QString(), {});
-        summarised_ = nullptr;
+    if (!picture || !picture->has_image() || (difference && !compare_->refusal().isEmpty())) {
+        values_->set_picture({}, Semantic::generic, picture && !difference ? picture->label : QString(), {});
+        summarised_.reset();
         return;
     }
     // Statistics of the same pixels are known already.
-    if (picture.get() != summarised_)
+    if (summarised_.lock() != picture->image)
         values_->set_picture(*picture->image, picture->semantic, picture->label, picture->unit);
-    summarised_ = picture.get();
+    summarised_ = picture->image;
     values_->set_zoom(compare_->main_view().transform().zoom());
-    if (cursor_.x() >= 0) values_->show_pixel(*picture->image, cursor_);
+    if (cursor_.x() >= 0) values_->show_pixel(*picture, cursor_);
 }
 
 void ViewPane::show_values(QPoint pixel, int number) {
     cursor_ = pixel;
     const auto picture = picture_at(number);
-    if (picture && picture->has_image()) values_->show_pixel(*picture->image, pixel);
+    if (picture && picture->has_image()) values_->show_pixel(*picture, pixel);
     emit cursor_moved(pixel);
 }
 

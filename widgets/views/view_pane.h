@@ -58,7 +58,7 @@ class ViewPane : public QWidget {
     SpacePane* space_ = nullptr;
     BufferTable* table_ = nullptr;
     ValueStrip* values_;
-    const Picture* summarised_ = nullptr;
+    std::weak_ptr<const Image> summarised_;
     QPoint cursor_{-1, -1};
 };
 
