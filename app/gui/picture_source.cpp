@@ -26,7 +26,9 @@ OutputOption option_of(const ResourceReport& resource) {
     OutputOption option;
     option.key = resource.key;
     option.label = text_of(resource.label.empty() ? resource.key : resource.label);
-    option.group = resource.is_output ? tr("Outputs") : text_of(resource.pass);
+    option.group = resource.is_output      ? tr("Outputs")
+                   : resource.pass.empty() ? tr("Other")
+                                           : text_of(resource.pass);
     option.doc = text_of(resource.doc);
     option.kind = resource.kind;
     option.levels = std::max(1, resource.levels);
