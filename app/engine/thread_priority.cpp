@@ -9,8 +9,8 @@
 namespace ir::engine {
 namespace {
 
-/// A tenth of the window's share where both want the same core.
-[[maybe_unused]] constexpr int niceness = 10;
+/// Where both want the same core, the window gets nearly all of it.
+[[maybe_unused]] constexpr int niceness = 19;
 
 }  // namespace
 

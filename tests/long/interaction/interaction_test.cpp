@@ -5,7 +5,6 @@
 #include <QMouseEvent>
 #include <QTest>
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -53,6 +52,7 @@ class Stopwatch : public QObject {
             this, [this, position, sent] { deliver(position, sent); }, Qt::QueuedConnection);
     }
     std::vector<double> handled_ms, presented_ms;
+    Qt::MouseButton button = Qt::LeftButton;
 
   protected:
     bool eventFilter(QObject*, QEvent* event) override {
@@ -65,8 +65,7 @@ class Stopwatch : public QObject {
 
   private:
     void deliver(QPointF position, Clock::time_point sent) {
-        const auto buttons = Qt::LeftButton;
-        QMouseEvent move(QEvent::MouseMove, position, view_.mapToGlobal(position), Qt::NoButton, buttons, {});
+        QMouseEvent move(QEvent::MouseMove, position, view_.mapToGlobal(position), Qt::NoButton, button, {});
         QApplication::sendEvent(&view_, &move);
         handled_ms.push_back(ms_between(sent, Clock::now()));
         if (!waiting_) waiting_since_ = sent;
@@ -106,32 +105,36 @@ TEST(Interaction, TheWindowAnswersWhileItRenders) {
     ASSERT_EQ(window.live().state(id), LivePictures::State::done) << window.live().text(id);
 
     auto& view = window.view();
-    window.workspace().set_tool(widgets::ImageView::Tool::orbit);
     Stopwatch watch(view);
     const QPointF middle(view.width() / 2.0, view.height() / 2.0);
-    QTest::mousePress(&view, Qt::LeftButton, {}, middle.toPoint());
-    std::atomic<bool> done = false;
-    std::thread hand([&] {
-        auto next = Clock::now();
-        for (int i = 0; i < events; ++i) {
-            const double angle = 0.05 * i;
-            watch.post(middle + QPointF(80 * std::sin(angle), 30 * std::sin(0.7 * angle)));
-            std::this_thread::sleep_until(next += pause_between);
-        }
-        done = true;
-    });
     int rendering = 0, samples = 0;
     QElapsedTimer time;
     time.start();
-    while (!done || watch.handled_ms.size() < events) {
-        QApplication::processEvents(QEventLoop::AllEvents, 20);
-        ++samples;
-        rendering += !window.is_settled();
-        ASSERT_LT(time.elapsed(), load_ms);
+    // Half of the events turn the camera, so that requests never end; half move the picture meanwhile.
+    for (const bool turns : {true, false}) {
+        window.workspace().set_tool(turns ? widgets::ImageView::Tool::orbit
+                                          : widgets::ImageView::Tool::inspect);
+        watch.button = turns ? Qt::LeftButton : Qt::MiddleButton;
+        const auto wanted = watch.handled_ms.size() + events / 2;
+        QTest::mousePress(&view, watch.button, {}, middle.toPoint());
+        std::thread hand([&] {
+            auto next = Clock::now();
+            for (int i = 0; i < events / 2; ++i) {
+                const double angle = 0.05 * i;
+                watch.post(middle + QPointF(80 * std::sin(angle), 30 * std::sin(0.7 * angle)));
+                std::this_thread::sleep_until(next += pause_between);
+            }
+        });
+        while (watch.handled_ms.size() < wanted && time.elapsed() < load_ms) {
+            QApplication::processEvents(QEventLoop::AllEvents, 20);
+            ++samples;
+            rendering += !window.live().is_settled();
+        }
+        hand.join();
+        QTest::mouseRelease(&view, watch.button, {}, middle.toPoint());
+        if (turns) window.live().render_again();
     }
     const double seconds = double(time.elapsed()) / 1000;
-    hand.join();
-    QTest::mouseRelease(&view, Qt::LeftButton, {}, middle.toPoint());
     const nlohmann::ordered_json figures = {
         {"benchmark", "interaction"},
         {"scene", scene()},
@@ -149,7 +152,7 @@ TEST(Interaction, TheWindowAnswersWhileItRenders) {
     EXPECT_GE(seconds, 30);
     EXPECT_GT(rendering, samples / 2) << "nothing was being rendered meanwhile";
     EXPECT_LT(percentile(watch.handled_ms, 0.95), handled_limit_ms);
-    EXPECT_GT(watch.presented_ms.size(), 0u);
+    EXPECT_GT(watch.presented_ms.size(), 50u);
     session.close();
 }
 
