@@ -156,6 +156,20 @@ struct Sweep {
     bool operator==(const Sweep&) const = default;
 };
 
+/// Error of experiments against one reference, over a parameter, frames, or the time that they take.
+struct ErrorPlot {
+    std::string id, name;
+    std::string reference;                 ///< id of an experiment or a foreign image
+    std::vector<std::string> experiments;  ///< ids
+    std::string over = "frames";           ///< "frames", or a parameter's key
+    std::vector<Json> values;  ///< that `over` takes; empty: frames 1, 2, 4, … of each experiment
+    std::string metric = "rmse";
+    bool against_time = true;  ///< the horizontal axis is the time of rendering; else the values
+    std::string notes;
+    Json extra = Json::object();
+    bool operator==(const ErrorPlot&) const = default;
+};
+
 struct Project {
     int schema = schema_version;
     std::string name, notes;
@@ -167,6 +181,7 @@ struct Project {
     std::vector<Experiment> experiments;
     std::vector<Comparison> comparisons;
     std::vector<Sweep> sweeps;
+    std::vector<ErrorPlot> plots;
     Json extra = Json::object();
     bool operator==(const Project&) const = default;
 };

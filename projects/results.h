@@ -19,6 +19,12 @@ Json picture_inputs(const Project& project, const Experiment& experiment, const 
 /// hash_json of picture_inputs.
 std::string result_key(const Project& project, const Experiment& experiment, const Registry& registry);
 
+/// What a stored state (graph::History) depends on: picture_inputs without `frames` and without the values of
+/// parameters that accumulate. Experiments with equal state keys are one picture at several numbers of
+/// samples.
+Json state_inputs(const Project& project, const Experiment& experiment, const Registry& registry);
+std::string state_key(const Project& project, const Experiment& experiment, const Registry& registry);
+
 enum class ResultState { none, current, stale };
 /// By the experiment's last kept key.
 ResultState result_state(const Project& project, const Experiment& experiment, const Registry& registry);
@@ -51,6 +57,7 @@ struct ResultFile {
 struct KeptResult {
     std::string key;
     std::string experiment;  ///< id at the time
+    std::string state_key;   ///< of its file with role "state"; empty: it has none
     std::vector<ResultFile> files;
     Provenance provenance;
     Json inputs = Json::object();  ///< picture_inputs at the time: says later what changed

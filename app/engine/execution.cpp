@@ -60,6 +60,11 @@ const MethodDescription& Execution::method() const {
     return method_->description;
 }
 
+std::string Execution::main_key() const {
+    const auto* output = main_output(method_->description, settings_);
+    return output ? output->key : std::string();
+}
+
 void Execution::load() {
     const auto& method = find_method(experiment_.method);
     auto settings = completed(method.description.parameters, experiment_.settings);
@@ -189,7 +194,7 @@ std::string Execution::world_fingerprint() const {
 }
 
 Image Execution::main_result() const {
-    return graph_->read_image(method_->description.outputs.front().key).value_or(Image());
+    return graph_->read_image(main_key()).value_or(Image());
 }
 
 }  // namespace ir::engine

@@ -67,6 +67,8 @@ class Execution {
 
     const Experiment& experiment() const { return experiment_; }
     const MethodDescription& method() const;
+    /// Key of the resource that holds the main result.
+    std::string main_key() const;
     const scene::Scene& scene() const { return *scene_; }
     const scene::World& world() const { return world_; }
 
@@ -79,6 +81,8 @@ class Execution {
 
     /// Back to an empty history; buffers stay.
     void restart();
+    /// The next frame goes on from a stored history as if it had been its previous frame.
+    void restore(graph::History history);
 
     /// Runs the next frame; frames are 1/30 s apart. Throws as Graph::run.
     FrameReport run_frame(const graph::FrameOptions& options);

@@ -57,7 +57,7 @@ bool is_vector(Semantic semantic) {
 std::vector<ImageLayer> Execution::layers(const std::vector<std::string>& patterns) const {
     std::vector<ImageLayer> result;
     const auto& report = graph_->last_report();
-    const auto& main_key = method_->description.outputs.front().key;
+    const auto main_result = main_key();
     const auto add = [&](const std::string& name, const ResourceReport& resource, int level, int layer) {
         auto image = graph_->read_image(resource.key, level, layer);
         if (!image) return;
@@ -69,7 +69,7 @@ std::vector<ImageLayer> Execution::layers(const std::vector<std::string>& patter
         result.push_back({name, channels, std::move(*image)});
     };
     for (const auto& resource : report.resources)
-        if (resource.key == main_key) add("", resource, 0, 0);
+        if (resource.key == main_result) add("", resource, 0, 0);
     for (const auto& resource : report.resources) {
         const bool wanted = resource.key == "valid" ||
                             std::any_of(patterns.begin(), patterns.end(), [&](const auto& pattern) {

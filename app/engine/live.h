@@ -35,6 +35,8 @@ struct LiveRequest {
     Inspection inspection;
     bool thumbnails = false;  ///< also send a small image of each image resource
     std::uint64_t memory_budget = 0;
+    /// Stored history to begin with (state_file.h); empty, absent or of something else: from nothing.
+    std::string state_file = {};
 };
 
 /// The elements of a buffer as they lie in memory.

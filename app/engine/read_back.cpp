@@ -77,7 +77,7 @@ Image thumbnail(const Image& image, int width) {
 
 void read_back(LiveResult& result, const LiveRequest& request, const Execution& execution) {
     const auto& graph = execution.graph();
-    const auto& main_key = execution.method().outputs.front().key;
+    const auto main_key = execution.main_key();
     for (const auto& part : request.parts) {
         const auto* resource = find(result.report, part.key.empty() ? main_key : part.key);
         if (!resource || !resource->available || resource->width == 0) continue;
@@ -100,7 +100,7 @@ ProbeResult LiveSession::probe(const ProbeRequest& request) const {
     if (found == entries_.end() || !found->second.execution) return result;
     const auto& execution = found->second.execution;
     const auto& report = found->second.report;
-    const auto* main = find(report, execution->method().outputs.front().key);
+    const auto* main = find(report, execution->main_key());
     if (!main || main->width < 1 || main->height < 1) return result;
     machine_.context().make_current();
     for (const auto& resource : report.resources)

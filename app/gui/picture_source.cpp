@@ -121,9 +121,11 @@ std::vector<OutputOption> PictureSource::outputs(const std::string& owner) const
     const auto* method = session_.registry().find(experiment->method);
     const auto result = live_.result(owner);
     const auto* report = result && !result->report.resources.empty() ? &result->report : nullptr;
+    const auto values = projects::effective(*experiment).values;
     if (method)
         for (const auto& output : method->outputs) {
             const auto* resource = report ? find_resource(*report, output.key) : nullptr;
+            if (!resource && !is_active(*method, output, values)) continue;
             options.push_back(resource ? option_of(*resource) : option_of(output));
         }
     if (report)
@@ -152,7 +154,8 @@ std::string PictureSource::key_of(const ViewSource& source) const {
     if (!source.output.empty() || source.is_image()) return source.output;
     const auto* experiment = session_.experiment(source.owner);
     const auto* method = experiment ? session_.registry().find(experiment->method) : nullptr;
-    return method && !method->outputs.empty() ? method->outputs.front().key : std::string();
+    const auto* output = method ? main_output(*method, projects::effective(*experiment).values) : nullptr;
+    return output ? output->key : std::string();
 }
 
 Picture PictureSource::of_experiment(const ViewSource& source) const {

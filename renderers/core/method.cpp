@@ -1,8 +1,31 @@
 #include "renderers/core/method.h"
 
+#include <algorithm>
+
 #include "renderers/core/error.h"
 
 namespace ir {
+
+bool is_active(const MethodDescription& method, const OutputDescription& output, const Settings& settings) {
+    const auto& condition = output.active_when;
+    const auto* parameter = find(method.parameters, condition.key);
+    if (!parameter) return true;
+    const auto given = settings.find(condition.key);
+    const auto& value = given == settings.end() ? parameter->default_value : given->second;
+    return std::find(condition.values.begin(), condition.values.end(), value) != condition.values.end();
+}
+
+const OutputDescription* main_output(const MethodDescription& method, const Settings& settings) {
+    for (const auto& output : method.outputs)
+        if (is_active(method, output, settings)) return &output;
+    return nullptr;
+}
+
+const MethodDescription* Registry::reference() const {
+    for (const auto* method : methods_)
+        if (method->is_reference) return method;
+    return nullptr;
+}
 
 const MethodDescription* Registry::find(const std::string& id) const {
     for (const auto* method : methods_)

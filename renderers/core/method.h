@@ -17,10 +17,21 @@ struct MethodDescription {
     std::string summary;                   ///< one paragraph for list, manual and tooltip
     std::vector<std::string> papers = {};  ///< keys of REFERENCES.bib
     std::vector<ParameterDescription> parameters = {};
-    std::vector<OutputDescription> outputs = {};  ///< the first is the main result
+    std::vector<OutputDescription> outputs = {};  ///< see main_output()
     std::vector<SelectorDescription> selectors = {};
     double background = 0;  ///< value of the main result where nothing is hit (AO: 1)
+    /// The ground truth that other methods are judged by: takes every transport, and its result comes with
+    /// its own variance.
+    bool is_reference = false;
+    /// Key of the output that holds the variance of the main result, per channel; empty: there is none.
+    std::string variance = {};
 };
+
+/// Whether the method has this output under these settings; missing values count as their defaults.
+bool is_active(const MethodDescription& method, const OutputDescription& output, const Settings& settings);
+
+/// The main result under these settings: the first active output. Null where there is none.
+const OutputDescription* main_output(const MethodDescription& method, const Settings& settings);
 
 /// The descriptions of all methods of this build, in order of id. Generated; see renderers/methods.
 class Registry {
@@ -30,6 +41,8 @@ class Registry {
     const MethodDescription* find(const std::string& id) const;
     /// Throws UsageError that lists the known ids.
     const MethodDescription& at(const std::string& id) const;
+    /// The method that is the ground truth; null where this build has none.
+    const MethodDescription* reference() const;
 
   private:
     std::vector<const MethodDescription*> methods_;

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "renderers/core/condition.h"
+
 namespace ir {
 
 /// What an output is made of; each kind has one viewer.
@@ -29,7 +31,7 @@ enum class Semantic {
 std::string to_string(OutputKind kind);
 std::string to_string(Semantic semantic);
 
-/// What a method shows of itself. The first output of a method is its main result.
+/// What a method shows of itself. The first that is active under the settings is the main result.
 struct OutputDescription {
     std::string key;  ///< equals the key of the graph resource that holds it
     std::string label;
@@ -40,6 +42,8 @@ struct OutputDescription {
     std::string doc = {};
     /// Depends on the inspection: computed only when asked for, and again when a person points elsewhere.
     bool explains = false;
+    /// Under other settings the method has no such output.
+    Condition active_when = {};
 };
 
 /// The colour map that a semantic is shown with when nobody chose another ("viridis", "grey", …).

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "renderers/core/condition.h"
 #include "renderers/core/value.h"
 
 namespace ir {
@@ -32,12 +33,6 @@ struct Range {
     double max = std::numeric_limits<double>::infinity();
 };
 
-/// "active when parameter `key` has one of `values`"; an empty key means always active.
-struct Condition {
-    std::string key;
-    std::vector<Value> values;
-};
-
 /// What one writes about a parameter in a method's describe function; type and default come from the bound
 /// member.
 struct ParameterText {
@@ -53,6 +48,9 @@ struct ParameterText {
     Effect effect = Effect::image;
     OnChange on_change = OnChange::reset_history;
     Condition active_when = {};
+    /// More of it continues the same picture, less is contained in it: what a method accumulates over its
+    /// history. A stored state (graph::History) serves all values of such parameters.
+    bool accumulates = false;
     int since_version = 1;                              ///< the method version that introduced the parameter
     std::optional<Value> value_in_older_projects = {};  ///< for projects saved before since_version
 };

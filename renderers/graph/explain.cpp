@@ -233,7 +233,7 @@ bool Graph::explain(const Method& method, const Settings& settings, const FrameI
     auto& s = *state_;
     const auto complete = completed(method.description.parameters, settings);
     if (s.committed.empty() || s.work_key != work_of(method, complete, inputs, options)) return false;
-    const auto wanted = wanted_of(method, options);
+    const auto wanted = wanted_of(method, settings, options);
     s.method = &method;
     s.settings = &complete;
     s.inputs = &inputs;

@@ -48,9 +48,10 @@ WorkKey work_of(const Method& method, const Settings& settings, const FrameInput
             inputs.view.width,     inputs.view.height, options.memory_budget};
 }
 
-std::vector<std::string> wanted_of(const Method& method, const FrameOptions& options) {
+std::vector<std::string> wanted_of(const Method& method, const Settings& settings,
+                                   const FrameOptions& options) {
     auto wanted = options.wanted;
-    if (!method.description.outputs.empty()) wanted.push_back(method.description.outputs.front().key);
+    if (const auto* output = main_output(method.description, settings)) wanted.push_back(output->key);
     wanted.push_back("valid");
     return wanted;
 }
@@ -66,6 +67,7 @@ void Graph::State::begin_frame(const Method& m, const Settings& s, const FrameIn
     report.device = device.device();
     report.frame = i.frame;
     growths = 0;
+    figures.clear();
     auto key = work_of(m, s, i, o);
     if (work_key != key) {
         batches = 1;
@@ -157,7 +159,7 @@ FrameReport Graph::run(const Method& method, const Settings& settings, const Fra
     auto& s = *state_;
     const auto complete = completed(method.description.parameters, settings);
     const auto start = Clock::now();
-    const auto wanted = wanted_of(method, options);
+    const auto wanted = wanted_of(method, settings, options);
     s.begin_frame(method, complete, inputs, options);
     try {
         s.run_attempts(*this, wanted);

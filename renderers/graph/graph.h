@@ -40,6 +40,18 @@ struct DeviceBuffer {
     std::uint64_t elements = 0;  ///< in use
 };
 
+/// Contents of the resources that passes read as "previous", bit by bit.
+struct History {
+    struct Entry {
+        std::string key;
+        bool is_image = true;
+        gl::ImageShape shape;                           ///< images; level 0 with all layers
+        std::uint64_t element_bytes = 0, elements = 0;  ///< buffers
+        std::vector<std::byte> bytes = {};
+    };
+    std::vector<Entry> entries;
+};
+
 /// Owns every image and buffer of one execution, runs its frames and keeps their history. All calls from one
 /// thread, with the device's context current.
 class Graph {
@@ -65,6 +77,14 @@ class Graph {
 
     /// Forgets the committed frames; buffers stay allocated.
     void reset_history();
+
+    /// What the last committed frame left to the next one: to store it, and to go on later as if nothing had
+    /// come between. Empty where no frame was committed or the method keeps no history. Throws Error for
+    /// histories that have mip levels.
+    std::optional<History> history() const;
+    /// The next frame finds these contents as those of its previous frame. What has another shape then, or is
+    /// not asked for, is dropped with a warning in the report; such a frame begins anew.
+    void restore(History history);
 
     /// Contents of an image resource as floats (integers are converted), one level and layer. Empty when the
     /// resource does not exist or its pass was culled.

@@ -265,6 +265,10 @@ void PassContext::add(CounterRef ref, std::uint32_t amount) const {
     graph_.state_->host_counters[ref.index].fetch_add(amount, std::memory_order_relaxed);
 }
 
+void PassContext::set_figure(const std::string& key, double value) const {
+    graph_.state_->figures[key] = value;
+}
+
 std::shared_ptr<void> PassContext::stored(ObjectRef ref) const {
     auto& s = *graph_.state_;
     const auto& key = s.builder->objects().at(ref.index).text.key;

@@ -75,8 +75,8 @@ class PassContext {
         return cast<T>(host(ref, layer, false));
     }
     template <class T>
-    std::span<T> previous_pixels(ImageRef ref) const {
-        return cast<T>(host(ref, 0, true));
+    std::span<T> previous_pixels(ImageRef ref, int layer = 0) const {
+        return cast<T>(host(ref, layer, true));
     }
     template <class T>
     std::span<T> elements(BufferRef ref) const {
@@ -87,6 +87,9 @@ class PassContext {
         return cast<T>(host(ref, true));
     }
     void add(CounterRef ref, std::uint32_t amount) const;  ///< thread-safe
+    /// A number for the report's counters that is no count: a speed, an estimated error. Of the graph's
+    /// thread; the last value of a frame counts.
+    void set_figure(const std::string& key, double value) const;
 
     // objects
     // ----------------------------------------------------------------------------------------------------

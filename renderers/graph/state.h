@@ -42,7 +42,8 @@ struct WorkKey {
 WorkKey work_of(const Method& method, const Settings& settings, const FrameInputs& inputs,
                 const FrameOptions& options);
 /// Patterns of what a frame keeps: what is asked for, the main result and its mask.
-std::vector<std::string> wanted_of(const Method& method, const FrameOptions& options);
+std::vector<std::string> wanted_of(const Method& method, const Settings& settings,
+                                   const FrameOptions& options);
 
 /// What a Graph keeps, and what the frame in flight needs. PassContext works on it.
 struct Graph::State {
@@ -86,6 +87,8 @@ struct Graph::State {
     std::uint64_t parameter_bytes = 0;
     CancelToken never_cancelled;
     std::vector<double> views_ms;  ///< by pass: spent on views between its slices
+
+    std::map<std::string, double> figures;  ///< PassContext::set_figure
 
     FrameReport report;
 

@@ -5,9 +5,13 @@
 namespace ir {
 
 enum class DifferenceKind {
-    signed_,   ///< a - b
-    absolute,  ///< |a - b|
-    relative   ///< |a - b| / (|b| + relative_difference_floor)
+    signed_,     ///< a - b
+    absolute,    ///< |a - b|
+    relative,    ///< |a - b| / (|b| + relative_difference_floor)
+    squared,     ///< (a - b)²
+    flip,        ///< ꟻLIP error of what a screen shows, one channel [Andersson20]
+    hdr_flip,    ///< HDR-ꟻLIP error, one channel [Andersson21]
+    significant  ///< a - b where noise does not explain it, else 0; needs variances
 };
 
 /// Keeps the relative difference finite where the reference is black; in the images' unit.
@@ -25,5 +29,19 @@ struct DifferenceImage {
 /// (naming both) and for channels that do.
 DifferenceImage difference(const Image& a, const Image& b, DifferenceKind kind,
                            const Image* valid_a = nullptr, const Image* valid_b = nullptr);
+
+/// Variances of the mean of each picture, per channel or one for all (null: that picture has no noise), and
+/// how sure one wants to be.
+struct Noise {
+    const Image *variance_a = nullptr, *variance_b = nullptr;
+    /// Probability that a pixel without any error shows one.
+    double alpha = 1e-4;
+    /// Degrees of freedom of a pixel's own estimate of its variance.
+    int degrees = 7;
+};
+
+/// As above with what `significant` needs. Throws UsageError when it is asked for without any variance.
+DifferenceImage difference(const Image& a, const Image& b, DifferenceKind kind, const Noise& noise,
+                           const Image* valid_a, const Image* valid_b);
 
 }  // namespace ir

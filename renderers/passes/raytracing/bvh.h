@@ -1,12 +1,22 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <memory>
 
 #include "renderers/graph/builder.h"
 #include "renderers/scene/world.h"
 
 namespace ir::passes {
+
+/// Where a ray meets a triangle of the world.
+struct Hit {
+    float distance = std::numeric_limits<float>::infinity();  ///< infinity: nothing is hit
+    std::uint32_t triangle = 0;                               ///< of World::indices
+    float u = 0, v = 0;  ///< barycentric weights of the triangle's second and third corner
+    bool is_hit() const { return distance < std::numeric_limits<float>::infinity(); }
+};
 
 /// A ray-tracing scene over a World: the oracle that every approximate visibility is judged by. Alpha masks
 /// are asked through scene::is_covered, as in rasterisation. Thread-safe for queries.
@@ -38,6 +48,10 @@ class Bvh {
     unsigned occluded16(const Packet16& rays, bool coherent) const;
     /// Distances to the first hits, infinity where there is none and for inactive rays.
     void closest16(const Packet16& rays, bool coherent, float (&distances)[16]) const;
+    /// The first hit itself.
+    Hit closest_hit(glm::vec3 origin, glm::vec3 direction, float near, float far) const;
+    /// Sixteen of them; what inactive rays get is a Hit that is none.
+    void closest_hits16(const Packet16& rays, bool coherent, Hit (&hits)[16]) const;
     /// What Embree holds now, with the alpha masks.
     std::uint64_t bytes() const;
 

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/engine/execution.h"
+#include "projects/document.h"
+#include "renderers/core/progress.h"
+
+namespace ir::engine {
+
+/// One picture of a study, measured against the reference.
+struct ErrorPoint {
+    std::string experiment;  ///< id
+    projects::Json value;    ///< of what the plot runs over
+    int frames = 1;
+    double ms = 0;                         ///< of rendering, all frames; median of the repeats
+    std::map<std::string, double> errors;  ///< by metric
+    std::size_t pixels = 0, skipped = 0;
+    std::uint64_t memory_bytes = 0;
+    std::string problem;    ///< not empty: one line why there is no picture; the numbers say nothing then
+    bool on_front = false;  ///< no other point is as good in both time and error, and better in one
+};
+
+/// A document's ErrorPlot, carried out.
+struct ErrorStudy {
+    std::string plot;                  ///< id
+    std::vector<std::string> metrics;  ///< of the errors
+    std::string device;
+    double reference_noise = 0;      ///< RMSE that the reference itself has left; 0: unknown
+    std::vector<ErrorPoint> points;  ///< in the order of experiments, then values
+};
+
+struct StudyCallbacks {
+    const CancelToken* cancel = nullptr;
+    ProgressCallback progress;
+    std::function<void(const ErrorPoint&)> point;  ///< as soon as it is there; fronts are not marked yet
+};
+
+/// Renders reference and experiments and measures all metrics that apply. A reference that is kept with
+/// enough samples is read, not rendered. Throws Cancelled, Error, InputError, UsageError with one line.
+ErrorStudy run_error_study(Machine& machine, const projects::Project& project,
+                           const projects::ErrorPlot& plot, const std::filesystem::path& folder,
+                           const StudyCallbacks& callbacks = {});
+
+/// Marks the points that no other is better than in time and error at once.
+void mark_front(std::vector<ErrorPoint>& points, const std::string& metric);
+
+std::string study_json(const ErrorStudy& study);
+ErrorStudy study_from_json(const std::string& json, const std::string& file);
+/// One row a point, a heading first.
+std::string study_csv(const ErrorStudy& study);
+
+}  // namespace ir::engine

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "projects/edits.h"
+#include "renderers/core/method.h"
+
+namespace ir::projects {
+
+/// The experiment that is the ground truth of another one: same scene, camera, lights, size, time and
+/// transport, by the method that is the reference. Throws UsageError where this build has none, where the
+/// experiment's method is unknown, or where the experiment is a reference itself.
+Experiment matching_reference(const Project& project, const Experiment& experiment, const Registry& registry);
+
+/// *Match*: makes the experiment be judged by its ground truth, all in one step. An experiment of the project
+/// that is that ground truth already, at any number of samples, is taken; else one is added behind it. The
+/// result names the experiment's reference when applied. Null when it has that reference already.
+EditPtr match(const Project& project, const std::string& experiment, const Registry& registry);
+
+/// Id of the experiment that match() would take or add.
+std::string match_id(const Project& project, const std::string& experiment, const Registry& registry);
+
+/// Ids of experiments whose reference differs from them in transport, scene, camera, lights, size or time,
+/// each with one line that says in what.
+std::vector<std::pair<std::string, std::string>> mismatched_references(const Project& project,
+                                                                       const Registry& registry);
+
+}  // namespace ir::projects

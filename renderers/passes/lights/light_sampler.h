@@ -1,0 +1,76 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+
+#include "renderers/passes/surface/surface.h"
+
+namespace ir::passes {
+
+/// One direction towards the light of a scene.
+struct LightSample {
+    glm::vec3 direction_ws{0};  ///< unit, from the point to the light
+    float distance = 0;         ///< to the light, m; infinite for directional lights and the environment
+    glm::vec3 radiance{0};      ///< W/(m² sr) that arrives unless something is in between; of lights without
+                                ///< extent the irradiance on a surface that faces them, W/m²
+    float pdf = 0;  ///< per solid angle, choice of the light included; without extent the choice alone
+    bool is_delta = false;  ///< a light without extent, which no ray can hit
+};
+
+/// What a ray meets of rectangle and disk lights, which are not in the BVH and stop no ray.
+struct LightHit {
+    float distance = 0;
+    glm::vec3 radiance{0};
+    int light = -1;  ///< of World::lights
+};
+
+struct LightSamplerOptions {
+    bool environment = true;
+    bool emissive_meshes = true;
+};
+
+/// Everything in a scene that emits: point, spot, directional, rectangle and disk lights, emissive triangles,
+/// the environment. Rectangles and disks send light from the side to which they point. Chooses with
+/// probabilities that never exclude what could contribute. Keeps a pointer to the surfaces. Thread-safe.
+class LightSampler {
+  public:
+    using Options = LightSamplerOptions;
+    explicit LightSampler(const SurfaceLookup& surfaces, const Options& options = {});
+    ~LightSampler();
+    LightSampler(const LightSampler&) = delete;
+
+    bool empty() const;  ///< nothing emits
+
+    /// For a point with this unit geometric normal; `choice` and `u` uniform in [0, 1). Nothing where the
+    /// light chosen sends none there.
+    std::optional<LightSample> sample(glm::vec3 position_ws, glm::vec3 normal_ws, float choice,
+                                      glm::vec2 u) const;
+
+    /// Densities with which sample() at that point would have chosen what a ray from there met: for multiple
+    /// importance sampling. Per solid angle, choice included.
+    float pdf_of_triangle(glm::vec3 position_ws, glm::vec3 normal_ws, glm::vec3 direction_ws,
+                          const Hit& hit) const;
+    float pdf_of_light(glm::vec3 position_ws, glm::vec3 normal_ws, glm::vec3 direction_ws,
+                       const LightHit& hit) const;
+    float pdf_of_environment(glm::vec3 position_ws, glm::vec3 normal_ws, glm::vec3 direction_ws) const;
+
+    /// Radiance from infinity, 0 where the options leave it out.
+    glm::vec3 environment(glm::vec3 direction_ws) const;
+    bool has_environment() const;
+    /// Rectangles and disks that a ray meets within (0, far), in no order; calls `visit` for each.
+    template <class Visit>
+    void visit_lights(glm::vec3 origin_ws, glm::vec3 direction_ws, float far, Visit visit) const {
+        for (int i = 0; i < extended_lights(); ++i)
+            if (const auto hit = intersect(i, origin_ws, direction_ws, far)) visit(*hit);
+    }
+
+  private:
+    int extended_lights() const;
+    std::optional<LightHit> intersect(int index, glm::vec3 origin_ws, glm::vec3 direction_ws,
+                                      float far) const;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ir::passes

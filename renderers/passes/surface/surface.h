@@ -1,0 +1,45 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+
+#include "renderers/passes/raytracing/bvh.h"
+#include "renderers/scene/world.h"
+
+namespace ir::passes {
+
+/// A point on a triangle as light transport on the host sees it: the same quantities as the G-buffer's, from
+/// textures at their finest level, bilinear where their sampler says linear.
+struct Surface {
+    glm::vec3 position_ws{0};
+    glm::vec3 geometric_normal_ws{0};  ///< unit, on the side that the ray came from
+    glm::vec3 shading_normal_ws{0};    ///< unit, turned as the G-buffer turns it
+    bool is_front = true;              ///< the ray came from the side to which the winding's normal points
+    int material = 0;                  ///< of Scene::materials
+    glm::vec3 base_colour{1};
+    float metallic = 0, roughness = 1, transmission = 0;
+    glm::vec3 emission{0};  ///< W/(m² sr), the same on both sides
+    bool is_unlit = false;
+};
+
+/// Looks surfaces up on the host. Keeps pointers to scene and world, which must outlive it. Thread-safe.
+class SurfaceLookup {
+  public:
+    SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps);
+    ~SurfaceLookup();
+    SurfaceLookup(const SurfaceLookup&) = delete;
+
+    const scene::Scene& scene() const;
+    const scene::World& world() const;
+
+    /// What a ray with this (unit) direction of travel hits.
+    Surface at(const Hit& hit, glm::vec3 direction_ws) const;
+    /// Only the emission there; cheap.
+    glm::vec3 emission(std::uint32_t triangle, float u, float v) const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ir::passes
