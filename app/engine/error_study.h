@@ -31,6 +31,7 @@ struct ErrorStudy {
     std::vector<std::string> metrics;  ///< of the errors
     std::string device;
     double reference_noise = 0;      ///< RMSE that the reference itself has left; 0: unknown
+    std::vector<std::string> notes;  ///< what a reader of the numbers should know, a line each
     std::vector<ErrorPoint> points;  ///< in the order of experiments, then values
 };
 
