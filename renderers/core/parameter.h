@@ -49,7 +49,9 @@ struct ParameterText {
     OnChange on_change = OnChange::reset_history;
     Condition active_when = {};
     /// More of it continues the same picture, less is contained in it: what a method accumulates over its
-    /// history. A stored state (graph::History) serves all values of such parameters.
+    /// history. An integer: each frame adds so many, and never more than FrameInputs::sample_limit. The
+    /// picture depends on their sum, bit by bit, and not on how frames divided it, so that a stored state
+    /// (graph::History) serves all values.
     bool accumulates = false;
     int since_version = 1;                              ///< the method version that introduced the parameter
     std::optional<Value> value_in_older_projects = {};  ///< for projects saved before since_version

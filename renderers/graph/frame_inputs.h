@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "renderers/core/inspection.h"
@@ -19,6 +20,10 @@ struct FrameInputs {
     int frame = 0;    ///< 0 for the first after an empty history
     double time = 0;  ///< seconds
     int threads = 0;  ///< for cpu passes; 0 = all
+    /// What the frame may add at most to its history, where a parameter accumulates (core/parameter.h): less
+    /// than that parameter asks for when a stored history is continued, 0 when it is only shown. Unlimited
+    /// where there is no history.
+    std::uint64_t sample_limit = std::numeric_limits<std::uint64_t>::max();
     Inspection inspection;
 };
 
