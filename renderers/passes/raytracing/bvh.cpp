@@ -3,6 +3,8 @@
 #include <embree3/rtcore.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstring>
 #include <limits>
@@ -66,6 +68,19 @@ void copy_rays(const Bvh::Packet16& from, RTCRay16& to) {
     for (unsigned i = 0; i < 16; ++i) to.time[i] = 0, to.mask[i] = ~0u, to.id[i] = i, to.flags[i] = 0;
 }
 
+RTCRayHit make_query(glm::vec3 origin, glm::vec3 direction, float near, float far) {
+    RTCRayHit query{};
+    query.ray = make_ray(origin, direction, near, far);
+    query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    return query;
+}
+
+void make_query(const Bvh::Packet16& rays, RTCRayHit16& query) {
+    copy_rays(rays, query.ray);
+    std::fill_n(query.hit.geomID, 16, RTC_INVALID_GEOMETRY_ID);
+    std::fill_n(query.hit.instID[0], 16, RTC_INVALID_GEOMETRY_ID);
+}
+
 }  // namespace
 
 struct Bvh::Impl {
@@ -123,7 +138,13 @@ struct Bvh::Impl {
             rtcSetGeometryOccludedFilterFunction(geometry.get(), filter_masked);
         }
         rtcCommitGeometry(geometry.get());
-        rtcAttachGeometry(handle.get(), geometry.get());
+        const auto id = rtcAttachGeometry(handle.get(), geometry.get());
+        first_triangles.at(id) = static_cast<std::uint32_t>(begin);
+    }
+
+    Hit hit(float distance, unsigned geometry, unsigned primitive, float u, float v) const {
+        if (geometry == RTC_INVALID_GEOMETRY_ID) return {};
+        return {distance, first_triangles[geometry] + primitive, u, v};
     }
 
     /// Not with the device's option "threads": that one limits TBB in the whole process while the device
@@ -155,6 +176,8 @@ struct Bvh::Impl {
     }
 
     AlphaMasks masks;
+    /// Of each of Embree's geometries, which number their triangles from 0.
+    std::array<std::uint32_t, 2> first_triangles{};
     std::mutex error_mutex;
     std::string error;
     std::atomic<std::int64_t> embree_bytes{0};
@@ -170,9 +193,7 @@ Bvh::~Bvh() = default;
 
 float Bvh::closest(glm::vec3 origin, glm::vec3 direction, float near, float far) const {
     auto ctx = context(false);
-    RTCRayHit query{};
-    query.ray = make_ray(origin, direction, near, far);
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    auto query = make_query(origin, direction, near, far);
     rtcIntersect1(impl_->handle.get(), &ctx, &query);
     return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? infinity : query.ray.tfar;
 }
@@ -199,15 +220,31 @@ unsigned Bvh::occluded16(const Packet16& rays, bool coherent) const {
 void Bvh::closest16(const Packet16& rays, bool coherent, float (&distances)[16]) const {
     auto ctx = context(coherent);
     RTCRayHit16 query;
-    copy_rays(rays, query.ray);
-    for (unsigned i = 0; i < 16; ++i) {
-        query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-        query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-    }
+    make_query(rays, query);
     rtcIntersect16(rays.active, impl_->handle.get(), &ctx, &query);
     for (unsigned i = 0; i < 16; ++i) {
         const bool hit = rays.active[i] && query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
         distances[i] = hit ? query.ray.tfar[i] : infinity;
+    }
+}
+
+Hit Bvh::closest_hit(glm::vec3 origin, glm::vec3 direction, float near, float far) const {
+    auto ctx = context(false);
+    auto query = make_query(origin, direction, near, far);
+    rtcIntersect1(impl_->handle.get(), &ctx, &query);
+    return impl_->hit(query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v);
+}
+
+void Bvh::closest_hits16(const Packet16& rays, bool coherent, Hit (&hits)[16]) const {
+    auto ctx = context(coherent);
+    RTCRayHit16 query;
+    make_query(rays, query);
+    rtcIntersect16(rays.active, impl_->handle.get(), &ctx, &query);
+    const auto& hit = query.hit;
+    for (unsigned i = 0; i < 16; ++i) {
+        hits[i] = rays.active[i]
+                      ? impl_->hit(query.ray.tfar[i], hit.geomID[i], hit.primID[i], hit.u[i], hit.v[i])
+                      : Hit{};
     }
 }
 

@@ -20,18 +20,45 @@ struct BsdfSample {
     bool is_transmitted = false;  ///< to the other side of the geometric surface
 };
 
+/// What a Bsdf does between two directions.
+struct BsdfValue {
+    glm::vec3 value{0};  ///< f |cosθi|, 1/sr
+    float pdf = 0;       ///< 1/sr
+};
+
 /// How a surface reflects and transmits: the model that Transport::materials names. Directions are unit
-/// vectors that point away from the surface; cosines are taken with the shading normal; directions that are
-/// above one of the two normals and below the other carry nothing.
+/// vectors that point away from the surface; cosines are taken with the shading normal; light from
+/// directions that are above one of the two normals and below the other does not count. A viewer below the
+/// shading normal sees what one at n·v = 1e-4 would.
+///
+/// - gltf: Lambert below a GGX interface, as gltf_brdf() of shaders/lib/brdf.glsl.  [glTF2 B.3.5]
+/// - metalness-blend: f = k f_Lambert + (1 - k) f_CookTorrance, k = 1 - metallic, with GGX's D, Smith's G as
+///   the product of two maskings, Schlick's F from the base colour, α = roughness²; a dielectric has no
+///   highlight at all.  [Smal19 eqs. 3.4-3.8; 3.7 with tan² of the angle to the macroscopic normal]
+/// - lambert: base colour / π and opaque, whatever metallic, roughness and transmission say.
+///
+/// Below α = 1e-3 the interface is a mirror, a specular event; rasterisation keeps a highlight of α = 1e-3
+/// there instead, so lights without extent show in its picture and not in this one.
+///
+/// Transmission is that of a smooth dielectric. The fraction transmission (1 - metallic) of the surface is
+/// glass, the rest the opaque model above. With thickness 0 light passes straight through a sheet, all
+/// reflections between its two sides counted; otherwise it is refracted, and leaves total internal
+/// reflection. Radiance is scaled by 1/η² where a path from the camera is refracted into a medium of relative
+/// index η, and back where it leaves. Base colour tints what passes, once for each crossing.
+/// [glTF2 KHR_materials_transmission, KHR_materials_volume]
+// DEVIATION [glTF2 KHR_materials_transmission]: glass is smooth whatever its roughness, so that it needs no
+// density; what is seen through rough glass is sharp.
 class Bsdf {
   public:
     /// `material` is the scene's entry for surface.material; its index of refraction and volume count.
     Bsdf(const Surface& surface, const scene::Material& material, Transport::Materials model);
 
     /// f(wo, wi) |cosθi|, in 1/sr; specular parts left out.
-    glm::vec3 evaluate(glm::vec3 wo, glm::vec3 wi) const;
+    glm::vec3 evaluate(glm::vec3 wo, glm::vec3 wi) const { return evaluate_with_pdf(wo, wi).value; }
     /// Density per solid angle with which sample() chooses wi, given wo; specular parts left out.
-    float pdf(glm::vec3 wo, glm::vec3 wi) const;
+    float pdf(glm::vec3 wo, glm::vec3 wi) const { return evaluate_with_pdf(wo, wi).pdf; }
+    /// Both at the price of one.
+    BsdfValue evaluate_with_pdf(glm::vec3 wo, glm::vec3 wi) const;
     /// `lobe` and `u` uniform in [0, 1). Nothing when the event carries no light.
     std::optional<BsdfSample> sample(glm::vec3 wo, float lobe, glm::vec2 u) const;
 
@@ -47,10 +74,15 @@ class Bsdf {
   private:
     friend struct BsdfLobes;
     glm::vec3 n_{0}, geometric_n_{0};
-    glm::vec3 base_colour_{0};
-    float metallic_ = 0, alpha_ = 1, ior_ = 1.5f, transmission_ = 0;
-    bool is_front_ = true, is_thin_ = true, is_dark_ = false;
-    Transport::Materials model_ = Transport::Materials::gltf;
+    glm::vec3 diffuse_{0};    ///< albedo of the Lambert part, without the interface above it
+    glm::vec3 f0_{0};         ///< reflectance of the microfacets at normal incidence
+    float specular_ = 0;      ///< weight of the microfacets
+    float alpha_ = 1;         ///< roughness²
+    float transmission_ = 0;  ///< fraction that is glass
+    float eta_ = 1.5f;        ///< index behind the surface over that in front of it
+    glm::vec3 tint_{1};       ///< of what passes through the glass
+    bool is_thin_ = true, is_dark_ = false;
+    bool is_layered_ = false;  ///< the Lambert part lies below the microfacets, not beside them
 };
 
 }  // namespace ir::passes

@@ -1,0 +1,200 @@
+#include "renderers/passes/scattering/bsdf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "renderers/passes/scattering/microfacets.h"
+#include "renderers/scene/frame.h"
+
+namespace ir::passes {
+namespace {
+
+constexpr float inverse_pi = glm::one_over_pi<float>();
+
+float luminance(glm::vec3 c) {
+    return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+}
+
+/// Columns: tangent, bitangent, n.
+glm::mat3 frame_of(glm::vec3 n) {
+    const auto tangent = scene::any_tangent(n);
+    return {tangent, glm::cross(n, tangent), n};
+}
+
+glm::vec3 mirrored(glm::vec3 v, glm::vec3 h) {
+    return 2 * glm::dot(v, h) * h - v;
+}
+
+float squared_length(glm::vec3 v) {
+    return glm::dot(v, v);
+}
+
+}  // namespace
+
+/// A Bsdf seen from one direction.
+struct BsdfLobes {
+    const Bsdf& b;
+    glm::vec3 v;
+    glm::vec3 seen_from;             ///< v, raised above the shading normal's horizon
+    float n_dot_v;                   ///< as rasterisation clamps it
+    float seen_cosine;               ///< n·seen_from
+    float specular_probability = 0;  ///< among the two opaque lobes
+    bool is_mirror;
+
+    BsdfLobes(const Bsdf& bsdf, glm::vec3 wo)
+        : b(bsdf), v(wo), seen_from(wo), n_dot_v(glm::dot(bsdf.n_, wo)), is_mirror(b.alpha_ < mirror_alpha) {
+        if (n_dot_v < least_view_cosine) {
+            seen_from = glm::normalize(v + (least_view_cosine - n_dot_v) * b.n_);
+            n_dot_v = least_view_cosine;
+        }
+        seen_cosine = glm::dot(b.n_, seen_from);
+        const auto fresnel = schlick_fresnel(b.f0_, seen_cosine);
+        const float specular = b.specular_ * luminance(fresnel), diffuse = luminance(below(fresnel));
+        if (specular > 0) specular_probability = specular / (specular + diffuse);
+    }
+
+    /// What the interface leaves of the Lambert part.
+    glm::vec3 below(glm::vec3 fresnel) const {
+        return b.is_layered_ ? (1.0f - fresnel) * b.diffuse_ : b.diffuse_;
+    }
+
+    float visibility(float n_dot_l) const {
+        if (b.is_layered_) return smith_visibility(n_dot_l, n_dot_v, b.alpha_);
+        return smith_masking_over_2_cosine(n_dot_l, b.alpha_) *
+               smith_masking_over_2_cosine(n_dot_v, b.alpha_);
+    }
+
+    float distribution(glm::vec3 h) const {
+        return ggx_distribution(squared_length(glm::cross(b.n_, h)), b.alpha_);
+    }
+
+    /// Density of a reflection about a visible normal: G1(v) D(h) / (4 n·v).  [Heitz18 eq. 17]
+    float visible_normal_pdf(glm::vec3 l) const {
+        const auto sum = seen_from + l;
+        if (!(glm::dot(b.n_, sum) > 0)) return 0;
+        return 0.5f * smith_masking_over_2_cosine(seen_cosine, b.alpha_) * distribution(glm::normalize(sum));
+    }
+
+    /// `l` above both normals.
+    glm::vec3 opaque_value(glm::vec3 l, float n_dot_l) const {
+        const auto sum = l + v;
+        const float size = glm::length(sum);
+        const auto h = size > 0 ? sum / size : b.n_;
+        const auto fresnel = schlick_fresnel(b.f0_, std::clamp(glm::dot(v, h), 0.0f, 1.0f));
+        auto f = inverse_pi * below(fresnel);
+        if (b.specular_ > 0 && !is_mirror)
+            f += b.specular_ * fresnel * (distribution(h) * visibility(n_dot_l));
+        return f * n_dot_l;
+    }
+
+    float opaque_pdf(glm::vec3 l, float n_dot_l) const {
+        float result = (1 - specular_probability) * inverse_pi * n_dot_l;
+        if (specular_probability > 0 && !is_mirror) result += specular_probability * visible_normal_pdf(l);
+        return result;
+    }
+
+    BsdfValue between(glm::vec3 l) const {
+        const float n_dot_l = glm::dot(b.n_, l), opaque = 1 - b.transmission_;
+        if (b.is_dark_ || n_dot_l <= 0 || opaque <= 0) return {};
+        BsdfValue result{glm::vec3(0), opaque * opaque_pdf(l, n_dot_l)};
+        if (glm::dot(b.geometric_n_, l) > 0) result.value = opaque * opaque_value(l, n_dot_l);
+        return result;
+    }
+
+    bool is_reflected(glm::vec3 l) const { return glm::dot(b.n_, l) > 0 && glm::dot(b.geometric_n_, l) > 0; }
+
+    std::optional<BsdfSample> sample_smooth(glm::vec3 l) const {
+        if (!is_reflected(l)) return {};
+        const auto [value, pdf] = between(l);
+        if (!(pdf > 0) || value == glm::vec3(0)) return {};
+        return BsdfSample{l, value / pdf, pdf, false, false};
+    }
+
+    std::optional<BsdfSample> sample_mirror() const {
+        const auto l = mirrored(seen_from, b.n_);
+        if (!is_reflected(l)) return {};
+        const auto weight = b.specular_ * schlick_fresnel(b.f0_, seen_cosine) / specular_probability;
+        return BsdfSample{l, weight, 0, true, false};
+    }
+
+    std::optional<BsdfSample> sample_opaque(float lobe, glm::vec2 u) const {
+        if (lobe < specular_probability && is_mirror) return sample_mirror();
+        const auto frame = frame_of(b.n_);
+        if (lobe >= specular_probability) return sample_smooth(glm::normalize(frame * sample_cosine_ts(u)));
+        const auto seen_ts = seen_from * frame;  // the transpose's product
+        const auto h = frame * sample_visible_normal_ts(seen_ts, b.alpha_, u);
+        return sample_smooth(glm::normalize(mirrored(seen_from, h)));
+    }
+
+    /// By Fresnel's probability, so that what is chosen keeps its colour.
+    std::optional<BsdfSample> sample_glass(float lobe) const {
+        const auto interface = dielectric_fresnel(seen_cosine, b.eta_);
+        const float reflectance =
+            b.is_thin_ ? sheet_reflectance(interface.reflectance) : interface.reflectance;
+        if (lobe < reflectance) {
+            const auto l = mirrored(seen_from, b.n_);
+            if (!is_reflected(l)) return {};
+            return BsdfSample{l, glm::vec3(1), 0, true, false};
+        }
+        if (b.tint_ == glm::vec3(0)) return {};
+        if (b.is_thin_) return BsdfSample{-v, b.tint_, 0, true, true};
+        const auto l = glm::normalize((seen_cosine / b.eta_ - interface.refracted_cosine) * b.n_ -
+                                      seen_from / b.eta_);  // Snell's law
+        if (glm::dot(b.geometric_n_, l) >= 0) return {};
+        return BsdfSample{l, b.tint_ / (b.eta_ * b.eta_), 0, true, true};
+    }
+
+    std::optional<BsdfSample> sample(float lobe, glm::vec2 u) const {
+        const float glass = b.transmission_;
+        if (b.is_dark_) return {};
+        if (lobe < glass) return sample_glass(lobe / glass);
+        return sample_opaque((lobe - glass) / (1 - glass), u);
+    }
+};
+
+Bsdf::Bsdf(const Surface& surface, const scene::Material& material, Transport::Materials model)
+    : n_(surface.shading_normal_ws),
+      geometric_n_(surface.geometric_normal_ws),
+      diffuse_(surface.base_colour),
+      is_dark_(surface.is_unlit) {
+    if (model == Transport::Materials::lambert) return;
+    const float metallic = surface.metallic;
+    const auto base_colour = surface.base_colour;
+    is_layered_ = model == Transport::Materials::gltf;
+    specular_ = is_layered_ ? 1 : metallic;
+    f0_ = is_layered_ ? glm::mix(glm::vec3(dielectric_f0(material.ior)), base_colour, metallic) : base_colour;
+    diffuse_ = (1 - metallic) * base_colour;
+    alpha_ = surface.roughness * surface.roughness;
+    transmission_ = surface.transmission * (1 - metallic);
+    is_thin_ = material.thickness <= 0;
+    const bool is_leaving = !is_thin_ && !surface.is_front && material.ior > 0;
+    eta_ = is_leaving ? 1 / material.ior : material.ior;
+    tint_ = base_colour;
+}
+
+BsdfValue Bsdf::evaluate_with_pdf(glm::vec3 wo, glm::vec3 wi) const {
+    return BsdfLobes(*this, wo).between(wi);
+}
+
+std::optional<BsdfSample> Bsdf::sample(glm::vec3 wo, float lobe, glm::vec2 u) const {
+    return BsdfLobes(*this, wo).sample(lobe, u);
+}
+
+bool Bsdf::has_smooth_part() const {
+    if (is_dark_ || transmission_ >= 1) return false;
+    return diffuse_ != glm::vec3(0) || (specular_ > 0 && alpha_ >= mirror_alpha);
+}
+
+glm::vec3 Bsdf::albedo() const {
+    if (is_dark_) return glm::vec3(0);
+    const auto opaque = (is_layered_ ? (1.0f - f0_) * diffuse_ : diffuse_) + specular_ * f0_;
+    return glm::mix(opaque, tint_, transmission_);
+}
+
+glm::vec3 Bsdf::transmittance(const scene::Material& material, float distance) {
+    if (material.thickness <= 0 || material.attenuation_distance <= 0) return glm::vec3(1);
+    return glm::pow(material.attenuation_colour, glm::vec3(distance / material.attenuation_distance));
+}
+
+}  // namespace ir::passes

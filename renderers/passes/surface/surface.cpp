@@ -1,0 +1,195 @@
+#include "renderers/passes/surface/surface.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "renderers/passes/surface/host_texture.h"
+#include "renderers/passes/surface/triangle_plane.h"
+
+namespace ir::passes {
+namespace {
+
+/// A texture slot of a material, ready to be looked up; without a texture it is 1 everywhere.
+struct Slot {
+    const HostTexture* texture = nullptr;
+    int uv_set = 0;
+    glm::vec2 offset{0}, scale{1};
+    float sine = 0, cosine = 1;
+
+    Slot() = default;
+    Slot(const scene::TextureSlot& slot, const std::vector<HostTexture>& textures)
+        : texture(slot.texture < 0 ? nullptr : &textures.at(static_cast<std::size_t>(slot.texture))),
+          uv_set(slot.uv_set),
+          offset(slot.offset),
+          scale(slot.scale),
+          sine(std::sin(slot.rotation)),
+          cosine(std::cos(slot.rotation)) {}
+
+    explicit operator bool() const { return texture != nullptr; }
+
+    /// [glTF2 KHR_texture_transform]
+    glm::vec3 at(const glm::vec2 (&uv)[2]) const {
+        const auto scaled = scale * uv[uv_set];
+        return texture->at(
+            offset + glm::vec2(cosine * scaled.x + sine * scaled.y, cosine * scaled.y - sine * scaled.x));
+    }
+};
+
+struct LookedUpMaterial {
+    glm::vec3 base_colour{1}, emission{0};
+    float metallic = 1, roughness = 1, transmission = 0, normal_scale = 1;
+    bool is_unlit = false, has_textures = false, has_colours = false;
+    Slot base_colour_slot, metallic_roughness_slot, normal_slot, emission_slot, transmission_slot;
+
+    LookedUpMaterial(const scene::Material& m, const std::vector<HostTexture>& textures, bool normal_maps)
+        : base_colour(m.base_colour),
+          emission(m.emission),
+          metallic(m.metallic),
+          roughness(m.roughness),
+          transmission(m.transmission),
+          normal_scale(m.normal_scale),
+          is_unlit(m.unlit),
+          base_colour_slot(m.base_colour_texture, textures),
+          metallic_roughness_slot(m.metallic_roughness_texture, textures),
+          emission_slot(m.emission_texture, textures),
+          transmission_slot(m.transmission_texture, textures) {
+        if (normal_maps) normal_slot = Slot(m.normal_texture, textures);
+        has_textures =
+            base_colour_slot || metallic_roughness_slot || normal_slot || emission_slot || transmission_slot;
+    }
+};
+
+/// The corners of a triangle with the weights of a point in it.
+struct Corners {
+    std::uint32_t a, b, c;
+    float u, v;
+
+    template <class T>
+    T mix(const std::vector<T>& values) const {
+        return (1 - u - v) * values[a] + u * values[b] + v * values[c];
+    }
+};
+
+glm::vec3 unpacked(std::uint32_t rgba8) {
+    return glm::vec3(rgba8 & 255u, rgba8 >> 8 & 255u, rgba8 >> 16 & 255u) / 255.0f;
+}
+
+glm::vec3 mixed_colour(const Corners& corners, const std::vector<std::uint32_t>& colours) {
+    return (1 - corners.u - corners.v) * unpacked(colours[corners.a]) +
+           corners.u * unpacked(colours[corners.b]) + corners.v * unpacked(colours[corners.c]);
+}
+
+}  // namespace
+
+struct SurfaceLookup::Impl {
+    Impl(const scene::Scene& s, const scene::World& w, bool normal_maps) : scene(s), world(w) {
+        textures.reserve(s.textures.size());
+        for (const auto& texture : s.textures) textures.emplace_back(texture);
+        for (const auto& material : s.materials) materials.emplace_back(material, textures, normal_maps);
+        mark_colours();
+    }
+
+    /// Few materials are drawn with vertex colours.
+    void mark_colours() {
+        for (std::size_t i = 0; i < world.indices.size(); ++i) {
+            if (world.colours[world.indices[i]] == 0xffffffffu) continue;
+            materials[world.triangle_materials[i / 3]].has_colours = true;
+        }
+    }
+
+    Corners corners(std::uint32_t triangle, float u, float v) const {
+        const auto* index = &world.indices[3 * static_cast<std::size_t>(triangle)];
+        return {index[0], index[1], index[2], u, v};
+    }
+
+    void fill_geometry(const Corners& c, glm::vec3 direction_ws, Surface& s) const {
+        const auto pa = world.positions[c.a], pb = world.positions[c.b], pc = world.positions[c.c];
+        s.position_ws = pa + c.u * (pb - pa) + c.v * (pc - pa);
+        const auto plane_normal = triangle_normal(pa, pb, pc);
+        s.is_front = glm::dot(plane_normal, direction_ws) <= 0;
+        s.geometric_normal_ws = s.is_front ? plane_normal : -plane_normal;
+        if (plane_normal == glm::vec3(0)) s.geometric_normal_ws = -direction_ws;
+    }
+
+    /// The tangent frame is used as interpolated, neither normalised nor made orthogonal, as bakers assume.
+    /// [Mikkelsen08; glTF2 §3.7.2.1]
+    glm::vec3 mapped_normal(const LookedUpMaterial& m, const Corners& c, const glm::vec2 (&uv)[2],
+                            glm::vec3 normal_ws) const {
+        auto n_ts = 2.0f * m.normal_slot.at(uv) - 1.0f;
+        n_ts.x *= m.normal_scale, n_ts.y *= m.normal_scale;
+        const auto tangent = c.mix(world.tangents);
+        const auto bitangent_ws = glm::cross(normal_ws, glm::vec3(tangent)) * tangent.w;
+        return n_ts.x * glm::vec3(tangent) + n_ts.y * bitangent_ws + n_ts.z * normal_ws;
+    }
+
+    /// Turned to the side of the geometric normal by its vertex normal, as in the G-buffer.
+    static glm::vec3 turned(glm::vec3 n, glm::vec3 vertex_normal, glm::vec3 geometric_normal) {
+        const float size = glm::length(n);
+        if (!(size > 0)) return geometric_normal;
+        return n * ((glm::dot(vertex_normal, geometric_normal) < 0 ? -1.0f : 1.0f) / size);
+    }
+
+    void fill_textured(const LookedUpMaterial& m, const Corners& c, glm::vec3 vertex_normal,
+                       Surface& s) const {
+        const glm::vec2 uv[2] = {c.mix(world.uv0), c.mix(world.uv1)};
+        if (m.base_colour_slot) s.base_colour *= m.base_colour_slot.at(uv);
+        if (m.metallic_roughness_slot) {
+            const auto texel = m.metallic_roughness_slot.at(uv);
+            s.metallic *= texel.b;
+            s.roughness *= texel.g;
+        }
+        if (m.emission_slot) s.emission *= m.emission_slot.at(uv);
+        if (m.transmission_slot) s.transmission *= m.transmission_slot.at(uv).r;
+        if (!m.normal_slot) return;
+        s.shading_normal_ws =
+            turned(mapped_normal(m, c, uv, vertex_normal), vertex_normal, s.geometric_normal_ws);
+    }
+
+    const scene::Scene& scene;
+    const scene::World& world;
+    std::vector<HostTexture> textures;
+    std::vector<LookedUpMaterial> materials;
+};
+
+SurfaceLookup::SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps)
+    : impl_(std::make_unique<Impl>(scene, world, normal_maps)) {}
+
+SurfaceLookup::~SurfaceLookup() = default;
+
+const scene::Scene& SurfaceLookup::scene() const {
+    return impl_->scene;
+}
+
+const scene::World& SurfaceLookup::world() const {
+    return impl_->world;
+}
+
+Surface SurfaceLookup::at(const Hit& hit, glm::vec3 direction_ws) const {
+    const auto& world = impl_->world;
+    const auto corners = impl_->corners(hit.triangle, hit.u, hit.v);
+    const auto material = world.triangle_materials[hit.triangle];
+    const auto& m = impl_->materials[material];
+    Surface s;
+    impl_->fill_geometry(corners, direction_ws, s);
+    s.material = static_cast<int>(material);
+    s.base_colour = m.base_colour;
+    s.metallic = m.metallic, s.roughness = m.roughness, s.transmission = m.transmission;
+    s.emission = m.emission;
+    s.is_unlit = m.is_unlit;
+    const auto vertex_normal = corners.mix(world.normals);
+    s.shading_normal_ws = Impl::turned(vertex_normal, vertex_normal, s.geometric_normal_ws);
+    if (m.has_colours) s.base_colour *= mixed_colour(corners, world.colours);
+    if (m.has_textures) impl_->fill_textured(m, corners, vertex_normal, s);
+    return s;
+}
+
+glm::vec3 SurfaceLookup::emission(std::uint32_t triangle, float u, float v) const {
+    const auto& m = impl_->materials[impl_->world.triangle_materials[triangle]];
+    if (!m.emission_slot) return m.emission;
+    const auto corners = impl_->corners(triangle, u, v);
+    const glm::vec2 uv[2] = {corners.mix(impl_->world.uv0), corners.mix(impl_->world.uv1)};
+    return m.emission * m.emission_slot.at(uv);
+}
+
+}  // namespace ir::passes

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+namespace ir::passes {
+
+/// Unit normal of a triangle by its winding, 0 where it has no area: shaders/lib/triangle_plane.glsl on the
+/// host. The cross product of the two shortest edges loses the fewest bits on slivers; lengths are scaled
+/// first so that tiny triangles do not underflow.
+inline glm::vec3 triangle_normal(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+    const auto ab = b - a, bc = c - b, ca = a - c;
+    const float ab2 = glm::dot(ab, ab), bc2 = glm::dot(bc, bc), ca2 = glm::dot(ca, ca);
+    const float longest = std::sqrt(std::max({ab2, bc2, ca2}));
+    if (!(longest > 0)) return glm::vec3(0);
+    const auto& first = ab2 >= bc2 && ab2 >= ca2 ? bc : ca2 >= bc2 ? ab : ca;
+    const auto& second = ab2 >= bc2 && ab2 >= ca2 ? ca : ca2 >= bc2 ? bc : ab;
+    const auto normal = glm::cross(first / longest, second / longest);
+    const float size = glm::length(normal);
+    return size > 0 ? normal / size : glm::vec3(0);
+}
+
+}  // namespace ir::passes
