@@ -87,6 +87,10 @@ class Checker {
                 who + ": there is no " + word + " '" + printable(id, 60) + "'; choose another");
     }
 
+    void refer_to_picture(const std::string& who, const std::string& id) {
+        if (!find_item(project_.images, id)) refer(who, "experiment or image", project_.experiments, id);
+    }
+
     void references() {
         for (const auto& e : project_.experiments) {
             const std::string who = "experiment '" + e.id + "'";
@@ -101,9 +105,13 @@ class Checker {
         for (const auto& sweep : project_.sweeps)
             refer("sweep '" + sweep.id + "'", "experiment", project_.experiments, sweep.experiment);
         for (const auto& c : project_.comparisons)
-            for (const auto& side : {c.a, c.b})
-                if (!find_item(project_.images, side))
-                    refer("comparison '" + c.id + "'", "experiment or image", project_.experiments, side);
+            for (const auto& side : {c.a, c.b}) refer_to_picture("comparison '" + c.id + "'", side);
+        for (const auto& plot : project_.plots) {
+            const std::string who = "plot '" + plot.id + "'";
+            if (plot.reference.empty()) say(Severity::warning, who + ": has no reference; choose one");
+            refer_to_picture(who, plot.reference);
+            for (const auto& id : plot.experiments) refer(who, "experiment", project_.experiments, id);
+        }
     }
 
     const ReadProject& read_;

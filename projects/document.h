@@ -18,7 +18,7 @@
 /// the keys that this build does not know in `extra`, and writes them back.
 namespace ir::projects {
 
-inline constexpr int schema_version = 2;
+inline constexpr int schema_version = 3;
 /// Id that stands for the scene's own lights and environment wherever a set of lights is asked for.
 inline constexpr const char* scene_lights = "scene";
 
@@ -161,7 +161,7 @@ struct ErrorPlot {
     std::string id, name;
     std::string reference;                 ///< id of an experiment or a foreign image
     std::vector<std::string> experiments;  ///< ids
-    std::string over = "frames";           ///< "frames", or a parameter's key
+    std::string over = "frames";           ///< "frames", "seed", or a parameter's key
     std::vector<Json> values;  ///< that `over` takes; empty: frames 1, 2, 4, … of each experiment
     std::string metric = "rmse";
     bool against_time = true;  ///< the horizontal axis is the time of rendering; else the values

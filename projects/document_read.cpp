@@ -213,6 +213,29 @@ Sweep read_sweep(ObjectReader& reader) {
     return sweep;
 }
 
+bool read_against_time(ObjectReader& reader) {
+    const auto axis = reader.text("axis", "time");
+    if (axis != "time" && axis != "values")
+        reader.fail("axis", "'" + printable(axis, 60) + "' is no axis; give time or values");
+    return axis == "time";
+}
+
+ErrorPlot read_plot(ObjectReader& reader) {
+    ErrorPlot plot;
+    read_head(reader, plot);
+    plot.reference = reader.text("reference");
+    reader.each("experiments", [&](const Json& json, const std::string& pointer) {
+        if (!json.is_string()) throw InputError(reader.file(), pointer, "must be the id of an experiment");
+        plot.experiments.push_back(json);
+    });
+    plot.over = reader.text("over", plot.over);
+    reader.each("values", [&](const Json& value, const std::string&) { plot.values.push_back(value); });
+    plot.metric = reader.text("metric", plot.metric);
+    plot.against_time = read_against_time(reader);
+    plot.notes = reader.text("notes");
+    return plot;
+}
+
 /// A list of items with unique ids; keeps what nobody took of each.
 template <class Item, class Read>
 std::vector<Item> read_list(ObjectReader& reader, const std::string& key, Read read) {
@@ -253,6 +276,7 @@ ReadProject read_project(const std::string& text, const std::string& file, const
     });
     project.comparisons = read_list<Comparison>(reader, "comparisons", read_comparison);
     project.sweeps = read_list<Sweep>(reader, "sweeps", read_sweep);
+    project.plots = read_list<ErrorPlot>(reader, "plots", read_plot);
     project.extra = reader.rest();
     return result;
 }

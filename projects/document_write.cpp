@@ -166,6 +166,17 @@ Json write_sweep(const Sweep& sweep) {
     return with_extra(json, sweep.extra);
 }
 
+Json write_plot(const ErrorPlot& plot) {
+    Json json = Json::object({{"id", plot.id}, {"name", plot.name}, {"reference", plot.reference}});
+    json["experiments"] = plot.experiments;
+    json["over"] = plot.over;
+    if (!plot.values.empty()) json["values"] = plot.values;
+    json["metric"] = plot.metric;
+    json["axis"] = plot.against_time ? "time" : "values";
+    put_unless_empty(json, "notes", plot.notes);
+    return with_extra(json, plot.extra);
+}
+
 }  // namespace
 
 Json to_json(const LightSpec& light) {
@@ -194,6 +205,7 @@ Json to_json(const Project& project) {
     json["experiments"] = list(project.experiments, write_experiment);
     json["comparisons"] = list(project.comparisons, write_comparison);
     json["sweeps"] = list(project.sweeps, write_sweep);
+    json["plots"] = list(project.plots, write_plot);
     return with_extra(json, project.extra);
 }
 

@@ -53,6 +53,11 @@ struct ListOf<Sweep> {
     static constexpr auto member = &Project::sweeps;
     static constexpr const char* word = "sweep";
 };
+template <>
+struct ListOf<ErrorPlot> {
+    static constexpr auto member = &Project::plots;
+    static constexpr const char* word = "plot";
+};
 
 template <class Item>
 const std::vector<Item>& list_of(const Project& project) {

@@ -71,6 +71,7 @@ EditPtr change_lights(const Project& project, const LightSet& lights);
 EditPtr change_motion(const Project& project, const Motion& motion);
 EditPtr change_comparison(const Project& project, const Comparison& comparison);
 EditPtr change_sweep(const Project& project, const Sweep& sweep);
+EditPtr change_plot(const Project& project, const ErrorPlot& plot);
 EditPtr change_image(const Project& project, const ForeignImage& image);
 /// Also how Locate… and "accept the changed file" work: see scene_files.h.
 EditPtr change_scene(const Project& project, const Scene& scene);
@@ -96,7 +97,8 @@ EditPtr rename(const Project& project, const std::string& id, const std::string&
 /// Moves the item to `position` in its list.
 template <class Item>
 EditPtr move(const Project& project, const std::string& id, std::size_t position);
-/// These templates exist for Scene, Camera, LightSet, Motion, ForeignImage, Experiment, Comparison, Sweep.
+/// These templates exist for Scene, Camera, LightSet, Motion, ForeignImage, Experiment, Comparison, Sweep,
+/// ErrorPlot.
 
 /// A new experiment with all defaults, ready for add().
 Experiment new_experiment(const Project& project, const Registry& registry, const std::string& method,

@@ -36,6 +36,10 @@ EditPtr change_sweep(const Project& project, const Sweep& sweep) {
     return change(project, sweep);
 }
 
+EditPtr change_plot(const Project& project, const ErrorPlot& plot) {
+    return change(project, plot);
+}
+
 EditPtr change_image(const Project& project, const ForeignImage& image) {
     return change(project, image);
 }

@@ -38,18 +38,24 @@ std::vector<std::string> users_of(const Project& project, const LightSet& set) {
     return users;
 }
 
+bool draws(const ErrorPlot& plot, const std::string& experiment) {
+    return std::find(plot.experiments.begin(), plot.experiments.end(), experiment) != plot.experiments.end();
+}
+
 std::vector<std::string> users_of(const Project& project, const Experiment& experiment) {
     const auto& id = experiment.id;
     std::vector<std::string> users;
     collect<Comparison>(users, project, [&](const auto& c) { return c.a == id || c.b == id; });
     collect<Sweep>(users, project, [&](const auto& s) { return s.experiment == id; });
     collect<Experiment>(users, project, [&](const auto& e) { return e.id != id && e.reference == id; });
+    collect<ErrorPlot>(users, project, [&](const auto& p) { return p.reference == id || draws(p, id); });
     return users;
 }
 
 std::vector<std::string> users_of(const Project& project, const ForeignImage& image) {
     std::vector<std::string> users;
     collect<Comparison>(users, project, [&](const auto& c) { return c.a == image.id || c.b == image.id; });
+    collect<ErrorPlot>(users, project, [&](const auto& p) { return p.reference == image.id; });
     return users;
 }
 
@@ -135,6 +141,7 @@ IR_LIST_EDITS(ForeignImage)
 IR_LIST_EDITS(Experiment)
 IR_LIST_EDITS(Comparison)
 IR_LIST_EDITS(Sweep)
+IR_LIST_EDITS(ErrorPlot)
 #undef IR_LIST_EDITS
 
 }  // namespace ir::projects::edits

@@ -89,6 +89,15 @@ void project_1_to_2(Json& project) {
     for_each_object(project, "experiments", experiment_1_to_2);
 }
 
+/// Schema 2 had no plots: what stands there is somebody's own key and is kept as one.
+void project_2_to_3(Json& project) {
+    const auto found = project.find("plots");
+    if (found == project.end()) return;
+    std::string key = "plots_of_schema_2";
+    while (project.contains(key)) key += '_';
+    replace_member(project, "plots", key, *found);
+}
+
 int schema_of(const Json& project, const std::string& file) {
     const auto found = project.find("schema");
     if (found == project.end() || !found->is_number_integer())
@@ -110,6 +119,7 @@ const std::vector<Migration>& migrations() {
          "scenes consist of parts, fields of view are in degrees, lights are structured, sizes are pairs, "
          "transport values are a group",
          project_1_to_2},
+        {2, "projects have plots of the error", project_2_to_3},
     };
     return steps;
 }

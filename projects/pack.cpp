@@ -4,6 +4,7 @@
 #include <fstream>
 #include <optional>
 
+#include "projects/plots.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
 #include "projects/store.h"
@@ -45,6 +46,7 @@ class Packer {
         for (auto& image : project_.images) add_source(image.source);
         tar_.add_text(root_ + project_file_name, write_project(project_));
         add_results();
+        add_studies();
         return std::move(messages_);
     }
 
@@ -70,6 +72,15 @@ class Packer {
                 miss(one.lexically_relative(base).generic_string());
         }
         source = home + file.lexically_relative(base).generic_string();
+    }
+
+    /// Those that there are: a plot need not have been carried out.
+    void add_studies() {
+        for (const auto& plot : project_.plots) {
+            const auto name = "results/" + study_path(plot.id);
+            std::error_code ignored;
+            if (fs::is_regular_file(folder_ / name, ignored)) tar_.add_file(root_ + name, folder_ / name);
+        }
     }
 
     void add_results() {

@@ -3,7 +3,9 @@
 
 #include "projects/hash.h"
 #include "projects/object_reader.h"
+#include "projects/plots.h"
 #include "projects/results.h"
+#include "projects/results_guard.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
 
@@ -40,6 +42,8 @@ KeptResult read_result(const Json& json, const std::string& index, const std::st
     KeptResult result;
     result.key = reader.required_id("key");
     result.experiment = reader.text("experiment");
+    result.state_key = reader.text("state_key");
+    result.samples = reader.natural("samples", 0);
     reader.each("files", [&](const Json& file, const std::string& place) {
         result.files.push_back(read_file(file, index, place));
     });
@@ -63,6 +67,8 @@ void append(Json& json, const Json& extra) {
 
 Json to_json(const KeptResult& result) {
     Json json = Json::object({{"key", result.key}, {"experiment", result.experiment}});
+    if (!result.state_key.empty()) json["state_key"] = result.state_key;
+    if (result.samples > 0) json["samples"] = result.samples;
     json["files"] = Json::array();
     for (const auto& file : result.files) {
         Json entry =
@@ -113,6 +119,23 @@ const KeptResult* ResultIndex::find(const std::string& key) const {
     return nullptr;
 }
 
+const KeptResult* ResultIndex::find_most_samples(const std::string& state_key) const {
+    const KeptResult* most = nullptr;
+    for (const auto& entry : entries_)
+        if (!state_key.empty() && entry.state_key == state_key && (!most || entry.samples > most->samples))
+            most = &entry;
+    return most;
+}
+
+const KeptResult* ResultIndex::find_state(const std::string& state_key) const {
+    const KeptResult* most = nullptr;
+    for (const auto& entry : entries_)
+        if (!state_key.empty() && entry.state_key == state_key && file_of(entry, state_role) &&
+            (!most || entry.samples > most->samples))
+            most = &entry;
+    return most;
+}
+
 void ResultIndex::put(KeptResult result) {
     if (!is_valid_id(result.key)) throw UsageError("a result's key must be a hash");
     for (const auto& file : result.files)
@@ -128,6 +151,12 @@ void ResultIndex::put(KeptResult result) {
 
 bool ResultIndex::erase(const std::string& key) {
     return std::erase_if(entries_, [&](const KeptResult& entry) { return entry.key == key; }) > 0;
+}
+
+const ResultFile* file_of(const KeptResult& result, const std::string& role) {
+    for (const auto& file : result.files)
+        if (file.role == role) return &file;
+    return nullptr;
 }
 
 std::string result_folder(const std::string& key) {
@@ -154,13 +183,17 @@ std::vector<Message> check_results(const ResultIndex& index, const fs::path& pro
 Pruned prune_results(const Project& project, const Registry& registry, const fs::path& project_folder) {
     Pruned pruned;
     const auto results = project_folder / results_name;
+    std::error_code ignored;
+    if (!fs::is_directory(results, ignored)) return pruned;
+    const ResultsGuard guard(project_folder);
     auto index = ResultIndex::load(project_folder);
     std::set<std::string> keys;
     for (const auto& experiment : project.experiments) {
         keys.insert(experiment.last_kept_key);
         keys.insert(result_key(project, experiment, registry));
     }
-    std::set<fs::path> named{index_name};
+    std::set<fs::path> named{index_name, results_guard_name};
+    for (const auto& plot : project.plots) named.insert(study_path(plot.id));
     for (const auto& entry : std::vector<KeptResult>(index.entries())) {
         if (keys.count(entry.key) != 0) {
             for (const auto& file : entry.files) named.insert(fs::path(file.path).lexically_normal());
@@ -169,8 +202,6 @@ Pruned prune_results(const Project& project, const Registry& registry, const fs:
             index.erase(entry.key);
         }
     }
-    std::error_code ignored;
-    if (!fs::is_directory(results, ignored)) return pruned;
     index.save(project_folder);
 
     std::vector<fs::path> folders, unnamed;

@@ -83,6 +83,7 @@ std::vector<std::string> unknown_keys(const Project& project, const Registry& re
         for (std::size_t i = 0; i < sweep.axes.size(); ++i)
             found.extra(pointer_to(pointer + "/axes", i), sweep.axes[i].extra);
     });
+    found.list("plots", project.plots, nothing);
     found.extra("", project.extra);
     return found.keys;
 }

@@ -121,6 +121,13 @@ void validate(const Sweep& sweep) {
         refuse_unless(!axis.key.empty(), "sweep '" + sweep.id + "': an axis has no key; give one");
 }
 
+void validate(const ErrorPlot& plot) {
+    check_id(plot.id, "plot");
+    const std::string where = "plot '" + plot.id + "': ";
+    refuse_unless(!plot.over.empty(), where + "runs over nothing; give frames, seed or a parameter's key");
+    refuse_unless(!plot.metric.empty(), where + "has no metric; give one, such as rmse");
+}
+
 void validate_size(glm::ivec2 size) {
     refuse_unless(size.x >= 1 && size.y >= 1 && size.x <= max_image_side && size.y <= max_image_side,
                   "size: both sides must lie between 1 and " + std::to_string(max_image_side) + " pixels");

@@ -14,6 +14,7 @@ void validate(const ForeignImage& image);
 void validate(const Experiment& experiment);
 void validate(const Comparison& comparison);
 void validate(const Sweep& sweep);
+void validate(const ErrorPlot& plot);
 
 void validate_size(glm::ivec2 size);
 void validate_frames(int frames);

@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "projects/coordinate.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
 
@@ -48,8 +49,7 @@ std::vector<Json> parse_axis(const std::string& key, const std::string& text) {
 }
 
 const std::vector<std::string>& general_axis_keys() {
-    static const std::vector<std::string> keys{"size", "seed", "frames", "time", "camera", "lights", "scene"};
-    return keys;
+    return projects::general_keys();
 }
 
 Json present_value(const projects::Experiment& experiment, const std::string& key) {

@@ -37,8 +37,8 @@ TEST(Document, RoundTripIsStableToTheByte) {
     EXPECT_TRUE(back.messages.empty());
 }
 
-TEST(Document, MatchesTheFrozenFileOfSchema2) {
-    const auto text = testing::read_text(TEST_DATA "/projects/schema-2.json");
+TEST(Document, MatchesTheFrozenFileOfSchema3) {
+    const auto text = testing::read_text(TEST_DATA "/projects/schema-3.json");
     EXPECT_EQ(write_project(read(text).project), text);
     EXPECT_EQ(read(text).project, sample_project());
 }

@@ -52,6 +52,22 @@ TEST(Migrations, FrozenFileOfSchema1Opens) {
               (std::vector<std::string>{"/scenes/0/licence", "/experiments/0/values/forgotten", "/mood"}));
 }
 
+TEST(Migrations, FrozenFileOfSchema2Opens) {
+    const auto old = read(testing::read_text(TEST_DATA "/projects/schema-2.json"));
+    EXPECT_EQ(old.schema_in_file, 2);
+    auto expected = testing::sample_project();
+    expected.plots.clear();
+    EXPECT_EQ(old.project, expected);
+    ASSERT_EQ(old.messages.size(), 1u);
+    EXPECT_EQ(old.messages[0].text, "upgraded from schema 2 to 3: projects have plots of the error");
+}
+
+TEST(Migrations, WhatSchema2KeptAsPlotsIsStillKept) {
+    const auto old = read(R"({"schema": 2, "plots": 7, "plots_of_schema_2": 8})");
+    EXPECT_TRUE(old.project.plots.empty());
+    EXPECT_EQ(old.project.extra, Json::object({{"plots_of_schema_2_", 7}, {"plots_of_schema_2", 8}}));
+}
+
 TEST(Migrations, UpgradedTextIsStableAndNotes) {
     const auto old = read(testing::read_text(TEST_DATA "/projects/schema-1.json"));
     const auto text = write_project(old.project);
@@ -65,7 +81,7 @@ TEST(Migrations, UpgradedTextIsStableAndNotes) {
 
 TEST(Migrations, WrongSchemasAreRefused) {
     for (const char* text : {"{}", R"({"schema": "2"})", R"({"schema": 0})", R"({"schema": -1})",
-                             R"({"schema": 3})", R"({"schema": 1.5})", R"({"schema": 18446744073709551615})"})
+                             R"({"schema": 4})", R"({"schema": 1.5})", R"({"schema": 18446744073709551615})"})
         EXPECT_THROW(read(text), InputError) << text;
 }
 

@@ -158,6 +158,20 @@ Project sample_project() {
     real.b = "photo";
     project.comparisons = {both, real};
     project.sweeps = {{"counts", "Counts", "fog-nave", {{"samples", {1, 4, 16}}, {"seed", {1, 2}}}}};
+    ErrorPlot counts, over_time;
+    counts.id = "error-of-counts";
+    counts.name = "Error of the fog";
+    counts.reference = "plain-nave";
+    counts.experiments = {"fog-nave", "plain-nave"};
+    counts.over = "samples";
+    counts.values = {1, 4, 16};
+    counts.metric = "mae";
+    counts.against_time = false;
+    counts.notes = "Falls with the square root.";
+    over_time.id = "over-time";
+    over_time.name = "Against the photograph";
+    over_time.reference = "photo";
+    project.plots = {counts, over_time};
     return project;
 }
 

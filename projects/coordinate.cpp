@@ -1,0 +1,74 @@
+#include "projects/coordinate.h"
+
+#include "projects/object_reader.h"
+#include "projects/text.h"
+#include "projects/value_reader.h"
+#include "renderers/core/error.h"
+
+namespace ir::projects {
+namespace {
+
+void set_parameter(Experiment& e, const MethodDescription& method, const std::string& key, const Json& json) {
+    const auto* parameter = find(method.parameters, key);
+    if (!parameter) {
+        std::string general;
+        for (const auto& known : general_keys())
+            general += (general.empty() ? "" : known == general_keys().back() ? " or " : ", ") + known;
+        throw UsageError("'" + printable(key, 60) + "' is neither a parameter of " + method.id + " nor " +
+                         general);
+    }
+    const auto value = to_value(json);
+    if (!value) throw UsageError("parameter '" + key + "' needs plain values");
+    e.values[key] = parameter->checked(*value);
+}
+
+template <class List>
+std::string known_id(const List& list, const Json& json, const std::string& none, const std::string& key) {
+    if (json.is_string() && (json == none || find_item(list, json.get<std::string>()))) return json;
+    throw UsageError("'" + printable(canonical_json(json), 60) + "' is no id for " + key);
+}
+
+/// The readers' messages already name the key.
+void set_coordinate(Experiment& e, const Project& project, const MethodDescription& method,
+                    const std::string& key, const Json& json) {
+    const Json object = Json::object({{key, json}});
+    const std::string file = "value";
+    ObjectReader reader(object, file, "");
+    if (key == "size")
+        e.size = reader.optional_size(key).value_or(e.size);
+    else if (key == "seed")
+        e.seed = reader.natural(key, e.seed);
+    else if (key == "frames")
+        e.frames = static_cast<int>(reader.integer(key, e.frames, 1, 1'000'000'000));
+    else if (key == "time")
+        e.time = reader.number(key, e.time);
+    else if (key == "scene")
+        e.scene = known_id(project.scenes, json, "", key);
+    else if (key == "camera")
+        e.camera = known_id(project.cameras, json, "", key);
+    else if (key == "lights")
+        e.lights = known_id(project.lights, json, scene_lights, key);
+    else
+        set_parameter(e, method, key, json);
+}
+
+}  // namespace
+
+const std::vector<std::string>& general_keys() {
+    static const std::vector<std::string> keys{"size", "seed", "frames", "time", "camera", "lights", "scene"};
+    return keys;
+}
+
+Experiment with_coordinate(const Project& project, const Experiment& experiment, const std::string& key,
+                           const Json& value, const Registry& registry) {
+    Experiment result = effective(experiment);
+    result.last_kept_key.clear();
+    try {
+        set_coordinate(result, project, registry.at(result.method), key, value);
+    } catch (const Error& error) {
+        throw UsageError(printable(error.what(), 300));
+    }
+    return result;
+}
+
+}  // namespace ir::projects
