@@ -6,6 +6,7 @@
 #include "projects/check.h"
 #include "projects/hash.h"
 #include "projects/results.h"
+#include "projects/results_guard.h"
 #include "projects/scene_files.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
@@ -17,6 +18,8 @@ namespace fs = std::filesystem;
 
 /// What belongs to the project beside its document. Kept results join those that are there.
 void copy_companions(const fs::path& from, const fs::path& to, FileSystem& files) {
+    std::optional<ResultsGuard> guard;
+    if (files.exists(from / "results")) guard.emplace(to);
     auto results = ResultIndex::load(to, files);
     bool is_merged = true;
     try {
@@ -28,7 +31,7 @@ void copy_companions(const fs::path& from, const fs::path& to, FileSystem& files
     for (const char* folder : {"results", "thumbnails"}) {
         for (const auto& file : files.list(from / folder)) {
             const bool is_index = folder == std::string_view("results") && file == "index.json";
-            if (!(is_index && is_merged) && file.extension() != ".tmp")
+            if (!(is_index && is_merged) && file.extension() != ".tmp" && file != results_guard_name)
                 copy_atomically(files, from / folder / file, to / folder / file);
         }
     }

@@ -131,6 +131,19 @@ std::string result_key(const Project& project, const Experiment& experiment, con
     return hash_json(picture_inputs(project, experiment, registry));
 }
 
+Json state_inputs(const Project& project, const Experiment& experiment, const Registry& registry) {
+    auto inputs = picture_inputs(project, experiment, registry);
+    inputs.erase("frames");
+    if (const auto* method = registry.find(experiment.method))
+        for (const auto& parameter : method->parameters)
+            if (parameter.accumulates) inputs["values"].erase(parameter.key);
+    return inputs;
+}
+
+std::string state_key(const Project& project, const Experiment& experiment, const Registry& registry) {
+    return hash_json(state_inputs(project, experiment, registry));
+}
+
 ResultState result_state(const Project& project, const Experiment& experiment, const Registry& registry) {
     if (experiment.last_kept_key.empty()) return ResultState::none;
     return experiment.last_kept_key == result_key(project, experiment, registry) ? ResultState::current

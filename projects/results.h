@@ -21,7 +21,7 @@ std::string result_key(const Project& project, const Experiment& experiment, con
 
 /// What a stored state (graph::History) depends on: picture_inputs without `frames` and without the values of
 /// parameters that accumulate. Experiments with equal state keys are one picture at several numbers of
-/// samples.
+/// samples (samples.h).
 Json state_inputs(const Project& project, const Experiment& experiment, const Registry& registry);
 std::string state_key(const Project& project, const Experiment& experiment, const Registry& registry);
 
@@ -47,7 +47,7 @@ struct Provenance {
 };
 
 struct ResultFile {
-    std::string role;          ///< "main", "statistics" or an output's key
+    std::string role;          ///< "main", "statistics", "state" or an output's key
     std::string path;          ///< relative to results/, '/' as separator
     std::string content_hash;  ///< hash_file
     Json extra = Json::object();
@@ -56,8 +56,9 @@ struct ResultFile {
 
 struct KeptResult {
     std::string key;
-    std::string experiment;  ///< id at the time
-    std::string state_key;   ///< of its file with role "state"; empty: it has none
+    std::string experiment;     ///< id at the time
+    std::string state_key;      ///< state_key() at the time; empty: its method does not accumulate
+    std::uint64_t samples = 0;  ///< in its picture (samples.h); may be more than `key` asks for; 0: unknown
     std::vector<ResultFile> files;
     Provenance provenance;
     Json inputs = Json::object();  ///< picture_inputs at the time: says later what changed
@@ -75,6 +76,10 @@ class ResultIndex {
 
     const std::vector<KeptResult>& entries() const { return entries_; }
     const KeptResult* find(const std::string& key) const;
+    /// Of the results with this state key the one with the most samples; null where there is none.
+    const KeptResult* find_most_samples(const std::string& state_key) const;
+    /// The same among those that have a file with role "state", to be continued.
+    const KeptResult* find_state(const std::string& state_key) const;
     void put(KeptResult result);  ///< replaces an entry with the same key
     bool erase(const std::string& key);
 
@@ -84,6 +89,12 @@ class ResultIndex {
     std::vector<KeptResult> entries_;
     Json extra_ = Json::object();
 };
+
+/// Of a result by its role; null where it has none.
+const ResultFile* file_of(const KeptResult& result, const std::string& role);
+inline constexpr const char* main_role = "main";
+inline constexpr const char* statistics_role = "statistics";
+inline constexpr const char* state_role = "state";
 
 /// Folder for the files of a result, relative to results/: made of the key.
 std::string result_folder(const std::string& key);

@@ -1,0 +1,69 @@
+#include "projects/keep.h"
+
+#include <algorithm>
+
+#include "projects/store.h"
+#include "renderers/core/error.h"
+
+namespace ir::projects {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::set<std::string> files_of(const ResultIndex& index) {
+    std::set<std::string> paths;
+    for (const auto& entry : index.entries())
+        for (const auto& file : entry.files)
+            paths.insert(fs::path(file.path).lexically_normal().generic_string());
+    return paths;
+}
+
+/// Takes from older results what the new one has more of.
+void supersede(ResultIndex& index, const KeptResult& result, const std::set<std::string>& in_use) {
+    if (result.state_key.empty()) return;
+    const bool has_state = file_of(result, state_role) != nullptr;
+    for (auto entry : std::vector<KeptResult>(index.entries())) {
+        const bool is_older =
+            entry.key != result.key && entry.state_key == result.state_key && entry.samples < result.samples;
+        if (!is_older) continue;
+        if (in_use.count(entry.key) == 0) {
+            index.erase(entry.key);
+        } else if (has_state) {
+            std::erase_if(entry.files, [](const ResultFile& file) { return file.role == state_role; });
+            index.put(std::move(entry));
+        }
+    }
+}
+
+void collect_keys(const Project& project, std::set<std::string>& keys) {
+    for (const auto& experiment : project.experiments)
+        if (!experiment.last_kept_key.empty()) keys.insert(experiment.last_kept_key);
+}
+
+}  // namespace
+
+std::set<std::string> keys_in_use(const Project& project, const fs::path& project_folder, FileSystem& files) {
+    std::set<std::string> keys;
+    collect_keys(project, keys);
+    if (!files.exists(project_folder / project_file_name)) return keys;
+    try {
+        collect_keys(load_project(project_folder, Registry({}), files).project, keys);
+    } catch (const InputError&) {
+        // Damaged: it names nothing that could be told.
+    }
+    return keys;
+}
+
+void keep(const fs::path& project_folder, KeptResult result, const std::set<std::string>& in_use,
+          const ResultsGuard&, FileSystem& files) {
+    auto index = ResultIndex::load(project_folder, files);
+    const auto before = files_of(index);
+    supersede(index, result, in_use);
+    index.put(std::move(result));
+    index.save(project_folder, files);
+    const auto after = files_of(index);
+    for (const auto& path : before)
+        if (after.count(path) == 0) files.remove(project_folder / "results" / path);
+}
+
+}  // namespace ir::projects
