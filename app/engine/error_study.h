@@ -39,6 +39,8 @@ struct StudyCallbacks {
     const CancelToken* cancel = nullptr;
     ProgressCallback progress;
     std::function<void(const ErrorPoint&)> point;  ///< as soon as it is there; fronts are not marked yet
+    int repeats = 1;                               ///< runs of which the median time counts
+    std::uint64_t memory_budget = 0;               ///< bytes of one execution; 0 = none
 };
 
 /// Renders reference and experiments and measures all metrics that apply. A reference that is kept with

@@ -7,6 +7,7 @@
 #include "app/engine/error_study.h"
 #include "projects/document.h"
 #include "projects/json.h"
+#include "projects/scene_files.h"
 
 namespace ir::engine {
 
@@ -34,7 +35,9 @@ void keep_study(const projects::Project& project, const projects::ErrorPlot& plo
 /// Nothing where none is kept. Throws InputError with one line for a damaged file.
 std::optional<KeptStudy> load_study(const std::filesystem::path& folder, const std::string& plot);
 
-/// Whether the plot would be another one now.
-bool is_stale(const KeptStudy& kept, const projects::Project& project, const projects::ErrorPlot& plot);
+/// Whether the plot would be another one now. With `contents` (OpenProject::contents()) a file that changed
+/// on disk counts. Reads no file.
+bool is_stale(const KeptStudy& kept, const projects::Project& project, const projects::ErrorPlot& plot,
+              const projects::ContentHashes& contents = {});
 
 }  // namespace ir::engine

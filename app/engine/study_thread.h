@@ -30,7 +30,8 @@ class StudyThread {
   public:
     /// All are called on the study's thread, with the request's tag and serial; a window posts them to its
     /// own. Each request ends with exactly one of on_finished and on_failure, unless a newer one of its tag
-    /// replaced it or its tag was released: then nothing more is told of it.
+    /// replaced it or its tag was released: then nothing more is told of it, but for a call that is under
+    /// way.
     struct Callbacks {
         std::function<void(std::string tag, std::uint64_t serial, ErrorPoint)> on_point;
         std::function<void(std::string tag, std::uint64_t serial, std::string what, double fraction)>

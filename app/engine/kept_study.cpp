@@ -1,0 +1,84 @@
+#include "app/engine/kept_study.h"
+
+#include "app/engine/version.h"
+#include "projects/file_system.h"
+#include "projects/hash.h"
+#include "projects/object_reader.h"
+#include "projects/plots.h"
+#include "projects/results.h"
+#include "projects/text.h"
+
+namespace ir::engine {
+namespace {
+
+using projects::Json;
+
+constexpr int study_schema = 1;
+constexpr std::size_t most_bytes = 16u << 20;
+
+Json inputs_of(const projects::Project& project, const std::string& id) {
+    if (const auto* image = find_item(project.images, id))
+        return Json::object(
+            {{"image", image->content_hash.empty() ? "source " + image->source : image->content_hash}});
+    const auto* experiment = find_item(project.experiments, id);
+    return experiment ? projects::picture_inputs(project, *experiment, registry()) : Json("missing " + id);
+}
+
+}  // namespace
+
+Json study_inputs(const projects::Project& project, const projects::ErrorPlot& plot) {
+    Json inputs = Json::object({{"over", plot.over}, {"values", plot.values}});
+    inputs["reference"] = inputs_of(project, plot.reference);
+    inputs["experiments"] = Json::object();
+    for (const auto& id : plot.experiments) inputs["experiments"][id] = inputs_of(project, id);
+    return inputs;
+}
+
+std::string study_key(const projects::Project& project, const projects::ErrorPlot& plot) {
+    return projects::hash_json(study_inputs(project, plot));
+}
+
+std::filesystem::path study_file(const std::filesystem::path& folder, const std::string& plot) {
+    return folder / "results" / projects::study_path(plot);
+}
+
+void keep_study(const projects::Project& project, const projects::ErrorPlot& plot,
+                const std::filesystem::path& folder, const ErrorStudy& study) {
+    // The pictures were those of the files as they are, whatever the document recorded.
+    const auto now = projects::with_contents(project, projects::read_contents(project, folder));
+    Json json{{"schema", study_schema},
+              {"key", study_key(now, plot)},
+              {"build", version()},
+              {"date", projects::utc_now()},
+              {"inputs", study_inputs(now, plot)}};
+    json["study"] = projects::parse_json(study_json(study), plot.id);
+    const auto file = study_file(folder, plot.id);
+    auto& files = projects::real_file_system();
+    files.create_directories(file.parent_path());
+    projects::write_atomically(files, file, projects::pretty_json(json));
+}
+
+std::optional<KeptStudy> load_study(const std::filesystem::path& folder, const std::string& plot) {
+    const auto file = study_file(folder, plot);
+    auto& files = projects::real_file_system();
+    if (!files.exists(file)) return {};
+    const Json json = projects::parse_json(files.read(file, most_bytes), file.string());
+    projects::ObjectReader reader(json, file.string(), "");
+    KeptStudy kept;
+    reader.integer("schema", study_schema, 1, study_schema);
+    kept.key = reader.text("key");
+    kept.build = reader.text("build");
+    kept.date = reader.text("date");
+    if (const auto* inputs = reader.take("inputs")) kept.inputs = *inputs;
+    const auto* study = reader.take("study");
+    if (!study) reader.fail("study", "is missing; run the plot again");
+    kept.study = study_from_json(projects::pretty_json(*study), file.string());
+    return kept;
+}
+
+bool is_stale(const KeptStudy& kept, const projects::Project& project, const projects::ErrorPlot& plot,
+              const projects::ContentHashes& contents) {
+    return kept.key != study_key(projects::with_contents(project, contents), plot);
+}
+
+}  // namespace ir::engine

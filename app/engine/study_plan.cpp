@@ -1,0 +1,192 @@
+#include "app/engine/study_plan.h"
+
+#include <algorithm>
+#include <set>
+
+#include "app/engine/execution.h"
+#include "projects/coordinate.h"
+#include "projects/results.h"
+#include "projects/settings.h"
+#include "projects/text.h"
+#include "renderers/core/error.h"
+#include "renderers/core/transport.h"
+#include "renderers/image/metrics.h"
+
+namespace ir::engine {
+namespace {
+
+using projects::ErrorPlot;
+using projects::Json;
+using projects::Project;
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+std::string shown(const Json& json) {
+    return projects::printable(json.is_string() ? json.get<std::string>() : projects::canonical_json(json),
+                               60);
+}
+
+[[noreturn]] void refuse(const ErrorPlot& plot, const std::string& problem) {
+    throw UsageError("plot '" + plot.id + "': " + problem);
+}
+
+void check_plot(const Project& project, const ErrorPlot& plot) {
+    if (plot.experiments.empty()) refuse(plot, "has no experiments; add one");
+    if (plot.reference.empty()) refuse(plot, "has no reference; choose one");
+    if (!find_item(project.experiments, plot.reference) && !find_item(project.images, plot.reference))
+        refuse(plot, "there is no experiment or image '" + projects::printable(plot.reference, 60) +
+                         "' to be its reference; choose another");
+    const auto& metrics = metric_names();
+    if (std::find(metrics.begin(), metrics.end(), plot.metric) == metrics.end())
+        refuse(plot,
+               "unknown metric '" + projects::printable(plot.metric, 60) + "'; known are " + joined(metrics));
+    const auto keys = plot_keys(project, plot);
+    if (std::find(keys.begin(), keys.end(), plot.over) == keys.end())
+        refuse(plot,
+               "cannot run over '" + projects::printable(plot.over, 60) + "'; give one of " + joined(keys));
+    if (plot.over != "frames" && plot.values.empty())
+        refuse(plot, "has no values; give some of " + plot.over);
+}
+
+/// After which frames an experiment is measured; values that are no number of frames have a problem.
+std::vector<PlannedPoint> frame_points(const ErrorPlot& plot, const projects::Experiment& experiment) {
+    std::vector<PlannedPoint> points;
+    const auto run = projects::effective(experiment);
+    if (plot.values.empty())
+        for (const int frames : doubling_frames(run.frames)) points.push_back({frames, run, frames});
+    for (const auto& value : plot.values) {
+        PlannedPoint point{value, run, 0};
+        constexpr int most = 1'000'000;
+        if (value.is_number_integer() && value >= 1 && value <= most)
+            point.frames = value;
+        else
+            point.problem = "'" + shown(value) + "' is no number of frames; give an integer from 1 to " +
+                            std::to_string(most);
+        points.push_back(std::move(point));
+    }
+    // The execution goes on to the last of them.
+    int last = 1;
+    for (const auto& point : points) last = std::max(last, point.frames);
+    for (auto& point : points) point.run.frames = last;
+    return points;
+}
+
+PlannedPoint value_point(const Project& project, const ErrorPlot& plot,
+                         const projects::Experiment& experiment, const Json& value) {
+    PlannedPoint point{value, projects::effective(experiment), 1};
+    point.frames = point.run.frames;
+    try {
+        point.run = projects::with_coordinate(project, experiment, plot.over, value, registry());
+    } catch (const UsageError& error) {
+        point.problem = error.what();
+    }
+    return point;
+}
+
+std::vector<PlannedRun> runs_of(const Project& project, const ErrorPlot& plot, const std::string& id) {
+    const auto* experiment = find_item(project.experiments, id);
+    if (!experiment)
+        return {{id, {{nullptr, {}, 1, "there is no experiment '" + projects::printable(id, 60) + "'"}}}};
+    if (plot.over == "frames") return {{id, frame_points(plot, *experiment)}};
+    std::vector<PlannedRun> runs;
+    for (const auto& value : plot.values)
+        runs.push_back({id, {value_point(project, plot, *experiment, value)}});
+    return runs;
+}
+
+/// Whether the point would be the very picture that it is judged by.
+bool is_reference_itself(const Project& project, const PlannedPoint& point,
+                         const projects::Experiment& reference) {
+    auto run = point.run;
+    run.frames = point.frames;
+    return projects::result_key(project, run, registry()) ==
+           projects::result_key(project, reference, registry());
+}
+
+void judge(const Project& project, PlannedPoint& point, const projects::Experiment& reference) {
+    if (!point.problem.empty()) return;
+    if (!registry().find(point.run.method))
+        point.problem = "method '" + projects::printable(point.run.method, 60) + "' is unknown to this build";
+    else if (is_reference_itself(project, point, reference))
+        point.problem = "is the reference itself";
+    else
+        point.problem = why_not_judged_by(project, point.run, reference);
+}
+
+/// Transport values that both methods have and that mean something under the reference's.
+std::string transport_difference(const projects::Experiment& experiment,
+                                 const projects::Experiment& reference) {
+    const auto& own = registry().at(experiment.method);
+    const auto& truth = registry().at(reference.method);
+    const auto values = projects::runnable_settings(experiment, own);
+    const auto truths = projects::runnable_settings(reference, truth);
+    for (const auto& parameter : truth.parameters) {
+        const auto& key = parameter.key;
+        if (!is_transport_key(key) || !find(own.parameters, key)) continue;
+        if (!is_active(parameter, truths) && !is_active(*find(own.parameters, key), values)) continue;
+        if (values.at(key) != truths.at(key))
+            return "its " + key + " is " + to_string(values.at(key)) + ", the reference's " +
+                   to_string(truths.at(key));
+    }
+    return "";
+}
+
+}  // namespace
+
+std::vector<std::string> plot_keys(const Project& project, const ErrorPlot& plot) {
+    std::vector<std::string> keys{"frames", "seed"};
+    for (const auto& id : plot.experiments) {
+        const auto* experiment = find_item(project.experiments, id);
+        const auto* method = experiment ? registry().find(experiment->method) : nullptr;
+        if (!method) continue;
+        for (const auto& parameter : method->parameters)
+            if (std::find(keys.begin(), keys.end(), parameter.key) == keys.end())
+                keys.push_back(parameter.key);
+    }
+    return keys;
+}
+
+std::vector<int> doubling_frames(int frames) {
+    std::vector<int> result;
+    for (long long n = 1; n < frames; n *= 2) result.push_back(static_cast<int>(n));
+    result.push_back(frames);
+    return result;
+}
+
+std::string why_not_judged_by(const Project& project, const projects::Experiment& experiment,
+                              const projects::Experiment& reference) {
+    const auto own = projects::picture_inputs(project, experiment, registry());
+    const auto truth = projects::picture_inputs(project, reference, registry());
+    for (const char* key : {"scene", "camera", "lights", "environment", "size", "time"})
+        if (own.at(key) != truth.at(key)) {
+            const bool is_short = !own.at(key).is_structured() && !truth.at(key).is_structured();
+            const std::string what = std::string("its ") + key;
+            if (is_short || std::string(key) == "size")
+                return what + " is " + shown(own.at(key)) + ", the reference's " + shown(truth.at(key));
+            return what + (std::string(key) == "lights" ? " are not" : " is not") + " the reference's";
+        }
+    if (!registry().find(experiment.method) || !registry().find(reference.method)) return "";
+    return transport_difference(experiment, reference);
+}
+
+std::vector<PlannedRun> plan_study(const Project& project, const ErrorPlot& plot) {
+    check_plot(project, plot);
+    const auto* reference = find_item(project.experiments, plot.reference);
+    std::vector<PlannedRun> runs;
+    std::set<std::string> seen;
+    for (const auto& id : plot.experiments) {
+        if (!seen.insert(id).second) continue;
+        for (auto& run : runs_of(project, plot, id)) {
+            for (auto& point : run.points)
+                if (reference && point.problem.empty()) judge(project, point, *reference);
+            runs.push_back(std::move(run));
+        }
+    }
+    return runs;
+}
+
+}  // namespace ir::engine

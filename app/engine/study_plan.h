@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "projects/document.h"
+
+namespace ir::engine {
+
+/// One point of a study before it is rendered.
+struct PlannedPoint {
+    projects::Json value;      ///< of what the plot runs over
+    projects::Experiment run;  ///< as it is to run
+    int frames = 1;            ///< measured after so many
+    std::string problem = {};  ///< not empty: it cannot be rendered, in one line
+};
+
+/// Points that one execution gives, one after the other: all frames of an experiment, or one value.
+struct PlannedRun {
+    std::string experiment;  ///< id
+    std::vector<PlannedPoint> points;
+};
+
+/// What the keys of a plot may be: "frames", "seed", and the parameters of the experiments' methods.
+std::vector<std::string> plot_keys(const projects::Project& project, const projects::ErrorPlot& plot);
+
+/// The values that are measured after: 1, 2, 4, … and `frames` itself.
+std::vector<int> doubling_frames(int frames);
+
+/// What a plot asks for, in the order of experiments, then values. `project` has the content of the files as
+/// they are (projects::with_contents). Points that cannot be had, by themselves or because the reference is
+/// the truth of another transport, scene, camera, lighting, size or time, say why. Throws UsageError (one
+/// line) where nothing can be measured at all: no experiments, unknown reference, key or metric, no values.
+std::vector<PlannedRun> plan_study(const projects::Project& project, const projects::ErrorPlot& plot);
+
+/// Why a picture of `experiment` cannot be judged by one of `reference`: "its max_distance is 1, the
+/// reference's 2". Empty: it can.
+std::string why_not_judged_by(const projects::Project& project, const projects::Experiment& experiment,
+                              const projects::Experiment& reference);
+
+}  // namespace ir::engine

@@ -1,0 +1,113 @@
+#include "app/engine/study_reference.h"
+
+#include <cmath>
+#include <optional>
+
+#include "app/engine/from_project.h"
+#include "projects/results.h"
+#include "projects/scene_files.h"
+#include "renderers/core/error.h"
+#include "renderers/image/exr.h"
+
+namespace ir::engine {
+namespace {
+
+/// Key of the output that holds the variance; empty where the method has none.
+std::string variance_key(const projects::Experiment& experiment) {
+    const auto* method = registry().find(experiment.method);
+    return method ? method->variance : std::string();
+}
+
+StudyReference from_image(const projects::ForeignImage& image, const std::filesystem::path& folder) {
+    StudyReference result;
+    result.image = read_image(projects::resolve(image.source, folder));
+    result.notes.push_back("the reference is a foreign image: nothing says what light transport it shows");
+    return result;
+}
+
+/// The picture that a project keeps of the experiment as it is now.
+std::optional<StudyReference> from_kept(const projects::Project& project,
+                                        const projects::Experiment& experiment,
+                                        const std::filesystem::path& folder) {
+    const auto now = projects::with_contents(project, projects::read_contents(project, folder));
+    const auto index = projects::ResultIndex::load(folder);
+    const auto* kept = index.find(projects::result_key(now, experiment, registry()));
+    if (!kept) return {};
+    StudyReference result;
+    Image variance;
+    for (const auto& file : kept->files) {
+        if (file.role != "main") continue;
+        for (auto& layer : read_exr(folder / "results" / file.path)) {
+            if (layer.name.empty()) result.image = std::move(layer.image);
+            if (layer.name == "valid") result.valid = std::move(layer.image);
+            if (!layer.name.empty() && layer.name == variance_key(experiment))
+                variance = std::move(layer.image);
+        }
+    }
+    if (result.image.empty()) return {};
+    result.notes.push_back("the reference is its kept result of " + kept->provenance.date);
+    if (!variance.empty()) result.noise = noise_of(variance, result.valid);
+    return result;
+}
+
+StudyReference rendered(Machine& machine, const projects::Project& project,
+                        const projects::Experiment& experiment, const std::filesystem::path& folder,
+                        graph::FrameOptions options) {
+    const auto key = variance_key(experiment);
+    if (!key.empty()) options.wanted.push_back(key);
+    Execution execution(machine, from_project(project, experiment, folder));
+    const int frames = execution.experiment().frames;
+    const auto progress = options.progress;
+    while (execution.committed_frames() < frames) {
+        if (progress)
+            options.progress = [&, done = execution.committed_frames()](const std::string& what,
+                                                                        double part) {
+                progress("Reference: " + what, (done + part) / frames);
+            };
+        execution.run_frame(options);
+    }
+    StudyReference result;
+    result.image = execution.main_result();
+    result.valid = execution.graph().read_image("valid").value_or(Image());
+    const auto variance = key.empty() ? std::nullopt : execution.graph().read_image(key);
+    if (variance) result.noise = noise_of(*variance, result.valid);
+    return result;
+}
+
+}  // namespace
+
+double noise_of(const Image& variance, const Image& valid) {
+    const int channels = variance.channels == 4 ? 3 : variance.channels;
+    double sum = 0;
+    std::size_t count = 0;
+    for (int y = 0; y < variance.height; ++y)
+        for (int x = 0; x < variance.width; ++x) {
+            if (!valid.empty() && !(valid.at(x, y) > 0.5f)) continue;
+            for (int c = 0; c < channels; ++c) {
+                const double value = variance.at(x, y, c);
+                if (!std::isfinite(value)) continue;
+                sum += value;
+                ++count;
+            }
+        }
+    return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));
+}
+
+StudyReference study_reference(Machine& machine, const projects::Project& project, const std::string& id,
+                               const std::filesystem::path& folder, const graph::FrameOptions& options) {
+    if (const auto* image = find_item(project.images, id)) return from_image(*image, folder);
+    const auto* experiment = find_item(project.experiments, id);
+    if (!experiment) throw UsageError("there is no experiment or image '" + id + "' to be the reference");
+    std::string why_not_kept;
+    try {
+        if (auto kept = from_kept(project, *experiment, folder)) return std::move(*kept);
+    } catch (const InputError& error) {
+        why_not_kept = std::string("the reference was rendered, because its kept result cannot be read: ") +
+                       error.what();
+    }
+    auto result = rendered(machine, project, *experiment, folder, options);
+    if (!why_not_kept.empty()) result.notes.push_back(why_not_kept);
+    return result;
+}
+
+}  // namespace ir::engine

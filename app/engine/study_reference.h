@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/engine/execution.h"
+#include "projects/document.h"
+#include "renderers/image/image.h"
+
+namespace ir::engine {
+
+/// What the pictures of a study are judged by.
+struct StudyReference {
+    Image image, valid;              ///< valid: empty where nothing marks pixels
+    double noise = 0;                ///< RMSE that it has left itself; 0: unknown
+    std::vector<std::string> notes;  ///< where it comes from, what is not known of it
+};
+
+/// Square root of the mean variance over valid pixels and colour channels: the RMSE against the truth that is
+/// expected of a picture with this variance per pixel. `valid` may be empty.
+double noise_of(const Image& variance, const Image& valid);
+
+/// The foreign image, the kept result where that is current, or else the picture rendered now. `id` names an
+/// experiment or an image of the project. Throws Cancelled, Error, InputError, UsageError with one line.
+StudyReference study_reference(Machine& machine, const projects::Project& project, const std::string& id,
+                               const std::filesystem::path& folder, const graph::FrameOptions& options);
+
+}  // namespace ir::engine
