@@ -5,6 +5,7 @@
 
 #include "app/engine/execution.h"
 #include "projects/coordinate.h"
+#include "projects/plots.h"
 #include "projects/results.h"
 #include "projects/settings.h"
 #include "projects/text.h"
@@ -44,7 +45,7 @@ void check_plot(const Project& project, const ErrorPlot& plot) {
     if (std::find(metrics.begin(), metrics.end(), plot.metric) == metrics.end())
         refuse(plot,
                "unknown metric '" + projects::printable(plot.metric, 60) + "'; known are " + joined(metrics));
-    const auto keys = plot_keys(project, plot);
+    const auto keys = projects::plot_keys(project, plot, registry());
     if (std::find(keys.begin(), keys.end(), plot.over) == keys.end())
         refuse(plot,
                "cannot run over '" + projects::printable(plot.over, 60) + "'; give one of " + joined(keys));
@@ -57,7 +58,8 @@ std::vector<PlannedPoint> frame_points(const ErrorPlot& plot, const projects::Ex
     std::vector<PlannedPoint> points;
     const auto run = projects::effective(experiment);
     if (plot.values.empty())
-        for (const int frames : doubling_frames(run.frames)) points.push_back({frames, run, frames});
+        for (const int frames : projects::doubling_frames(run.frames))
+            points.push_back({frames, run, frames});
     for (const auto& value : plot.values) {
         PlannedPoint point{value, run, 0};
         constexpr int most = 1'000'000;
@@ -136,26 +138,6 @@ std::string transport_difference(const projects::Experiment& experiment,
 }
 
 }  // namespace
-
-std::vector<std::string> plot_keys(const Project& project, const ErrorPlot& plot) {
-    std::vector<std::string> keys{"frames", "seed"};
-    for (const auto& id : plot.experiments) {
-        const auto* experiment = find_item(project.experiments, id);
-        const auto* method = experiment ? registry().find(experiment->method) : nullptr;
-        if (!method) continue;
-        for (const auto& parameter : method->parameters)
-            if (std::find(keys.begin(), keys.end(), parameter.key) == keys.end())
-                keys.push_back(parameter.key);
-    }
-    return keys;
-}
-
-std::vector<int> doubling_frames(int frames) {
-    std::vector<int> result;
-    for (long long n = 1; n < frames; n *= 2) result.push_back(static_cast<int>(n));
-    result.push_back(frames);
-    return result;
-}
 
 std::string why_not_judged_by(const Project& project, const projects::Experiment& experiment,
                               const projects::Experiment& reference) {

@@ -22,12 +22,6 @@ struct PlannedRun {
     std::vector<PlannedPoint> points;
 };
 
-/// What the keys of a plot may be: "frames", "seed", and the parameters of the experiments' methods.
-std::vector<std::string> plot_keys(const projects::Project& project, const projects::ErrorPlot& plot);
-
-/// The values that are measured after: 1, 2, 4, … and `frames` itself.
-std::vector<int> doubling_frames(int frames);
-
 /// What a plot asks for, in the order of experiments, then values. `project` has the content of the files as
 /// they are (projects::with_contents). Points that cannot be had, by themselves or because the reference is
 /// the truth of another transport, scene, camera, lighting, size or time, say why. Throws UsageError (one

@@ -11,6 +11,7 @@
 #include "widgets/document/light_set_editor.h"
 #include "widgets/document/motion_editor.h"
 #include "widgets/document/plain_editors.h"
+#include "widgets/document/plot_editor.h"
 #include "widgets/document/scene_editor.h"
 #include "widgets/document/sweep_editor.h"
 
@@ -46,6 +47,8 @@ bool is_there(const projects::Project& project, const ItemRef& item) {
             return find_item(project.images, id);
         case ItemKind::sweep:
             return find_item(project.sweeps, id);
+        case ItemKind::plot:
+            return find_item(project.plots, id);
         default:
             return false;
     }
@@ -87,6 +90,7 @@ ItemEditor::ItemEditor(QWidget* parent)
     add_form({ItemKind::comparison}, comparison_);
     add_form({ItemKind::image}, new ImageEditor);
     add_form({ItemKind::sweep}, new SweepEditor);
+    add_form({ItemKind::plot}, new PlotEditor);
     show_again();
 }
 

@@ -74,6 +74,8 @@ EditPtr for_type(ItemKind kind, Work work) {
             return work.template operator()<projects::ForeignImage>();
         case ItemKind::sweep:
             return work.template operator()<projects::Sweep>();
+        case ItemKind::plot:
+            return work.template operator()<projects::ErrorPlot>();
         default:
             throw UsageError("select an item of the project first");
     }

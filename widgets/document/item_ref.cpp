@@ -25,6 +25,7 @@ constexpr std::array words{
     Word{ItemKind::comparison, "comparison", QT_TRANSLATE_NOOP("Items", "comparison")},
     Word{ItemKind::image, "image", QT_TRANSLATE_NOOP("Items", "foreign image")},
     Word{ItemKind::sweep, "sweep", QT_TRANSLATE_NOOP("Items", "sweep")},
+    Word{ItemKind::plot, "plot", QT_TRANSLATE_NOOP("Items", "plot")},
 };
 
 const Word* word_of(ItemKind kind) {

@@ -18,7 +18,8 @@ enum class ItemKind {
     experiment,
     comparison,
     image,
-    sweep
+    sweep,
+    plot
 };
 
 /// One item of the project: by id, parts and single lights by their owner's id and their place in it.

@@ -167,6 +167,22 @@ EditMaker add_sweep(const std::string& experiment) {
     };
 }
 
+EditMaker add_plot(const std::string& experiment) {
+    return [=](const Project& project) {
+        const auto& list = project.experiments;
+        const auto fits = [&](const projects::Experiment& each) {
+            return experiment.empty() ? !each.reference.empty() : each.id == experiment;
+        };
+        auto found = std::find_if(list.begin(), list.end(), fits);
+        if (found == list.end()) found = list.begin();
+        if (found == list.end()) throw UsageError("a plot needs an experiment; add one first");
+        projects::ErrorPlot plot;
+        plot.experiments = {found->id};
+        plot.reference = found->reference;
+        return added(project, plot, "", "Plot");
+    };
+}
+
 EditMaker add_image(const std::string& name, const std::string& source) {
     return [=](const Project& project) {
         projects::ForeignImage image;

@@ -27,6 +27,8 @@ EditMaker add_comparison(const std::string& a = {}, const std::string& b = {});
 EditMaker add_motion(const std::string& camera = {});
 /// Of the experiment, or of the first; no axes yet.
 EditMaker add_sweep(const std::string& experiment = {});
+/// Of the experiment, or of the first that has a reference, against its reference; over frames.
+EditMaker add_plot(const std::string& experiment = {});
 EditMaker add_image(const std::string& name, const std::string& source);
 EditMaker set_image_source(const std::string& image, const std::string& source);
 

@@ -204,6 +204,20 @@ void add_sweeps(Node& root, const Project& project) {
     }
 }
 
+void add_plots(Node& root, const Project& project) {
+    Node& group = add_group(root, ItemKind::plot, tr("Plots"), project.plots.size(),
+                            tr("No plots of the error yet. Add one with Ins."));
+    for (const auto& plot : project.plots) {
+        const QString against =
+            plot.reference.empty() ? tr("no reference") : picture_name(project, plot.reference);
+        add_child(group, made(ItemKind::plot, q(plot.id), q(plot.name),
+                              tr("%1 · %2 · %3").arg(q(plot.metric), q(plot.over), against), "plot",
+                              tr("Error of %1 against %2")
+                                  .arg(counted(plot.experiments.size(), "1 experiment", "%1 experiments"),
+                                       against)));
+    }
+}
+
 }  // namespace
 
 QString source_name(const std::string& source) {
@@ -258,6 +272,7 @@ std::unique_ptr<Node> project_nodes(const Project& project, const Registry& regi
     add_motions(*root, project);
     add_images(*root, project);
     add_sweeps(*root, project);
+    add_plots(*root, project);
     return root;
 }
 

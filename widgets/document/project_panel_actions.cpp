@@ -152,6 +152,8 @@ void ProjectPanel::fill_add_menu() {
           [=, this] { edit(makers::add_motion(chosen(ItemKind::camera)), true); });
     entry(ItemKind::sweep, tr("Sweep"), "sweep",
           [=, this] { edit(makers::add_sweep(chosen(ItemKind::experiment)), true); });
+    entry(ItemKind::plot, tr("Plot of the error"), "plot",
+          [=, this] { edit(makers::add_plot(chosen(ItemKind::experiment)), true); });
     if (owner.kind == ItemKind::scene)
         entry(ItemKind::part, tr("File to this scene …"), "part", ask(ItemKind::part, owner));
     if (owner.kind != ItemKind::light_set) return;

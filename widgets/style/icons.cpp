@@ -22,6 +22,10 @@ constexpr Drawing drawings[] = {
     {"undo", "<path d='M5.5 2.5L2 6l3.5 3.5 M2 6h7.5a4 4 0 0 1 0 8H6'/>"},
     {"redo", "<path d='M10.5 2.5L14 6l-3.5 3.5 M14 6H6.5a4 4 0 0 0 0 8H10'/>"},
     {"inspect", "<path d='M8 1.5v4 M8 10.5v4 M1.5 8h4 M10.5 8h4'/><circle cx='8' cy='8' r='.8'/>"},
+    {"rectangle",
+     "<path d='M3 4.5h10v8H3z' stroke-dasharray='2.2 1.6'/><path d='M2 3.5h2v2H2z M12 3.5h2v2h-2z M2 "
+     "11.5h2v2H2z M12 "
+     "11.5h2v2h-2z' fill='#808080'/>"},
     {"orbit",
      "<circle cx='8' cy='8' r='2'/><path d='M1.5 8c0-2 2.9-3.6 6.5-3.6S14.5 6 14.5 8 11.6 11.6 8 11.6 M8 "
      "11.6l2-2 M8 11.6l2 2'/>"},
@@ -58,6 +62,9 @@ constexpr Drawing drawings[] = {
     {"comparison", "<path d='M2 3h12v10H2z M8 1v14'/><path d='M8 3h6v10H8z' fill='#808080' stroke='none'/>"},
     {"image", "<path d='M2 3h12v10H2z M2 11l3.5-4 3 3.5 2-2 3.5 3'/><circle cx='11' cy='6' r='.9'/>"},
     {"sweep", "<path d='M2 2h4.5v4.5H2z M9.5 2H14v4.5H9.5z M2 9.5h4.5V14H2z M9.5 9.5H14V14H9.5z'/>"},
+    {"plot",
+     "<path d='M2 1.5v12.5h12.5'/><path d='M4 4c1.5 5 4 7 9 7.5'/><circle cx='4' cy='4' r='.9'/>"
+     "<circle cx='6.6' cy='8.6' r='.9'/><circle cx='12.5' cy='11.4' r='.9'/>"},
     {"up", "<path d='M8 13V3 M4 7l4-4 4 4'/>"},
     {"down", "<path d='M8 3v10 M4 9l4 4 4-4'/>"},
     {"rename", "<path d='M2 14l.8-3.5L10.5 2.8l2.7 2.7L5.5 13.2z M9 4.3l2.7 2.7'/>"},

@@ -18,7 +18,8 @@ namespace ir::widgets {
 
 /// Two methods, as a build would register them.
 const Registry& sample_registry();
-/// Two scenes, two cameras, two sets of lights, two experiments, a comparison, an image, a motion, a sweep.
+/// Two scenes, two cameras, two sets of lights, two experiments, a comparison, an image, a motion, a sweep,
+/// a plot.
 projects::Project sample_project();
 
 /// Panel and editor on a document with undo, as a window has them.

@@ -40,7 +40,7 @@ TEST(ProjectModel, ListsEveryItemOnce) {
     }
     for (const char* key :
          {"project", "scene:yard", "part:yard:1", "camera:nave", "lights:evening", "light:evening:1",
-          "motion:walk", "experiment:layers", "comparison:both", "image:photo", "sweep:sizes"})
+          "motion:walk", "experiment:layers", "comparison:both", "image:photo", "sweep:sizes", "plot:error"})
         EXPECT_TRUE(keys.contains(key)) << key;
 }
 

@@ -73,7 +73,7 @@ TEST_F(PanelTest, DeleteTakesTheItemAndSelectsItsNeighbour) {
 
 TEST_F(PanelTest, DuplicateSelectsTheCopy) {
     for (const char* item : {"camera:nave", "scene:yard", "lights:evening", "experiment:layers",
-                             "comparison:both", "image:photo", "sweep:sizes", "motion:walk"}) {
+                             "comparison:both", "image:photo", "sweep:sizes", "plot:error", "motion:walk"}) {
         const projects::Project before = project;
         select(item);
         key(Qt::Key_D, Qt::ControlModifier);

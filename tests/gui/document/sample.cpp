@@ -102,6 +102,12 @@ projects::Project sample_project() {
     sweep.experiment = "layers";
     sweep.axes.push_back({"frames", {1, 2, 4}});
     project.sweeps = {sweep};
+    projects::ErrorPlot plot;
+    plot.id = "error";
+    plot.name = "Error of the layers";
+    plot.reference = "paths";
+    plot.experiments = {"layers"};
+    project.plots = {plot};
     return project;
 }
 

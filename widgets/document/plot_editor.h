@@ -1,0 +1,39 @@
+#pragma once
+
+#include "widgets/document/item_form.h"
+
+class QListWidget;
+
+namespace ir::widgets {
+
+class ChoiceField;
+class NotesField;
+
+/// A plot of the error: what is judged by what, over which values, by which metric; says how many points that
+/// makes.
+class PlotEditor : public ItemForm {
+    Q_OBJECT
+  public:
+    explicit PlotEditor(QWidget* parent = nullptr);
+    void show_item(const ShownProject& shown, const ItemRef& item) override;
+
+  private:
+    ChoiceField* choice_row(QGridLayout* grid, const char* name, const QString& label, const QString& tip,
+                            std::string projects::ErrorPlot::*member);
+    void make_experiments(QGridLayout* grid);
+    void make_values(QGridLayout* grid);
+    void show_experiments(const ShownProject& shown);
+    void show_count(const ShownProject& shown);
+    void choose_key(const QString& key);
+
+    TextField *name_, *values_;
+    ChoiceField *reference_, *over_, *metric_, *axis_;
+    QListWidget* experiments_;
+    QLabel* count_;
+    NotesField* notes_;
+    projects::ErrorPlot plot_;
+    projects::Experiment first_;  ///< of the plot's experiments, as it runs
+    bool showing_ = false;
+};
+
+}  // namespace ir::widgets
