@@ -3,6 +3,7 @@
 
 #include "widgets/compare/compare_view.h"
 #include "widgets/compare/difference_worker.h"
+#include "widgets/compare/significance.h"
 #include "widgets/compare/view_link.h"
 
 /// What the panes of a comparison show.
@@ -64,7 +65,37 @@ QString CompareView::refusal() const {
     if (mode_ == Mode::wipe || mode_ == Mode::difference)
         if (const QString missing = missing_picture(); !missing.isEmpty()) return missing;
     if (mode_ == Mode::side_by_side && !is_linked()) return {};
-    return size_refusal();
+    const QString sizes = size_refusal();
+    return sizes.isEmpty() ? noise_refusal() : sizes;
+}
+
+QString CompareView::noise_refusal() const {
+    if (kind_ != DifferenceKind::significant || mode_ != Mode::difference || count() < 2) return {};
+    const Picture &a = *pictures_[0], &b = *pictures_[1];
+    if (a.awaits_variance || b.awaits_variance) return tr("Waiting for the variance …");
+    if (has_variance(a) || has_variance(b)) return {};
+    return tr("Neither A nor B comes with its variance, so noise cannot be told from error. %1")
+        .arg(noise_hint_.isEmpty() ? tr("Compare with a result of a method that estimates it.")
+                                   : noise_hint_);
+}
+
+QString CompareView::difference_text(QPoint pixel) const {
+    const auto shown = difference_picture();
+    if (kind_ != DifferenceKind::significant || !shown || count() < 2) return {};
+    const QString numbers = significance_text(*pictures_[0], *pictures_[1], pixel);
+    if (numbers.isEmpty() || shown->size() != pictures_[0]->size()) return numbers;
+    bool explained = true;
+    for (int c = 0; c < shown->image->channels; ++c)
+        explained &= shown->image->at(pixel.x(), pixel.y(), c) == 0;
+    return numbers + QStringLiteral("   ") + (explained ? tr("within noise") : tr("significant"));
+}
+
+void CompareView::update_regions() {
+    for (auto* view : panes_) {
+        const auto& picture = view->picture();
+        const bool fits = picture && picture->size() == region_size_;
+        view->set_region(fits ? region_ : QRect());
+    }
 }
 
 QString CompareView::pane_label(int picture) const {
@@ -84,6 +115,7 @@ void CompareView::refresh() {
     }
     if (active_pane_ >= int(shown.size())) active_pane_ = 0;
     place();
+    update_regions();
     update_legends();
     relink();
 }
@@ -140,6 +172,7 @@ void CompareView::fill_difference(ImageView& pane, int slot) {
     if (difference_display_) {
         display = *difference_display_;
         display.hide_invalid = true;
+        display.grey_zero = result->automatic.grey_zero;
     }
     if (slot == 0) shown_difference_ = display;
     pane.set_display(display);

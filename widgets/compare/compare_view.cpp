@@ -119,6 +119,18 @@ void CompareView::set_pins(std::vector<PinMark> pins) {
     for (auto* view : panes_) view->set_pins(pins_);
 }
 
+void CompareView::set_region(QSize size, const QRect& region) {
+    region_size_ = size;
+    region_ = region;
+    update_regions();
+}
+
+void CompareView::set_noise_hint(const QString& hint) {
+    if (hint == noise_hint_) return;
+    noise_hint_ = hint;
+    if (!noise_refusal().isEmpty()) refresh();
+}
+
 void CompareView::swap() {
     if (count() < 2) return;
     std::swap(pictures_[0], pictures_[1]);
@@ -223,6 +235,10 @@ void CompareView::connect_pane(ImageView* view, int index) {
     connect(view, &ImageView::picked_changed, this, [this](QPoint pixel) {
         picked_ = pixel;
         emit picked_changed(pixel);
+    });
+    connect(view, &ImageView::region_changed, this, [this, view](QRect region) {
+        set_region(view->transform().image_size().toSize(), region);
+        emit region_changed(region_size_, region);
     });
     connect(view, &ImageView::zoom_changed, this, [this, index](double zoom) {
         if (index == active_pane_) emit zoom_changed(zoom);

@@ -46,6 +46,10 @@ class CompareView : public QWidget {
     void set_fly_speed(double metres_per_second);
     void set_picked(QPoint pixel);
     void set_pins(std::vector<PinMark> pins);
+    /// A rectangle of all pictures that have this size; empty: none.
+    void set_region(QSize size, const QRect& region);
+    /// What the refusal of a significance without variances goes on with: which pictures have one.
+    void set_noise_hint(const QString& hint);
 
     Mode mode() const { return mode_; }
     DifferenceKind difference_kind() const { return kind_; }
@@ -62,6 +66,8 @@ class CompareView : public QWidget {
     const Display& difference_display() const;
     /// Why the pictures cannot be compared in this mode; empty: they can.
     QString refusal() const;
+    /// What is said of a pixel of the difference beside its value; empty: nothing.
+    QString difference_text(QPoint pixel) const;
 
     /// The only view of single, wipe, flip and difference; the one of A otherwise.
     ImageView& main_view();
@@ -92,6 +98,8 @@ class CompareView : public QWidget {
     /// Pixel under the cursor and the picture (-1: a difference); (-1, -1) outside.
     void cursor_moved(QPoint pixel, int picture);
     void picked_changed(QPoint pixel);
+    /// Drawn, moved, resized or (empty) cleared by hand, in pictures of that size.
+    void region_changed(QSize size, QRect region);
     void zoom_changed(double zoom);
     void transform_changed(const ir::widgets::ViewTransform& transform);
     /// While linked, the camera of all pictures; else of this one alone.
@@ -144,6 +152,8 @@ class CompareView : public QWidget {
     QString pane_label(int picture) const;
     QString size_refusal() const;
     QString missing_picture() const;
+    QString noise_refusal() const;
+    void update_regions();
     int count() const { return int(pictures_.size()); }
 
     ImageView::Surface surface_;
@@ -165,11 +175,14 @@ class CompareView : public QWidget {
     double fly_speed_ = 1;
     QPoint picked_{-1, -1};
     std::vector<PinMark> pins_;
+    QSize region_size_;
+    QRect region_;
+    QString noise_hint_;
     int active_pane_ = 0, flipped_ = 0, held_ = -1;
 };
 
-/// Signed: a diverging map from -m … m; absolute: 0 … m; relative: 0 … 1, or to m where that is less. m is
-/// the largest magnitude of the finite values.
+/// Signed and significant: a diverging map from -m … m; absolute and squared: 0 … m; relative: 0 … 1, or to m
+/// where that is less; both kinds of ꟻLIP: 0 … 1. m is the largest magnitude of the finite values.
 Display display_for_difference(DifferenceKind kind, const Image& difference);
 
 }  // namespace ir::widgets

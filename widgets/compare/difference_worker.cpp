@@ -5,6 +5,7 @@
 
 #include "renderers/core/error.h"
 #include "widgets/compare/compare_view.h"
+#include "widgets/compare/significance.h"
 
 namespace ir::widgets {
 namespace {
@@ -18,20 +19,54 @@ QString label_of(DifferenceKind kind) {
         case DifferenceKind::relative:
             return QStringLiteral("|%1 − %2| / (|%2| + ") +
                    QString::number(double(relative_difference_floor)) + QLatin1Char(')');
+        case DifferenceKind::squared:
+            return QStringLiteral("(%1 − %2)²");
+        case DifferenceKind::flip:
+            return QStringLiteral("ꟻLIP of %1 against %2");
+        case DifferenceKind::hdr_flip:
+            return QStringLiteral("HDR-ꟻLIP of %1 against %2");
+        case DifferenceKind::significant:
+            return QStringLiteral("%1 − %2 beyond noise");
     }
     return {};
+}
+
+QString unit_of(DifferenceKind kind, const QString& unit) {
+    switch (kind) {
+        case DifferenceKind::signed_:
+        case DifferenceKind::absolute:
+        case DifferenceKind::significant:
+            return unit;
+        case DifferenceKind::squared:
+            return unit.isEmpty() ? QString() : QStringLiteral("(%1)²").arg(unit);
+        case DifferenceKind::relative:
+        case DifferenceKind::flip:
+        case DifferenceKind::hdr_flip:
+            break;
+    }
+    return {};
+}
+
+DifferenceImage computed_difference(const DifferenceRequest& request) {
+    const Picture &a = *request.a, &b = *request.b;
+    if (request.kind != DifferenceKind::significant)
+        return difference(*a.image, *b.image, request.kind, a.valid.get(), b.valid.get());
+    Noise noise;
+    noise.variance_a = has_variance(a) ? a.variance.get() : nullptr;
+    noise.variance_b = has_variance(b) ? b.variance.get() : nullptr;
+    return difference(*a.image, *b.image, request.kind, noise, a.valid.get(), b.valid.get());
 }
 
 std::shared_ptr<const DifferenceResult> compute(const DifferenceRequest& request) {
     auto result = std::make_shared<DifferenceResult>();
     result->request = request;
-    const Picture &a = *request.a, &b = *request.b;
+    const Picture& a = *request.a;
     Picture picture;
     picture.label = label_of(request.kind).arg(request.name_a, request.name_b);
     picture.atlas = a.atlas;
-    if (request.kind != DifferenceKind::relative) picture.unit = a.unit;
+    picture.unit = unit_of(request.kind, a.unit);
     try {
-        auto computed = difference(*a.image, *b.image, request.kind, a.valid.get(), b.valid.get());
+        auto computed = computed_difference(request);
         result->automatic = display_for_difference(request.kind, computed.image);
         picture.image = std::make_shared<const Image>(std::move(computed.image));
         if (!computed.valid.empty()) picture.valid = std::make_shared<const Image>(std::move(computed.valid));
@@ -46,6 +81,9 @@ std::shared_ptr<const DifferenceResult> compute(const DifferenceRequest& request
 
 bool DifferenceRequest::same_as(const DifferenceRequest& other) const {
     if (!a || !b || !other.a || !other.b) return false;
+    if (kind == DifferenceKind::significant &&
+        (a->variance != other.a->variance || b->variance != other.b->variance))
+        return false;
     return a->image == other.a->image && b->image == other.b->image && a->valid == other.a->valid &&
            b->valid == other.b->valid && kind == other.kind;
 }
@@ -123,9 +161,29 @@ Display display_for_difference(DifferenceKind kind, const Image& difference) {
     display.mode = Display::Mode::scalar;
     display.hide_invalid = true;
     display.negative_is_bad = false;
-    display.colour_map = kind == DifferenceKind::signed_ ? "coolwarm" : "magma";
-    display.low = kind == DifferenceKind::signed_ ? -m : 0;
-    display.high = kind == DifferenceKind::relative ? std::min(m, 1.0) : m;
+    display.colour_map = "magma";
+    display.high = m;
+    switch (kind) {
+        case DifferenceKind::significant:
+            display.grey_zero = true;
+            [[fallthrough]];
+        case DifferenceKind::signed_:
+            display.colour_map = "coolwarm";
+            display.low = -m;
+            break;
+        case DifferenceKind::squared:
+            display.colour_map = "viridis";
+            break;
+        case DifferenceKind::relative:
+            display.high = std::min(m, 1.0);
+            break;
+        case DifferenceKind::flip:
+        case DifferenceKind::hdr_flip:
+            display.high = 1;  // errors of different pictures are to look different
+            break;
+        case DifferenceKind::absolute:
+            break;
+    }
     return display;
 }
 

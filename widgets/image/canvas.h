@@ -35,6 +35,8 @@ struct CanvasState {
     bool stale = false;           ///< a newer picture is being rendered
     std::vector<PinMark> pins;    ///< pixels that are kept in sight
     QPoint picked{-1, -1};        ///< marked pixel; negative: none
+    QRect region;                 ///< pixels that are measured; empty: none
+    bool region_edited = false;   ///< with handles and its size
     QPoint cursor_mark{-1, -1};   ///< where the cursor is in a linked view; negative: nowhere
 
     bool has_image() const { return !pictures[0].empty(); }

@@ -38,8 +38,13 @@ struct Display {
     bool zebra = false;
     bool hide_invalid =
         false;  ///< pixels that the picture's mask excludes: a grey chequer instead of colours
+    /// Scalar mode: exactly 0 is grey and no colour of the map, where 0 means that nothing was found.
+    bool grey_zero = false;
     bool operator==(const Display&) const = default;
 };
+
+/// The grey of that.
+inline constexpr std::array<unsigned char, 3> zero_grey{72, 72, 72};
 
 /// What the numbers of an image are like.
 struct Statistics {

@@ -190,6 +190,8 @@ class GlCanvas final : public QOpenGLWidget, public Canvas {
         p.setUniformValue("negative_is_bad", d.negative_is_bad);
         p.setUniformValue("zebra", d.zebra);
         p.setUniformValue("hide_invalid", d.hide_invalid);
+        p.setUniformValue("grey_zero", d.grey_zero);
+        p.setUniformValue("zero_grey", QVector3D(zero_grey[0], zero_grey[1], zero_grey[2]) / 255.0f);
     }
     void draw_picture(QOpenGLExtraFunctions& gl, const PreparedPicture& picture, const QRect& area) {
         if (area.isEmpty()) return;

@@ -65,7 +65,10 @@ void ImageView::update_hint() {
                       ? tr("Orbit: drag to turn  ·  Shift-drag to slide  ·  Ctrl+wheel for distance")
                   : tool_ == Tool::fly
                       ? tr("Fly: drag to look  ·  W A S D to move, Q E down and up  ·  Shift is faster")
+                  : tool_ == Tool::rectangle
+                      ? tr("Rectangle: drag to draw, move or resize  ·  arrows nudge  ·  Esc clears")
                       : QString();
+    state_.region_edited = tool_ == Tool::rectangle;
     repaint_all();
 }
 
@@ -74,6 +77,8 @@ void ImageView::update_cursor_shape() {
         setCursor(Qt::SplitHCursor);
     else if (drag_ == Drag::pan || space_)
         setCursor(drag_ == Drag::pan ? Qt::ClosedHandCursor : Qt::OpenHandCursor);
+    else if (tool_ == Tool::rectangle)
+        setCursor(region_cursor(region_grip_));
     else
         setCursor(tool_ == Tool::inspect ? Qt::CrossCursor : Qt::SizeAllCursor);
 }
@@ -134,7 +139,9 @@ void ImageView::changeEvent(QEvent* event) {
 ImageView::Drag ImageView::drag_for(const QMouseEvent& event) const {
     if (event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && space_)) return Drag::pan;
     if (event.button() == Qt::LeftButton && is_over_divider(event.position())) return Drag::wipe;
-    if (tool_ == Tool::inspect)
+    if (tool_ == Tool::rectangle && event.button() == Qt::LeftButton)
+        return state_.has_image() ? Drag::region : Drag::pan;
+    if (tool_ == Tool::inspect || tool_ == Tool::rectangle)
         return event.button() == Qt::LeftButton    ? Drag::pick
                : event.button() == Qt::RightButton ? Drag::pan
                                                    : Drag::none;
@@ -146,6 +153,7 @@ void ImageView::mousePressEvent(QMouseEvent* event) {
     if (drag_ != Drag::none) return;
     drag_ = drag_for(*event);
     last_position_ = press_position_ = event->position();
+    if (drag_ == Drag::region) start_region(event->position());
     update_cursor_shape();
 }
 
@@ -160,6 +168,8 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
     } else if (drag_ == Drag::pan) {
         state_.transform.pan(device(delta));
         finish_transform();
+    } else if (drag_ == Drag::region) {
+        drag_region(event->position(), event->modifiers());
     } else if (drag_ == Drag::orbit || drag_ == Drag::slide || drag_ == Drag::look) {
         drag_camera(delta);
     }
@@ -168,7 +178,20 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
         over_divider_ = over;
         update_cursor_shape();
     }
+    if (drag_ == Drag::none && tool_ == Tool::rectangle) {
+        region_grip_ = region_grip_at(event->position());
+        update_cursor_shape();
+    }
     emit cursor_moved(pixel_at(event->position()));
+}
+
+bool ImageView::event(QEvent* event) {
+    // Escape clears the rectangle before it is the window's key.
+    if (event->type() == QEvent::ShortcutOverride && takes_region_key(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
 }
 
 bool ImageView::is_over_divider(QPointF logical) const {
@@ -217,7 +240,8 @@ void ImageView::mouseReleaseEvent(QMouseEvent* event) {
 void ImageView::wheelEvent(QWheelEvent* event) {
     const double steps = event->angleDelta().y() / 120.0;
     if (steps == 0) return;
-    if (event->modifiers() & Qt::ControlModifier && tool_ != Tool::inspect) {
+    const bool moves_camera = tool_ == Tool::orbit || tool_ == Tool::fly;
+    if (event->modifiers() & Qt::ControlModifier && moves_camera) {
         move_camera(dollied(pose_, std::pow(1.1, -steps)));
         settle_timer_.start();
     } else {
@@ -242,6 +266,7 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
         }
         return;
     }
+    if (takes_region_key(*event)) return press_region_key(*event);
     const bool sideways = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
     if (state_.has_divider() && sideways) {
         const double step = event->modifiers() & Qt::ShiftModifier ? 0.1 : 0.01;

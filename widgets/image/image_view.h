@@ -7,6 +7,7 @@
 
 #include "widgets/image/camera_motion.h"
 #include "widgets/image/canvas.h"
+#include "widgets/image/region.h"
 
 namespace ir::widgets {
 
@@ -16,7 +17,7 @@ namespace ir::widgets {
 class ImageView : public QWidget {
     Q_OBJECT
   public:
-    enum class Tool { inspect, orbit, fly };
+    enum class Tool { inspect, orbit, fly, rectangle };
     enum class Surface { best, raster };
     Q_ENUM(Tool)
 
@@ -41,6 +42,8 @@ class ImageView : public QWidget {
     void set_cursor_mark(QPoint pixel);
     void set_picked(QPoint pixel);
     void set_pins(const std::vector<PinMark>& pins);
+    /// Marks a rectangle of whole pixels; empty: none. Emits nothing.
+    void set_region(const QRect& region);
     /// Takes zoom and place (or being fitted) over from another view of the same picture size. Emits nothing.
     void follow(const ViewTransform& transform);
     void set_stale(bool stale);
@@ -62,6 +65,7 @@ class ImageView : public QWidget {
     const ViewTransform& transform() const { return state_.transform; }
     Tool tool() const { return tool_; }
     QPoint picked() const { return state_.picked; }
+    const QRect& region() const { return state_.region; }
     const char* surface_kind() const { return canvas_->kind(); }
     /// How often pixels went to the graphics memory (OpenGL) or through the colours (raster) so far.
     int upload_count() const { return canvas_->upload_count(); }
@@ -87,6 +91,8 @@ class ImageView : public QWidget {
     /// Pixel under the cursor; (-1, -1) outside the picture.
     void cursor_moved(QPoint pixel);
     void picked_changed(QPoint pixel);
+    /// Drawn, moved or resized with the rectangle tool, at each step; empty: cleared.
+    void region_changed(QRect region);
     void zoom_changed(double zoom);
     /// A person (or a slot above) zoomed or panned.
     void transform_changed(const ir::widgets::ViewTransform& transform);
@@ -98,6 +104,7 @@ class ImageView : public QWidget {
     void tool_changed(ir::widgets::ImageView::Tool tool);
 
   protected:
+    bool event(QEvent*) override;
     void resizeEvent(QResizeEvent*) override;
     void mousePressEvent(QMouseEvent*) override;
     void mouseMoveEvent(QMouseEvent*) override;
@@ -112,7 +119,7 @@ class ImageView : public QWidget {
     void changeEvent(QEvent*) override;
 
   private:
-    enum class Drag { none, pan, orbit, slide, look, pick, wipe };
+    enum class Drag { none, pan, orbit, slide, look, pick, wipe, region };
     Drag drag_for(const QMouseEvent& event) const;
     void drag_camera(QPointF delta);
     void move_camera(const CameraPose& pose);
@@ -127,6 +134,16 @@ class ImageView : public QWidget {
     QPointF device(QPointF logical) const { return logical * devicePixelRatioF(); }
     QPoint pixel_at(QPointF logical) const;
 
+    // image_view_region.cpp
+    bool edits_region() const;
+    void change_region(const QRect& region);
+    RegionGrip region_grip_at(QPointF logical) const;
+    void start_region(QPointF logical);
+    void drag_region(QPointF logical, Qt::KeyboardModifiers modifiers);
+    bool takes_region_key(const QKeyEvent& event) const;
+    void press_region_key(const QKeyEvent& event);
+    static Qt::CursorShape region_cursor(const RegionGrip& grip);
+
     CanvasState state_;
     PictureCache cache_;
     Display display_, second_display_;
@@ -136,6 +153,9 @@ class ImageView : public QWidget {
     CameraPose pose_;
     Drag drag_ = Drag::none;
     QPointF last_position_, press_position_;
+    RegionGrip region_grip_;  ///< under the cursor; of the drag while there is one
+    QRect region_before_;     ///< when the drag began
+    QPointF region_from_;     ///< where it began, pixels of the picture
     bool space_ = false, gesture_ = false, over_divider_ = false, stale_ = false;
     double fly_speed_ = 1;
     QSet<int> keys_;

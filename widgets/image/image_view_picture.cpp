@@ -136,6 +136,7 @@ QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) cons
     CanvasState drawn = state_;
     drawn.hint.clear();
     drawn.cursor_mark = {-1, -1};
+    drawn.region_edited = false;
     drawn.stale = false;
     drawn.legend = legend;
     qreal ratio = devicePixelRatioF();
@@ -160,6 +161,7 @@ QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) cons
             drawn.label.clear();
             drawn.second_label.clear();
             drawn.picked = {-1, -1};
+            drawn.region = {};
             drawn.pins.clear();
             drawn.pixel_grid = false;
         }

@@ -41,6 +41,8 @@ std::vector<Mark> marks_of(const Display& display) {
         marks.push_back({{40, 90, 255}, translated("below"), Qt::BDiagPattern});
         marks.push_back({{255, 60, 40}, translated("above"), Qt::FDiagPattern});
     }
+    if (display.grey_zero)
+        marks.push_back({{zero_grey[0], zero_grey[1], zero_grey[2]}, translated("within noise")});
     if (display.hide_invalid) marks.push_back({{136, 136, 136}, translated("no value"), Qt::Dense4Pattern});
     return marks;
 }

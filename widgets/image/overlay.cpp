@@ -6,6 +6,7 @@
 #include "widgets/image/canvas.h"
 #include "widgets/image/legend.h"
 #include "widgets/image/pixel_overlay.h"
+#include "widgets/image/region_overlay.h"
 
 namespace ir::widgets {
 namespace {
@@ -214,6 +215,7 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
     painter.setRenderHint(QPainter::Antialiasing);
     if (state.has_image()) {
         paint_tiles(painter, state, ratio);
+        paint_region(painter, state, ratio);
         if (state.has_divider()) paint_divider(painter, state, view, ratio);
         for (const auto& pin : state.pins) paint_pin(painter, state, pin, ratio);
         const QRectF picked = pixel_box(state, state.picked, ratio);

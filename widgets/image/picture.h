@@ -17,6 +17,9 @@ namespace ir::widgets {
 struct Picture {
     std::shared_ptr<const Image> image;  ///< null: there is none, and `note` says why
     std::shared_ptr<const Image> valid;  ///< one channel of the same size, above 0.5 where there is a value
+    /// Of the same size: the variance of each value, per channel or one for all; null: unknown.
+    std::shared_ptr<const Image> variance;
+    bool awaits_variance = false;  ///< it will have one
     Semantic semantic = Semantic::generic;
     QString label, unit;
     QString note;            ///< instead of an image: why there is none

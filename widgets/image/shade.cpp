@@ -113,6 +113,7 @@ Rgb shade(const Display& display, const float* pixel, int channels) {
         case Display::Mode::vector:
             return vector_colour(display, components(values, count), count);
         case Display::Mode::scalar:
+            if (display.grey_zero && largest_magnitude(values, count) == 0) return zero_grey;
             return scalar_colour(display, largest_magnitude(values, count));
         case Display::Mode::ids:
             return id_colour(values[0]);

@@ -16,8 +16,8 @@ uniform sampler2D picture, colour_map, cover_map;
 uniform vec2 offset_px, picture_px;   // device pixels, from the top left; pixels of the picture
 uniform float zoom, view_height, exposure, low, high;
 uniform int mode, channels, channel, tone_map, pattern_half;
-uniform bool mark_bad, negative_is_bad, zebra, hide_invalid, covered;
-uniform vec3 surround;
+uniform bool mark_bad, negative_is_bad, zebra, hide_invalid, grey_zero, covered;
+uniform vec3 surround, zero_grey;
 out vec4 colour;
 
 vec3 srgb(vec3 v) {
@@ -83,6 +83,7 @@ vec3 shade(vec4 texel) {
         if (negative_is_bad && any(lessThan(v, vec3(0.0)))) return vec3(40.0, 80.0, 255.0) / 255.0;
     }
     if (mode == 3) return id_colour(v.x);
+    if (mode == 2 && grey_zero && largest_magnitude(v, count) == 0.0) return zero_grey;
     vec3 shaded = mode == 0   ? srgb(tone_mapped(v))
                   : mode == 1 ? vec3(fraction(v.x), fraction(v.y), count == 2 ? 0.0 : fraction(v.z))
                               : texelFetch(colour_map, ivec2(int(fraction(largest_magnitude(v, count)) * 255.0 + 0.5), 0), 0).rgb;

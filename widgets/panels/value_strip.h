@@ -20,6 +20,8 @@ class ValueStrip : public QWidget {
     void show_pixel(const Picture& picture, QPoint pixel);
     /// (-1, -1): none.
     void show_pixel(const Image& image, QPoint pixel);
+    /// Anything else about the pixel under the cursor.
+    void show_text(const QString& text) { say(text, false); }
     void set_zoom(double zoom);
     /// The whole line; what is shown lacks mean, max and min where they do not fit.
     QString text() const { return full_; }

@@ -187,8 +187,10 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
     connect(pictures_menu_, &QMenu::aboutToShow, this, &ViewHeader::fill_pictures_menu);
     difference_ = make_combo(second, QStringLiteral("difference"), tr("Kind of difference"), 64);
     difference_->setMinimumContentsLength(4);
-    for (const auto kind : {DifferenceKind::signed_, DifferenceKind::absolute, DifferenceKind::relative})
+    for (const auto kind : all_differences()) {
         difference_->addItem(difference_name(kind), int(kind));
+        difference_->setItemData(difference_->count() - 1, difference_doc(kind), Qt::ToolTipRole);
+    }
     connect(difference_, &QComboBox::activated, this, [this](int index) {
         choose([&](ViewState& state) {
             state.difference = DifferenceKind(difference_->itemData(index).toInt());
@@ -248,6 +250,7 @@ void ViewHeader::set_fields(const ViewFields& fields) {
         tr("Pictures (%1)").arg(int(state.more.size()) + (state.mode == ViewMode::stages ? 1 : 2)));
     difference_->setVisible(state.mode == ViewMode::difference || state.mode == ViewMode::stages);
     difference_->setCurrentIndex(difference_->findData(int(state.difference)));
+    difference_->setToolTip(tr("Kind of difference: %1").arg(difference_doc(state.difference)));
     swap_->setVisible(state.mode != ViewMode::stages);
     mode_->setVisible(picture);
     mode_->setCurrentIndex(mode_->findData(int(state.mode)));

@@ -32,6 +32,7 @@ SpacePane& ViewPane::space() {
         connect(header_, &ViewHeader::layers_toggled, space_, &SpacePane::set_panel_shown);
         connect(space_, &SpacePane::panel_shown_changed, header_, &ViewHeader::show_layers_shown);
         header_->show_layers_shown(space_->is_panel_shown());
+        emit space_made(*space_);
     }
     return *space_;
 }
@@ -40,6 +41,7 @@ BufferTable& ViewPane::table() {
     if (!table_) {
         table_ = new BufferTable(this);
         pages_->addWidget(table_);
+        emit table_made(*table_);
     }
     return *table_;
 }
@@ -89,13 +91,19 @@ void ViewPane::update_summary() {
         values_->set_picture(*picture->image, picture->semantic, picture->label, picture->unit);
     summarised_ = picture->image;
     values_->set_zoom(compare_->main_view().transform().zoom());
-    if (cursor_.x() >= 0) values_->show_pixel(*picture, cursor_);
+    if (cursor_.x() >= 0) show_pixel(*picture, difference ? -1 : 0);
+}
+
+void ViewPane::show_pixel(const Picture& picture, int number) {
+    const QString more = number < 0 ? compare_->difference_text(cursor_) : QString();
+    if (more.isEmpty()) return values_->show_pixel(picture, cursor_);
+    values_->show_text(place_text(picture, cursor_) + QStringLiteral("   ") + more);
 }
 
 void ViewPane::show_values(QPoint pixel, int number) {
     cursor_ = pixel;
     const auto picture = picture_at(number);
-    if (picture && picture->has_image()) values_->show_pixel(*picture, pixel);
+    if (picture && picture->has_image()) show_pixel(*picture, number);
     emit cursor_moved(pixel);
 }
 

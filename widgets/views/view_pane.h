@@ -43,12 +43,16 @@ class ViewPane : public QWidget {
     void cursor_moved(QPoint pixel);
     /// Shift-click or the key for it: how did this pixel come about?
     void explain_wanted(QPoint pixel);
+    /// The page is there from now on.
+    void space_made(ir::widgets::SpacePane& space);
+    void table_made(ir::widgets::BufferTable& table);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void show_values(QPoint pixel, int picture);
+    void show_pixel(const Picture& picture, int number);
     void watch_views();
     ImageView::Surface surface_;
     Content content_ = Content::picture;

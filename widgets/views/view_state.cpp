@@ -20,12 +20,27 @@ constexpr ModeText modes[] = {
 
 struct DifferenceText {
     DifferenceKind choice;
-    const char *key, *name;
+    const char *key, *name, *doc;
 };
 constexpr DifferenceText differences[] = {
-    {DifferenceKind::signed_, "signed", QT_TRANSLATE_NOOP("ViewMode", "A − B")},
-    {DifferenceKind::absolute, "absolute", QT_TRANSLATE_NOOP("ViewMode", "|A − B|")},
-    {DifferenceKind::relative, "relative", QT_TRANSLATE_NOOP("ViewMode", "|A − B| / |B|")},
+    {DifferenceKind::signed_, "signed", QT_TRANSLATE_NOOP("ViewMode", "A − B"),
+     QT_TRANSLATE_NOOP("ViewMode", "Signed: red where A is larger, blue where B is")},
+    {DifferenceKind::absolute, "absolute", QT_TRANSLATE_NOOP("ViewMode", "|A − B|"),
+     QT_TRANSLATE_NOOP("ViewMode", "Magnitude of the difference, in the pictures' unit")},
+    {DifferenceKind::relative, "relative", QT_TRANSLATE_NOOP("ViewMode", "|A − B| / |B|"),
+     QT_TRANSLATE_NOOP("ViewMode", "Relative to B; 0.01 is added to |B| so that black stays finite")},
+    {DifferenceKind::squared, "squared", QT_TRANSLATE_NOOP("ViewMode", "(A − B)²"),
+     QT_TRANSLATE_NOOP("ViewMode", "What the mean squared error is the mean of")},
+    {DifferenceKind::flip, "flip", QT_TRANSLATE_NOOP("ViewMode", "ꟻLIP"),
+     QT_TRANSLATE_NOOP("ViewMode",
+                       "What a person sees when the two alternate on a screen, 0 … 1; B is the "
+                       "reference")},
+    {DifferenceKind::hdr_flip, "hdr-flip", QT_TRANSLATE_NOOP("ViewMode", "HDR-ꟻLIP"),
+     QT_TRANSLATE_NOOP("ViewMode", "The largest ꟻLIP over all exposures that B may be looked at with")},
+    {DifferenceKind::significant, "significant", QT_TRANSLATE_NOOP("ViewMode", "Significant"),
+     QT_TRANSLATE_NOOP("ViewMode",
+                       "A − B only where the noise of both does not explain it; needs the "
+                       "variance of A or B")},
 };
 
 }  // namespace
@@ -41,6 +56,12 @@ bool takes_many(ViewMode mode) {
 QString mode_name(ViewMode mode) {
     for (const auto& each : modes)
         if (each.mode == mode) return QCoreApplication::translate("ViewMode", each.name);
+    return {};
+}
+
+QString difference_doc(DifferenceKind difference) {
+    for (const auto& each : differences)
+        if (each.choice == difference) return QCoreApplication::translate("ViewMode", each.doc);
     return {};
 }
 
@@ -78,6 +99,15 @@ const std::vector<ViewMode>& all_modes() {
     static const std::vector<ViewMode> all = [] {
         std::vector<ViewMode> list;
         for (const auto& each : modes) list.push_back(each.mode);
+        return list;
+    }();
+    return all;
+}
+
+const std::vector<DifferenceKind>& all_differences() {
+    static const std::vector<DifferenceKind> all = [] {
+        std::vector<DifferenceKind> list;
+        for (const auto& each : differences) list.push_back(each.choice);
         return list;
     }();
     return all;

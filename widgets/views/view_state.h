@@ -13,13 +13,16 @@
 /// What a view shows, as plain data: what session.json remembers and what the header edits.
 namespace ir::widgets {
 
-/// One picture or buffer. Owners are experiments by id, or images of other renderers as "image:ID".
+/// One picture or buffer. Owners are experiments by id, images of other renderers as "image:ID", or kept
+/// results as "result:KEY".
 struct ViewSource {
     static constexpr int all = -1;
     std::string owner, output;  ///< output empty: the main result
     int level = 0, layer = 0;   ///< or `all`
     bool operator==(const ViewSource&) const = default;
     bool is_image() const { return owner.rfind("image:", 0) == 0; }
+    bool is_kept() const { return owner.rfind("result:", 0) == 0; }
+    bool is_file() const { return is_image() || is_kept(); }  ///< nothing is rendered for it
 };
 
 using ViewMode = CompareView::Mode;
@@ -38,18 +41,21 @@ bool compares(ViewMode mode);    ///< needs B
 bool takes_many(ViewMode mode);  ///< flip and stages
 QString mode_name(ViewMode mode);
 QString difference_name(DifferenceKind difference);
+QString difference_doc(DifferenceKind difference);  ///< what it shows, for a tooltip
 /// As files and the command line call them: "side-by-side". Unknown ones are single, signed.
 std::string to_key(ViewMode mode);
 ViewMode mode_from_key(const std::string& key);
 std::string to_key(DifferenceKind difference);
 DifferenceKind difference_from_key(const std::string& key);
 const std::vector<ViewMode>& all_modes();
+const std::vector<DifferenceKind>& all_differences();
 
 /// An output or buffer that could be shown.
 struct OutputOption {
     std::string key;
     QString label, group, doc;
     OutputKind kind = OutputKind::image;
+    Semantic semantic = Semantic::generic;
     int levels = 1, layers = 1;
     bool operator==(const OutputOption&) const = default;
 };

@@ -1,0 +1,146 @@
+#include "widgets/metrics/metrics_model.h"
+
+#include <QColor>
+#include <QGuiApplication>
+#include <QPalette>
+#include <cmath>
+
+namespace ir::widgets {
+namespace {
+
+const QColor better_colour(126, 196, 120), worse_colour(232, 138, 96);
+
+std::optional<double> value_of(const MetricResult& result, const std::string& metric) {
+    const auto found = result.values.find(metric);
+    return found == result.values.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> value_in(const MetricsResult* result, const std::string& metric, bool rectangle) {
+    if (!result || !result->refusal.isEmpty()) return {};
+    if (!rectangle) return value_of(result->image, metric);
+    return result->rectangle ? value_of(*result->rectangle, metric) : std::nullopt;
+}
+
+QString q(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+}  // namespace
+
+void MetricsHistory::take(std::shared_ptr<const MetricsResult> result) {
+    if (now && now->request.pair != result->request.pair) clear();
+    now = result;
+    if (!result->refusal.isEmpty() || !result->complete) return;
+    if (settled && settled->request.generation != result->request.generation) before = settled;
+    settled = std::move(result);
+}
+
+QString metric_text(const MetricDescription& metric, double value) {
+    if (std::isnan(value)) return QStringLiteral("–");
+    if (std::isinf(value)) return value > 0 ? QStringLiteral("∞") : QStringLiteral("−∞");
+    if (metric.unit == "dB") return QString::number(value, 'f', 2) + QStringLiteral(" dB");
+    return QString::number(value, 'g', 4);
+}
+
+int improvement(const MetricDescription& metric, double before, double now) {
+    if (std::isnan(before) || std::isnan(now) || before == now) return 0;
+    return (now > before) == metric.more_is_better ? 1 : -1;
+}
+
+void MetricsModel::show(const MetricsHistory& history) {
+    history_ = history;
+    emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+    emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
+}
+
+bool MetricsModel::has_rectangle() const {
+    return history_.now && history_.now->rectangle.has_value();
+}
+
+int MetricsModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : int(metrics().size());
+}
+
+int MetricsModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : int(columns);
+}
+
+std::optional<double> MetricsModel::value(int row, int column) const {
+    if (row < 0 || row >= rowCount() || !history_.now || !history_.now->refusal.isEmpty()) return {};
+    const auto& name = metrics()[std::size_t(row)].name;
+    const bool rectangle = column == rectangle_column || column == rectangle_before;
+    const bool same_rectangle =
+        history_.before && history_.before->request.rectangle == history_.now->request.rectangle;
+    if (column == image_before || column == rectangle_before)
+        return rectangle && !same_rectangle ? std::nullopt : value_in(history_.before.get(), name, rectangle);
+    return value_in(history_.now.get(), name, rectangle);
+}
+
+int MetricsModel::trend(int row, int column) const {
+    if (column != image_column && column != rectangle_column) return 0;
+    const auto now = value(row, column), before = value(row, column + 1);
+    return now && before ? improvement(metrics()[std::size_t(row)], *before, *now) : 0;
+}
+
+QString MetricsModel::tooltip(int row, int column) const {
+    const auto& metric = metrics()[std::size_t(row)];
+    QString text = QStringLiteral("<b>%1</b><br>%2").arg(q(metric.label), q(metric.doc));
+    text += QStringLiteral("<br>") + (metric.more_is_better ? tr("More is better.") : tr("Less is better."));
+    if (const auto exact = value(row, column); exact && column != name_column)
+        text += QStringLiteral("<br>%1 %2").arg(QString::number(*exact, 'g', 9), q(metric.unit));
+    if (const int way = trend(row, column)) {
+        const auto before = metric_text(metric, *value(row, column + 1));
+        text +=
+            QStringLiteral("<br>") + (way > 0 ? tr("Better than before the last change (%1).").arg(before)
+                                              : tr("Worse than before the last change (%1).").arg(before));
+    }
+    return text;
+}
+
+QVariant MetricsModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || index.row() >= rowCount()) return {};
+    const auto& metric = metrics()[std::size_t(index.row())];
+    const int column = index.column();
+    const bool before = column == image_before || column == rectangle_before;
+    switch (role) {
+        case Qt::DisplayRole: {
+            if (column == name_column) return q(metric.label);
+            const auto number = value(index.row(), column);
+            const bool coming = history_.now && !history_.now->complete && history_.now->refusal.isEmpty();
+            if (!number && coming && !before && (column == image_column || has_rectangle()))
+                return QStringLiteral("…");
+            if (!number) return {};
+            const int way = trend(index.row(), column);
+            const QString mark = way == 0                             ? QString()
+                                 : (way > 0) == metric.more_is_better ? QStringLiteral("▲ ")
+                                                                      : QStringLiteral("▼ ");
+            return mark + metric_text(metric, *number);
+        }
+        case Qt::TextAlignmentRole:
+            return int((column == name_column ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        case Qt::ForegroundRole:
+            if (before) return QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text);
+            if (const int way = trend(index.row(), column)) return way > 0 ? better_colour : worse_colour;
+            return {};
+        case Qt::ToolTipRole:
+            return tooltip(index.row(), column);
+        default:
+            return {};
+    }
+}
+
+QVariant MetricsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || section < 0 || section >= columns) return {};
+    if (role == Qt::TextAlignmentRole)
+        return int((section == name_column ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    const QString names[] = {tr("Metric"), tr("Image"), tr("before"), tr("Rectangle"), tr("before")};
+    const QString tips[] = {
+        tr("How the difference of A and B is measured; B is the reference"), tr("All compared pixels"),
+        tr("Before the last change of a parameter, the scene or the camera"),
+        tr("Compared pixels within the rectangle"), tr("Before the last change, in the same rectangle")};
+    if (role == Qt::DisplayRole) return names[section];
+    if (role == Qt::ToolTipRole) return tips[section];
+    return {};
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,184 @@
+#include "widgets/metrics/metrics_worker.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "renderers/core/error.h"
+
+namespace ir::widgets {
+namespace {
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("Metrics", text);
+}
+
+/// One pass over the pixels each; the others look at neighbourhoods.
+bool is_quick(const std::string& metric) {
+    return metric == "rmse" || metric == "mae" || metric == "relmse" || metric == "psnr";
+}
+
+/// Groups of metrics that are measured in one go: the quick ones, then one by one.
+std::vector<std::vector<std::string>> groups() {
+    std::vector<std::vector<std::string>> result(1);
+    for (const auto& name : metric_names()) {
+        if (is_quick(name))
+            result.front().push_back(name);
+        else
+            result.push_back({name});
+    }
+    return result;
+}
+
+/// Where pixels count: the tiles of an atlas (its gaps are equal in any two pictures) and the chosen mask.
+Image mask_of(const MetricsRequest& request) {
+    const Picture& picture = *request.image;
+    const bool tiled = !picture.atlas.tiles.empty();
+    if (!tiled && !request.mask) return {};
+    const Image& image = *picture.image;
+    Image mask(image.width, image.height, 1, tiled ? 0.0f : 1.0f);
+    for (const auto& tile : picture.atlas.tiles)
+        for (int y = std::max(0, tile.y); y < std::min(image.height, tile.y + tile.height); ++y)
+            for (int x = std::max(0, tile.x); x < std::min(image.width, tile.x + tile.width); ++x)
+                mask.at(x, y) = 1;
+    if (!request.mask) return mask;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            if (!(request.mask->image->at(x, y) > 0.5f)) mask.at(x, y) = 0;
+    return mask;
+}
+
+void merge(MetricResult& into, const MetricResult& from) {
+    into.values.insert(from.values.begin(), from.values.end());
+    into.pixels = from.pixels;
+    into.skipped = from.skipped;
+}
+
+}  // namespace
+
+bool MetricsRequest::same_as(const MetricsRequest& other) const {
+    const auto pixels = [](const std::shared_ptr<const Picture>& each) {
+        return each ? each->image : nullptr;
+    };
+    const auto valid = [](const std::shared_ptr<const Picture>& each) {
+        return each ? each->valid : nullptr;
+    };
+    return continues(other) && generation == other.generation && pixels(image) == pixels(other.image) &&
+           pixels(reference) == pixels(other.reference) && pixels(mask) == pixels(other.mask) &&
+           valid(image) == valid(other.image) && valid(reference) == valid(other.reference);
+}
+
+bool MetricsRequest::continues(const MetricsRequest& other) const {
+    return pair == other.pair && rectangle == other.rectangle && anyway == other.anyway &&
+           !mask == !other.mask;
+}
+
+QString why_not_measurable(const MetricsRequest& request) {
+    const auto size = [](const Picture& picture) {
+        return QStringLiteral("%1×%2").arg(picture.size().width()).arg(picture.size().height());
+    };
+    const Picture &a = *request.image, &b = *request.reference;
+    if (a.size() != b.size())
+        return translated("Sizes differ: A has %1, B has %2 pixels. Render both at one size.")
+            .arg(size(a), size(b));
+    const auto compared = [](const Picture& each) {
+        return each.image->channels == 4 ? 3 : each.image->channels;
+    };
+    if (compared(a) != compared(b))
+        return translated("Channels differ: A has %1, B has %2. Choose outputs of one kind.")
+            .arg(a.image->channels)
+            .arg(b.image->channels);
+    if (request.mask && request.mask->size() != a.size())
+        return translated("The mask has %1 pixels, the pictures have %2. Choose another mask.")
+            .arg(size(*request.mask), size(a));
+    return {};
+}
+
+MetricsResult measure(const MetricsRequest& request, const std::atomic<bool>& cancelled,
+                      const std::function<void(const MetricsResult&)>& partial) {
+    MetricsResult result;
+    result.request = request;
+    result.complete = true;
+    const Picture &a = *request.image, &b = *request.reference;
+    try {
+        result.refusal = why_not_measurable(request);
+        if (!result.refusal.isEmpty()) return result;
+        if (!request.anyway) {
+            result.refusal = QString::fromStdString(why_not_comparable(*a.image, *b.image));
+            result.may_override = !result.refusal.isEmpty();
+            if (result.may_override) return result;
+        }
+        const Image mask = mask_of(request);
+        MetricOptions options;
+        options.valid_image = a.valid.get();
+        options.valid_reference = b.valid.get();
+        options.mask = mask.empty() ? nullptr : &mask;
+        const QRect& r = request.rectangle;
+        if (!r.isEmpty()) result.rectangle.emplace();
+        result.complete = false;
+        for (const auto& names : groups()) {
+            options.rectangle.reset();
+            merge(result.image, compute_metrics(*a.image, *b.image, names, options));
+            if (!r.isEmpty()) {
+                options.rectangle = Rectangle{r.x(), r.y(), r.width(), r.height()};
+                merge(*result.rectangle, compute_metrics(*a.image, *b.image, names, options));
+            }
+            if (cancelled) return result;
+            if (partial) partial(result);
+        }
+        result.complete = true;
+    } catch (const Error& error) {
+        result.refusal = QString::fromUtf8(error.what());
+        result.complete = true;
+    }
+    return result;
+}
+
+MetricsWorker::MetricsWorker(QObject* parent) : QObject(parent) {
+    pool_.setMaxThreadCount(1);  // renderers want the cores
+}
+
+MetricsWorker::~MetricsWorker() {
+    if (cancelled_) *cancelled_ = true;
+    pool_.clear();
+    pool_.waitForDone();
+}
+
+void MetricsWorker::request(const MetricsRequest& request) {
+    if (has_wanted_ && request.same_as(wanted_)) return;
+    if (running_ && !request.continues(wanted_)) *cancelled_ = true;
+    wanted_ = request;
+    has_wanted_ = true;
+    running_ ? void(pending_ = true) : start();
+}
+
+void MetricsWorker::clear() {
+    if (cancelled_) *cancelled_ = true;
+    wanted_ = {};
+    has_wanted_ = pending_ = false;
+}
+
+void MetricsWorker::start() {
+    running_ = true;
+    pending_ = false;
+    cancelled_ = std::make_shared<std::atomic<bool>>(false);
+    pool_.start([this, request = wanted_, cancelled = cancelled_] {
+        const auto post = [this](const MetricsResult& result, bool last) {
+            auto shared = std::make_shared<const MetricsResult>(result);
+            QMetaObject::invokeMethod(
+                this, [this, shared, last] { take(shared, last); }, Qt::QueuedConnection);
+        };
+        const auto result =
+            measure(request, *cancelled, [&](const MetricsResult& some) { post(some, false); });
+        post(result, true);
+    });
+}
+
+void MetricsWorker::take(std::shared_ptr<const MetricsResult> result, bool last) {
+    if (last) running_ = false;
+    const bool useful = has_wanted_ && (result->request.same_as(wanted_) ||
+                                        (result->request.continues(wanted_) && (result->complete || !last)));
+    if (last && pending_) start();
+    if (useful || last) emit measured(useful ? std::move(result) : nullptr);
+}
+
+}  // namespace ir::widgets

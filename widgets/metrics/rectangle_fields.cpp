@@ -1,0 +1,85 @@
+#include "widgets/metrics/rectangle_fields.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+#include <algorithm>
+
+#include "widgets/style/icons.h"
+
+namespace ir::widgets {
+namespace {
+
+QToolButton* button(QWidget* parent, const char* name, const char* icon_name, const QString& tip) {
+    auto* result = new QToolButton(parent);
+    result->setObjectName(QLatin1String(name));
+    result->setIcon(icon(icon_name));
+    result->setToolTip(tip);
+    result->setAccessibleName(tip);
+    result->setAutoRaise(true);
+    return result;
+}
+
+}  // namespace
+
+RectangleFields::RectangleFields(QWidget* parent) : QWidget(parent) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(3);
+    const char* const names[] = {"rectangle-x", "rectangle-y", "rectangle-width", "rectangle-height"};
+    const QString letters[] = {tr("x"), tr("y"), QString(), QStringLiteral("×")};
+    const QString tips[] = {tr("Left edge of the rectangle, pixels"), tr("Upper edge, pixels from the top"),
+                            tr("Width, pixels"), tr("Height, pixels")};
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        if (!letters[i].isEmpty()) row->addWidget(new QLabel(letters[i], this));
+        auto* field = fields_[i] = new QSpinBox(this);
+        field->setObjectName(QLatin1String(names[i]));
+        field->setToolTip(tips[i]);
+        field->setAccessibleName(tips[i]);
+        field->setKeyboardTracking(false);
+        field->setButtonSymbols(QAbstractSpinBox::NoButtons);  // arrow keys and the wheel do it, too
+        field->setAlignment(Qt::AlignRight);
+        field->setMinimumWidth(38);
+        connect(field, &QSpinBox::valueChanged, this, &RectangleFields::take);
+        row->addWidget(field, 1);
+    }
+    draw_ = button(this, "draw", "rectangle", tr("Draw a rectangle in the picture (B)"));
+    draw_->setCheckable(true);
+    connect(draw_, &QToolButton::toggled, this, &RectangleFields::drawing_toggled);
+    clear_ = button(this, "clear-rectangle", "cancel", tr("Measure the whole picture alone"));
+    connect(clear_, &QToolButton::clicked, this, [this] { emit chosen({}); });
+    row->addWidget(draw_);
+    row->addWidget(clear_);
+    show({}, {}, false);
+}
+
+void RectangleFields::show(QSize picture, const QRect& rectangle, bool drawing) {
+    picture_ = picture;
+    rectangle_ = rectangle;
+    const QRect shown = rectangle.isEmpty() ? QRect(QPoint(0, 0), picture) : rectangle;
+    const int values[] = {shown.x(), shown.y(), shown.width(), shown.height()};
+    const int most[] = {picture.width() - 1, picture.height() - 1, picture.width(), picture.height()};
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        const QSignalBlocker quiet(fields_[i]);
+        fields_[i]->setRange(i < 2 ? 0 : 1, std::max(i < 2 ? 0 : 1, most[i]));
+        fields_[i]->setValue(values[i]);
+        fields_[i]->setEnabled(!picture.isEmpty());
+        QPalette colours = palette();
+        if (rectangle.isEmpty())  // the whole picture, chosen by nobody
+            colours.setColor(QPalette::Text, colours.color(QPalette::Disabled, QPalette::Text));
+        fields_[i]->setPalette(colours);
+    }
+    const QSignalBlocker quiet(draw_);
+    draw_->setChecked(drawing);
+    draw_->setEnabled(!picture.isEmpty());
+    clear_->setEnabled(!rectangle.isEmpty());
+}
+
+void RectangleFields::take() {
+    const QRect typed(fields_[0]->value(), fields_[1]->value(), fields_[2]->value(), fields_[3]->value());
+    emit chosen(typed & QRect(QPoint(0, 0), picture_));
+}
+
+}  // namespace ir::widgets
