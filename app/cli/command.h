@@ -23,6 +23,8 @@ void add_scene(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_compare(CLI::App& app, Run& run);
 void add_project(CLI::App& app, Run& run);
+void add_plot(CLI::App& app, Run& run);
+void add_sweep(CLI::App& app, Run& run);
 void add_bench(CLI::App& app, Run& run);
 
 /// Options that choose the machine, shared by commands that render.

@@ -59,7 +59,8 @@ Inspection inspection_of(const ProjectRender& job, const engine::Experiment& exp
     }
 }
 
-/// Returns the statistics.
+}  // namespace
+
 std::string render_one(const ProjectRender& job, engine::Machine& machine, const projects::Project& project,
                        const projects::Experiment& experiment, const std::filesystem::path& folder,
                        projects::OpenProject* keep_in) {
@@ -84,8 +85,6 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
                                               << static_cast<long>(report.wall_ms) << " ms\n";
     return engine::statistics_json(report);
 }
-
-}  // namespace
 
 int render_project(const ProjectRender& job) {
     const auto& registry = engine::registry();

@@ -5,6 +5,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/inspection.h"
+#include "app/engine/execution.h"
+#include "projects/open_project.h"
 
 namespace ir::cli {
 
@@ -16,6 +18,12 @@ struct ProjectRender {
     bool keep = false, show_progress = true;
     std::string json = {};  ///< file for all statistics, by experiment; "-": standard output
 };
+
+/// Renders an experiment to OUT/ID.exr, OUT/ID.png and OUT/ID.json, and keeps the result where a project is
+/// given for that. Returns the statistics. Throws Error.
+std::string render_one(const ProjectRender& job, engine::Machine& machine, const projects::Project& project,
+                       const projects::Experiment& experiment, const std::filesystem::path& folder,
+                       projects::OpenProject* keep_in = nullptr);
 
 /// An experiment that cannot run does not keep the others from it; the status then says that the file is at
 /// fault. Renders the chosen experiments (all when none is named) to OUT/ID.exr and OUT/ID.json, and a

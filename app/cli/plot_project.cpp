@@ -1,0 +1,148 @@
+#include "app/cli/plot_project.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/run_frames.h"
+#include "app/engine/error_study.h"
+#include "app/engine/kept_study.h"
+#include "projects/store.h"
+#include "projects/text.h"
+#include "renderers/core/error.h"
+#include "renderers/image/metrics.h"
+
+namespace ir::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t longest_line = 4096;
+
+std::vector<projects::ErrorPlot> chosen_plots(const projects::Project& project, const ProjectPlots& job) {
+    std::vector<projects::ErrorPlot> plots;
+    for (const auto& id : job.plots) {
+        const auto* plot = find_item(project.plots, id);
+        if (!plot) {
+            std::string known;
+            for (const auto& each : project.plots) known += (known.empty() ? "" : ", ") + each.id;
+            throw UsageError("no plot '" + id + "' in the project; there are " +
+                             (known.empty() ? "none" : known));
+        }
+        plots.push_back(*plot);
+    }
+    if (job.plots.empty()) plots = project.plots;
+    if (plots.empty()) throw UsageError("the project has no plots");
+    if (!job.csv.empty() && plots.size() > 1)
+        throw UsageError("--csv holds one plot; give its id behind the project");
+    const auto& metrics = metric_names();
+    if (!job.metric.empty() && std::find(metrics.begin(), metrics.end(), job.metric) == metrics.end()) {
+        std::string known;
+        for (const auto& name : metrics) known += (known.empty() ? "" : ", ") + name;
+        throw UsageError("--metric '" + job.metric + "': known are " + known);
+    }
+    for (auto& plot : plots)
+        if (!job.metric.empty()) plot.metric = job.metric;
+    return plots;
+}
+
+std::string value_text(const projects::Json& value) {
+    return value.is_string() ? value.get<std::string>() : value.is_null() ? "" : value.dump();
+}
+
+/// "12.34", five digits that count.
+std::string number_text(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.5g", value);
+    return text;
+}
+
+/// Columns as wide as they need; numbers to the right.
+void print_table(std::ostream& out, const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            if (widths.size() <= i) widths.push_back(0);
+            widths[i] = std::max(widths[i], row[i].size());
+        }
+    for (const auto& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::string space(widths[i] - row[i].size(), ' ');
+            line += i == 0 ? row[i] + space : "  " + (i < 4 ? space + row[i] : row[i]);
+        }
+        out << line.substr(0, line.find_last_not_of(' ') + 1) << "\n";
+    }
+}
+
+void print_study(std::ostream& out, const projects::ErrorPlot& plot, const engine::ErrorStudy& study) {
+    out << plot.id << ": " << plot.name << ", " << study.device << "\n";
+    std::vector<std::vector<std::string>> rows{{"experiment", plot.over, "ms", plot.metric, ""}};
+    for (const auto& point : study.points) {
+        if (!point.problem.empty()) {
+            rows.push_back({point.experiment, value_text(point.value), "", "", point.problem});
+            continue;
+        }
+        const auto error = point.errors.find(plot.metric);
+        rows.push_back({point.experiment, value_text(point.value), number_text(point.ms),
+                        error == point.errors.end() ? "" : number_text(error->second),
+                        point.on_front ? "*" : ""});
+    }
+    print_table(out, rows);
+    if (study.reference_noise > 0)
+        out << "the reference has an RMSE of about " << number_text(study.reference_noise) << " left\n";
+    for (const auto& note : study.notes) out << "note: " << note << "\n";
+}
+
+/// What is wrong with one plot, by whose fault.
+int complain(const ProjectPlots& job, const projects::ErrorPlot& plot, const Error& error) {
+    std::string line = error.what();
+    const std::string own = "plot '" + plot.id + "'";
+    if (line.rfind(own, 0) != 0) line = own + ": " + line;
+    std::cerr << "interreflect-cli: " << projects::printable(job.project + ": " + line, longest_line) << "\n";
+    const bool file_at_fault =
+        dynamic_cast<const UsageError*>(&error) || dynamic_cast<const InputError*>(&error);
+    return file_at_fault ? bad_input : failed;
+}
+
+}  // namespace
+
+int plot_project(const ProjectPlots& job) {
+    const auto loaded = projects::load_project(job.project, engine::registry());
+    for (const auto& message : loaded.messages) std::cerr << "note: " << message.text << "\n";
+    const auto plots = chosen_plots(loaded.project, job);
+    engine::Machine machine(machine_options(job.machine));
+    const auto options = frame_options(job.machine, {}, 1, job.show_progress);
+    engine::StudyCallbacks callbacks;
+    callbacks.cancel = options.cancel;
+    callbacks.progress = options.progress;
+    callbacks.repeats = job.repeats;
+    callbacks.memory_budget = options.memory_budget;
+    auto& table = job.json == "-" ? std::cerr : std::cout;
+    Json all = Json::object();
+    int status = done;
+    for (const auto& plot : plots) {
+        try {
+            const auto study =
+                engine::run_error_study(machine, loaded.project, plot, loaded.folder, callbacks);
+            if (options.progress) options.progress("", 1);
+            print_study(table, plot, study);
+            all[plot.id] = Json::parse(engine::study_json(study));
+            if (!job.csv.empty()) write_text(job.csv, engine::study_csv(study));
+            if (job.keep) engine::keep_study(loaded.project, plot, loaded.folder, study);
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const Error& error) {
+            status = std::max<int>(status, complain(job, plot, error));
+        }
+    }
+    if (job.json == "-")
+        std::cout << all.dump(2) << "\n";
+    else if (!job.json.empty())
+        write_text(job.json, all.dump(2) + "\n");
+    return status;
+}
+
+}  // namespace ir::cli

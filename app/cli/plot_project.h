@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+
+namespace ir::cli {
+
+/// What `plot` and `bench error` do.
+struct ProjectPlots {
+    MachineFlags machine;
+    std::string project;
+    std::vector<std::string> plots = {};  ///< ids; all where it is empty
+    std::string json = {};                ///< file for all numbers, by plot; "-": standard output
+    std::string csv = {};                 ///< file for the numbers of the only plot
+    std::string metric = {};              ///< instead of the plots' own
+    int repeats = 1;
+    bool keep = true, show_progress = true;
+};
+
+/// Carries out plots of a project, prints a table of each, and keeps the numbers in results/plots. A plot
+/// that cannot be carried out does not keep the others from it; the status then says that the file is at
+/// fault.
+int plot_project(const ProjectPlots& job);
+
+}  // namespace ir::cli

@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/render_project.h"
+#include "app/cli/run_frames.h"
+#include "projects/store.h"
+#include "projects/sweep.h"
+#include "projects/text.h"
+#include "renderers/core/error.h"
+
+namespace ir::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Flags {
+    ProjectRender job;
+    std::string name, shard;
+    bool quiet = false;
+};
+
+const projects::Sweep& chosen_sweep(const projects::Project& project, const std::string& name) {
+    if (const auto* sweep = find_item(project.sweeps, name)) return *sweep;
+    std::string known;
+    for (const auto& sweep : project.sweeps) {
+        if (sweep.name == name) return sweep;
+        known += (known.empty() ? "" : ", ") + sweep.id;
+    }
+    throw UsageError("no sweep '" + name + "' in the project; there are " + (known.empty() ? "none" : known));
+}
+
+struct Shard {
+    int index = 1, count = 1;
+};
+
+Shard parse_shard(const std::string& text) {
+    Shard shard;
+    if (text.empty()) return shard;
+    const auto* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, shard.index);
+    const bool has_count = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
+    const auto second = has_count ? std::from_chars(first.ptr + 1, end, shard.count) : first;
+    if (!has_count || second.ec != std::errc{} || second.ptr != end || shard.index < 1 ||
+        shard.index > shard.count)
+        throw UsageError("--shard '" + text + "': give I/N with I from 1 to N, as in 1/4");
+    return shard;
+}
+
+/// "sweep.json", or "sweep-2-of-4.json", so that shards may share a folder.
+std::string list_name(const Shard& shard) {
+    if (shard.count == 1) return "sweep.json";
+    return "sweep-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count) + ".json";
+}
+
+/// Renders one point; what went wrong stands in its entry.
+Json render_point(const Flags& flags, engine::Machine& machine, const projects::LoadedProject& loaded,
+                  const projects::SweepPoint& point, int& status) {
+    Json entry{{"id", point.experiment.id}, {"coordinates", point.coordinates}};
+    try {
+        const auto statistics =
+            render_one(flags.job, machine, loaded.project, point.experiment, loaded.folder);
+        entry["image"] = point.experiment.id + ".exr";
+        entry["wall_ms"] = Json::parse(statistics).at("wall_ms");
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const Error& error) {
+        const auto line = projects::printable(error.what(), 4096);
+        std::cerr << "interreflect-cli: " << point.experiment.id << ": " << line << "\n";
+        entry["problem"] = line;
+        status = std::max<int>(
+            status, dynamic_cast<const UsageError*>(&error) || dynamic_cast<const InputError*>(&error)
+                        ? bad_input
+                        : failed);
+    }
+    return entry;
+}
+
+int run_sweep(const Flags& flags) {
+    const auto shard = parse_shard(flags.shard);
+    const auto loaded = projects::load_project(flags.job.project, engine::registry());
+    for (const auto& message : loaded.messages) std::cerr << "note: " << message.text << "\n";
+    const auto& sweep = chosen_sweep(loaded.project, flags.name);
+    std::vector<projects::SweepPoint> points;
+    try {
+        points = projects::sweep_points(loaded.project, sweep, engine::registry());
+    } catch (const UsageError& error) {  // the project says it, not the command line
+        throw InputError(flags.job.project, "", error.what());
+    }
+    points = projects::shard(points, shard.index, shard.count);
+    std::error_code error;
+    std::filesystem::create_directories(flags.job.out, error);
+    if (error) throw Error("--out " + flags.job.out + ": cannot be created (" + error.message() + ")");
+    engine::Machine machine(machine_options(flags.job.machine));
+    Json list{{"sweep", sweep.id},
+              {"experiment", sweep.experiment},
+              {"shard", shard.index},
+              {"shards", shard.count},
+              {"points", Json::array()}};
+    int status = done;
+    for (const auto& point : points)
+        list["points"].push_back(render_point(flags, machine, loaded, point, status));
+    write_text(std::filesystem::path(flags.job.out) / list_name(shard), list.dump(2) + "\n");
+    if (flags.job.json == "-")
+        std::cout << list.dump(2) << "\n";
+    else if (!flags.job.json.empty())
+        write_text(flags.job.json, list.dump(2) + "\n");
+    return status;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, Run& run) {
+    auto flags = std::make_shared<Flags>();
+    auto& job = flags->job;
+    auto* command = app.add_subcommand("sweep", "Render all variations of a project's sweep");
+    command->add_option("PROJECT", job.project, "Project folder")->required();
+    command->add_option("NAME", flags->name, "Id or name of the sweep")->required();
+    command->add_option("--out", job.out, "Folder for ID-0001.exr, … and the list sweep.json")->required();
+    command->add_option("--shard", flags->shard, "I/N: only every N-th variation, beginning with the I-th");
+    command->add_option("--dump", job.dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");
+    command->add_option("--json", job.json, "File for the list, too; - or nothing: standard output")
+        ->expected(0, 1)
+        ->default_str("-");
+    command->add_flag("--quiet", flags->quiet, "No progress on standard error");
+    add_machine_flags(*command, job.machine);
+    command->callback([flags, command, &run] {
+        if (command->count("--json") && flags->job.json.empty()) flags->job.json = "-";
+        flags->job.show_progress = !flags->quiet;
+        run = [flags] { return run_sweep(*flags); };
+    });
+}
+
+}  // namespace ir::cli
