@@ -74,9 +74,10 @@ int compare(const Flags& flags) {
             names.push_back(text.substr(0, equals));
     }
     const auto image = load(flags.image, flags.layer), reference = load(flags.reference, flags.layer);
-    const auto result =
-        compute_metrics(image.image, reference.image, names, image.mask.empty() ? nullptr : &image.mask,
-                        reference.mask.empty() ? nullptr : &reference.mask);
+    MetricOptions options;
+    options.valid_image = image.mask.empty() ? nullptr : &image.mask;
+    options.valid_reference = reference.mask.empty() ? nullptr : &reference.mask;
+    const auto result = compute_metrics(image.image, reference.image, names, options);
     const auto differences = transport_differences(image.attributes, reference.attributes);
     for (const auto& difference : differences)
         std::cerr << "warning: the two results have different transports: " << difference << "\n";

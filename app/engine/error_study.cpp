@@ -186,8 +186,10 @@ class Study {
             check();
             try {
                 const auto result =
-                    compute_metrics(image, reference_.image, {name}, valid.empty() ? nullptr : &valid,
-                                    reference_.valid.empty() ? nullptr : &reference_.valid);
+                    compute_metrics(image, reference_.image, {name},
+                                    {.valid_image = valid.empty() ? nullptr : &valid,
+                                     .valid_reference =
+                                         reference_.valid.empty() ? nullptr : &reference_.valid});
                 point.errors[name] = result.values.at(name);
                 point.pixels = result.pixels;
                 point.skipped = result.skipped;

@@ -5,44 +5,113 @@
 #include <limits>
 
 #include "renderers/core/error.h"
+#include "renderers/image/comparison.h"
+#include "renderers/image/flip.h"
 #include "renderers/image/metrics.h"
+#include "renderers/image/noise.h"
 
 namespace ir {
 namespace {
 
-std::string size_text(const Image& image) {
-    return std::to_string(image.width) + "x" + std::to_string(image.height);
+constexpr float no_value = std::numeric_limits<float>::quiet_NaN();
+
+/// The difference of one channel of one pixel.
+float pixelwise(DifferenceKind kind, float a, float b) {
+    const float signed_difference = a - b;
+    switch (kind) {
+        case DifferenceKind::absolute:
+            return std::abs(signed_difference);
+        case DifferenceKind::relative:
+            return std::abs(signed_difference) / (std::abs(b) + relative_difference_floor);
+        case DifferenceKind::squared:
+            return signed_difference * signed_difference;
+        default:
+            return signed_difference;
+    }
 }
 
-/// As signed_difference() requires, but in the words of what compares A with B.
-void require_comparable(const Image& a, const Image& b) {
-    if (a.width != b.width || a.height != b.height)
-        throw UsageError("sizes differ: A " + size_text(a) + ", B " + size_text(b) +
-                         "; render both at one size");
-    const auto compared = [](const Image& image) { return image.channels == 4 ? 3 : image.channels; };
-    if (compared(a) != compared(b))
-        throw UsageError("channels differ: A has " + std::to_string(a.channels) + ", B has " +
-                         std::to_string(b.channels) + "; choose layers of one kind");
+Image pixelwise(const Image& a, const Image& b, DifferenceKind kind) {
+    Image result(a.width, a.height, compared_channels(a));
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+        const std::size_t pixel = i / result.channels, c = i % result.channels;
+        result.pixels[i] =
+            pixelwise(kind, a.pixels[pixel * a.channels + c], b.pixels[pixel * b.channels + c]);
+    }
+    return result;
 }
 
-void require_mask_size(const Image& image, const Image* mask, const char* name) {
-    if (!mask || (mask->width == image.width && mask->height == image.height && mask->channels == 1)) return;
-    throw UsageError(std::string("sizes differ: mask of ") + name + " " + size_text(*mask) + " with " +
-                     std::to_string(mask->channels) + " channels, " + name + " " + size_text(image) +
-                     "; a mask has the image's size and one channel");
+/// 1 where neither mask excludes a pixel.
+Image common_mask(const Image& a, const Image* valid_a, const Image* valid_b) {
+    Image mask(a.width, a.height, 1, 1.0f);
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i)
+        if (!is_valid(valid_a, i) || !is_valid(valid_b, i)) mask.pixels[i] = 0;
+    return mask;
 }
 
-bool excluded(const Image* mask, std::size_t pixel) {
-    return mask && !(mask->pixels[pixel] > 0.5f);
+Image perceived(const Image& a, const Image& b, DifferenceKind kind, const Image& mask) {
+    Image result =
+        kind == DifferenceKind::flip ? flip_error(a, b, {}, &mask) : hdr_flip_error(a, b, {}, &mask).error;
+    for (std::size_t i = 0; i < result.pixels.size(); ++i)
+        if (!is_finite(a, i) || !is_finite(b, i)) result.pixels[i] = no_value;
+    return result;
 }
 
-/// Overwrites the signed difference of one pixel by the kind that is asked for.
-void apply(DifferenceKind kind, float* difference, const float* reference, int channels) {
-    if (kind == DifferenceKind::signed_) return;
-    for (int c = 0; c < channels; ++c) {
-        difference[c] = std::abs(difference[c]);
-        if (kind == DifferenceKind::relative)
-            difference[c] /= std::abs(reference[c]) + relative_difference_floor;
+void require_variance(const Image& image, const Image* variance, const std::string& name) {
+    if (!variance) return;
+    const bool fits = variance->width == image.width && variance->height == image.height &&
+                      (variance->channels == 1 || variance->channels >= compared_channels(image));
+    if (!fits)
+        throw UsageError("the variance of " + name + " is " + size_text(*variance) + " with " +
+                         std::to_string(variance->channels) + " channels, the picture " + size_text(image) +
+                         " with " + std::to_string(image.channels) +
+                         "; a variance has the picture's size, and one channel or the picture's");
+}
+
+/// Differences that rounding alone explains, in parts of the larger value.
+constexpr float rounding = 4e-7f;
+
+Image significant(const Image& a, const Image& b, const Noise& noise, const Image& mask) {
+    require_variance(a, noise.variance_a, "A");
+    require_variance(b, noise.variance_b, "B");
+    std::vector<const Image*> variances;
+    for (const auto* variance : {noise.variance_a, noise.variance_b})
+        if (variance) variances.push_back(variance);
+    if (variances.empty())
+        throw UsageError(
+            "significance needs the variance of at least one picture; render one with a method that "
+            "estimates it");
+    if (!(noise.alpha >= 1e-9 && noise.alpha <= 0.5) || noise.degrees < 1)
+        throw UsageError(
+            "significance needs a probability of 1e-9 to 0.5 and at least one degree of freedom");
+    Image result = pixelwise(a, b, DifferenceKind::signed_);
+    const auto valid = valid_in_both(a, b, &mask, nullptr);
+    for (int c = 0; c < result.channels; ++c) {
+        // A pixel has one chance to be wrong, however many channels it has.
+        const auto threshold =
+            noise_threshold(variances, c, noise.alpha / result.channels, noise.degrees, valid);
+        for (std::size_t i = 0; i < threshold.size(); ++i) {
+            if (!valid[i]) continue;
+            float& difference = result.pixels[i * result.channels + c];
+            const float larger =
+                std::max(std::abs(a.pixels[i * a.channels + c]), std::abs(b.pixels[i * b.channels + c]));
+            if (std::isnan(threshold[i]))
+                difference = no_value;
+            else if (std::abs(difference) <= threshold[i] + rounding * larger)
+                difference = 0;
+        }
+    }
+    return result;
+}
+
+Image compute(const Image& a, const Image& b, DifferenceKind kind, const Noise& noise, const Image& mask) {
+    switch (kind) {
+        case DifferenceKind::flip:
+        case DifferenceKind::hdr_flip:
+            return perceived(a, b, kind, mask);
+        case DifferenceKind::significant:
+            return significant(a, b, noise, mask);
+        default:
+            return pixelwise(a, b, kind);
     }
 }
 
@@ -50,24 +119,28 @@ void apply(DifferenceKind kind, float* difference, const float* reference, int c
 
 DifferenceImage difference(const Image& a, const Image& b, DifferenceKind kind, const Image* valid_a,
                            const Image* valid_b) {
-    require_comparable(a, b);
+    return difference(a, b, kind, Noise{}, valid_a, valid_b);
+}
+
+DifferenceImage difference(const Image& a, const Image& b, DifferenceKind kind, const Noise& noise,
+                           const Image* valid_a, const Image* valid_b) {
+    require_comparable(a, b, "A", "B");
+    require_mask_size(a, valid_a, "mask of A");
+    require_mask_size(b, valid_b, "mask of B");
+    Image mask = common_mask(a, valid_a, valid_b);
     DifferenceImage result;
-    result.image = signed_difference(a, b);
-    require_mask_size(a, valid_a, "A");
-    require_mask_size(b, valid_b, "B");
-    Image& image = result.image;
-    const std::size_t count = std::size_t(image.width) * image.height;
-    for (std::size_t i = 0; i < count; ++i) {
-        float* pixel = &image.pixels[i * image.channels];
-        if (!excluded(valid_a, i) && !excluded(valid_b, i)) {
-            apply(kind, pixel, &b.pixels[i * b.channels], image.channels);
-            continue;
-        }
-        if (result.valid.empty()) result.valid = Image(image.width, image.height, 1, 1.0f);
-        result.valid.pixels[i] = 0;
-        std::fill_n(pixel, image.channels, std::numeric_limits<float>::quiet_NaN());
-    }
+    result.image = compute(a, b, kind, noise, mask);
+    if (std::find(mask.pixels.begin(), mask.pixels.end(), 0.0f) == mask.pixels.end()) return result;
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i)
+        if (mask.pixels[i] == 0)
+            std::fill_n(&result.image.pixels[i * result.image.channels], result.image.channels, no_value);
+    result.valid = std::move(mask);
     return result;
+}
+
+Image signed_difference(const Image& image, const Image& reference) {
+    require_comparable(image, reference, "image", "reference");
+    return pixelwise(image, reference, DifferenceKind::signed_);
 }
 
 }  // namespace ir

@@ -5,108 +5,99 @@
 #include <limits>
 
 #include "renderers/core/error.h"
+#include "renderers/image/comparison.h"
+#include "renderers/image/ssim.h"
 
 namespace ir {
 namespace {
 
-/// Alpha is coverage, not a measured quantity.
-int compared_channels(const Image& image) {
-    return image.channels == 4 ? 3 : image.channels;
+void require_inside(const Rectangle& r, const Image& image) {
+    const bool inside = r.width > 0 && r.height > 0 && r.x >= 0 && r.y >= 0 && r.x <= image.width - r.width &&
+                        r.y <= image.height - r.height;
+    if (!inside)
+        throw UsageError("the rectangle " + std::to_string(r.x) + "," + std::to_string(r.y) + "," +
+                         std::to_string(r.width) + "," + std::to_string(r.height) +
+                         " (x,y,width,height) does not lie inside the image of " + size_text(image));
 }
 
-std::string size_text(const Image& image) {
-    return std::to_string(image.width) + "x" + std::to_string(image.height);
+bool in_region(const MetricOptions& options, const Image& image, std::size_t pixel) {
+    if (!is_valid(options.mask, pixel)) return false;
+    if (!options.rectangle) return true;
+    const auto& r = *options.rectangle;
+    const int x = static_cast<int>(pixel % image.width), y = static_cast<int>(pixel / image.width);
+    return x >= r.x && x < r.x + r.width && y >= r.y && y < r.y + r.height;
 }
 
-void require_comparable(const Image& image, const Image& reference) {
-    if (image.width != reference.width || image.height != reference.height)
-        throw UsageError("sizes differ: image " + size_text(image) + ", reference " + size_text(reference) +
-                         "; render both at one size");
-    if (compared_channels(image) != compared_channels(reference))
-        throw UsageError("channels differ: image has " + std::to_string(image.channels) + ", reference has " +
-                         std::to_string(reference.channels) + "; choose layers of one kind");
-}
-
-void require_mask_size(const Image& image, const Image* mask, const char* name) {
-    if (!mask) return;
-    if (mask->width != image.width || mask->height != image.height || mask->channels != 1)
-        throw UsageError(std::string("sizes differ: ") + name + " " + size_text(*mask) + " with " +
-                         std::to_string(mask->channels) + " channels, image " + size_text(image) +
-                         "; a mask has the image's size and one channel");
-}
-
-bool is_valid(const Image* mask, int x, int y) {
-    return !mask || mask->at(x, y) > 0.5f;
-}
-
+/// Sums over channels of one pixel or of many.
 struct Sums {
-    double squares = 0, absolutes = 0;
-    std::size_t pixels = 0, skipped = 0;
+    double squares = 0, absolutes = 0, relative_squares = 0;
 };
 
-/// Adds one pixel, unless a channel is NaN or infinite in either image.
-bool add_pixel(const Image& image, const Image& reference, int x, int y, int channels, Sums& sums) {
-    double squares = 0, absolutes = 0;
+void add_pixel(const Image& image, const Image& reference, std::size_t pixel, int channels, Sums& sums) {
     for (int c = 0; c < channels; ++c) {
-        const double a = image.at(x, y, c), b = reference.at(x, y, c);
-        if (!std::isfinite(a) || !std::isfinite(b)) return false;
-        squares += (a - b) * (a - b);
-        absolutes += std::abs(a - b);
+        const double a = image.pixels[pixel * image.channels + c];
+        const double b = reference.pixels[pixel * reference.channels + c];
+        const double square = (a - b) * (a - b);
+        sums.squares += square;
+        sums.absolutes += std::abs(a - b);
+        sums.relative_squares += square / (b * b + relmse_epsilon);
     }
-    sums.squares += squares;
-    sums.absolutes += absolutes;
-    return true;
 }
 
-double metric_value(const std::string& name, const Sums& sums, int channels) {
-    const double count = static_cast<double>(sums.pixels) * channels;
+/// The pixels that count, and those that may be looked at.
+struct Pixels {
+    std::vector<std::size_t> compared;
+    Image valid;
+    double mean(const Image& map) const {
+        double sum = 0;
+        for (const auto pixel : compared) sum += map.pixels[pixel];
+        return sum / static_cast<double>(compared.size());
+    }
+};
+
+double compute(const std::string& name, const Image& image, const Image& reference, const Pixels& pixels,
+               const Sums& sums, const MetricOptions& options, MetricResult& result) {
+    const double count = static_cast<double>(pixels.compared.size()) * compared_channels(image);
+    if (name == "rmse") return std::sqrt(sums.squares / count);
     if (name == "mae") return sums.absolutes / count;
-    const double mse = sums.squares / count;
-    if (name == "rmse") return std::sqrt(mse);
-    return -10 * std::log10(mse);  // psnr with a peak of 1
+    if (name == "relmse") return sums.relative_squares / count;
+    if (name == "psnr") return -10 * std::log10(sums.squares / count);
+    if (name == "ssim") return pixels.mean(ssim_map(image, reference, &pixels.valid));
+    if (name == "flip") return pixels.mean(flip_error(image, reference, options.flip, &pixels.valid));
+    const auto hdr = hdr_flip_error(image, reference, options.flip, &pixels.valid);
+    result.exposures = FlipExposures{hdr.start, hdr.stop, hdr.exposures};
+    return pixels.mean(hdr.error);
 }
 
 }  // namespace
 
-const std::vector<std::string>& metric_names() {
-    static const std::vector<std::string> names = {"rmse", "mae", "psnr"};
-    return names;
-}
-
 MetricResult compute_metrics(const Image& image, const Image& reference,
-                             const std::vector<std::string>& metrics, const Image* mask_a,
-                             const Image* mask_b) {
-    for (const auto& name : metrics)
-        if (std::find(metric_names().begin(), metric_names().end(), name) == metric_names().end())
-            throw UsageError("unknown metric '" + name + "'; known are rmse, mae, psnr");
-    require_comparable(image, reference);
-    require_mask_size(image, mask_a, "the image's mask");
-    require_mask_size(image, mask_b, "the reference's mask");
+                             const std::vector<std::string>& names, const MetricOptions& options) {
+    for (const auto& name : names) metric(name);
+    require_comparable(image, reference, "image", "reference");
+    require_mask_size(image, options.valid_image, "the image's mask of valid pixels");
+    require_mask_size(image, options.valid_reference, "the reference's mask of valid pixels");
+    require_mask_size(image, options.mask, "the mask");
+    if (options.rectangle) require_inside(*options.rectangle, image);
 
-    const int channels = compared_channels(image);
-    Sums sums;
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const bool added = is_valid(mask_a, x, y) && is_valid(mask_b, x, y) &&
-                               add_pixel(image, reference, x, y, channels, sums);
-            ++(added ? sums.pixels : sums.skipped);
-        }
+    const auto valid = valid_in_both(image, reference, options.valid_image, options.valid_reference);
     MetricResult result;
-    result.pixels = sums.pixels;
-    result.skipped = sums.skipped;
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    for (const auto& name : metrics)
-        result.values[name] = sums.pixels ? metric_value(name, sums, channels) : none;
-    return result;
-}
-
-Image signed_difference(const Image& image, const Image& reference) {
-    require_comparable(image, reference);
-    Image result(image.width, image.height, compared_channels(image));
-    for (int y = 0; y < result.height; ++y)
-        for (int x = 0; x < result.width; ++x)
-            for (int c = 0; c < result.channels; ++c)
-                result.at(x, y, c) = image.at(x, y, c) - reference.at(x, y, c);
+    Pixels pixels{{}, Image(image.width, image.height, 1)};
+    Sums sums;
+    for (std::size_t i = 0; i < valid.size(); ++i) {
+        pixels.valid.pixels[i] = valid[i];
+        if (!in_region(options, image, i)) continue;
+        if (!valid[i]) {
+            ++result.skipped;
+            continue;
+        }
+        pixels.compared.push_back(i);
+        add_pixel(image, reference, i, compared_channels(image), sums);
+    }
+    result.pixels = pixels.compared.size();
+    for (const auto& name : names)
+        result.values[name] = result.pixels ? compute(name, image, reference, pixels, sums, options, result)
+                                            : std::numeric_limits<double>::quiet_NaN();
     return result;
 }
 

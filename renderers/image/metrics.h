@@ -11,15 +11,18 @@
 namespace ir {
 
 struct MetricResult {
-    std::map<std::string, double> values;  ///< by metric name
-    std::size_t pixels = 0;                ///< that were compared
-    std::size_t skipped = 0;               ///< invalid (mask 0 or NaN/Inf) in either image
+    std::map<std::string, double> values;    ///< by metric name
+    std::size_t pixels = 0;                  ///< that were compared
+    std::size_t skipped = 0;                 ///< invalid (mask 0 or NaN/Inf) in either image
+    std::optional<FlipExposures> exposures;  ///< those of hdr-flip, when it was computed
 };
 
-/// What each metric is, for lists and tooltips.
+/// What each metric is, for lists, tooltips and the manual.
 struct MetricDescription {
-    std::string name, label, doc, unit;
+    std::string name, label, doc;
+    std::string unit;             ///< "dB"; empty: none, or the images' own
     bool more_is_better = false;  ///< psnr, ssim
+    std::string citation = {};    ///< keys of REFERENCES.bib
 };
 
 /// rmse, mae (in the image's unit), relmse, psnr (decibels, peak 1; infinite for equal images), ssim, flip
@@ -27,7 +30,14 @@ struct MetricDescription {
 const std::vector<MetricDescription>& metrics();
 const std::vector<std::string>& metric_names();
 
-/// Pixels x … x + width - 1 of an image.
+/// Throws UsageError that lists the known names.
+const MetricDescription& metric(const std::string& name);
+
+/// Keeps the relative squared error (a - b)² / (b² + ε) finite where the reference is black; in the square of
+/// the images' unit.
+inline constexpr double relmse_epsilon = 0.01;
+
+/// Pixels x … x + width - 1 of an image, and so on downwards.
 struct Rectangle {
     int x = 0, y = 0, width = 0, height = 0;
     bool operator==(const Rectangle&) const = default;
@@ -35,27 +45,35 @@ struct Rectangle {
 
 struct MetricOptions {
     /// Valid pixels by values above 0.5; one channel; may be null.
-    const Image *valid_image = nullptr, *valid_reference = nullptr;
+    const Image* valid_image = nullptr;
+    const Image* valid_reference = nullptr;
     /// Only pixels inside count; both where both are given. Of metrics that look at neighbourhoods the
-    /// neighbours outside still take part.
-    std::optional<Rectangle> rectangle;
+    /// neighbours outside still take part; invalid pixels never do.
+    std::optional<Rectangle> rectangle = {};
     const Image* mask = nullptr;
-    FlipOptions flip;
+    FlipOptions flip = {};
 };
 
-/// Compares two images of equal size; RGBA is compared by RGB. `mask_a`/`mask_b` (1 channel, may be null)
-/// mark valid pixels by values above 0.5. Without any valid pixel all values are NaN. Throws UsageError for
-/// sizes that differ (naming both) and for unknown metrics.
+/// Compares two images of equal size; RGBA is compared by RGB. `pixels` and `skipped` add up to the region.
+/// Without any valid pixel all values are NaN. Throws UsageError for sizes that differ (naming both), for
+/// unknown metrics, for rectangles that are empty or lie outside, and for ꟻLIP of other than 1, 3 or 4
+/// channels.
 MetricResult compute_metrics(const Image& image, const Image& reference,
-                             const std::vector<std::string>& metrics, const Image* mask_a = nullptr,
-                             const Image* mask_b = nullptr);
+                             const std::vector<std::string>& metrics, const MetricOptions& options = {});
 
-/// The same with a region. Throws UsageError for rectangles that lie outside, too.
-MetricResult compute_metrics(const Image& image, const Image& reference,
-                             const std::vector<std::string>& metrics, const MetricOptions& options);
+/// How pictures may fail to be comparable.
+enum class Misfit { none, size, channels, orientation };
+struct Comparability {
+    Misfit misfit = Misfit::none;
+    std::string why;  ///< one line; empty for none
+};
 
-/// Why two images cannot be compared, in one line: sizes (a turned picture is named as such), channels, or
-/// that one of them looks upside down or mirrored. Empty: they can.
+/// Whether two images can be compared: sizes (a turned picture is named as such), channels, and whether one
+/// of them looks upside down or mirrored. That is said only where the turned picture fits more than twice as
+/// well as the other and well in itself, so that neither symmetric nor noisy pictures are suspected.
+Comparability comparability(const Image& image, const Image& reference);
+
+/// comparability().why.
 std::string why_not_comparable(const Image& image, const Image& reference);
 
 /// image - reference, per channel (three for RGBA). Throws UsageError like compute_metrics.

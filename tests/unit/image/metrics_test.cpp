@@ -40,7 +40,7 @@ TEST(Metrics, SkipsInvalidPixels) {
     const float infinity = std::numeric_limits<float>::infinity();
     const Image a = grey({1, nan, 3, 9, 9, 2}), b = grey({0, 1, infinity, 0, 0, 2});
     const Image mask_a = grey({1, 1, 1, 0, 1, 1}), mask_b = grey({1, 1, 1, 1, 0, 1});
-    const auto result = compute_metrics(a, b, {"mae"}, &mask_a, &mask_b);
+    const auto result = compute_metrics(a, b, {"mae"}, {.valid_image = &mask_a, .valid_reference = &mask_b});
     EXPECT_EQ(result.pixels, 2u);
     EXPECT_EQ(result.skipped, 4u);
     EXPECT_DOUBLE_EQ(result.values.at("mae"), 0.5);
@@ -57,7 +57,7 @@ TEST(Metrics, OneBadChannelSkipsThePixel) {
 
 TEST(Metrics, NothingValidIsNaN) {
     const Image none = grey({0, 0});
-    const auto result = compute_metrics(grey({1, 2}), grey({1, 2}), {"rmse"}, &none);
+    const auto result = compute_metrics(grey({1, 2}), grey({1, 2}), {"rmse"}, {.valid_image = &none});
     EXPECT_TRUE(std::isnan(result.values.at("rmse")));
     EXPECT_EQ(result.skipped, 2u);
 }
@@ -84,7 +84,7 @@ TEST(Metrics, RefusesWhatCannotBeCompared) {
     EXPECT_THROW(compute_metrics(Image(1, 1, 1), Image(1, 1, 1), {"rsme"}), UsageError);
     EXPECT_THROW(signed_difference(Image(1, 2, 1), Image(2, 1, 1)), UsageError);
     const Image mask(2, 1, 1);
-    EXPECT_THROW(compute_metrics(Image(1, 1, 1), Image(1, 1, 1), {"rmse"}, &mask), UsageError);
+    EXPECT_THROW(compute_metrics(Image(1, 1, 1), Image(1, 1, 1), {"rmse"}, {.valid_image = &mask}), UsageError);
 }
 
 TEST(Metrics, SignedDifference) {
