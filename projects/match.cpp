@@ -1,0 +1,167 @@
+#include "projects/match.h"
+
+#include <algorithm>
+
+#include "projects/results.h"
+#include "projects/settings.h"
+#include "projects/text.h"
+#include "renderers/core/error.h"
+#include "renderers/core/transport.h"
+
+namespace ir::projects {
+namespace {
+
+/// A matched reference shows a first picture soon and is complete after so many times the method's default.
+constexpr int progressive_frames = 16;
+
+const Experiment& experiment_of(const Project& project, const std::string& id) {
+    if (const auto* found = find_item(project.experiments, id)) return *found;
+    throw UsageError("there is no experiment '" + printable(id, 60) + "' in the project");
+}
+
+const MethodDescription& reference_method(const Registry& registry) {
+    if (const auto* method = registry.reference()) return *method;
+    throw UsageError("this build has no method that is the ground truth");
+}
+
+bool counts(const ParameterDescription& parameter, const Settings& values) {
+    const auto& condition = parameter.active_when;
+    const auto found = values.find(condition.key);
+    if (condition.key.empty() || found == values.end()) return true;
+    return std::find(condition.values.begin(), condition.values.end(), found->second) !=
+           condition.values.end();
+}
+
+/// The transport of an experiment, complete: its method's defaults may be others than the reference's.
+Settings transport_of(const Experiment& experiment, const MethodDescription& method) {
+    Settings transport;
+    const auto values = runnable_settings(experiment, method);
+    for (const auto& parameter : method.parameters)
+        if (is_transport_key(parameter.key) && counts(parameter, values))
+            transport[parameter.key] = values.at(parameter.key);
+    return transport;
+}
+
+Settings matched_values(const Settings& transport, const MethodDescription& reference) {
+    auto values = defaults(reference.parameters);
+    for (const auto& [key, value] : transport) {
+        const auto* parameter = find(reference.parameters, key);
+        if (!parameter) continue;
+        try {
+            values[key] = parameter->checked(value);
+        } catch (const UsageError& error) {
+            throw UsageError("the reference cannot compute this transport: " + std::string(error.what()));
+        }
+    }
+    // What does not count must not tell two experiments apart.
+    for (const auto& parameter : reference.parameters)
+        if (!counts(parameter, values)) values[parameter.key] = parameter.default_value;
+    return values;
+}
+
+/// What makes it the truth that it is, whatever its noise.
+Json truth_of(const Project& project, const Experiment& experiment, const Registry& registry) {
+    auto inputs = state_inputs(project, experiment, registry);
+    inputs.erase("seed");
+    return inputs;
+}
+
+/// An experiment that is the same truth; the one that `experiment` has already before all others.
+const Experiment* find_match(const Project& project, const Experiment& experiment, const Experiment& truth,
+                             const Registry& registry) {
+    const auto wanted = truth_of(project, truth, registry);
+    const Experiment* found = nullptr;
+    for (const auto& candidate : project.experiments) {
+        if (candidate.method != truth.method || truth_of(project, candidate, registry) != wanted) continue;
+        if (!found || candidate.id == experiment.reference) found = &candidate;
+    }
+    return found;
+}
+
+std::string shown(const Value& value) {
+    return ir::to_string(value);
+}
+
+/// In what two experiments differ that makes one no truth of the other; empty: in nothing.
+std::string mismatch(const Project& project, const Experiment& experiment, const Experiment& truth,
+                     const Registry& registry) {
+    std::vector<std::string> found;
+    const auto mine = picture_inputs(project, experiment, registry);
+    const auto its = picture_inputs(project, truth, registry);
+    for (const char* key : {"scene", "camera", "lights", "environment", "size", "time"})
+        if (mine.at(key) != its.at(key)) found.push_back(key);
+    const auto* method = registry.find(experiment.method);
+    const auto* reference = registry.find(truth.method);
+    if (method && reference) {
+        const auto values = runnable_settings(truth, *reference);
+        for (const auto& [key, value] : transport_of(experiment, *method)) {
+            const auto other = values.find(key);
+            if (other != values.end() && other->second != value)
+                found.push_back(key + " (" + shown(value) + ", the reference has " + shown(other->second) +
+                                ")");
+        }
+    }
+    return listed(found);
+}
+
+}  // namespace
+
+Experiment matching_reference(const Project& project, const Experiment& experiment,
+                              const Registry& registry) {
+    const auto& reference = reference_method(registry);
+    const auto* method = registry.find(experiment.method);
+    if (!method)
+        throw UsageError("this build has no method '" + printable(experiment.method, 60) +
+                         "', so its transport is unknown");
+    if (method->is_reference)
+        throw UsageError("'" + printable(experiment.name, 60) + "' is a reference itself");
+    const auto run = effective(experiment);
+    const auto name = experiment.name + " reference";
+    auto truth = edits::new_experiment(project, registry, reference.id, name, run.scene, run.camera);
+    truth.lights = run.lights;
+    truth.size = run.size;
+    truth.time = run.time;
+    truth.frames = progressive_frames;
+    truth.values = matched_values(transport_of(experiment, *method), reference);
+    return truth;
+}
+
+EditPtr match(const Project& project, const std::string& id, const Registry& registry) {
+    const auto& experiment = experiment_of(project, id);
+    const auto truth = matching_reference(project, experiment, registry);
+    const auto label = "Match '" + printable(experiment.name, 40) + "' with its reference";
+    std::vector<EditPtr> steps;
+    if (const auto* found = find_match(project, experiment, truth, registry)) {
+        if (found->id == experiment.reference) return nullptr;
+        steps.push_back(edits::set_reference(project, id, found->id));
+        return edits::group(label, std::move(steps));
+    }
+    const auto behind = static_cast<std::size_t>(&experiment - project.experiments.data()) + 1;
+    steps.push_back(edits::add(project, truth, behind));
+    auto with_truth = project;
+    steps.back()->apply(with_truth);
+    steps.push_back(edits::set_reference(with_truth, id, truth.id));
+    return edits::group(label, std::move(steps));
+}
+
+std::string match_id(const Project& project, const std::string& id, const Registry& registry) {
+    const auto& experiment = experiment_of(project, id);
+    const auto truth = matching_reference(project, experiment, registry);
+    const auto* found = find_match(project, experiment, truth, registry);
+    return found ? found->id : truth.id;
+}
+
+std::vector<std::pair<std::string, std::string>> mismatched_references(const Project& project,
+                                                                       const Registry& registry) {
+    std::vector<std::pair<std::string, std::string>> result;
+    for (const auto& experiment : project.experiments) {
+        const auto* truth = find_item(project.experiments, experiment.reference);
+        if (!truth) continue;
+        const auto why = mismatch(project, experiment, *truth, registry);
+        if (!why.empty())
+            result.emplace_back(experiment.id, "is judged by '" + truth->id + "', which differs in " + why);
+    }
+    return result;
+}
+
+}  // namespace ir::projects
