@@ -71,7 +71,8 @@ std::vector<ImageLayer> Execution::layers(const std::vector<std::string>& patter
     for (const auto& resource : report.resources)
         if (resource.key == main_result) add("", resource, 0, 0);
     for (const auto& resource : report.resources) {
-        const bool wanted = resource.key == "valid" ||
+        // The variance goes along, so that files tell noise from error.
+        const bool wanted = resource.key == "valid" || resource.key == method_->description.variance ||
                             std::any_of(patterns.begin(), patterns.end(), [&](const auto& pattern) {
                                 return graph::matches(pattern, resource.key);
                             });
@@ -104,6 +105,8 @@ ImageAttributes Execution::attributes() const {
     result["interreflect.version"] = version();
     result["interreflect.method"] = method_->description.id;
     result["interreflect.method_version"] = std::to_string(method_->description.version);
+    if (const auto& variance = method_->description.variance; !variance.empty())
+        result["interreflect.variance"] = variance;
     for (const auto& [key, value] : settings_) result["interreflect.set." + key] = to_string(value);
     result["interreflect.scene"] = scene::composition_name(experiment_.composition());
     result["interreflect.scene_hash"] = scene_->content_hash;
@@ -111,6 +114,7 @@ ImageAttributes Execution::attributes() const {
         result["interreflect.environment"] = environment->map ? "map" : vector(environment->constant);
     result["interreflect.seed"] = std::to_string(experiment_.seed);
     result["interreflect.frames"] = std::to_string(frame_);
+    if (accumulates()) result["interreflect.samples"] = std::to_string(samples_);
     result["interreflect.time"] = to_string(Value{experiment_.time});
     result["interreflect.backend"] = graph_->last_report().backend;
     result["interreflect.device"] = graph_->last_report().device;

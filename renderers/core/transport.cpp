@@ -74,8 +74,13 @@ ParameterTable<Transport> transport_parameters(const TransportSupport& support) 
     return whole_group().only(keys, "paths", support.paths);
 }
 
+const std::vector<ParameterDescription>& transport_group() {
+    static const auto descriptions = whole_group().descriptions();
+    return descriptions;
+}
+
 bool is_transport_key(const std::string& key) {
-    return find(whole_group().descriptions(), key) != nullptr;
+    return find(transport_group(), key) != nullptr;
 }
 
 }  // namespace ir

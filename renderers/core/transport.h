@@ -34,6 +34,9 @@ struct TransportSupport {
 /// method's own struct gives its Transport member.
 ParameterTable<Transport> transport_parameters(const TransportSupport& support);
 
+/// The descriptions of the whole group, with the defaults above.
+const std::vector<ParameterDescription>& transport_group();
+
 /// Whether `key` belongs to the transport group.
 bool is_transport_key(const std::string& key);
 
