@@ -1,32 +1,33 @@
 #include "renderers/passes/lights/light_sampler.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <limits>
-#include <numbers>
 #include <vector>
 
-#include "renderers/passes/lights/discrete_distribution.h"
 #include "renderers/passes/lights/environment_light.h"
 #include "renderers/passes/lights/flat_light.h"
-#include "renderers/passes/lights/luminance.h"
+#include "renderers/passes/lights/light_choice.h"
 #include "renderers/passes/lights/punctual.h"
 #include "renderers/passes/lights/triangle_lights.h"
 
 namespace ir::passes {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
-
 bool is_flat(const scene::Light& light) {
     return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
 }
 
-/// What a light sends out, W; an infinite one onto a sphere around the scene.
-float power_of(const scene::Light& light, float scene_radius) {
-    const float intensity = luminance(light.colour * light.intensity);
-    if (light.type == scene::LightType::directional) return intensity * pi * scene_radius * scene_radius;
-    if (is_flat(light)) return intensity * pi * FlatLight(light).area();
-    return intensity * punctual_solid_angle(light);
+/// `choice` with more than its 24 bits, which would not last to the leaves of a deep tree: the rest are a
+/// hash of all the numbers given.
+double lengthened(float choice, glm::vec2 u) {
+    auto bits = (std::uint64_t{std::bit_cast<std::uint32_t>(u.x)} << 32 | std::bit_cast<std::uint32_t>(u.y)) ^
+                std::bit_cast<std::uint32_t>(choice) * std::uint64_t{0x9e3779b97f4a7c15};
+    bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9;  // [Steele14, the finaliser of SplitMix]
+    bits = (bits ^ bits >> 27) * 0x94d049bb133111eb;
+    constexpr double unit = 0x1p-24, below_one = 1 - 0x1p-53;
+    return std::min(choice + unit * (static_cast<double>(bits >> 32) * 0x1p-32), below_one);
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ struct LightSampler::Impl {
     Impl(const SurfaceLookup& surfaces, const Options& options);
     std::optional<LightSample> sample_light(std::size_t light, float probability, glm::vec3 position_ws,
                                             glm::vec2 u) const;
-    std::optional<LightSample> sample_triangle(float choice, float probability, glm::vec3 position_ws,
+    std::optional<LightSample> sample_triangle(std::size_t triangle, float probability, glm::vec3 position_ws,
                                                glm::vec2 u) const;
     std::optional<LightSample> sample_environment(float probability, glm::vec3 normal_ws, glm::vec2 u) const;
 
@@ -48,9 +49,7 @@ struct LightSampler::Impl {
     std::vector<int> flat_of;  ///< per light: index into flat or -1
     std::optional<TriangleLights> triangles;
     std::optional<EnvironmentLight> environment;
-    /// One item a light, then all triangles together, then the environment.
-    DiscreteDistribution choice;
-    DiscreteDistribution triangle_choice;
+    std::optional<LightChoice> choice;
 };
 
 LightSampler::Impl::Impl(const SurfaceLookup& surfaces, const Options& options)
@@ -63,25 +62,10 @@ LightSampler::Impl::Impl(const SurfaceLookup& surfaces, const Options& options)
     }
     if (options.emissive_meshes) triangles.emplace(surfaces);
     if (options.environment) environment.emplace(surfaces.scene().environment);
-
-    const float radius = std::max(surfaces.world().bounds.radius(), 1e-3f);
-    std::vector<float> powers;
-    for (const auto& light : lights) powers.push_back(power_of(light, radius));
-    float triangle_power = 0;
-    if (triangles && triangles->size() > 0) {
-        const auto power = [&](std::size_t i) {
-            return 2 * pi * (*triangles)[i].area * (*triangles)[i].radiance;
-        };
-        for (std::size_t i = 0; i < triangles->size(); ++i) triangle_power += power(i);
-        triangle_choice = DiscreteDistribution(triangles->size(), power);
-    }
-    powers.push_back(triangle_power);
-    float finite = 0;
-    for (const float power : powers) finite += power;
-    float infinite = environment ? 4 * pi * pi * radius * radius * environment->mean_luminance() : 0.0f;
-    if (finite > 0 && infinite > 0) infinite = std::clamp(infinite, 0.25f * finite, 3 * finite);
-    powers.push_back(infinite);
-    choice = DiscreteDistribution(powers.size(), [&](std::size_t i) { return powers[i]; });
+    constexpr float least_radius = 1e-3f;  // a scene of one point has room for light, too
+    choice.emplace(lights, triangles ? &*triangles : nullptr,
+                   environment ? environment->mean_luminance() : 0.0f,
+                   std::max(surfaces.world().bounds.radius(), least_radius));
 }
 
 std::optional<LightSample> LightSampler::Impl::sample_light(std::size_t light, float probability,
@@ -98,13 +82,12 @@ std::optional<LightSample> LightSampler::Impl::sample_light(std::size_t light, f
     return LightSample{arrival->direction_ws, arrival->distance, arrival->irradiance, probability, true};
 }
 
-std::optional<LightSample> LightSampler::Impl::sample_triangle(float which, float probability,
+std::optional<LightSample> LightSampler::Impl::sample_triangle(std::size_t triangle, float probability,
                                                                glm::vec3 position_ws, glm::vec2 u) const {
-    const auto chosen = triangle_choice.sample(which);
-    const auto point = triangles->sample(chosen.index, position_ws, u);
+    const auto point = triangles->sample(triangle, position_ws, u);
     if (!point) return std::nullopt;
-    return LightSample{point->direction_ws, point->distance, point->radiance,
-                       probability * chosen.probability * point->pdf, false};
+    return LightSample{point->direction_ws, point->distance, point->radiance, probability * point->pdf,
+                       false};
 }
 
 std::optional<LightSample> LightSampler::Impl::sample_environment(float probability, glm::vec3 normal_ws,
@@ -121,41 +104,42 @@ LightSampler::LightSampler(const SurfaceLookup& surfaces, const Options& options
 LightSampler::~LightSampler() = default;
 
 bool LightSampler::empty() const {
-    return impl_->choice.empty();
+    return impl_->choice->empty();
 }
 
 std::optional<LightSample> LightSampler::sample(glm::vec3 position_ws, glm::vec3 normal_ws, float choice,
                                                 glm::vec2 u) const {
-    if (empty()) return std::nullopt;
-    const auto chosen = impl_->choice.sample(choice);
-    const auto lights = impl_->lights.size();
-    if (chosen.index < lights) return impl_->sample_light(chosen.index, chosen.probability, position_ws, u);
-    if (chosen.index == lights)
-        return impl_->sample_triangle(chosen.rest, chosen.probability, position_ws, u);
-    return impl_->sample_environment(chosen.probability, normal_ws, u);
+    const auto chosen = impl_->choice->choose(position_ws, normal_ws, lengthened(choice, u));
+    if (!chosen) return std::nullopt;
+    if (chosen->emitter == LightChoice::environment)
+        return impl_->sample_environment(chosen->probability, normal_ws, u);
+    const auto emitter = static_cast<std::size_t>(chosen->emitter), lights = impl_->lights.size();
+    return emitter < lights ? impl_->sample_light(emitter, chosen->probability, position_ws, u)
+                            : impl_->sample_triangle(emitter - lights, chosen->probability, position_ws, u);
 }
 
-float LightSampler::pdf_of_triangle(glm::vec3 position_ws, glm::vec3, glm::vec3, const Hit& hit) const {
+float LightSampler::pdf_of_triangle(glm::vec3 position_ws, glm::vec3 normal_ws, glm::vec3,
+                                    const Hit& hit) const {
     if (!impl_->triangles) return 0;
     const int number = impl_->triangles->find(hit.triangle);
     if (number < 0) return 0;
-    const auto i = static_cast<std::size_t>(number);
-    return impl_->choice.probability(impl_->lights.size()) * impl_->triangle_choice.probability(i) *
-           impl_->triangles->pdf(i, position_ws, hit.u, hit.v);
+    const int emitter = static_cast<int>(impl_->lights.size()) + number;
+    return impl_->choice->probability(position_ws, normal_ws, emitter) *
+           impl_->triangles->pdf(static_cast<std::size_t>(number), position_ws, hit.u, hit.v);
 }
 
-float LightSampler::pdf_of_light(glm::vec3 position_ws, glm::vec3, glm::vec3 direction_ws,
+float LightSampler::pdf_of_light(glm::vec3 position_ws, glm::vec3 normal_ws, glm::vec3 direction_ws,
                                  const LightHit& hit) const {
     const auto light = static_cast<std::size_t>(hit.light);
     if (hit.light < 0 || light >= impl_->lights.size() || impl_->flat_of[light] < 0) return 0;
     const auto& shape = impl_->flat[static_cast<std::size_t>(impl_->flat_of[light])].light;
-    return impl_->choice.empty() ? 0
-                                 : impl_->choice.probability(light) * shape.pdf(position_ws, direction_ws);
+    return impl_->choice->probability(position_ws, normal_ws, hit.light) *
+           shape.pdf(position_ws, direction_ws);
 }
 
 float LightSampler::pdf_of_environment(glm::vec3, glm::vec3 normal_ws, glm::vec3 direction_ws) const {
     if (!has_environment()) return 0;
-    return impl_->choice.probability(impl_->lights.size() + 1) *
+    return impl_->choice->environment_probability(normal_ws) *
            impl_->environment->pdf(normal_ws, direction_ws);
 }
 
