@@ -1,13 +1,15 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/cli/command.h"
+#include "app/cli/compare_difference.h"
+#include "app/cli/compare_sides.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
-#include "renderers/image/exr.h"
+#include "renderers/image/colour_map.h"
 #include "renderers/image/metrics.h"
 
 namespace ir::cli {
@@ -16,8 +18,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Flags {
-    std::string image, reference, layer, metrics = "rmse,mae,psnr", diff;
+    std::string image, reference, layer, metrics = "rmse,mae,psnr", rectangle, mask, range, allowed;
+    DifferenceRequest difference;
     std::vector<std::string> limits;
+    double pixels_per_degree = FlipOptions{}.pixels_per_degree;
     bool json = false;
 };
 
@@ -28,89 +32,181 @@ std::vector<std::string> split(const std::string& text) {
     return words;
 }
 
-struct Side {
-    Image image, mask;
-    ImageAttributes attributes;
-};
-
-/// The layer to compare and, where the file has one of the same size, its mask of valid pixels.
-Side load(const std::string& file, const std::string& layer) {
-    Side side;
-    side.image = read_image(file, layer);
-    if (std::filesystem::path(file).extension() != ".exr") return side;
-    for (auto& candidate : read_exr(file, &side.attributes))
-        if (candidate.name == "valid" && candidate.image.width == side.image.width &&
-            candidate.image.height == side.image.height)
-            side.mask = std::move(candidate.image);
-    return side;
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
 }
 
-/// Results of different transports are never compared unawares.
-std::vector<std::string> transport_differences(const ImageAttributes& a, const ImageAttributes& b) {
-    std::vector<std::string> differences;
-    for (const auto* key : {"paths", "min_bounces", "max_bounces", "max_distance", "falloff", "materials",
-                            "normal_maps", "environment_light"}) {
-        const auto name = std::string("interreflect.set.") + key;
-        const auto left = a.find(name), right = b.find(name);
-        if (left != a.end() && right != b.end() && left->second != right->second)
-            differences.push_back(std::string(key) + " is " + left->second + " and " + right->second);
-    }
-    return differences;
+std::vector<double> numbers(const std::string& text, std::size_t count, const std::string& option,
+                            const std::string& form) {
+    const auto words = split(text);
+    if (words.size() != count) throw UsageError(option + " '" + text + "' is not of the form " + form);
+    std::vector<double> result;
+    for (const auto& word : words) result.push_back(projects::parse_number(word, option));
+    return result;
 }
 
-int compare(const Flags& flags) {
-    if (!flags.diff.empty() && std::filesystem::path(flags.diff).extension() != ".exr")
-        throw UsageError("--diff '" + flags.diff +
-                         "' must end in .exr: other files cannot hold signed differences");
+Rectangle parse_rectangle(const std::string& text) {
+    const auto n = numbers(text, 4, "--rect", "x,y,width,height");
+    for (const double value : n)
+        if (value != std::floor(value) || std::abs(value) > 1e6)
+            throw UsageError("--rect '" + text + "' must hold whole numbers of pixels");
+    return {int(n[0]), int(n[1]), int(n[2]), int(n[3])};
+}
+
+std::vector<std::string> chosen_metrics(const Flags& flags) {
+    if (flags.metrics == "all") return metric_names();
     auto names = split(flags.metrics);
-    if (names.empty()) throw UsageError("--metric names no metric; give rmse, mae or psnr");
+    if (names.empty())
+        throw UsageError("--metric names no metric; give 'all' or some of " + joined(metric_names()));
+    for (const auto& name : names) metric(name);
+    return names;
+}
+
+/// By metric. Adds metrics that only limits name.
+std::map<std::string, double> parse_limits(const Flags& flags, std::vector<std::string>& names) {
     std::map<std::string, double> limits;
     for (const auto& text : flags.limits) {
         const auto equals = text.find('=');
         if (equals == std::string::npos)
             throw UsageError("--fail-above '" + text + "' is not of the form metric=value");
-        limits[text.substr(0, equals)] = projects::parse_number(text.substr(equals + 1), "--fail-above");
-        if (std::find(names.begin(), names.end(), text.substr(0, equals)) == names.end())
-            names.push_back(text.substr(0, equals));
+        const auto name = text.substr(0, equals);
+        metric(name);
+        limits[name] = projects::parse_number(text.substr(equals + 1), "--fail-above");
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
-    const auto image = load(flags.image, flags.layer), reference = load(flags.reference, flags.layer);
-    MetricOptions options;
-    options.valid_image = image.mask.empty() ? nullptr : &image.mask;
-    options.valid_reference = reference.mask.empty() ? nullptr : &reference.mask;
-    const auto result = compute_metrics(image.image, reference.image, names, options);
-    const auto differences = transport_differences(image.attributes, reference.attributes);
-    for (const auto& difference : differences)
-        std::cerr << "warning: the two results have different transports: " << difference << "\n";
-    if (!flags.diff.empty()) {
-        const auto difference = signed_difference(image.image, reference.image);
-        write_exr(flags.diff, {{"", standard_channels(difference.channels), difference}},
-                  {{"interreflect.difference", flags.image + " - " + flags.reference}});
-    }
+    return limits;
+}
+
+/// Results that should not be compared are refused, unless that was allowed.
+std::vector<Mismatch> checked_mismatches(const Side& image, const Side& reference,
+                                         const std::vector<std::string>& allowed) {
+    const auto is_allowed = [&](const std::string& what) {
+        return std::find(allowed.begin(), allowed.end(), what) != allowed.end();
+    };
+    const auto found = mismatches(image, reference);
+    for (const auto& mismatch : found)
+        if (!is_allowed(mismatch.what))
+            throw InputError(image.file, "",
+                             "cannot be compared with " + reference.file + ": different " + mismatch.what +
+                                 ": " + mismatch.text + " (--allow-different " + mismatch.what +
+                                 " compares them all the same)");
+    for (const auto& mismatch : found)
+        std::cerr << "warning: different " << mismatch.what << ": " << mismatch.text << "\n";
+    return found;
+}
+
+std::vector<std::string> parse_allowed(const std::string& text) {
+    const auto words = split(text);
+    const auto& known = mismatch_kinds();
+    for (const auto& word : words)
+        if (std::find(known.begin(), known.end(), word) == known.end())
+            throw UsageError("--allow-different '" + word + "' is unknown; known are " + joined(known));
+    return words;
+}
+
+/// Sizes and channels that differ are wrong input: no option helps.
+void require_same_shape(const Side& image, const Side& reference) {
+    const auto look = comparability(image.image, reference.image);
+    if (look.misfit == Misfit::size || look.misfit == Misfit::channels)
+        throw InputError(image.file, "", "cannot be compared with " + reference.file + ": " + look.why);
+}
+
+/// 'all' leaves out what two channels have no colours for.
+void drop_colour_metrics(const Image& image, std::vector<std::string>& names) {
+    if (image.channels != 2 && image.channels <= 4) return;
+    std::erase_if(names, [](const auto& name) { return name == "flip" || name == "hdr-flip"; });
+    std::cerr << "warning: flip and hdr-flip are left out: they need 1, 3 or 4 channels\n";
+}
+
+bool exceeds(const std::string& name, double value, double limit) {
+    return metric(name).more_is_better ? !(value >= limit) : !(value <= limit);
+}
+
+Json number(double value) {
+    if (std::isfinite(value)) return value;
+    return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+}
+
+Json as_json(const Flags& flags, const std::vector<std::string>& names, const MetricResult& result,
+             const std::vector<Mismatch>& found) {
     Json json{{"image", flags.image},
               {"reference", flags.reference},
               {"pixels", result.pixels},
               {"skipped", result.skipped}};
     json["metrics"] = Json::object();
+    for (const auto& name : names) json["metrics"][name] = number(result.values.at(name));
+    if (result.exposures)
+        json["hdr_flip_exposures"] = {{"start", result.exposures->start},
+                                      {"stop", result.exposures->stop},
+                                      {"count", result.exposures->count}};
+    json["different"] = Json::array();
+    for (const auto& mismatch : found)
+        json["different"].push_back({{"what", mismatch.what}, {"text", mismatch.text}});
+    return json;
+}
+
+void print(const std::vector<std::string>& names, const MetricResult& result) {
     for (const auto& name : names) {
-        const double value = result.values.at(name);
-        json["metrics"][name] = std::isfinite(value) ? Json(value) : Json(value > 0 ? "inf" : "nan");
+        const auto& unit = metric(name).unit;
+        std::cout << name << " " << result.values.at(name) << (unit.empty() ? "" : " " + unit) << "\n";
     }
-    json["transport_differences"] = differences;
-    Json exceeded = Json::array();
+    if (const auto& e = result.exposures)
+        std::cout << "hdr-flip exposures " << e->start << " to " << e->stop << " stops in " << e->count
+                  << " steps\n";
+    std::cout << "pixels " << result.pixels << " (" << result.skipped << " skipped as invalid)\n";
+}
+
+Json write_and_print(const Flags& flags, const Side& image, const Side& reference) {
+    const auto shown = write_difference(image, reference, flags.difference);
+    Json json{{"file", flags.difference.file},
+              {"kind", shown.kind},
+              {"range", {shown.low, shown.high}},
+              {"colour_map", shown.colour_map}};
+    if (shown.significant_part >= 0) json["significant_part"] = shown.significant_part;
+    if (flags.json) return json;
+    std::cout << "difference " << shown.kind << " from " << shown.low << " to " << shown.high << " ("
+              << shown.colour_map << ")\n";
+    if (shown.significant_part >= 0)
+        std::cout << "significant in " << 100 * shown.significant_part << " % of the pixels\n";
+    return json;
+}
+
+int compare(Flags flags) {
+    if (!flags.range.empty()) {
+        const auto range = numbers(flags.range, 2, "--range", "lo,hi");
+        flags.difference.range = {range[0], range[1]};
+    }
+    if (!flags.difference.file.empty()) require_writable(flags.difference);
+    auto names = chosen_metrics(flags);
+    const auto limits = parse_limits(flags, names);
+    const auto allowed = parse_allowed(flags.allowed);
+    MetricOptions options;
+    options.flip.pixels_per_degree = flags.pixels_per_degree;
+    if (!flags.rectangle.empty()) options.rectangle = parse_rectangle(flags.rectangle);
+
+    const auto image = load_side(flags.image, flags.layer),
+               reference = load_side(flags.reference, flags.layer);
+    const auto mask = flags.mask.empty() ? Image() : load_mask(flags.mask);
+    require_same_shape(image, reference);
+    const auto found = checked_mismatches(image, reference, allowed);
+    if (flags.metrics == "all") drop_colour_metrics(image.image, names);
+    options.valid_image = image.mask();
+    options.valid_reference = reference.mask();
+    options.mask = mask.empty() ? nullptr : &mask;
+    const auto result = compute_metrics(image.image, reference.image, names, options);
+
+    if (!flags.json) print(names, result);
+    auto json = as_json(flags, names, result, found);
+    if (!flags.difference.file.empty()) json["difference"] = write_and_print(flags, image, reference);
+    json["exceeded"] = Json::array();
     for (const auto& [name, limit] : limits)
-        // PSNR grows with likeness; a limit on it is a lower one.
-        if (name == "psnr" ? !(result.values.at(name) >= limit) : !(result.values.at(name) <= limit))
-            exceeded.push_back(name);
-    json["exceeded"] = exceeded;
-    if (flags.json) {
-        std::cout << json.dump(2) << "\n";
-    } else {
-        for (const auto& name : names) std::cout << name << " " << result.values.at(name) << "\n";
-        std::cout << "pixels " << result.pixels << " (" << result.skipped << " skipped as invalid)\n";
-    }
-    for (const auto& name : exceeded)
+        if (exceeds(name, result.values.at(name), limit)) json["exceeded"].push_back(name);
+    if (flags.json) std::cout << json.dump(2) << "\n";
+    for (const auto& name : json["exceeded"])
         std::cerr << "interreflect-cli: " << name.get<std::string>() << " exceeds its limit\n";
-    return exceeded.empty() ? done : limit_exceeded;
+    return json["exceeded"].empty() ? done : limit_exceeded;
 }
 
 }  // namespace
@@ -121,10 +217,21 @@ void add_compare(CLI::App& app, Run& run) {
     command->add_option("IMAGE", flags->image, "EXR, PNG or another image")->required();
     command->add_option("REFERENCE", flags->reference, "What it is compared with")->required();
     command->add_option("--layer", flags->layer, "EXR layer (default: the main one)");
-    command->add_option("--metric", flags->metrics, "Comma-separated: rmse, mae, psnr");
-    command->add_option("--diff", flags->diff, "EXR file for IMAGE minus REFERENCE");
+    command->add_option("--metric", flags->metrics, "Comma-separated, or all: " + joined(metric_names()));
+    command->add_option("--rect", flags->rectangle, "x,y,width,height: only these pixels count");
+    command->add_option("--mask", flags->mask, "FILE[:LAYER]: only pixels above 0.5 count");
+    command->add_option("--pixels-per-degree", flags->pixels_per_degree,
+                        "For flip: pixels per degree of visual angle (default: 67, a desktop screen)");
+    command->add_option("--diff", flags->difference.file, "Difference: .exr for values, .png for colours");
+    command->add_option("--diff-kind", flags->difference.kind, joined(difference_kind_names()));
+    command->add_option("--alpha", flags->difference.alpha,
+                        "For significant: probability that a pixel without error shows one (default: 1e-4)");
+    command->add_option("--colour-map", flags->difference.colour_map, joined(colour_map_names()));
+    command->add_option("--range", flags->range, "lo,hi: values that the colours span");
     command->add_option("--fail-above", flags->limits,
-                        "metric=value: exit with status 4 beyond it (psnr: below it); repeat for more");
+                        "metric=value: exit with status 4 beyond it (psnr, ssim: below it); repeat for more");
+    command->add_option("--allow-different", flags->allowed,
+                        "Comma-separated: compare although these differ: " + joined(mismatch_kinds()));
     command->add_flag("--json", flags->json, "Print one JSON object");
     command->callback([flags, &run] { run = [flags] { return compare(*flags); }; });
 }

@@ -1,0 +1,158 @@
+#include "app/cli/compare_sides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "renderers/core/error.h"
+#include "renderers/core/transport.h"
+#include "renderers/image/metrics.h"
+
+namespace ir::cli {
+namespace {
+
+const std::string prefix = "interreflect.", setting_prefix = prefix + "set.",
+                  camera_prefix = prefix + "camera.";
+
+const std::string* find(const ImageAttributes& attributes, const std::string& key) {
+    const auto found = attributes.find(key);
+    return found == attributes.end() ? nullptr : &found->second;
+}
+
+/// The transport that the attributes tell, as far as they do.
+Settings transport_of(const ImageAttributes& attributes) {
+    Settings settings;
+    for (const auto& description : transport_group())
+        if (const auto* text = find(attributes, setting_prefix + description.key)) try {
+                settings[description.key] = description.parse(*text);
+            } catch (const UsageError&) {  // by another version of the program: its text is compared instead
+                settings[description.key] = *text;
+            }
+    return settings;
+}
+
+/// Whether a setting means anything beside the others.
+bool matters(const ParameterDescription& description, const Settings& settings) {
+    if (description.active_when.key.empty()) return true;
+    return !settings.count(description.active_when.key) || is_active(description, settings);
+}
+
+void add_transport(const ImageAttributes& a, const ImageAttributes& b, std::vector<Mismatch>& result) {
+    const auto left = transport_of(a), right = transport_of(b);
+    for (const auto& description : transport_group()) {
+        const auto& key = description.key;
+        if (!left.count(key) || !right.count(key) || left.at(key) == right.at(key)) continue;
+        if (!matters(description, left) && !matters(description, right)) continue;
+        result.push_back(
+            {"transport", key + " is " + to_string(left.at(key)) + " and " + to_string(right.at(key))});
+    }
+}
+
+std::vector<double> numbers(const std::string& text) {
+    std::vector<double> result;
+    std::stringstream stream(text);
+    for (std::string word; std::getline(stream, word, ',');) {
+        char* end = nullptr;
+        result.push_back(std::strtod(word.c_str(), &end));
+        if (end == word.c_str()) return {};
+    }
+    return result;
+}
+
+/// Equal up to what single precision loses.
+bool nearly_equal(const std::string& a, const std::string& b) {
+    if (a == b) return true;
+    const auto left = numbers(a), right = numbers(b);
+    if (left.empty() || left.size() != right.size()) return false;
+    for (std::size_t i = 0; i < left.size(); ++i)
+        if (!(std::abs(left[i] - right[i]) <= 1e-5 * std::max(1.0, std::abs(left[i])))) return false;
+    return true;
+}
+
+void add_camera(const ImageAttributes& a, const ImageAttributes& b, std::vector<Mismatch>& result) {
+    if (!find(a, camera_prefix + "eye") || !find(b, camera_prefix + "eye")) return;
+    for (const auto* name : {"eye", "target", "up", "fov_y_degrees", "height"}) {
+        const auto *left = find(a, camera_prefix + name), *right = find(b, camera_prefix + name);
+        if (!left && !right) continue;
+        if (left && right && nearly_equal(*left, *right)) continue;
+        result.push_back({"camera", std::string(name) + " is " + (left ? *left : "not set") + " and " +
+                                        (right ? *right : "not set")});
+    }
+}
+
+void add_scene(const ImageAttributes& a, const ImageAttributes& b, std::vector<Mismatch>& result) {
+    const auto name = [](const ImageAttributes& attributes) {
+        const auto* text = find(attributes, prefix + "scene");
+        return text ? *text : std::string("unnamed");
+    };
+    const auto *left = find(a, prefix + "scene_hash"), *right = find(b, prefix + "scene_hash");
+    if (left && right && *left != *right)
+        result.push_back({"scene", name(a) == name(b) ? name(a) + " has other content"
+                                                      : "it is " + name(a) + " and " + name(b)});
+    const auto *before = find(a, prefix + "time"), *after = find(b, prefix + "time");
+    if (before && after && !nearly_equal(*before, *after))
+        result.push_back({"scene", "time is " + *before + " and " + *after});
+}
+
+bool is_exr(const std::string& file) {
+    auto extension = std::filesystem::path(file).extension().string();
+    for (char& letter : extension) letter = static_cast<char>(std::tolower(letter));
+    return extension == ".exr";
+}
+
+bool same_size(const Image& a, const Image& b) {
+    return a.width == b.width && a.height == b.height;
+}
+
+}  // namespace
+
+Side load_side(const std::string& file, const std::string& layer) {
+    Side side;
+    side.file = file;
+    side.image = read_image(file, layer);
+    if (!is_exr(file)) return side;
+    auto layers = read_exr(file, &side.attributes);
+    const auto* variance = layer.empty() ? find(side.attributes, prefix + "variance") : nullptr;
+    for (auto& candidate : layers) {
+        if (candidate.name.empty() || !same_size(candidate.image, side.image)) continue;
+        if (candidate.name == "valid" && candidate.image.channels == 1)
+            side.valid = std::move(candidate.image);
+        else if (variance && candidate.name == *variance)
+            side.variance = std::move(candidate.image);
+    }
+    return side;
+}
+
+Image load_mask(const std::string& text) {
+    auto file = text;
+    std::string layer;
+    if (const auto colon = text.rfind(':'); colon != std::string::npos && !std::filesystem::exists(text)) {
+        file = text.substr(0, colon);
+        layer = text.substr(colon + 1);
+    }
+    const Image image = read_image(file, layer);
+    Image mask(image.width, image.height, 1);
+    const int colours = image.channels == 4 ? 3 : image.channels;
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i)
+        for (int c = 0; c < colours; ++c)
+            if (image.pixels[i * image.channels + c] > 0.5f) mask.pixels[i] = 1;
+    return mask;
+}
+
+const std::vector<std::string>& mismatch_kinds() {
+    static const std::vector<std::string> kinds = {"transport", "scene", "camera", "orientation"};
+    return kinds;
+}
+
+std::vector<Mismatch> mismatches(const Side& image, const Side& reference) {
+    std::vector<Mismatch> result;
+    add_transport(image.attributes, reference.attributes, result);
+    add_scene(image.attributes, reference.attributes, result);
+    add_camera(image.attributes, reference.attributes, result);
+    if (const auto look = comparability(image.image, reference.image); look.misfit == Misfit::orientation)
+        result.push_back({"orientation", look.why});
+    return result;
+}
+
+}  // namespace ir::cli

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderers/image/exr.h"
+#include "renderers/image/image.h"
+
+/// What `compare` reads, and whether it may be compared.
+namespace ir::cli {
+
+/// One of the two pictures, with what its file says of it.
+struct Side {
+    std::string file;
+    Image image;
+    Image valid;     ///< empty: every pixel is
+    Image variance;  ///< of the picture's mean; empty: not known
+    ImageAttributes attributes;
+    const Image* mask() const { return valid.empty() ? nullptr : &valid; }
+    const Image* noise() const { return variance.empty() ? nullptr : &variance; }
+};
+
+/// The layer of a file (empty: the main one), its layer `valid` where it has one of the same size, and for
+/// the main layer the one that the attribute interreflect.variance names. Throws InputError.
+Side load_side(const std::string& file, const std::string& layer);
+
+/// "FILE" or "FILE:LAYER": 1 where any channel is above 0.5. Throws InputError.
+Image load_mask(const std::string& text);
+
+/// In what two pictures are not alike that should be.
+struct Mismatch {
+    std::string what;  ///< "transport", "scene", "camera", "orientation"
+    std::string text;  ///< "paths is ao and full"
+};
+const std::vector<std::string>& mismatch_kinds();
+
+/// By the attributes that both files have, and by the look of the pictures.
+std::vector<Mismatch> mismatches(const Side& image, const Side& reference);
+
+}  // namespace ir::cli
