@@ -50,7 +50,9 @@ class Bvh {
     void closest16(const Packet16& rays, bool coherent, float (&distances)[16]) const;
     /// The first hit itself.
     Hit closest_hit(glm::vec3 origin, glm::vec3 direction, float near, float far) const;
-    /// Sixteen of them; what inactive rays get is a Hit that is none.
+    /// Sixteen of them; what inactive rays get is a Hit that is none. Without `coherent` each is bit for bit
+    /// what closest_hit gives, whatever its neighbours (10⁶ random rays of Sponza); with it, of triangles
+    /// that lie in one another (0.8 % of those rays) another one may be named.
     void closest_hits16(const Packet16& rays, bool coherent, Hit (&hits)[16]) const;
     /// What Embree holds now, with the alpha masks.
     std::uint64_t bytes() const;

@@ -26,6 +26,15 @@ const float* levels_of(bool srgb) {
     return srgb ? decoded.data() : linear.data();
 }
 
+/// std::floor without a call; `x` fits an int.
+int floor_of(float x) {
+    const int truncated = static_cast<int>(x);
+    return truncated - (static_cast<float>(truncated) > x);
+}
+
+/// From here on floats are whole numbers, which repeat as 0.
+constexpr float whole_from = 8388608.0f;
+
 }  // namespace
 
 HostTexture::HostTexture(const scene::Texture& texture)
@@ -39,10 +48,12 @@ HostTexture::HostTexture(const scene::Texture& texture)
 
 /// Into [0, 1]: what repeats needs no more than one period.
 float HostTexture::folded(float coordinate, Wrap wrap) {
-    if (!std::isfinite(coordinate)) return 0;
-    if (wrap == Wrap::clamp_to_edge) return std::clamp(coordinate, 0.0f, 1.0f);
-    const float whole = std::floor(coordinate), fraction = coordinate - whole;
-    const bool turned = wrap == Wrap::mirrored_repeat && std::fmod(whole, 2.0f) != 0;
+    if (wrap == Wrap::clamp_to_edge)
+        return std::isfinite(coordinate) ? std::clamp(coordinate, 0.0f, 1.0f) : 0;
+    if (!(std::abs(coordinate) < whole_from)) return 0;
+    const int whole = floor_of(coordinate);
+    const float fraction = coordinate - static_cast<float>(whole);
+    const bool turned = wrap == Wrap::mirrored_repeat && (whole & 1) != 0;
     return turned ? 1 - fraction : fraction;
 }
 
@@ -66,9 +77,9 @@ glm::vec3 HostTexture::nearest(glm::vec2 uv) const {
 }
 
 glm::vec3 HostTexture::bilinear(glm::vec2 uv) const {
-    const auto centred = uv * glm::vec2(width_, height_) - 0.5f, whole = glm::floor(centred);
-    const auto part = centred - whole;
-    const int x = static_cast<int>(whole.x), y = static_cast<int>(whole.y);
+    const auto centred = uv * glm::vec2(width_, height_) - 0.5f;
+    const int x = floor_of(centred.x), y = floor_of(centred.y);
+    const auto part = centred - glm::vec2(x, y);
     const int left = wrapped(x, width_, wrap_s_), right = wrapped(x + 1, width_, wrap_s_);
     const int top = wrapped(y, height_, wrap_t_), bottom = wrapped(y + 1, height_, wrap_t_);
     const auto upper = glm::mix(texel(left, top), texel(right, top), part.x);

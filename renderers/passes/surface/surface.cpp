@@ -60,25 +60,33 @@ struct LookedUpMaterial {
     }
 };
 
-/// The corners of a triangle with the weights of a point in it.
-struct Corners {
-    std::uint32_t a, b, c;
-    float u, v;
-
-    template <class T>
-    T mix(const std::vector<T>& values) const {
-        return (1 - u - v) * values[a] + u * values[b] + v * values[c];
-    }
-};
-
 glm::vec3 unpacked(std::uint32_t rgba8) {
     return glm::vec3(rgba8 & 255u, rgba8 >> 8 & 255u, rgba8 >> 16 & 255u) / 255.0f;
 }
 
-glm::vec3 mixed_colour(const Corners& corners, const std::vector<std::uint32_t>& colours) {
-    return (1 - corners.u - corners.v) * unpacked(colours[corners.a]) +
-           corners.u * unpacked(colours[corners.b]) + corners.v * unpacked(colours[corners.c]);
-}
+/// All of a vertex in one line of the cache: hits of scattered paths are all over the scene.
+struct alignas(64) Vertex {
+    glm::vec3 position, normal;
+    glm::vec4 tangent;
+    glm::vec2 uv[2];
+    std::uint32_t colour;
+};
+static_assert(sizeof(Vertex) == 64);
+
+/// The corners of a triangle with the weights of a point in it.
+struct Corners {
+    const Vertex &a, &b, &c;
+    float u, v;
+
+    template <class T>
+    T mix(T Vertex::*member) const {
+        return (1 - u - v) * a.*member + u * b.*member + v * c.*member;
+    }
+    glm::vec2 uv(int set) const { return (1 - u - v) * a.uv[set] + u * b.uv[set] + v * c.uv[set]; }
+    glm::vec3 colour() const {
+        return (1 - u - v) * unpacked(a.colour) + u * unpacked(b.colour) + v * unpacked(c.colour);
+    }
+};
 
 }  // namespace
 
@@ -88,6 +96,10 @@ struct SurfaceLookup::Impl {
         for (const auto& texture : s.textures) textures.emplace_back(texture);
         for (const auto& material : s.materials) materials.emplace_back(material, textures, normal_maps);
         mark_colours();
+        vertices.reserve(w.positions.size());
+        for (std::size_t i = 0; i < w.positions.size(); ++i)
+            vertices.push_back(
+                {w.positions[i], w.normals[i], w.tangents[i], {w.uv0[i], w.uv1[i]}, w.colours[i]});
     }
 
     /// Few materials are drawn with vertex colours.
@@ -100,11 +112,11 @@ struct SurfaceLookup::Impl {
 
     Corners corners(std::uint32_t triangle, float u, float v) const {
         const auto* index = &world.indices[3 * static_cast<std::size_t>(triangle)];
-        return {index[0], index[1], index[2], u, v};
+        return {vertices[index[0]], vertices[index[1]], vertices[index[2]], u, v};
     }
 
     void fill_geometry(const Corners& c, glm::vec3 direction_ws, Surface& s) const {
-        const auto pa = world.positions[c.a], pb = world.positions[c.b], pc = world.positions[c.c];
+        const auto &pa = c.a.position, &pb = c.b.position, &pc = c.c.position;
         s.position_ws = pa + c.u * (pb - pa) + c.v * (pc - pa);
         const auto plane_normal = triangle_normal(pa, pb, pc);
         s.is_front = glm::dot(plane_normal, direction_ws) <= 0;
@@ -118,7 +130,7 @@ struct SurfaceLookup::Impl {
                             glm::vec3 normal_ws) const {
         auto n_ts = 2.0f * m.normal_slot.at(uv) - 1.0f;
         n_ts.x *= m.normal_scale, n_ts.y *= m.normal_scale;
-        const auto tangent = c.mix(world.tangents);
+        const auto tangent = c.mix(&Vertex::tangent);
         const auto bitangent_ws = glm::cross(normal_ws, glm::vec3(tangent)) * tangent.w;
         return n_ts.x * glm::vec3(tangent) + n_ts.y * bitangent_ws + n_ts.z * normal_ws;
     }
@@ -132,7 +144,7 @@ struct SurfaceLookup::Impl {
 
     void fill_textured(const LookedUpMaterial& m, const Corners& c, glm::vec3 vertex_normal,
                        Surface& s) const {
-        const glm::vec2 uv[2] = {c.mix(world.uv0), c.mix(world.uv1)};
+        const glm::vec2 uv[2] = {c.uv(0), c.uv(1)};
         if (m.base_colour_slot) s.base_colour *= m.base_colour_slot.at(uv);
         if (m.metallic_roughness_slot) {
             const auto texel = m.metallic_roughness_slot.at(uv);
@@ -150,6 +162,7 @@ struct SurfaceLookup::Impl {
     const scene::World& world;
     std::vector<HostTexture> textures;
     std::vector<LookedUpMaterial> materials;
+    std::vector<Vertex> vertices;
 };
 
 SurfaceLookup::SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps)
@@ -165,6 +178,11 @@ const scene::World& SurfaceLookup::world() const {
     return impl_->world;
 }
 
+std::uint64_t SurfaceLookup::bytes() const {
+    return impl_->vertices.size() * sizeof(Vertex) + impl_->materials.size() * sizeof(LookedUpMaterial) +
+           impl_->textures.size() * sizeof(HostTexture);
+}
+
 Surface SurfaceLookup::at(const Hit& hit, glm::vec3 direction_ws) const {
     const auto& world = impl_->world;
     const auto corners = impl_->corners(hit.triangle, hit.u, hit.v);
@@ -177,9 +195,9 @@ Surface SurfaceLookup::at(const Hit& hit, glm::vec3 direction_ws) const {
     s.metallic = m.metallic, s.roughness = m.roughness, s.transmission = m.transmission;
     s.emission = m.emission;
     s.is_unlit = m.is_unlit;
-    const auto vertex_normal = corners.mix(world.normals);
+    const auto vertex_normal = corners.mix(&Vertex::normal);
     s.shading_normal_ws = Impl::turned(vertex_normal, vertex_normal, s.geometric_normal_ws);
-    if (m.has_colours) s.base_colour *= mixed_colour(corners, world.colours);
+    if (m.has_colours) s.base_colour *= corners.colour();
     if (m.has_textures) impl_->fill_textured(m, corners, vertex_normal, s);
     return s;
 }
@@ -188,7 +206,7 @@ glm::vec3 SurfaceLookup::emission(std::uint32_t triangle, float u, float v) cons
     const auto& m = impl_->materials[impl_->world.triangle_materials[triangle]];
     if (!m.emission_slot) return m.emission;
     const auto corners = impl_->corners(triangle, u, v);
-    const glm::vec2 uv[2] = {corners.mix(impl_->world.uv0), corners.mix(impl_->world.uv1)};
+    const glm::vec2 uv[2] = {corners.uv(0), corners.uv(1)};
     return m.emission * m.emission_slot.at(uv);
 }
 

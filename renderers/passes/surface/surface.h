@@ -31,6 +31,7 @@ class SurfaceLookup {
 
     const scene::Scene& scene() const;
     const scene::World& world() const;
+    std::uint64_t bytes() const;  ///< of what it holds itself, a copy of the vertices
 
     /// What a ray with this (unit) direction of travel hits.
     Surface at(const Hit& hit, glm::vec3 direction_ws) const;

@@ -13,10 +13,10 @@ inline glm::vec3 triangle_normal(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     const auto ab = b - a, bc = c - b, ca = a - c;
     const float ab2 = glm::dot(ab, ab), bc2 = glm::dot(bc, bc), ca2 = glm::dot(ca, ca);
     const float longest = std::sqrt(std::max({ab2, bc2, ca2}));
-    if (!(longest > 0)) return glm::vec3(0);
+    if (!(longest > 1e-30f)) return glm::vec3(0);  // the squares underflow
     const auto& first = ab2 >= bc2 && ab2 >= ca2 ? bc : ca2 >= bc2 ? ab : ca;
     const auto& second = ab2 >= bc2 && ab2 >= ca2 ? ca : ca2 >= bc2 ? bc : ab;
-    const auto normal = glm::cross(first / longest, second / longest);
+    const auto normal = glm::cross(first * (1 / longest), second * (1 / longest));
     const float size = glm::length(normal);
     return size > 0 ? normal / size : glm::vec3(0);
 }
