@@ -171,6 +171,8 @@ QWidget* MetricsPanel::make_foot(QWidget* parent) {
 }
 
 void MetricsPanel::set_fields(const MetricsFields& fields) {
+    if (fields == fields_) return;  // live pictures come often: nobody's typing is disturbed
+    const bool other_masks = fields.masks != fields_.masks || mask_->count() == 0;
     fields_ = fields;
     pages_->setCurrentIndex(fields.why_empty.isEmpty() ? 1 : 0);
     empty_->setText(fields.why_empty);
@@ -179,15 +181,19 @@ void MetricsPanel::set_fields(const MetricsFields& fields) {
     b_->setText(tr("%1 · reference").arg(fields.label_b));
     b_->setToolTip(tr("%1: what A is measured against").arg(fields.label_b));
     rectangle_->show(fields.size, fields.rectangle, fields.drawing);
-    mask_->clear();
-    mask_->addItem(tr("All valid pixels"), QString());
-    for (const auto& mask : fields.masks) {
-        mask_->addItem(mask.label, mask.id);
-        mask_->setItemData(mask_->count() - 1, mask.tooltip, Qt::ToolTipRole);
-    }
+    if (other_masks) fill_masks();
     mask_->setCurrentIndex(std::max(0, mask_->findData(fields.mask)));
     update_line();
     update_foot();
+}
+
+void MetricsPanel::fill_masks() {
+    mask_->clear();
+    mask_->addItem(tr("All valid pixels"), QString());
+    for (const auto& mask : fields_.masks) {
+        mask_->addItem(mask.label, mask.id);
+        mask_->setItemData(mask_->count() - 1, mask.tooltip, Qt::ToolTipRole);
+    }
 }
 
 void MetricsPanel::measure(const MetricsRequest& request) {

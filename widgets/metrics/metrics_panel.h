@@ -62,6 +62,7 @@ class MetricsPanel : public QWidget {
     QWidget* make_line(QWidget* parent);
     QWidget* make_foot(QWidget* parent);
     void make_table();
+    void fill_masks();
     void take(const std::shared_ptr<const MetricsResult>& result);
     void update_line();
     void update_foot();

@@ -52,13 +52,24 @@ RectangleFields::RectangleFields(QWidget* parent) : QWidget(parent) {
     connect(clear_, &QToolButton::clicked, this, [this] { emit chosen({}); });
     row->addWidget(draw_);
     row->addWidget(clear_);
+    show_numbers();
     show({}, {}, false);
 }
 
 void RectangleFields::show(QSize picture, const QRect& rectangle, bool drawing) {
+    const bool other = picture != picture_ || rectangle != rectangle_;
     picture_ = picture;
     rectangle_ = rectangle;
-    const QRect shown = rectangle.isEmpty() ? QRect(QPoint(0, 0), picture) : rectangle;
+    if (other) show_numbers();
+    const QSignalBlocker quiet(draw_);
+    draw_->setChecked(drawing);
+    draw_->setEnabled(!picture.isEmpty());
+    clear_->setEnabled(!rectangle.isEmpty());
+}
+
+void RectangleFields::show_numbers() {
+    const QSize& picture = picture_;
+    const QRect shown = rectangle_.isEmpty() ? QRect(QPoint(0, 0), picture) : rectangle_;
     const int values[] = {shown.x(), shown.y(), shown.width(), shown.height()};
     const int most[] = {picture.width() - 1, picture.height() - 1, picture.width(), picture.height()};
     for (std::size_t i = 0; i < fields_.size(); ++i) {
@@ -67,19 +78,16 @@ void RectangleFields::show(QSize picture, const QRect& rectangle, bool drawing) 
         fields_[i]->setValue(values[i]);
         fields_[i]->setEnabled(!picture.isEmpty());
         QPalette colours = palette();
-        if (rectangle.isEmpty())  // the whole picture, chosen by nobody
+        if (rectangle_.isEmpty())  // the whole picture, chosen by nobody
             colours.setColor(QPalette::Text, colours.color(QPalette::Disabled, QPalette::Text));
         fields_[i]->setPalette(colours);
     }
-    const QSignalBlocker quiet(draw_);
-    draw_->setChecked(drawing);
-    draw_->setEnabled(!picture.isEmpty());
-    clear_->setEnabled(!rectangle.isEmpty());
 }
 
 void RectangleFields::take() {
     const QRect typed(fields_[0]->value(), fields_[1]->value(), fields_[2]->value(), fields_[3]->value());
     emit chosen(typed & QRect(QPoint(0, 0), picture_));
+    show_numbers();  // what was clipped, or was not taken
 }
 
 }  // namespace ir::widgets

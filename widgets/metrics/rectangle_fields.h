@@ -24,6 +24,7 @@ class RectangleFields : public QWidget {
 
   private:
     void take();
+    void show_numbers();
     std::array<QSpinBox*, 4> fields_{};  ///< x, y, width, height
     QToolButton *draw_ = nullptr, *clear_ = nullptr;
     QSize picture_;
