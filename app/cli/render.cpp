@@ -158,7 +158,8 @@ void add_render(CLI::App& app, Run& run) {
     command->add_option("--size", flags->size, "Picture size WxH (default 800x600)");
     command->add_option("--set", flags->sets, "Parameter key=value; repeat for more");
     command->add_option("--light", flags->lights,
-                        "Light that replaces the scene's, such as point:position=0,2,0;flux=40");
+                        "Light that replaces the scene's, such as point:position=0,2,0;flux=40; a rect's size is "
+                        "its width, held level (along X where it points straight up or down), and height");
     command->add_option("--env", flags->environment, "Environment: an image file, or radiance r,g,b");
     command->add_option("--seed", flags->seed_text, "Seed of everything random");
     command
