@@ -4,37 +4,15 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
-#include <QPainter>
-#include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/panels/empty_tree_view.h"
+
 namespace ir::widgets {
-namespace {
-
-/// Says why it is empty.
-class TreeView final : public QTreeView {
-  public:
-    TreeView(const QString& empty_text, QWidget* parent) : QTreeView(parent), empty_text_(empty_text) {}
-
-  protected:
-    void paintEvent(QPaintEvent* event) override {
-        QTreeView::paintEvent(event);
-        if (model() && model()->rowCount() > 0) return;
-        QPainter painter(viewport());
-        painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(viewport()->rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
-                         empty_text_);
-    }
-
-  private:
-    QString empty_text_;
-};
-
-}  // namespace
 
 RowsPanel::RowsPanel(const QStringList& headings, const QString& empty_text, QWidget* parent)
-    : QWidget(parent), model_(new RowsModel(headings, this)), view_(new TreeView(empty_text, this)) {
+    : QWidget(parent), model_(new RowsModel(headings, this)), view_(new EmptyTreeView(empty_text, this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(view_);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QTreeView>
+
+namespace ir::widgets {
+
+/// Says why it is empty.
+class EmptyTreeView : public QTreeView {
+    Q_OBJECT
+  public:
+    explicit EmptyTreeView(const QString& empty_text, QWidget* parent = nullptr);
+    const QString& empty_text() const { return empty_text_; }
+    void set_empty_text(const QString& text);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    QString empty_text_;
+};
+
+}  // namespace ir::widgets
