@@ -34,7 +34,7 @@ FrameReport run_frames(engine::Execution& execution, const graph::FrameOptions& 
     FrameReport last;
     std::vector<Message> messages;
     double wall_ms = 0, growths = 0;
-    while (execution.committed_frames() < execution.experiment().frames) {
+    while (!execution.is_done()) {
         last = execution.run_frame(options);
         wall_ms += last.wall_ms;
         growths += last.counters["growth"];

@@ -95,6 +95,9 @@ void Execution::load() {
     world_time_ = std::nan("");
     previous_view_.reset();
     frame_ = 0;
+    samples_ = 0;
+    shown_ = is_extended_ = false;
+    origins_.clear();
 }
 
 bool Execution::update(Experiment experiment) {
@@ -107,11 +110,11 @@ bool Execution::update(Experiment experiment) {
     bool changed = reload || experiment.width != old.width || experiment.height != old.height ||
                    experiment.seed != old.seed || experiment.time != old.time ||
                    experiment.camera_name != old.camera_name || !same_camera(experiment.camera, old.camera) ||
-                   experiment.frames < frame_;
+                   (experiment.frames < frame_ && !accumulates());
     if (!changed) {
         const auto after = completed(method_->description.parameters, experiment.settings);
         for (const auto& parameter : method_->description.parameters)
-            if (parameter.on_change != OnChange::nothing &&
+            if (parameter.on_change != OnChange::nothing && !(parameter.accumulates && accumulates()) &&
                 after.at(parameter.key) != settings_.at(parameter.key))
                 changed = true;
     }
@@ -125,12 +128,18 @@ bool Execution::update(Experiment experiment) {
         experiment_ = std::move(backup);
         throw;
     }
-    if (changed) restart();
+    if (changed)
+        restart();
+    else
+        set_samples(samples_);
     return changed;
 }
 
 void Execution::restart() {
     frame_ = 0;
+    samples_ = 0;
+    shown_ = is_extended_ = false;
+    origins_.clear();
     previous_view_.reset();
     world_time_ = std::nan("");
     graph_->reset_history();
@@ -163,10 +172,11 @@ FrameReport Execution::run_frame(const graph::FrameOptions& options) {
     inputs.time = time;
     inputs.threads = machine_.options().threads;
     inputs.inspection = inspection_;
+    inputs.sample_limit = sample_limit();
     auto report = graph_->run(*method_, settings_, inputs, options);
     if (report.complete) {
         previous_view_ = inputs.view;
-        ++frame_;
+        count_frame(report, inputs.sample_limit);
     }
     return report;
 }

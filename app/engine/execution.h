@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/engine/experiment.h"
+#include "app/engine/stored_state.h"
 #include "renderers/gl/context.h"
 #include "renderers/gl/program.h"
 #include "renderers/graph/graph.h"
@@ -73,7 +75,8 @@ class Execution {
     const scene::World& world() const { return world_; }
 
     /// Changes what can be changed without losing buffers; resets the history where the picture changes, and
-    /// returns whether it did.
+    /// returns whether it did. Another number of samples, by frames or by a parameter that accumulates, is
+    /// still the same picture: fewer than there are keep what is there; restart() for exactly as many.
     bool update(Experiment experiment);
 
     /// What the next frame, or explain(), explains.
@@ -81,15 +84,31 @@ class Execution {
 
     /// Back to an empty history; buffers stay.
     void restart();
-    /// The next frame goes on from a stored history as if it had been its previous frame.
-    void restore(graph::History history);
+    /// The next frames go on from a stored history as if it had been that of their previous frame, and add
+    /// what the experiment asks for beyond it; where that is nothing, one frame only shows it. Throws Error
+    /// where it is the state of another picture, the method does not accumulate, or the scene moves.
+    void restore(StoredState state);
+    /// What another execution could go on from: the history of the last committed frame. Empty where there is
+    /// none, or where it could not be restored.
+    std::optional<StoredState> state() const;
+    /// Of everything that a state depends on.
+    std::string state_fingerprint() const;
+    /// The runs whose samples were restored; empty where all are this execution's own.
+    const std::vector<StateOrigin>& origins() const { return origins_; }
+    /// Whether this execution has added samples itself.
+    bool is_extended() const { return is_extended_; }
 
     /// Runs the next frame; frames are 1/30 s apart. Throws as Graph::run.
     FrameReport run_frame(const graph::FrameOptions& options);
     /// Computes what the last frame left out, and explains again after inspect(), on the contents of that
     /// frame. Throws and returns as Graph::explain.
     bool explain(const graph::FrameOptions& options);
+    /// Frames of as many samples as the experiment asks for now; those of a restored state count.
     int committed_frames() const { return frame_; }
+    /// In the history (projects/samples.h).
+    std::uint64_t samples() const { return samples_; }
+    /// Whether all that the experiment asks for is committed and its picture is there.
+    bool is_done() const { return shown_ && frame_ >= experiment_.frames; }
 
     graph::Graph& graph() { return *graph_; }
     const graph::Graph& graph() const { return *graph_; }
@@ -98,9 +117,9 @@ class Execution {
     const graph::FrameInputs& inputs() const { return inputs_; }
     /// The main result and its valid mask after the last frame.
     Image main_result() const;
-    /// Default layer with the main result, "valid", and each resource that matches a pattern: images as they
-    /// are (levels and layers as "key.level1", "key.layer3"), buffers as images with a channel per field, at
-    /// most 4096 wide.
+    /// Default layer with the main result, "valid", its variance, and each resource that matches a pattern:
+    /// images as they are (levels and layers as "key.level1", "key.layer3"), buffers as images with a channel
+    /// per field, at most 4096 wide.
     std::vector<ImageLayer> layers(const std::vector<std::string>& patterns) const;
     /// Parameters, seed, camera, scene hash, versions: for the EXR header.
     ImageAttributes attributes() const;
@@ -111,6 +130,11 @@ class Execution {
   private:
     void load();
     std::string world_fingerprint() const;
+    bool accumulates() const;
+    std::uint64_t samples_per_frame() const;
+    std::uint64_t sample_limit() const;
+    void count_frame(const FrameReport& report, std::uint64_t limit);
+    void set_samples(std::uint64_t samples);
     Machine& machine_;
     Experiment experiment_;
     const graph::Method* method_ = nullptr;
@@ -123,7 +147,14 @@ class Execution {
     Inspection inspection_;
     graph::FrameInputs inputs_;
     int frame_ = 0;
+    std::uint64_t samples_ = 0;
+    bool shown_ = false;        ///< the contents are those of the history
+    bool is_extended_ = false;  ///< since the history was empty or restored
+    std::vector<StateOrigin> origins_;
 };
+
+/// Of everything that a state of the experiment depends on, given the content hash of its scene.
+std::string state_fingerprint(const Experiment& experiment, const std::string& scene_hash);
 
 /// The statistics JSON of the command line (design contract): backend, device, wall_ms, passes, counters,
 /// memory_bytes, …

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/engine/experiment.h"
+#include "projects/document.h"
 #include "renderers/core/inspection.h"
 #include "renderers/core/report.h"
 #include "renderers/image/image.h"
@@ -106,6 +107,23 @@ struct ExportRequest {
     std::string tag;  ///< of an execution
     std::string file;
     std::vector<std::string> patterns;
+};
+
+/// Keeps what an execution rendered as a result of a project, once nothing of its tag is left to render.
+/// Refused where the execution shows something else than the experiment now asks for. The answer's key is for
+/// OpenProject::mark_kept(); where a picture was cancelled with fewer samples than asked for, it is the key
+/// of the picture as it is.
+struct KeepRequest {
+    std::string tag;  ///< of an execution
+    projects::Project project;
+    std::string experiment;  ///< id in the project
+    std::string folder;      ///< of the project, which must have been saved
+};
+
+struct KeepResult {
+    std::string tag, experiment;
+    std::string key;    ///< of the kept result
+    std::string error;  ///< not empty: one line why nothing was kept
 };
 
 struct SceneSummary {

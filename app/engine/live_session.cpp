@@ -1,7 +1,10 @@
 #include "app/engine/live_session.h"
 
 #include <algorithm>
+#include <filesystem>
 
+#include "app/engine/from_project.h"
+#include "app/engine/keep_result.h"
 #include "renderers/core/error.h"
 
 namespace ir::engine {
@@ -116,6 +119,8 @@ void LiveSession::run_frame(Entry& entry, const LiveRequest& request, const Step
     entry.whole = false;
     entry.explained.reset();
     entry.report = entry.execution->run_frame(options);
+    entry.report.messages.insert(entry.report.messages.end(), entry.state_messages.begin(),
+                                 entry.state_messages.end());
     entry.tried = options.wanted;
     entry.whole = entry.report.complete;
     entry.explained = request.inspection;
@@ -123,10 +128,12 @@ void LiveSession::run_frame(Entry& entry, const LiveRequest& request, const Step
 }
 
 void LiveSession::update(Entry& entry, const LiveRequest& request) {
-    if (!entry.execution)
+    if (!entry.execution) {
         entry.execution = std::make_unique<Execution>(machine_, request.experiment);
-    else if (entry.execution->update(request.experiment))
+    } else if (entry.execution->update(request.experiment)) {
         entry.wanted.clear();  // what nobody looks at any more is not computed again
+        entry.begins = true;
+    }
     entry.execution->inspect(request.inspection);
     // Explanations are computed only while they are asked for.
     const auto& outputs = entry.execution->method().outputs;
@@ -137,26 +144,50 @@ void LiveSession::update(Entry& entry, const LiveRequest& request) {
             entry.wanted = joined(std::move(entry.wanted), {pattern});
 }
 
+/// A history that is empty begins with the stored one, and so does one that has less than a new file.
+void LiveSession::begin(Entry& entry, const LiveRequest& request) {
+    if (!entry.begins && entry.state_file == request.state_file) return;
+    entry.begins = false;
+    entry.state_file = request.state_file;
+    entry.state_messages.clear();
+    std::error_code ignored;
+    if (request.state_file.empty() || !std::filesystem::exists(request.state_file, ignored)) return;
+    try {
+        auto state = load_state(request.state_file);
+        if (state.samples > entry.execution->samples()) entry.execution->restore(std::move(state));
+    } catch (const Error& error) {
+        entry.state_messages = {
+            {Severity::warning, "state", std::string("a stored state is not continued: ") + error.what()}};
+    }
+}
+
+void LiveSession::restart(Entry& entry, const LiveRequest& request) {
+    entry.execution->restart();
+    entry.begins = true;
+    begin(entry, request);
+}
+
 LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial, const Step& step) {
     auto& entry = entries_[request.tag];
     update(entry, request);
+    begin(entry, request);
     auto& execution = *entry.execution;
     const bool lacking = execution.committed_frames() > 0 && lacks(entry, request);
-    if (execution.committed_frames() < request.experiment.frames) {
+    if (!execution.is_done()) {
         // What accumulates has to start with the others.
-        if (lacking) execution.restart();
+        if (lacking) restart(entry, request);
         run_frame(entry, request, step);
     } else if ((lacking || !is_explained(entry, request)) && !explain(entry, request, step)) {
         // What cannot be computed on the last frame is had by running the same frames again with it.
-        execution.restart();
+        restart(entry, request);
         run_frame(entry, request, step);
     }
     LiveResult result;
     result.tag = request.tag;
     result.serial = serial;
     result.frames = request.experiment.frames;
-    result.frame = execution.committed_frames();
-    result.finished = result.frame >= request.experiment.frames;
+    result.frame = std::min(execution.committed_frames(), request.experiment.frames);
+    result.finished = execution.is_done();
     result.inspection = request.inspection;
     result.report = entry.report;
     result.camera = execution.camera();
@@ -180,11 +211,30 @@ void LiveSession::export_layers(const ExportRequest& request) const {
     write_exr(request.file, entry.execution->layers(request.patterns), entry.execution->attributes());
 }
 
+std::string LiveSession::keep(const KeepRequest& request) {
+    const auto found = entries_.find(request.tag);
+    if (found == entries_.end() || !found->second.whole)
+        throw Error("there is no complete picture to keep; render it first");
+    const auto* experiment = projects::find_item(request.project.experiments, request.experiment);
+    if (!experiment) throw Error("the project has no experiment '" + request.experiment + "' any more");
+    machine_.context().make_current();
+    const auto& execution = *found->second.execution;
+    const auto asked = from_project(request.project, *experiment, request.folder);
+    const auto& scene = *machine_.scenes().load(asked.composition());
+    const bool is_same = state_fingerprint(asked, scene.content_hash) == execution.state_fingerprint();
+    if (!is_same || execution.experiment().frames != asked.frames)
+        throw Error("what is shown is not what '" + experiment->name +
+                    "' asks for now; wait until it is rendered");
+    if (execution.samples() == 0 || (!execution.is_done() && !execution.state()))
+        throw Error("the picture is not finished; render all of its frames first");
+    return keep_result(request.project, *experiment, request.folder, execution, found->second.report);
+}
+
 void LiveSession::forget_results() {
     for (auto& [tag, entry] : entries_) {
         if (!entry.execution) continue;
         entry.execution->restart();
-        entry.rebuild = true;
+        entry.begins = entry.rebuild = true;
     }
 }
 

@@ -40,6 +40,10 @@ class LiveSession {
     /// Writes the last frame, which must be whole. Throws Error.
     void export_layers(const ExportRequest& request) const;
 
+    /// Keeps the last frame, which must be whole and what the experiment asks for. Returns the result's key.
+    /// Throws Error.
+    std::string keep(const KeepRequest& request);
+
     /// Forgets results and all contents that passes keep (after a shader changed), keeping scenes.
     void forget_results();
 
@@ -53,10 +57,15 @@ class LiveSession {
         bool rebuild = false;                 ///< kept contents are of an older shader
         bool whole = false;                   ///< the contents are those of one complete frame
         std::optional<Inspection> explained;  ///< of the explanations that are there
+        bool begins = true;                   ///< the history is empty and may begin with a stored one
+        std::string state_file;               ///< that was tried last
+        std::vector<Message> state_messages;  ///< why it is not what the history begins with
     };
     static bool lacks(const Entry& entry, const LiveRequest& request);
     static bool is_explained(const Entry& entry, const LiveRequest& request);
     void update(Entry& entry, const LiveRequest& request);
+    static void begin(Entry& entry, const LiveRequest& request);
+    static void restart(Entry& entry, const LiveRequest& request);
     static graph::FrameOptions frame_options(const Entry& entry, const LiveRequest& request,
                                              const Step& step);
     static bool explain(Entry& entry, const LiveRequest& request, const Step& step);

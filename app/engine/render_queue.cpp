@@ -56,6 +56,12 @@ void RenderQueue::export_layers(ExportRequest request) {
     wake_.notify_all();
 }
 
+void RenderQueue::keep(KeepRequest request) {
+    const std::lock_guard lock(mutex_);
+    keeps_.push_back(std::move(request));
+    wake_.notify_all();
+}
+
 void RenderQueue::load_scene(std::vector<scene::Part> parts) {
     const std::lock_guard lock(mutex_);
     scenes_.push_back(std::move(parts));
@@ -108,10 +114,21 @@ bool RenderQueue::is_active(const std::string& tag) const {
     return known != jobs_.end() && known->second.active;
 }
 
+template <class Request>
+std::optional<Request> RenderQueue::take_ready(std::deque<Request>& requests) {
+    const auto ready = std::find_if(requests.begin(), requests.end(),
+                                    [&](const auto& waiting) { return !is_active(waiting.tag); });
+    if (ready == requests.end()) return {};
+    std::optional<Request> taken = std::move(*ready);
+    requests.erase(ready);
+    return taken;
+}
+
 bool RenderQueue::has_work() const {
+    const auto is_ready = [&](const auto& waiting) { return !is_active(waiting.tag); };
     return stop_ || reload_ || !turns_.empty() || !scenes_.empty() || !views_.empty() || !probes_.empty() ||
-           !released_.empty() || !cancelled_.empty() ||
-           std::any_of(files_.begin(), files_.end(), [&](const auto& file) { return !is_active(file.tag); });
+           !released_.empty() || !cancelled_.empty() || std::any_of(files_.begin(), files_.end(), is_ready) ||
+           std::any_of(keeps_.begin(), keeps_.end(), is_ready);
 }
 
 RenderQueue::Work RenderQueue::take() {
@@ -124,12 +141,8 @@ RenderQueue::Work RenderQueue::take() {
     reload_ = false;
     work.released.swap(released_);
     work.cancelled.swap(cancelled_);
-    const auto file = std::find_if(files_.begin(), files_.end(),
-                                   [&](const auto& waiting) { return !is_active(waiting.tag); });
-    if (file != files_.end()) {
-        work.file = std::move(*file);
-        files_.erase(file);
-    }
+    work.file = take_ready(files_);
+    work.kept = take_ready(keeps_);
     if (!scenes_.empty()) {
         work.scene = std::move(scenes_.front());
         scenes_.pop_front();

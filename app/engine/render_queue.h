@@ -32,6 +32,7 @@ class RenderQueue {
         std::vector<std::string> released, cancelled;  ///< tags
         std::optional<std::vector<scene::Part>> scene;
         std::optional<ExportRequest> file;
+        std::optional<KeepRequest> kept;
         std::optional<Job> job;
     };
 
@@ -39,6 +40,7 @@ class RenderQueue {
     std::uint64_t draw(SceneViewRequest request);
     void probe(ProbeRequest request);
     void export_layers(ExportRequest request);
+    void keep(KeepRequest request);
     void load_scene(std::vector<scene::Part> parts);
     void release(const std::string& tag);
     void cancel(const std::string& tag);
@@ -72,6 +74,9 @@ class RenderQueue {
     void give_turn(const std::string& tag);
     bool has_work() const;
     bool is_active(const std::string& tag) const;
+    /// The first of `requests` whose tag has nothing left to render.
+    template <class Request>
+    std::optional<Request> take_ready(std::deque<Request>& requests);
     void drop_turn(const std::string& tag);
 
     std::mutex mutex_;
@@ -81,6 +86,7 @@ class RenderQueue {
     std::map<std::string, View> views_;
     std::map<std::string, ProbeRequest> probes_;
     std::deque<ExportRequest> files_;
+    std::deque<KeepRequest> keeps_;
     std::deque<std::vector<scene::Part>> scenes_;
     std::vector<std::string> released_, cancelled_;
     std::string running_tag_;

@@ -23,6 +23,7 @@ struct RenderThread::State {
     void render_frame(const RenderQueue::Job& job);
     void render_scene(const std::vector<scene::Part>& parts);
     void render_export(const ExportRequest& request);
+    void render_keep(const KeepRequest& request);
     void render_reload();
 
     template <class Function, class... Values>
@@ -60,6 +61,9 @@ void RenderThread::probe(ProbeRequest request) {
 }
 void RenderThread::export_layers(ExportRequest request) {
     state_->queue.export_layers(std::move(request));
+}
+void RenderThread::keep(KeepRequest request) {
+    state_->queue.keep(std::move(request));
 }
 void RenderThread::load_scene(std::vector<scene::Part> parts) {
     state_->queue.load_scene(std::move(parts));
@@ -106,6 +110,7 @@ void RenderThread::State::render_work(const RenderQueue::Work& work) {
     for (const auto& tag : work.cancelled) tell(callbacks.on_failure, tag, "cancelled", true);
     render_views();
     if (work.file) render_export(*work.file);
+    if (work.kept) render_keep(*work.kept);
     if (work.scene) render_scene(*work.scene);
     if (work.job) render_frame(*work.job);
     if (work.check_shaders) render_reload();
@@ -161,6 +166,16 @@ void RenderThread::State::render_export(const ExportRequest& request) {
         failure = error.what();
     }
     tell(callbacks.on_exported, request.tag, request.file, failure);
+}
+
+void RenderThread::State::render_keep(const KeepRequest& request) {
+    KeepResult result{request.tag, request.experiment, {}, {}};
+    try {
+        result.key = session->keep(request);
+    } catch (const std::exception& error) {
+        result.error = error.what();
+    }
+    tell(callbacks.on_kept, std::move(result));
 }
 
 void RenderThread::State::render_reload() {

@@ -20,6 +20,7 @@ class RenderThread {
         std::function<void(ProbeResult)> on_probe;
         /// `error` is empty when the file was written.
         std::function<void(std::string tag, std::string file, std::string error)> on_exported;
+        std::function<void(KeepResult)> on_kept;
         std::function<void(std::string tag, std::string what, double fraction)> on_progress;
         /// Of a request by its tag, of a scene as tag "scene".
         std::function<void(std::string tag, std::string error, bool cancelled)> on_failure;
@@ -44,6 +45,8 @@ class RenderThread {
     void probe(ProbeRequest request);
     /// Waits until nothing of the tag is left to render.
     void export_layers(ExportRequest request);
+    /// Waits likewise; on_kept answers.
+    void keep(KeepRequest request);
 
     /// Loads a scene and reports its summary.
     void load_scene(std::vector<scene::Part> parts);

@@ -60,9 +60,12 @@ struct FrameReport {
     double wall_ms = 0;  ///< of the whole frame, with attempts that overflowed
     int frame = 0;
     bool complete = true;  ///< false: a buffer overflowed and the next frame mends it
+    bool began_anew = false;  ///< a restored history did not fit and was dropped
     std::vector<PassReport> passes;
     std::vector<ResourceReport> resources;
     std::map<std::string, double> counters;  ///< "growth", "ldm.fragments", …
+    /// Those of the counters that count nothing: speeds, estimated errors.
+    std::map<std::string, double> figures;
     std::uint64_t memory_bytes = 0;
     std::uint64_t peak_memory_bytes = 0;
     std::vector<Message> messages;

@@ -96,6 +96,7 @@ void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
     for (std::size_t c = 0; c < counts.size(); ++c)
         report.counters[builder->counters()[c].key] += static_cast<double>(counts[c]);
     for (const auto& [key, value] : figures) report.counters[key] = value;
+    report.figures = figures;
     report.counters["growth"] = growths;
     report.counters["batches"] = std::min(batches, builder->batch_limit());
     for (std::size_t p = 0; p < builder->passes().size(); ++p) {

@@ -36,6 +36,7 @@ const BufferDesc* Graph::buffer_desc(const std::string& key) const {
 void Graph::reset_history() {
     state_->committed.clear();
     state_->pool.forget_history();
+    state_->restored.reset();
 }
 
 const FrameReport& Graph::last_report() const {
@@ -92,6 +93,7 @@ void Graph::State::run_passes(Graph& graph) {
     buffers.clear();
     ran.clear();
     allocate();
+    put_restored();
     prepare_counters();
     prepare_parameters();
     find_cached_passes();
@@ -123,6 +125,7 @@ void Graph::State::run_attempts(Graph& graph, const std::vector<std::string>& wa
         builder = &declared;
         method->setup(declared, *settings);
         plan = make_plan(declared, wanted);
+        if (!accept_restored()) continue;
         const auto memory = plan_memory();
         if (!fits(memory)) {
             if (!divide_further()) refuse(memory);

@@ -82,8 +82,10 @@ class Graph {
     /// come between. Empty where no frame was committed or the method keeps no history. Throws Error for
     /// histories that have mip levels.
     std::optional<History> history() const;
-    /// The next frame finds these contents as those of its previous frame. What has another shape then, or is
-    /// not asked for, is dropped with a warning in the report; such a frame begins anew.
+    /// The next frame finds these contents as those of its previous frame. All or nothing: where something
+    /// that it reads as "previous" is missing or has another shape, all are dropped with a warning in the
+    /// report, and the frame begins anew, as frame 0 without a sample limit. Contents that it does not read
+    /// are dropped.
     void restore(History history);
 
     /// Contents of an image resource as floats (integers are converted), one level and layer. Empty when the

@@ -116,19 +116,33 @@ gl::Name Pool::on_device(Physical& physical, Copy& copy) {
     return copy.name;
 }
 
+std::vector<std::byte> Pool::read(const Physical& physical, const Copy& copy) const {
+    if (copy.on_host) return copy.host;
+    std::vector<std::byte> bytes(physical.host_bytes());
+    if (!copy.on_device) return bytes;
+    if (!physical.is_image) {
+        device_.read_buffer(copy.name, 0, bytes);
+        return bytes;
+    }
+    const auto layer_bytes = physical.host_bytes() / std::max(1, physical.shape.layers);
+    for (int layer = 0; layer < std::max(1, physical.shape.layers); ++layer)
+        device_.read_image(copy.name, physical.shape, 0, layer,
+                           std::span(bytes).subspan(layer * layer_bytes, layer_bytes));
+    return bytes;
+}
+
+std::vector<std::string> Pool::keys() const {
+    std::vector<std::string> keys;
+    for (const auto& [key, physical] : resources_) keys.push_back(key);
+    return keys;
+}
+
 std::vector<std::byte>& Pool::on_host(Physical& physical, Copy& copy) {
-    copy.host.resize(physical.host_bytes());
     if (copy.on_device && !copy.on_host) {
-        if (physical.is_image) {
-            const auto layer_bytes = physical.host_bytes() / std::max(1, physical.shape.layers);
-            for (int layer = 0; layer < std::max(1, physical.shape.layers); ++layer)
-                device_.read_image(copy.name, physical.shape, 0, layer,
-                                   std::span(copy.host).subspan(layer * layer_bytes, layer_bytes));
-        } else {
-            device_.read_buffer(copy.name, 0, copy.host);
-        }
+        copy.host = read(physical, copy);
         copy.on_host = true;
     }
+    copy.host.resize(physical.host_bytes());
     return copy.host;
 }
 

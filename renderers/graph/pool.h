@@ -64,6 +64,10 @@ class Pool {
     /// Host bytes with contents up to date.
     std::vector<std::byte>& on_host(Physical& physical, Copy& copy);
 
+    /// The bytes that on_host() would give, without keeping them there.
+    std::vector<std::byte> read(const Physical& physical, const Copy& copy) const;
+    std::vector<std::string> keys() const;
+
     /// Zeros (depth images on the device: 1) on the device or on the host.
     void zero(Physical& physical, Copy& copy, bool device);
 

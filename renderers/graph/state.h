@@ -90,6 +90,9 @@ struct Graph::State {
 
     std::map<std::string, double> figures;  ///< PassContext::set_figure
 
+    std::optional<History> restored;  ///< for the next frame
+    FrameInputs anew;                 ///< of a frame whose restored history does not fit
+
     FrameReport report;
 
     ~State();
@@ -102,6 +105,15 @@ struct Graph::State {
     void run_passes(Graph& graph);
     void resolve_times();
     void end_frame();
+
+    // history.cpp: contents from elsewhere as those of the previous frame
+    const History::Entry* restored_entry(const std::string& key) const;
+    std::string why_not_restored() const;
+    /// False where the restored history does not fit what is declared: it was dropped, and the frame has to
+    /// be declared again as one that begins anew.
+    bool accept_restored();
+    void begin_anew();
+    void put_restored();
 
     // explain.cpp: some passes again on the contents of the committed frame
     struct Again {

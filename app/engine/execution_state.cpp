@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <cstring>
+
+#include "app/engine/execution.h"
+#include "app/engine/version.h"
+#include "projects/hash.h"
+#include "projects/samples.h"
+#include "projects/text.h"
+#include "renderers/core/error.h"
+
+namespace ir::engine {
+namespace {
+
+/// A text of everything given to it, exactly.
+class Exact {
+  public:
+    template <class... Numbers>
+    void add(Numbers... numbers) {
+        ((text_ << ' ' << numbers), ...);
+    }
+    void add_vector(const glm::vec3& v) { add(v.x, v.y, v.z); }
+    void add_text(const std::string& text) { text_ << ' ' << text.size() << ':' << text; }
+    std::string hash() const { return projects::hash_bytes(text_.str()); }
+    Exact() { text_ << std::hexfloat; }
+
+  private:
+    std::ostringstream text_;
+};
+
+void add(Exact& exact, const scene::Light& light) {
+    exact.add(static_cast<int>(light.type));
+    for (const auto& vector : {light.position, light.direction, light.colour}) exact.add_vector(vector);
+    exact.add(light.intensity, light.range, light.inner_angle, light.outer_angle, light.size.x, light.size.y);
+}
+
+void add(Exact& exact, const scene::Environment& environment) {
+    exact.add_vector(environment.constant);
+    if (!environment.map) return;
+    const auto& map = *environment.map;
+    exact.add(map.width, map.height, map.channels);
+    exact.add_text(projects::hash_bytes(
+        {reinterpret_cast<const char*>(map.pixels.data()), map.pixels.size() * sizeof(float)}));
+}
+
+void add(Exact& exact, const scene::Camera& camera) {
+    for (const auto& vector : {camera.eye, camera.target, camera.up}) exact.add_vector(vector);
+    exact.add(camera.fov_y, camera.orthographic, camera.height);
+}
+
+}  // namespace
+
+std::string state_fingerprint(const Experiment& experiment, const std::string& scene_hash) {
+    const auto& method = registry().at(experiment.method);
+    Exact exact;
+    exact.add_text(method.id);
+    exact.add(method.version);
+    for (const auto& [key, value] : completed(method.parameters, experiment.settings)) {
+        const auto* parameter = find(method.parameters, key);
+        if (parameter && parameter->accumulates) continue;
+        exact.add_text(key);
+        exact.add_text(to_string(value));
+    }
+    exact.add_text(scene_hash);
+    exact.add(experiment.replace_lights, experiment.lights.size());
+    for (const auto& light : experiment.lights) add(exact, light);
+    exact.add(experiment.environment.has_value());
+    if (experiment.environment) add(exact, *experiment.environment);
+    exact.add_text(experiment.camera_name);
+    exact.add(experiment.camera.has_value());
+    if (experiment.camera) add(exact, *experiment.camera);
+    exact.add(experiment.width, experiment.height, experiment.seed, experiment.time);
+    return exact.hash();
+}
+
+std::string Execution::state_fingerprint() const {
+    return engine::state_fingerprint(experiment_, scene_->content_hash);
+}
+
+bool Execution::accumulates() const {
+    return projects::accumulates(method_->description) && !scene_->is_animated();
+}
+
+std::uint64_t Execution::samples_per_frame() const {
+    return projects::samples_per_frame(method_->description, settings_);
+}
+
+std::uint64_t Execution::sample_limit() const {
+    const auto unlimited = graph::FrameInputs{}.sample_limit;
+    if (!accumulates() || samples_ == 0) return unlimited;
+    if (!shown_ && frame_ >= experiment_.frames) return 0;
+    const auto beyond = samples_ % samples_per_frame();
+    return beyond == 0 ? unlimited : samples_per_frame() - beyond;
+}
+
+void Execution::count_frame(const FrameReport& report, std::uint64_t limit) {
+    if (report.began_anew) {
+        samples_ = 0;
+        origins_.clear();
+        limit = graph::FrameInputs{}.sample_limit;
+    }
+    const auto added = std::min(samples_per_frame(), limit);
+    is_extended_ = is_extended_ || added > 0;
+    set_samples(samples_ + added);
+    shown_ = true;
+}
+
+void Execution::set_samples(std::uint64_t samples) {
+    samples_ = samples;
+    frame_ = static_cast<int>(std::min<std::uint64_t>(samples_ / samples_per_frame(), 1'000'000'000));
+}
+
+void Execution::restore(StoredState state) {
+    if (!accumulates())
+        throw Error(
+            "a stored state cannot be continued here: " +
+            std::string(scene_->is_animated() ? "the scene moves" : "the method does not accumulate"));
+    if (state.fingerprint != state_fingerprint()) throw Error("the stored state is of another picture");
+    restart();
+    graph_->restore(std::move(state.history));
+    origins_ = std::move(state.origins);
+    set_samples(state.samples);
+}
+
+std::optional<StoredState> Execution::state() const {
+    if (!accumulates() || samples_ == 0) return {};
+    auto history = graph_->history();
+    if (!history) return {};
+    StoredState state{std::move(*history), samples_, state_fingerprint(), origins_};
+    if (is_extended_ || origins_.empty()) {
+        const auto& report = graph_->last_report();
+        state.origins.push_back({version(), report.device, report.backend, projects::utc_now(), samples_});
+    }
+    return state;
+}
+
+}  // namespace ir::engine
