@@ -1,6 +1,7 @@
 #include "renderers/passes/lights/flat_light.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "renderers/passes/lights/spherical_rectangle.h"

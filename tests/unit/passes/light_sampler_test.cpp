@@ -205,8 +205,7 @@ TEST(LightSamplerTest, DensityOfASampleIsTheDensityOfItsDirection) {
 }
 
 TEST(LightSamplerTest, ProbabilitiesOfAllThatIsSampledAddUpToOne) {
-    // Σ over samples of (density of one emitter / density of the sample) would need all; instead each kind's
-    // share among the samples is compared with its integral over the sphere (n = 200,000 uniform directions).
+    // The density of all that a direction meets, integrated over the sphere: n = 200,000 uniform directions.
     LightScene world;
     fill_mixed(world);
     world.scene().lights.erase(world.scene().lights.begin() + 1);  // the point light has no density
