@@ -32,6 +32,26 @@ Json json_of(const Range& range) {
     return json;
 }
 
+Json json_of(const Condition& condition) {
+    Json values = Json::array();
+    for (const auto& value : condition.values) values.push_back(json_of(value));
+    return {{"key", condition.key}, {"values", values}};
+}
+
+Json json_of(const OutputDescription& output) {
+    const auto& map = output.colour_map;
+    Json json{{"key", output.key},
+              {"label", output.label},
+              {"kind", to_string(output.kind)},
+              {"semantic", to_string(output.semantic)},
+              {"unit", output.unit},
+              {"colour_map", map.empty() ? default_colour_map(output.semantic) : map},
+              {"doc", output.doc},
+              {"explains", output.explains}};
+    if (!output.active_when.key.empty()) json["active_when"] = json_of(output.active_when);
+    return json;
+}
+
 Json json_of(const ParameterDescription& p) {
     Json json{{"key", p.key},
               {"label", p.label},
@@ -53,11 +73,8 @@ Json json_of(const ParameterDescription& p) {
     json["group"] = is_transport_key(p.key) ? "transport" : "method";
     json["effect"] = p.effect == Effect::image ? "image" : "cost";
     json["on_change"] = on_change_name(p.on_change);
-    if (!p.active_when.key.empty()) {
-        Json values = Json::array();
-        for (const auto& value : p.active_when.values) values.push_back(json_of(value));
-        json["active_when"] = {{"key", p.active_when.key}, {"values", values}};
-    }
+    if (p.accumulates) json["accumulates"] = true;
+    if (!p.active_when.key.empty()) json["active_when"] = json_of(p.active_when);
     json["since_version"] = p.since_version;
     if (p.value_in_older_projects) json["value_in_older_projects"] = json_of(*p.value_in_older_projects);
     return json;
@@ -88,6 +105,15 @@ std::string allowed_text(const ParameterDescription& p) {
 
 constexpr const char* explains_text = " Explains the pixel or items that are picked.";
 
+/// " Where `key` is a, b."; empty without a condition.
+std::string condition_text(const Condition& condition) {
+    if (condition.key.empty()) return {};
+    std::string text = " Only where `" + condition.key + "` is";
+    for (const auto& value : condition.values)
+        text += (&value == &condition.values.front() ? " " : ", ") + to_string(value);
+    return text + ".";
+}
+
 }  // namespace
 
 std::string describe_json(const MethodDescription& method) {
@@ -96,17 +122,9 @@ std::string describe_json(const MethodDescription& method) {
     json["parameters"] = Json::array();
     for (const auto& parameter : method.parameters) json["parameters"].push_back(json_of(parameter));
     json["outputs"] = Json::array();
-    for (const auto& output : method.outputs)
-        json["outputs"].push_back(
-            {{"key", output.key},
-             {"label", output.label},
-             {"kind", to_string(output.kind)},
-             {"semantic", to_string(output.semantic)},
-             {"unit", output.unit},
-             {"colour_map",
-              output.colour_map.empty() ? default_colour_map(output.semantic) : output.colour_map},
-             {"doc", output.doc},
-             {"explains", output.explains}});
+    for (const auto& output : method.outputs) json["outputs"].push_back(json_of(output));
+    if (method.is_reference) json["is_reference"] = true;
+    if (!method.variance.empty()) json["variance"] = method.variance;
     json["selectors"] = Json::array();
     for (const auto& selector : method.selectors)
         json["selectors"].push_back({{"key", selector.key},
@@ -131,13 +149,15 @@ std::string describe_markdown(const MethodDescription& method) {
         for (const auto& choice : p.choices)
             if (!choice.doc.empty() && (p.supported.empty() || p.supported.size() > 1))
                 text += " `" + choice.key + "`: " + choice.doc;
+        text += condition_text(p.active_when);
         if (!p.citation.empty()) text += " [" + p.citation + "]";
         text += " |\n";
     }
     text += "\n## Outputs\n\n| key | kind | semantic | unit | what it shows |\n|---|---|---|---|---|\n";
     for (const auto& o : method.outputs)
         text += "| `" + o.key + "` | " + to_string(o.kind) + " | " + to_string(o.semantic) + " | " + o.unit +
-                " | **" + o.label + ".** " + o.doc + (o.explains ? explains_text : "") + " |\n";
+                " | **" + o.label + ".** " + o.doc + condition_text(o.active_when) +
+                (o.explains ? explains_text : "") + " |\n";
     if (method.selectors.empty()) return text;
     text +=
         "\n## Selectors\n\nWhat can be looked at one by one.\n\n| key | items | what is chosen "

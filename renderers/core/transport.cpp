@@ -5,37 +5,53 @@
 namespace ir {
 namespace {
 
-ParameterTable<Transport> whole_group() {
-    ParameterTable<Transport> table;
+const Condition only_ao{"paths", {std::string("ao")}};
+const Condition only_light{"paths", {std::string("direct"), std::string("indirect"), std::string("full")}};
+const Condition only_indirect{"paths", {std::string("indirect"), std::string("full")}};
+
+void add_paths(ParameterTable<Transport>& table) {
+    table.add(
+        &Transport::paths,
+        {.key = "paths",
+         .label = "Paths",
+         .doc = "What is computed, by how often light is scattered on its way to the camera. Mirrors and "
+                "glass do not count as scatterings.",
+         .choices = {
+             {"ao", "Ambient occlusion", "Cosine-weighted openness of the hemisphere; background 1."},
+             {"direct", "Direct light",
+              "One scattering, from all light sources: lights, emitters and environment; and the "
+              "base colour of unlit surfaces. Background 0."},
+             {"indirect", "Indirect light", "min_bounces + 1 to max_bounces + 1 scatterings. Background 0."},
+             {"full", "Full",
+              "Emission and background as they are seen, direct light, and indirect light."}}});
+}
+
+void add_bounces(ParameterTable<Transport>& table) {
     table
-        .add(&Transport::paths,
-             {.key = "paths",
-              .label = "Paths",
-              .doc = "What is computed: ambient occlusion, direct light (one scattering), indirect light "
-                     "(min_bounces + 1 to max_bounces + 1 scatterings), or everything.",
-              .choices = {{"ao", "Ambient occlusion", "Cosine-weighted openness of the hemisphere."},
-                          {"direct", "Direct light", "Paths with one scattering."},
-                          {"indirect", "Indirect light",
-                           "Paths with min_bounces + 1 to max_bounces + 1 scatterings."},
-                          {"full", "Full", "Everything, with emission seen directly and the background."}}})
         .add(&Transport::min_bounces,
              {.key = "min_bounces",
               .label = "Fewest bounces",
-              .doc = "Indirect light: fewest bounces between the light and the visible surface.",
+              .doc = "Indirect light: fewest surfaces that scatter light before the visible one does.",
               .hard = {1, 64},
               .soft = {1, 8},
-              .active_when = {"paths", {std::string("indirect"), std::string("full")}}})
+              .active_when = only_indirect})
         .add(&Transport::max_bounces,
              {.key = "max_bounces",
               .label = "Most bounces",
-              .doc = "Indirect light: most bounces between the light and the visible surface.",
+              .doc = "Indirect light: most surfaces that scatter light before the visible one does.",
               .hard = {1, 64},
               .soft = {1, 8},
-              .active_when = {"paths", {std::string("indirect"), std::string("full")}}})
+              .active_when = only_indirect});
+}
+
+void add_distances(ParameterTable<Transport>& table) {
+    table
         .add(&Transport::max_distance,
              {.key = "max_distance",
               .label = "Maximum distance",
-              .doc = "Surfaces farther away than this do not occlude; 0 means that there is no limit.",
+              .doc = "Ambient occlusion: surfaces farther away than this do not occlude. Light: what a "
+                     "surface scatters does not reach surfaces farther away than this; light sources and the "
+                     "environment are seen at any distance. 0 means that there is no limit.",
               .unit = "m",
               .citation = "Aalund15 §5.1",
               .hard = {0, 1e9},
@@ -46,15 +62,23 @@ ParameterTable<Transport> whole_group() {
                                           "to the maximum distance d_max.",
                                    .citation = "Aalund15 §3.3",
                                    .choices = {{"hard", "Hard", "V = 0 below d_max."},
-                                               {"smooth", "Smooth", "V = (d/d_max)² below d_max."}}})
+                                               {"smooth", "Smooth", "V = (d/d_max)² below d_max."}},
+                                   .active_when = only_ao});
+}
+
+void add_surfaces(ParameterTable<Transport>& table) {
+    table
         .add(&Transport::materials,
              {.key = "materials",
               .label = "Materials",
               .doc = "The reflectance model that all surfaces use.",
-              .choices = {{"gltf", "glTF", "Metallic-roughness as glTF 2.0 defines it."},
+              .choices = {{"gltf", "glTF",
+                           "Metallic-roughness as glTF 2.0 defines it; smooth surfaces are mirrors, "
+                           "transmissive ones smooth glass."},
                           {"metalness-blend", "Metalness blend",
                            "Lambert and Cook–Torrance mixed by metalness."},
-                          {"lambert", "Lambert", "Diffuse only."}}})
+                          {"lambert", "Lambert", "Diffuse and opaque."}},
+              .active_when = only_light})
         .add(&Transport::normal_maps,
              {.key = "normal_maps",
               .label = "Normal maps",
@@ -62,7 +86,18 @@ ParameterTable<Transport> whole_group() {
                      "interpolated one."})
         .add(&Transport::environment_light, {.key = "environment_light",
                                              .label = "Environment light",
-                                             .doc = "Whether the environment emits light."});
+                                             .doc = "Whether the environment emits light and is seen behind "
+                                                    "everything.",
+                                             .active_when = only_light});
+}
+
+/// In the order in which people see them.
+ParameterTable<Transport> whole_group() {
+    ParameterTable<Transport> table;
+    add_paths(table);
+    add_bounces(table);
+    add_distances(table);
+    add_surfaces(table);
     return table;
 }
 

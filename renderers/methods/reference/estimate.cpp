@@ -4,11 +4,11 @@
 
 namespace ir::methods::reference {
 
-Estimate estimate(const Sums& sums, std::uint64_t samples) {
+Estimate estimate(const Sums& sums, std::uint64_t samples, double unknown) {
     const auto n = static_cast<double>(samples);
     double total = 0;
     for (const auto sum : sums) total += sum;
-    Estimate result{total / n, 0.25};
+    Estimate result{total / n, unknown};
     const auto used = std::min<std::uint64_t>(samples, randomisations);
     if (used < 2) return result;
     double squares = 0;

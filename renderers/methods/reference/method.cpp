@@ -1,16 +1,19 @@
-// The path-traced reference: what every other method is judged by. Ambient occlusion and obscurance on the
-// rasterised G-buffer: cosine-weighted rays about the shading normal, traced through Embree, averaged over
-// samples and frames.
+// The path-traced reference: what every other method is judged by. Ambient occlusion and obscurance by
+// cosine-weighted rays, and light by unidirectional path tracing with next-event estimation, through Embree;
+// averaged over samples and frames.
 #include "renderers/graph/method.h"
 
 #include "renderers/methods/reference/ambient_occlusion_pass.h"
+#include "renderers/methods/reference/light_paths_pass.h"
+#include "renderers/methods/reference/notes.h"
 #include "renderers/methods/reference/parameters.h"
-#include "renderers/passes/gbuffer/gbuffer.h"
-#include "renderers/passes/raytracing/bvh.h"
-#include "renderers/passes/scene/scene_buffers.h"
 
 namespace ir::methods::reference {
 namespace {
+
+const Condition only_ao{"paths", {std::string("ao")}};
+const Condition only_light{"paths", {std::string("direct"), std::string("indirect"), std::string("full")}};
+const Condition only_full{"paths", {std::string("full")}};
 
 ParameterTable<Parameters> parameter_table() {
     ParameterTable<Parameters> table;
@@ -19,53 +22,116 @@ ParameterTable<Parameters> parameter_table() {
              {.key = "samples",
               .label = "Paths per pixel",
               .doc = "Traced in each frame; frames add up: after F frames a pixel is the "
-                     "mean of F times as many.",
+                     "mean of F times as many. Raising it goes on from what is there.",
               .hard = {1, 1e6},
-              .soft = {1, 1024}})
+              .soft = {1, 1024},
+              .on_change = OnChange::nothing,
+              .accumulates = true})
         .add(&Parameters::primary,
              {.key = "primary",
               .label = "First surface",
               .doc = "Where paths start.",
               .choices = {{"gbuffer", "G-buffer",
                            "At the rasterised surface in the pixel's centre, where the other methods start: "
-                           "no antialiasing, and a difference image shows nothing but transport."}}})
+                           "no antialiasing, and a difference image shows nothing but transport. Background "
+                           "and glass are not valid."},
+                          {"rays", "Rays",
+                           "Where rays that are uniform over the pixel (box filter) first meet something; "
+                           "every pixel is valid."}}})
         .include(&Parameters::transport,
-                 transport_parameters({.paths = {"ao"}, .keys = {"max_distance", "falloff", "normal_maps"}}));
+                 transport_parameters({.paths = {"ao", "direct", "indirect", "full"},
+                                       .keys = {"min_bounces", "max_bounces", "max_distance", "falloff",
+                                                "materials", "normal_maps", "environment_light"}}));
     return table;
+}
+
+void add_main_outputs(MethodDescription& d) {
+    d.outputs.push_back({.key = "accessibility",
+                         .label = "Accessibility",
+                         .semantic = Semantic::accessibility,
+                         .doc = "Cosine-weighted openness of the hemisphere, 1 = open; the mean of all "
+                                "samples so far.",
+                         .active_when = only_ao});
+    d.outputs.push_back({.key = "radiance",
+                         .label = "Radiance",
+                         .semantic = Semantic::radiance,
+                         .unit = "W/(m² sr)",
+                         .doc = "Light towards the camera that the chosen paths bring; the mean of all "
+                                "samples so far. Missing are paths from point, spot and directional lights "
+                                "over mirrors or through glass, which no path from the camera can meet; a "
+                                "note says when a scene has such. Paths that meet more than 32 mirrors or "
+                                "panes of glass are cut and counted as reference.cut_paths.",
+                         .active_when = only_light});
+    d.outputs.push_back({.key = "direct",
+                         .label = "Direct light",
+                         .semantic = Semantic::radiance,
+                         .unit = "W/(m² sr)",
+                         .doc = "The part with one scattering, and unlit surfaces.",
+                         .active_when = only_full});
+    d.outputs.push_back({.key = "indirect",
+                         .label = "Indirect light",
+                         .semantic = Semantic::radiance,
+                         .unit = "W/(m² sr)",
+                         .doc = "The part with min_bounces + 1 to max_bounces + 1 scatterings. What remains "
+                                "of the radiance is emission and background seen directly.",
+                         .active_when = only_full});
+}
+
+void add_statistics(MethodDescription& d) {
+    d.outputs.push_back({.key = "reference.variance",
+                         .label = "Variance of the mean",
+                         .doc = "Estimated variance of the main result as it stands, by channel, from 8 "
+                                "independent randomisations (7 degrees of freedom); its square root is the "
+                                "standard error of a pixel."});
+    d.outputs.push_back({.key = "reference.samples",
+                         .label = "Samples",
+                         .semantic = Semantic::count,
+                         .doc = "Paths per pixel so far."});
+    d.outputs.push_back(
+        {.key = "gbuffer.position",
+         .label = "First position",
+         .semantic = Semantic::position,
+         .unit = "m",
+         .doc = "Of the surface in the pixel's centre, world space; w: distance to the eye."});
+    d.outputs.push_back({.key = "gbuffer.normal",
+                         .label = "First normal",
+                         .semantic = Semantic::normal,
+                         .doc = "Shading normal of the surface in the pixel's centre."});
+    d.outputs.push_back({.key = "gbuffer.albedo",
+                         .label = "First base colour",
+                         .semantic = Semantic::albedo,
+                         .doc = "Of the surface in the pixel's centre, linear; a: transmission."});
+    d.outputs.push_back({.key = "valid",
+                         .label = "Valid",
+                         .semantic = Semantic::mask,
+                         .doc = "1 where the result counts; with rays everywhere."});
 }
 
 MethodDescription description() {
     MethodDescription d;
     d.id = "reference";
     d.title = "Path-traced reference";
+    d.version = 2;
     d.summary =
-        "Unbiased and slow: traces rays through Embree and adds up samples over frames. With a method's "
+        "Unbiased and slow: traces paths through Embree and adds up samples over frames. With a method's "
         "transport parameters it converges to what that method approximates. The picture comes with its own "
         "variance.";
-    d.papers = {"Burley20", "Waechter19"};
+    d.papers = {"Burley20", "Veach95", "Waechter19"};
     d.background = 1;
-    d.outputs = {
-        {.key = "accessibility",
-         .label = "Accessibility",
-         .semantic = Semantic::accessibility,
-         .doc = "Cosine-weighted openness of the hemisphere, 1 = open; the mean of all samples so far."},
-        {.key = "reference.variance",
-         .label = "Variance of the mean",
-         .doc = "Estimated variance of the accessibility as it stands, from 8 independent randomisations "
-                "(7 degrees of freedom); its square root is the standard error of a pixel."},
-        {.key = "reference.samples",
-         .label = "Samples",
-         .semantic = Semantic::count,
-         .doc = "Paths per pixel so far."},
-        {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."},
-    };
+    d.is_reference = true;
+    d.variance = "reference.variance";
+    add_main_outputs(d);
+    add_statistics(d);
     return d;
 }
 
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
-    const auto scene = passes::upload_scene(builder);
-    const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
-    ambient_occlusion(builder, gbuffer, passes::bvh(builder), parameters);
+    note_limits(builder, parameters);
+    const auto inputs = path_inputs(builder, parameters);
+    if (parameters.transport.paths == Transport::Paths::ao)
+        ambient_occlusion(builder, inputs, parameters);
+    else
+        light_paths(builder, inputs, parameters);
 }
 
 }  // namespace

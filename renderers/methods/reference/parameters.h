@@ -4,7 +4,7 @@
 
 namespace ir::methods::reference {
 
-enum class Primary { gbuffer };
+enum class Primary { gbuffer, rays };
 
 struct Parameters {
     int samples = 64;

@@ -4,8 +4,7 @@ namespace ir::methods::reference {
 namespace {
 
 std::uint32_t reversed(std::uint32_t x) {
-    x = (x >> 16) | (x << 16);
-    x = ((x & 0x00ff00ffu) << 8) | ((x & 0xff00ff00u) >> 8);
+    x = __builtin_bswap32(x);
     x = ((x & 0x0f0f0f0fu) << 4) | ((x & 0xf0f0f0f0u) >> 4);
     x = ((x & 0x33333333u) << 2) | ((x & 0xccccccccu) >> 2);
     return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
@@ -21,19 +20,25 @@ std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
     return x;
 }
 
-/// Second dimension of Sobol's sequence: the generator matrix is Pascal's triangle modulo 2, each column the
-/// one before xor itself shifted.
-std::uint32_t sobol_second(std::uint32_t index) {
-    std::uint32_t result = 0;
-    for (std::uint32_t column = 1u << 31; index != 0; index >>= 1, column ^= column >> 1) {
-        if (index & 1) result ^= column;
-    }
-    return result;
+/// Second dimension of Sobol's sequence with its bits reversed. The generator matrix is Pascal's triangle
+/// modulo 2, the fifth Kronecker power of ((1, 1), (0, 1)): in each half the lower part takes the upper one.
+std::uint32_t reversed_sobol_second(std::uint32_t index) {
+    index ^= index >> 16;
+    index ^= (index >> 8) & 0x00ff00ffu;
+    index ^= (index >> 4) & 0x0f0f0f0fu;
+    index ^= (index >> 2) & 0x33333333u;
+    return index ^ ((index >> 1) & 0x55555555u);
 }
 
 /// The upper 24 bits: what a float holds without rounding up to 1.
 float unit(std::uint32_t bits) {
     return static_cast<float>(bits >> 8) * 0x1p-24f;
+}
+
+/// The first dimension is the reversed index, which the scramble wants reversed again.
+glm::vec2 scrambled_point(std::uint32_t index, std::uint32_t seed_x, std::uint32_t seed_y) {
+    return {unit(reversed(scrambled(index, seed_x))),
+            unit(reversed(scrambled(reversed_sobol_second(index), seed_y)))};
 }
 
 }  // namespace
@@ -45,10 +50,15 @@ PointSequence::PointSequence(std::uint64_t key) {
 }
 
 glm::vec2 PointSequence::point(std::uint32_t index) const {
-    // The first dimension is the reversed index, which the scramble wants reversed again.
-    const auto x = reversed(scrambled(index, seed_x_));
-    const auto y = reversed(scrambled(reversed(sobol_second(index)), seed_y_));
-    return {unit(x), unit(y)};
+    return scrambled_point(index, seed_x_, seed_y_);
+}
+
+glm::vec2 PathSampler::pair(std::uint32_t dimension) const {
+    const auto seeds = mixed(key_ ^ mixed(dimension));
+    const auto order = static_cast<std::uint32_t>(mixed(seeds));
+    const auto shuffled = reversed(scrambled(reversed(index_), order));
+    return scrambled_point(shuffled, static_cast<std::uint32_t>(seeds),
+                           static_cast<std::uint32_t>(seeds >> 32));
 }
 
 }  // namespace ir::methods::reference

@@ -33,4 +33,20 @@ class PointSequence {
     std::uint32_t seed_x_ = 0, seed_y_ = 0;
 };
 
+/// All random numbers of one path, by pairs: dimension d gives a point of a sequence of its own, in which
+/// the path's place is shuffled, so that dimensions are not correlated and each is well distributed over the
+/// paths of a pixel and randomisation [Burley20 §5]. Depends on key, index and dimension alone.
+class PathSampler {
+  public:
+    PathSampler() = default;
+    /// Point `index` of the sequences of `key`.
+    PathSampler(std::uint64_t key, std::uint32_t index) : key_(key), index_(index) {}
+    /// In [0, 1)².
+    glm::vec2 pair(std::uint32_t dimension) const;
+
+  private:
+    std::uint64_t key_ = 0;
+    std::uint32_t index_ = 0;
+};
+
 }  // namespace ir::methods::reference

@@ -9,6 +9,8 @@
 namespace ir::methods::reference {
 namespace {
 
+using Packet = passes::Bvh::Packet16;
+
 constexpr std::uint64_t lanes = 16;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -20,25 +22,30 @@ glm::mat3 frame_around(glm::vec3 n) {
     return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
 }
 
-void set_direction(passes::Bvh::Packet16& packet, std::uint64_t lane, glm::vec3 direction, bool above) {
-    packet.dx[lane] = direction.x, packet.dy[lane] = direction.y, packet.dz[lane] = direction.z;
-    packet.active[lane] = above ? -1 : 0;
+void set_origin(Packet& packet, std::uint64_t lane, glm::vec3 origin) {
+    packet.ox[lane] = origin.x, packet.oy[lane] = origin.y, packet.oz[lane] = origin.z;
 }
 
-passes::Bvh::Packet16 packet_from(const SurfacePoint& point, const VisibilityRule& rule) {
-    const auto origin = passes::offset_origin(point.position_ws, point.geometric_normal_ws);
-    passes::Bvh::Packet16 packet;
+void set_direction(Packet& packet, std::uint64_t lane, glm::vec3 direction) {
+    packet.dx[lane] = direction.x, packet.dy[lane] = direction.y, packet.dz[lane] = direction.z;
+}
+
+Packet idle_packet(float far) {
+    Packet packet;
     for (std::uint64_t lane = 0; lane < lanes; ++lane) {
-        packet.ox[lane] = origin.x, packet.oy[lane] = origin.y, packet.oz[lane] = origin.z;
-        packet.near[lane] = 0;
-        packet.far[lane] = rule.max_distance > 0 ? rule.max_distance : infinity;
+        set_origin(packet, lane, glm::vec3(0));
+        set_direction(packet, lane, {0, 0, 1});
+        packet.near[lane] = 0, packet.far[lane] = far, packet.active[lane] = 0;
     }
     return packet;
 }
 
+float reach(const VisibilityRule& rule) {
+    return rule.max_distance > 0 ? rule.max_distance : infinity;
+}
+
 /// V of the active lanes; the others are left alone.
-void trace(const passes::Bvh& bvh, const VisibilityRule& rule, const passes::Bvh::Packet16& packet,
-           float (&values)[lanes]) {
+void trace(const passes::Bvh& bvh, const VisibilityRule& rule, const Packet& packet, float (&values)[lanes]) {
     if (rule.falloff == Transport::Falloff::hard || rule.max_distance == 0) {
         const unsigned blocked = bvh.occluded16(packet, false);
         for (std::uint64_t i = 0; i < lanes; ++i) {
@@ -51,6 +58,21 @@ void trace(const passes::Bvh& bvh, const VisibilityRule& rule, const passes::Bvh
     for (std::uint64_t i = 0; i < lanes; ++i) {
         if (packet.active[i]) values[i] = visibility(rule, distances[i]);
     }
+}
+
+std::uint32_t active_in(const Packet& packet, std::uint64_t first, SampleRange range) {
+    std::uint32_t active = 0;
+    for (auto i = std::max(first, range.begin); i < std::min(first + lanes, range.end); ++i)
+        active += packet.active[i - first] != 0;
+    return active;
+}
+
+/// Adds the lanes of the packet from sample `first` on that lie in the range; returns how many are active.
+std::uint32_t add_lanes(const Packet& packet, const float (&values)[lanes], std::uint64_t first,
+                        SampleRange range, Sums& sums) {
+    for (auto i = std::max(first, range.begin); i < std::min(first + lanes, range.end); ++i)
+        sums[i % randomisations] += values[i - first];
+    return active_in(packet, first, range);
 }
 
 }  // namespace
@@ -83,28 +105,65 @@ glm::vec2 PixelSamples::point(std::uint64_t sample) const {
 std::uint32_t add_visibility(const passes::Bvh& bvh, const SurfacePoint& point, const VisibilityRule& rule,
                              const PixelSamples& samples, SampleRange range, Sums& sums,
                              DirectionSampler direction) {
-    auto packet = packet_from(point, rule);
-    std::array<double, randomisations> added{};
+    auto packet = idle_packet(reach(rule));
+    const auto origin = passes::offset_origin(point.position_ws, point.geometric_normal_ws);
+    for (std::uint64_t lane = 0; lane < lanes; ++lane) set_origin(packet, lane, origin);
     std::uint32_t rays = 0;
-    for (auto first = range.begin; first < range.end;) {
-        // Packets start at multiples of 16, wherever a frame or a slice started.
-        const auto end = std::min(range.end, (first / lanes + 1) * lanes);
+    for (auto first = range.begin / lanes * lanes; first < range.end; first += lanes) {
         float values[lanes] = {};
-        std::uint32_t active = 0;
-        for (std::uint64_t lane = 0; lane < lanes; ++lane) packet.active[lane] = 0;
-        for (auto i = first; i < end; ++i) {
-            const auto towards = direction(samples.point(i), point.shading_normal_ws);
+        bool any = false;
+        for (std::uint64_t lane = 0; lane < lanes; ++lane) {
+            const auto towards = direction(samples.point(first + lane), point.shading_normal_ws);
             const bool above = glm::dot(towards, point.geometric_normal_ws) > 0;
-            set_direction(packet, i % lanes, towards, above);
-            active += above;
+            set_direction(packet, lane, towards);
+            packet.active[lane] = above ? -1 : 0;
+            any = any || above;
         }
-        if (active > 0) trace(bvh, rule, packet, values);
-        for (auto i = first; i < end; ++i) added[i % randomisations] += values[i % lanes];
-        rays += active;
-        first = end;
+        if (any) trace(bvh, rule, packet, values);
+        rays += add_lanes(packet, values, first, range, sums);
     }
-    for (std::size_t r = 0; r < added.size(); ++r) sums[r] = static_cast<float>(sums[r] + added[r]);
     return rays;
+}
+
+std::uint32_t add_visibility_through_pixel(const RayWorld& world, const passes::PixelRays& rays,
+                                           glm::ivec2 pixel, std::uint64_t pixel_key,
+                                           const VisibilityRule& rule, SampleRange range, Sums& sums) {
+    std::uint32_t traced = 0;
+    for (auto first = range.begin / lanes * lanes; first < range.end; first += lanes) {
+        auto primary = idle_packet(infinity), secondary = idle_packet(reach(rule));
+        PathSampler samplers[lanes];
+        glm::vec3 directions[lanes];
+        for (std::uint64_t lane = 0; lane < lanes; ++lane) {
+            const auto i = first + lane;
+            samplers[lane] =
+                PathSampler(pixel_key + i % randomisations, static_cast<std::uint32_t>(i / randomisations));
+            const auto at = glm::vec2(pixel) + samplers[lane].pair(0);
+            directions[lane] =
+                glm::normalize(rays.direction + at.x * rays.direction_dx + at.y * rays.direction_dy);
+            set_origin(primary, lane, rays.origin + at.x * rays.origin_dx + at.y * rays.origin_dy);
+            set_direction(primary, lane, directions[lane]);
+            primary.active[lane] = -1;
+        }
+        passes::Hit hits[lanes];
+        world.bvh.closest_hits16(primary, true, hits);
+        float values[lanes];
+        bool any = false;
+        for (std::uint64_t lane = 0; lane < lanes; ++lane) {
+            values[lane] = hits[lane].is_hit() ? 0.0f : 1.0f;
+            if (!hits[lane].is_hit()) continue;
+            const auto surface = world.surfaces.at(hits[lane], directions[lane]);
+            const auto towards = cosine_direction(samplers[lane].pair(1), surface.shading_normal_ws);
+            if (glm::dot(towards, surface.geometric_normal_ws) <= 0) continue;
+            set_origin(secondary, lane,
+                       passes::offset_origin(surface.position_ws, surface.geometric_normal_ws));
+            set_direction(secondary, lane, towards);
+            secondary.active[lane] = -1;
+            any = true;
+        }
+        if (any) trace(world.bvh, rule, secondary, values);
+        traced += add_lanes(primary, values, first, range, sums) + active_in(secondary, first, range);
+    }
+    return traced;
 }
 
 }  // namespace ir::methods::reference

@@ -6,7 +6,10 @@
 #include "renderers/core/transport.h"
 #include "renderers/methods/reference/estimate.h"
 #include "renderers/methods/reference/point_sequence.h"
+#include "renderers/methods/reference/progress.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
 #include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/surface/surface.h"
 
 namespace ir::methods::reference {
 
@@ -40,16 +43,23 @@ class PixelSamples {
     std::array<PointSequence, randomisations> sequences_;
 };
 
-/// Consecutive samples of one pixel.
-struct SampleRange {
-    std::uint64_t begin = 0, end = 0;
-};
-
-/// Adds V for these samples to their randomisations' sums; returns how many rays were traced. A direction
+/// Adds V for these samples to their randomisations' sums; returns how many rays were asked for. A direction
 /// below the geometric surface counts as closed at distance 0 and is not traced. Rays go in packets of 16
-/// samples of this one pixel, so that the result depends on nothing but the arguments.
+/// consecutive samples of this one pixel, the first a multiple of 16; also those of a packet that lie outside
+/// the range are traced, so that a sample never depends on the range.
 std::uint32_t add_visibility(const passes::Bvh& bvh, const SurfacePoint& point, const VisibilityRule& rule,
                              const PixelSamples& samples, SampleRange range, Sums& sums,
                              DirectionSampler direction = cosine_direction);
+
+/// The world that rays through pixels meet.
+struct RayWorld {
+    const passes::Bvh& bvh;
+    const passes::SurfaceLookup& surfaces;
+};
+
+/// The same with a ray of its own for each sample, uniform over the pixel. What misses everything is open.
+std::uint32_t add_visibility_through_pixel(const RayWorld& world, const passes::PixelRays& rays,
+                                           glm::ivec2 pixel, std::uint64_t pixel_key,
+                                           const VisibilityRule& rule, SampleRange range, Sums& sums);
 
 }  // namespace ir::methods::reference

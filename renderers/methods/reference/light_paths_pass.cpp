@@ -1,0 +1,270 @@
+#include "renderers/methods/reference/light_paths_pass.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "renderers/methods/reference/estimate.h"
+#include "renderers/methods/reference/primary.h"
+#include "renderers/methods/reference/tiles.h"
+
+namespace ir::methods::reference {
+namespace {
+
+/// One item of work: some thousand paths, whose state fits into a core's cache.
+constexpr int tile_size = 16;
+constexpr std::uint64_t block_samples = 8;
+
+/// Layers of the sums: first those of the randomisations, all light together.
+constexpr int direct_layer = randomisations, indirect_layer = randomisations + 1;
+
+struct Resources {
+    PathInputs inputs;
+    Progress progress;
+    graph::ImageRef sums;  ///< rgba32f stack, W/(m² sr)
+    graph::ImageRef samples, radiance, variance;
+    std::optional<graph::ImageRef> direct, indirect;
+    std::shared_ptr<Tally> tally = std::make_shared<Tally>();
+    bool has_parts() const { return direct.has_value(); }
+    int layers() const { return has_parts() ? randomisations + 2 : randomisations; }
+};
+
+graph::ImageRef radiance_image(graph::GraphBuilder& builder, const char* key, const char* label,
+                               const char* doc) {
+    return builder.image(
+        {.text =
+             {.key = key, .label = label, .doc = doc, .semantic = Semantic::radiance, .unit = "W/(m² sr)"},
+         .format = gl::Format::rgba32f});
+}
+
+Resources declare(graph::GraphBuilder& builder, const PathInputs& inputs, const Parameters& parameters) {
+    Resources r;
+    r.inputs = inputs;
+    r.progress = Progress(builder);
+    r.radiance = radiance_image(builder, "radiance", "Radiance", "Mean of all paths so far.");
+    if (parameters.transport.paths == Transport::Paths::full) {
+        r.direct = radiance_image(builder, "direct", "Direct light", "Paths with one scattering.");
+        r.indirect = radiance_image(builder, "indirect", "Indirect light", "Paths with more scatterings.");
+    }
+    r.sums = builder.image(
+        {.text = {.key = "reference.sums",
+                  .label = "Sums",
+                  .doc = "Sums of the samples over all frames: layers 1–8 by randomisation, then of direct "
+                         "and indirect light apart.",
+                  .semantic = Semantic::radiance,
+                  .unit = "W/(m² sr)"},
+         .format = gl::Format::rgba32f,
+         .layers = r.layers()});
+    r.variance = builder.image({.text = {.key = "reference.variance",
+                                         .label = "Variance of the mean",
+                                         .doc = "By channel, from the differences between randomisations.",
+                                         .unit = "(W/(m² sr))²"},
+                                .format = gl::Format::rgba32f});
+    r.samples = builder.image({.text = {.key = "reference.samples",
+                                        .label = "Samples",
+                                        .doc = "Paths per pixel so far.",
+                                        .semantic = Semantic::count},
+                               .format = gl::Format::r32ui});
+    return r;
+}
+
+/// Copies the sums of earlier frames, or zeros.
+void start_sums(const graph::PassContext& context, const Resources& r) {
+    const bool continues = Progress::continues(context);
+    for (int layer = 0; layer < r.layers(); ++layer) {
+        const auto sums = context.pixels<glm::vec4>(r.sums, layer);
+        if (!continues) {
+            std::fill(sums.begin(), sums.end(), glm::vec4(0));
+            continue;
+        }
+        const auto before = context.previous_pixels<glm::vec4>(r.sums, layer);
+        std::copy(before.begin(), before.end(), sums.begin());
+    }
+}
+
+Tiles tiles_of(const scene::View& view) {
+    return {view.width, view.height, tile_size, block_samples};
+}
+
+bool is_finite(glm::vec3 v) {
+    return std::isfinite(v.r) && std::isfinite(v.g) && std::isfinite(v.b);
+}
+
+/// Traces slices of a frame's work.
+class Tracer {
+  public:
+    Tracer(const graph::PassContext& context, const Resources& r, const Parameters& parameters)
+        : context_(context),
+          resources_(r),
+          tiles_(tiles_of(context.inputs().view)),
+          samples_(r.progress.of_frame(context, static_cast<std::uint64_t>(parameters.samples))),
+          bvh_(context.object<passes::Bvh>(r.inputs.bvh)),
+          surfaces_(context.object<passes::SurfaceLookup>(r.inputs.surfaces)),
+          lights_(context.object<passes::LightSampler>(r.inputs.lights)),
+          world_(*bvh_, *surfaces_, *lights_, parameters.transport.materials),
+          rules_(parameters.transport) {
+        if (r.inputs.gbuffer) gbuffer_.emplace(context, *r.inputs.gbuffer);
+        for (int layer = 0; layer < r.layers(); ++layer)
+            sums_.push_back(context.pixels<glm::vec4>(r.sums, layer));
+    }
+
+    void run(graph::Slice slice, std::int64_t declared) {
+        const auto start = std::chrono::steady_clock::now();
+        if (slice.first) start_sums(context_, resources_);
+        run_tiles(context_, tiles_, samples_, slice, declared,
+                  [&](std::int64_t tile, SampleRange range) { trace(tile, range); });
+        const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+        resources_.tally->milliseconds += spent.count();
+    }
+
+  private:
+    /// What one thread works with.
+    struct Bench {
+        Bench(const scene::View& view, const PathWorld& world, const PathRules& rules,
+              const GBufferSurfaces* gbuffer)
+            : primary(view, world, gbuffer), wavefront(world, rules) {}
+        PrimaryRays primary;
+        Wavefront wavefront;
+        std::vector<std::size_t> pixels;
+        std::vector<PathStart> starts;
+        std::vector<PathLight> lights;
+    };
+
+    Bench& bench() {
+        auto& own = benches_.local();
+        if (!own) {
+            own = std::make_unique<Bench>(context_.inputs().view, world_, rules_,
+                                          gbuffer_ ? &*gbuffer_ : nullptr);
+        }
+        return *own;
+    }
+
+    void trace(std::int64_t tile, SampleRange range) {
+        auto& b = bench();
+        b.pixels.clear(), b.starts.clear();
+        b.primary.begin(std::size_t{tile_size} * tile_size);
+        tiles_.for_each_pixel(tile, [&](int x, int y) {
+            b.pixels.push_back(static_cast<std::size_t>(y) * context_.inputs().view.width + x);
+            b.primary.add({x, y}, context_.inputs().seed, range.begin, range.end, b.starts);
+        });
+        b.lights.resize(b.starts.size());
+        const auto before = b.wavefront.counts();
+        b.wavefront.trace(b.starts, b.lights);
+        add(b, range);
+        auto& tally = *resources_.tally;
+        tally.rays += b.wavefront.counts().rays - before.rays;
+        tally.cut += b.wavefront.counts().cut - before.cut;
+        tally.paths += b.starts.size();
+    }
+
+    /// Sample by sample in order; pixels belong to one tile, hence to one thread.
+    void add(const Bench& b, SampleRange range) {
+        auto light = b.lights.begin();
+        for (const auto pixel : b.pixels) {
+            for (auto sample = range.begin; sample < range.end; ++sample, ++light) {
+                const auto sum = light->sum();
+                if (!is_finite(sum)) {
+                    ++resources_.tally->bad;
+                    continue;
+                }
+                sums_[sample % randomisations][pixel] += glm::vec4(sum, 0);
+                if (!resources_.has_parts()) continue;
+                sums_[direct_layer][pixel] += glm::vec4(light->direct, 0);
+                sums_[indirect_layer][pixel] += glm::vec4(light->indirect, 0);
+            }
+        }
+    }
+
+    const graph::PassContext& context_;
+    const Resources& resources_;
+    Tiles tiles_;
+    SampleRange samples_;
+    std::shared_ptr<passes::Bvh> bvh_;
+    std::shared_ptr<passes::SurfaceLookup> surfaces_;
+    std::shared_ptr<passes::LightSampler> lights_;
+    PathWorld world_;
+    PathRules rules_;
+    std::optional<GBufferSurfaces> gbuffer_;
+    std::vector<std::span<glm::vec4>> sums_;
+    tbb::enumerable_thread_specific<std::unique_ptr<Bench>> benches_;
+};
+
+/// Mean and variance by channel. One sample alone says nothing: its variance is taken to be its square.
+struct PixelEstimate {
+    glm::vec4 mean{0}, variance{0};
+};
+PixelEstimate estimate_pixel(const std::vector<std::span<glm::vec4>>& sums, std::size_t pixel,
+                             std::uint64_t samples) {
+    PixelEstimate result;
+    for (int channel = 0; channel < 3; ++channel) {
+        Sums s;
+        for (std::size_t r = 0; r < s.size(); ++r) s[r] = sums[r][pixel][channel];
+        const double first = s[0];
+        const auto e = estimate(s, samples, first * first);
+        result.mean[channel] = static_cast<float>(e.mean);
+        result.variance[channel] = static_cast<float>(e.variance);
+    }
+    return result;
+}
+
+void average(const graph::PassContext& context, const Resources& r, const Parameters& parameters) {
+    const auto per_frame = static_cast<std::uint64_t>(parameters.samples);
+    const auto samples = r.progress.of_frame(context, per_frame).end;
+    r.progress.advance(context, per_frame);
+    std::vector<std::span<glm::vec4>> sums;
+    for (int layer = 0; layer < r.layers(); ++layer) sums.push_back(context.pixels<glm::vec4>(r.sums, layer));
+    const auto radiance = context.pixels<glm::vec4>(r.radiance);
+    const auto variance = context.pixels<glm::vec4>(r.variance);
+    const auto counts = context.pixels<std::uint32_t>(r.samples);
+    const auto valid = context.pixels<std::uint8_t>(r.inputs.valid);
+    const float share = 1 / static_cast<float>(samples);
+    double sum_variance = 0, sum_valid = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const auto pixel = estimate_pixel(sums, i, samples);
+        counts[i] = static_cast<std::uint32_t>(samples);
+        radiance[i] = pixel.mean;
+        variance[i] = pixel.variance;
+        if (valid[i] == 0) continue;
+        sum_variance += pixel.variance.r + pixel.variance.g + pixel.variance.b;
+        sum_valid += 3;
+    }
+    if (r.has_parts()) {
+        const auto direct = context.pixels<glm::vec4>(*r.direct);
+        const auto indirect = context.pixels<glm::vec4>(*r.indirect);
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            direct[i] = share * sums[direct_layer][i];
+            indirect[i] = share * sums[indirect_layer][i];
+        }
+    }
+    report_figures(context, *r.tally, samples, sum_valid > 0 ? sum_variance / sum_valid : 0);
+}
+
+}  // namespace
+
+void light_paths(graph::GraphBuilder& builder, const PathInputs& inputs, const Parameters& parameters) {
+    const auto r = declare(builder, inputs, parameters);
+    const auto declared =
+        declared_items(tiles_of(builder.inputs().view), static_cast<std::uint64_t>(parameters.samples));
+    auto trace = builder.pass("trace paths", graph::Queue::cpu);
+    trace.reads(inputs.bvh, inputs.surfaces, inputs.lights)
+        .reads_previous(r.sums, r.progress.buffer())
+        .writes(r.sums);
+    if (inputs.gbuffer) GBufferSurfaces::declare_reads(trace, *inputs.gbuffer);
+    trace.execute_sliced(
+        declared,
+        [=](graph::PassContext& context, graph::Slice slice) {
+            Tracer(context, r, parameters).run(slice, declared);
+        },
+        2);
+
+    auto average_pass = builder.pass("average", graph::Queue::cpu);
+    average_pass.reads(r.sums, inputs.valid)
+        .reads_previous(r.progress.buffer())
+        .writes(r.progress.buffer(), r.samples, r.radiance, r.variance);
+    if (r.has_parts()) average_pass.writes(*r.direct, *r.indirect);
+    average_pass.execute([=](graph::PassContext& context) { average(context, r, parameters); });
+}
+
+}  // namespace ir::methods::reference

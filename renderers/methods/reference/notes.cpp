@@ -1,0 +1,68 @@
+#include "renderers/methods/reference/notes.h"
+
+#include <algorithm>
+
+#include "renderers/methods/reference/path_world.h"
+
+namespace ir::methods::reference {
+namespace {
+
+bool has_environment(const scene::Environment& environment) {
+    return environment.map || environment.constant != glm::vec3(0);
+}
+
+bool shines(const graph::FrameInputs& inputs, const Transport& transport) {
+    const auto& scene = *inputs.scene;
+    return !inputs.world->lights.empty() ||
+           (transport.environment_light && has_environment(scene.environment)) ||
+           std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [](const auto& material) { return material.emission != glm::vec3(0); });
+}
+
+bool is_punctual(const scene::Light& light) {
+    return light.type == scene::LightType::point || light.type == scene::LightType::spot ||
+           light.type == scene::LightType::directional;
+}
+
+/// Materials that the world's triangles have and that are mirrors or glass.
+int specular_materials(const graph::FrameInputs& inputs, Transport::Materials model) {
+    return static_cast<int>(
+        std::count_if(inputs.world->ranges.begin(), inputs.world->ranges.end(), [&](const auto& range) {
+            return range.triangle_count > 0 &&
+                   may_be_specular(inputs.scene->materials[static_cast<std::size_t>(range.material)], model);
+        }));
+}
+
+void note_darkness(graph::GraphBuilder& builder, const Transport& transport) {
+    if (shines(builder.inputs(), transport)) return;
+    const bool is_off = has_environment(builder.inputs().scene->environment);
+    builder.note(std::string("nothing in the scene emits light, so the picture is black: ") +
+                 (is_off ? "switch environment_light on, or add a light"
+                         : "add a light or an environment, or choose the paths ao"));
+}
+
+void note_caustics(graph::GraphBuilder& builder, const Transport& transport) {
+    const auto& lights = builder.inputs().world->lights;
+    const auto punctual = std::count_if(lights.begin(), lights.end(), is_punctual);
+    const int specular = specular_materials(builder.inputs(), transport.materials);
+    if (punctual == 0 || specular == 0) return;
+    builder.note("paths from point, spot and directional lights (" + std::to_string(punctual) +
+                 " here) over mirrors or through glass (" + std::to_string(specular) +
+                 " materials that may be such) cannot be found by a path tracer and are missing; lights with "
+                 "an extent (rectangle, disk, emissive mesh) have none of this");
+}
+
+}  // namespace
+
+void note_limits(graph::GraphBuilder& builder, const Parameters& parameters) {
+    const auto& transport = parameters.transport;
+    if (transport.paths == Transport::Paths::ao) return;
+    note_darkness(builder, transport);
+    if (transport.paths != Transport::Paths::direct && transport.min_bounces > transport.max_bounces) {
+        builder.note("min_bounces is " + std::to_string(transport.min_bounces) + ", max_bounces " +
+                     std::to_string(transport.max_bounces) + ": no indirect light counts; raise max_bounces");
+    }
+    note_caustics(builder, transport);
+}
+
+}  // namespace ir::methods::reference

@@ -1,0 +1,61 @@
+#include "renderers/methods/reference/path_inputs.h"
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/reference/first_hits.h"
+#include "renderers/passes/lights/light_sampler.h"
+#include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/scene/scene_buffers.h"
+
+namespace ir::methods::reference {
+namespace {
+
+/// Both are made anew in each frame: they point into scene and world.
+graph::ObjectRef declare_surfaces(graph::GraphBuilder& builder, bool normal_maps) {
+    const auto result = builder.object(
+        {.text = {
+             .key = "reference.surfaces", .label = "Surfaces", .doc = "Materials and textures for rays."}});
+    builder.pass("surfaces", graph::Queue::cpu).writes(result).execute([=](graph::PassContext& context) {
+        const auto& inputs = context.inputs();
+        const auto made = std::make_shared<passes::SurfaceLookup>(*inputs.scene, *inputs.world, normal_maps);
+        context.store(result, made, sizeof *made);
+    });
+    return result;
+}
+
+graph::ObjectRef declare_lights(graph::GraphBuilder& builder, graph::ObjectRef surfaces, bool environment) {
+    const auto result = builder.object({.text = {.key = "reference.lights",
+                                                 .label = "Light sources",
+                                                 .doc = "All that emits, with probabilities for choosing."}});
+    builder.pass("light sources", graph::Queue::cpu)
+        .reads(surfaces)
+        .writes(result)
+        .execute([=](graph::PassContext& context) {
+            const auto lookup = context.object<passes::SurfaceLookup>(surfaces);
+            passes::LightSampler::Options options;
+            options.environment = environment;
+            const auto made = std::make_shared<passes::LightSampler>(*lookup, options);
+            context.store(result, made, sizeof *made);
+        });
+    return result;
+}
+
+}  // namespace
+
+PathInputs path_inputs(graph::GraphBuilder& builder, const Parameters& parameters) {
+    const bool on_rays = parameters.primary == Primary::rays;
+    const auto& transport = parameters.transport;
+    PathInputs inputs;
+    if (!on_rays) {
+        inputs.gbuffer =
+            passes::gbuffer(builder, passes::upload_scene(builder), {.normal_maps = transport.normal_maps});
+        inputs.valid = inputs.gbuffer->valid;
+    }
+    inputs.bvh = passes::bvh(builder);
+    const bool is_light = transport.paths != Transport::Paths::ao;
+    if (on_rays || is_light) inputs.surfaces = declare_surfaces(builder, transport.normal_maps);
+    if (on_rays) inputs.valid = first_hits(builder, inputs.bvh, inputs.surfaces);
+    if (is_light) inputs.lights = declare_lights(builder, inputs.surfaces, transport.environment_light);
+    return inputs;
+}
+
+}  // namespace ir::methods::reference

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <algorithm>
+#include <glm/glm.hpp>
+
+#include "renderers/core/transport.h"
+
+namespace ir::methods::reference {
+
+/// Mirror and glass events do not count as scatterings. A path that meets more of them than this is cut, and
+/// counted.
+constexpr int most_specular_events = 32;
+
+/// Which paths belong to the picture, by their number of scatterings between light and camera.
+struct PathRules {
+    bool seen = false;         ///< light that is not scattered: emitters and the background
+    bool direct = false;       ///< one scattering
+    int fewest = 2, most = 1;  ///< indirect light: numbers of scatterings; none where fewest > most
+    float max_distance = 0;    ///< between two scatterings, metres; 0 = unlimited
+    Transport::Materials materials = Transport::Materials::gltf;
+
+    PathRules() = default;
+    explicit PathRules(const Transport& transport)
+        : seen(transport.paths == Transport::Paths::full),
+          direct(transport.paths == Transport::Paths::full || transport.paths == Transport::Paths::direct),
+          max_distance(transport.max_distance),
+          materials(transport.materials) {
+        if (transport.paths != Transport::Paths::indirect && transport.paths != Transport::Paths::full)
+            return;
+        fewest = transport.min_bounces + 1;
+        most = transport.max_bounces + 1;
+    }
+
+    bool count(int scatterings) const {
+        if (scatterings == 0) return seen;
+        if (scatterings == 1) return direct;
+        return scatterings >= fewest && scatterings <= most;
+    }
+    int most_scatterings() const { return fewest <= most ? most : direct ? 1 : 0; }
+    /// Unlit surfaces show their base colour with direct light, as in rasterised pictures.
+    bool show_unlit() const { return direct; }
+};
+
+/// The light that one path brings, W/(m² sr), by what it was on the way.
+struct PathLight {
+    glm::vec3 seen{0};      ///< not scattered
+    glm::vec3 direct{0};    ///< scattered once, and unlit surfaces
+    glm::vec3 indirect{0};  ///< scattered more often
+    glm::vec3 sum() const { return seen + direct + indirect; }
+    glm::vec3& after(int scatterings) {
+        return scatterings == 0 ? seen : scatterings == 1 ? direct : indirect;
+    }
+};
+
+/// The weights of the estimator. Tests put wrong ones in their place, which they must notice.
+struct Estimator {
+    /// Of a sample that was drawn with density `pdf` where another technique has the density `other`.
+    /// [Veach95, power heuristic with β = 2]
+    static float power_heuristic(float pdf, float other) {
+        const float ratio = other / pdf;
+        return 1 / (1 + ratio * ratio);
+    }
+    /// Probability with which a path of this throughput goes on.
+    static float by_throughput(glm::vec3 throughput) {
+        return std::min(1.0f, std::max({throughput.r, throughput.g, throughput.b}));
+    }
+    /// What the survivors of that probability are multiplied by.
+    static float compensation(float probability) { return 1 / probability; }
+
+    float (*combine)(float pdf, float other) = power_heuristic;
+    float (*survival)(glm::vec3 throughput) = by_throughput;
+    float (*compensate)(float probability) = compensation;
+    /// Russian roulette from this many scatterings on.
+    int first_roulette = 3;
+};
+
+}  // namespace ir::methods::reference

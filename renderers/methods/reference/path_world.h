@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "renderers/methods/reference/path_rules.h"
+#include "renderers/passes/lights/light_sampler.h"
+#include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/surface/surface.h"
+
+namespace ir::methods::reference {
+
+/// What paths run through, with what is known of it beforehand. Keeps references.
+struct PathWorld {
+    PathWorld(const passes::Bvh& bvh, const passes::SurfaceLookup& surfaces,
+              const passes::LightSampler& lights, Transport::Materials materials);
+
+    const scene::Material& material(int index) const {
+        return surfaces.scene().materials[static_cast<std::size_t>(index)];
+    }
+    int material_of(const passes::Hit& hit) const {
+        return static_cast<int>(surfaces.world().triangle_materials[hit.triangle]);
+    }
+
+    const passes::Bvh& bvh;
+    const passes::SurfaceLookup& surfaces;
+    const passes::LightSampler& lights;
+    std::vector<bool> emits;            ///< by material
+    std::vector<bool> may_be_specular;  ///< by material: mirror or glass somewhere
+    bool rays_meet_lights = false;      ///< something emits that has an extent
+};
+
+/// Whether a material is a mirror or glass under this model, at least where its textures say so.
+bool may_be_specular(const scene::Material& material, Transport::Materials model);
+
+}  // namespace ir::methods::reference

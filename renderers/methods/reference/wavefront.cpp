@@ -1,0 +1,190 @@
+#include "renderers/methods/reference/wavefront.h"
+
+#include <limits>
+
+#include "renderers/passes/raytracing/ray_offset.h"
+
+namespace ir::methods::reference {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Shadow rays end this fraction before the point on the light, so that they do not meet it.
+constexpr float shadow_end = 1 - 1e-4f;
+
+}  // namespace
+
+Wavefront::Wavefront(const PathWorld& world, const PathRules& rules, const Estimator& estimator)
+    : world_(world), rules_(rules), estimator_(estimator), most_(rules.most_scatterings()) {}
+
+void Wavefront::trace(std::span<const PathStart> starts, std::span<PathLight> lights) {
+    lights_ = lights;
+    next_.clear(), shadow_rays_.clear();
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        lights[i] = {};
+        begin(starts[i], static_cast<std::uint32_t>(i));
+    }
+    trace_shadow_rays();
+    while (!next_.empty()) {
+        std::swap(paths_, next_);
+        next_.clear();
+        intersect();
+        for (std::size_t i = 0; i < paths_.size(); ++i) arrive(paths_[i], hits_[i]);
+        trace_shadow_rays();
+    }
+}
+
+void Wavefront::begin(const PathStart& start, std::uint32_t index) {
+    Path path{};
+    path.sampler = start.sampler;
+    path.origin = start.origin_ws, path.direction = start.direction_ws, path.normal = -start.direction_ws;
+    path.throughput = glm::vec3(1);
+    path.index = index;
+    path.medium = -1;
+    if (!start.is_known) {
+        next_.push_back(path);
+        return;
+    }
+    if (rules_.seen) add_flat_lights(path, start.distance);
+    if (!start.surface) {
+        if (rules_.seen) add_environment(path);
+        return;
+    }
+    if (rules_.seen) lights_[index].seen += start.surface->emission;
+    arrive_at(path, *start.surface, start.distance);
+}
+
+void Wavefront::intersect() {
+    hits_.resize(paths_.size());
+    for (std::size_t i = 0; i < paths_.size(); ++i)
+        hits_[i] = world_.bvh.closest_hit(paths_[i].origin, paths_[i].direction, 0, infinity);
+    counts_.rays += paths_.size();
+}
+
+void Wavefront::arrive(Path& path, const passes::Hit& hit) {
+    const bool counts = rules_.count(path.scatterings);
+    if (path.medium >= 0) absorb(path, path.medium, hit.distance);
+    if (counts) add_flat_lights(path, hit.distance);
+    if (!hit.is_hit()) {
+        if (counts) add_environment(path);
+        return;
+    }
+    const auto material = static_cast<std::size_t>(world_.material_of(hit));
+    if (counts && world_.emits[material]) add_emission(path, hit);
+    path.way += hit.distance;
+    if (rules_.max_distance > 0 && path.scatterings > 0 && path.way > rules_.max_distance) return;
+    // After the last scattering only mirrors and glass lead on.
+    if (path.scatterings == most_ && most_ > 0 && !world_.may_be_specular[material]) return;
+    arrive_at(path, world_.surfaces.at(hit, path.direction), hit.distance);
+}
+
+void Wavefront::arrive_at(Path& path, const passes::Surface& surface, float distance) {
+    // Seen from inside without having come in: the camera, or a surface, is within the medium.
+    if (path.medium < 0 && !surface.is_front && surface.transmission > 0)
+        absorb(path, surface.material, distance);
+    if (!surface.is_unlit) return scatter(path, surface);
+    if (path.scatterings == 0 && rules_.show_unlit())
+        lights_[path.index].direct += path.throughput * surface.base_colour;
+}
+
+void Wavefront::absorb(Path& path, int material, float distance) const {
+    path.throughput *= passes::Bsdf::transmittance(world_.material(material), distance);
+}
+
+float Wavefront::weight(const Path& path, float light_pdf) const {
+    return path.pdf > 0 ? estimator_.combine(path.pdf, light_pdf) : 1.0f;
+}
+
+void Wavefront::add_flat_lights(const Path& path, float far) {
+    world_.lights.visit_lights(path.origin, path.direction, far, [&](const passes::LightHit& hit) {
+        const float pdf =
+            path.pdf > 0 ? world_.lights.pdf_of_light(path.origin, path.normal, path.direction, hit) : 0;
+        lights_[path.index].after(path.scatterings) += weight(path, pdf) * path.throughput * hit.radiance;
+    });
+}
+
+void Wavefront::add_environment(const Path& path) {
+    if (!world_.lights.has_environment()) return;
+    const float pdf =
+        path.pdf > 0 ? world_.lights.pdf_of_environment(path.origin, path.normal, path.direction) : 0;
+    lights_[path.index].after(path.scatterings) +=
+        weight(path, pdf) * path.throughput * world_.lights.environment(path.direction);
+}
+
+void Wavefront::add_emission(const Path& path, const passes::Hit& hit) {
+    const float pdf =
+        path.pdf > 0 ? world_.lights.pdf_of_triangle(path.origin, path.normal, path.direction, hit) : 0;
+    lights_[path.index].after(path.scatterings) +=
+        weight(path, pdf) * path.throughput * world_.surfaces.emission(hit.triangle, hit.u, hit.v);
+}
+
+void Wavefront::scatter(Path& path, const passes::Surface& surface) {
+    const passes::Bsdf bsdf(surface, world_.material(surface.material), rules_.materials);
+    const auto choice = path.sampler.pair(path.dimension(choices));
+    if (rules_.count(path.scatterings + 1) && bsdf.has_smooth_part())
+        sample_light(path, surface, bsdf, choice.x);
+    const auto u = path.sampler.pair(path.dimension(towards_next));
+    if (const auto sample = bsdf.sample(-path.direction, choice.y, u)) go_on(path, surface, *sample);
+}
+
+void Wavefront::go_on(Path& path, const passes::Surface& surface, const passes::BsdfSample& sample) {
+    const auto dice = path.dimension(roulette);
+    path.throughput *= sample.weight;
+    if (sample.is_specular) {
+        if (++path.specular_events > most_specular_events) {
+            ++counts_.cut;
+            return;
+        }
+        const bool is_thick = world_.material(surface.material).thickness > 0;
+        if (sample.is_transmitted && is_thick) path.medium = surface.is_front ? surface.material : -1;
+    } else {
+        if (++path.scatterings > most_) return;
+        path.way = 0;
+    }
+    // After the last scattering only light sources are looked for.
+    if (path.scatterings == most_ && !world_.rays_meet_lights) return;
+    if (!sample.is_specular && path.scatterings >= estimator_.first_roulette && !survives(path, dice)) return;
+    const auto side = sample.is_transmitted ? -surface.geometric_normal_ws : surface.geometric_normal_ws;
+    path.origin = passes::offset_origin(surface.position_ws, side);
+    path.direction = sample.wi;
+    path.normal = surface.geometric_normal_ws;
+    path.pdf = sample.pdf;
+    next_.push_back(path);
+}
+
+bool Wavefront::survives(Path& path, std::uint32_t dimension) const {
+    const float probability = estimator_.survival(path.throughput);
+    if (probability < 1) {
+        if (!(path.sampler.pair(dimension).x < probability)) return false;
+        path.throughput *= estimator_.compensate(probability);
+    }
+    return true;
+}
+
+void Wavefront::sample_light(const Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf,
+                             float choice) {
+    const auto normal = surface.geometric_normal_ws;
+    const auto origin = passes::offset_origin(surface.position_ws, normal);
+    const auto u = path.sampler.pair(path.dimension(towards_light));
+    const auto light = world_.lights.sample(origin, normal, choice, u);
+    if (!light || !(light->pdf > 0)) return;
+    const auto scattered = bsdf.evaluate_with_pdf(-path.direction, light->direction_ws);
+    auto radiance = path.throughput * scattered.value * light->radiance / light->pdf;
+    if (radiance == glm::vec3(0)) return;
+    if (!light->is_delta) radiance *= estimator_.combine(light->pdf, scattered.pdf);
+    if (path.medium >= 0)
+        radiance *= passes::Bsdf::transmittance(world_.material(path.medium), light->distance);
+    shadow_rays_.push_back({origin, light->direction_ws, radiance, light->distance * shadow_end, path.index,
+                            path.scatterings + 1});
+}
+
+void Wavefront::trace_shadow_rays() {
+    for (const auto& ray : shadow_rays_) {
+        if (!world_.bvh.occluded(ray.origin, ray.direction, 0, ray.far))
+            lights_[ray.index].after(ray.scatterings) += ray.light;
+    }
+    counts_.rays += shadow_rays_.size();
+    shadow_rays_.clear();
+}
+
+}  // namespace ir::methods::reference
