@@ -89,9 +89,13 @@ IR_WIDE_REGISTERS void tone_map_row(const float* in, float factor, float* out, i
     for (int x = 0; x < width; ++x) out[x] = flip::clipped(aces::tone_mapped(factor * in[x]));
 }
 
+/// Finite even for pictures of denormal numbers: infinity times black would be no number.
+float exposure_factor(double exposure) {
+    return static_cast<float>(std::exp2(std::clamp(exposure, -126.0, 127.0)));
+}
+
 flip::RowSource tone_mapped_rows(const Planes& planes, double exposure) {
-    return [&planes, factor = static_cast<float>(std::exp2(exposure))](int y, float* red, float* green,
-                                                                       float* blue) {
+    return [&planes, factor = exposure_factor(exposure)](int y, float* red, float* green, float* blue) {
         float* out[3] = {red, green, blue};
         for (int c = 0; c < 3; ++c) tone_map_row(planes.row(c, y), factor, out[c], planes.width);
     };

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "renderers/core/error.h"
+#include "renderers/image/flip.h"
+#include "tests/unit/image/test_pictures.h"
 
 namespace ir {
 namespace {
@@ -79,6 +81,29 @@ TEST(Difference, BadValuesOfValidPixelsStayVisible) {
     EXPECT_TRUE(result.valid.empty());
     EXPECT_TRUE(std::isnan(result.image.at(0, 0)));
     EXPECT_TRUE(std::isinf(result.image.at(1, 0)));
+}
+
+TEST(Difference, SquaresGrowWithTheDifference) {
+    EXPECT_FLOAT_EQ(difference(Image(1, 1, 1, 3), Image(1, 1, 1, 5), DifferenceKind::squared).image.at(0, 0),
+                    4);
+}
+
+TEST(Difference, PerceivedErrorsAreOneChannel) {
+    const auto b = test::colourful(20, 16), a = test::noisy(b, 0.5f);
+    Image valid(20, 16, 1, 1), damaged = a;
+    valid.at(3, 4) = 0;
+    damaged.at(10, 10, 1) = std::numeric_limits<float>::quiet_NaN();
+    for (const auto kind : {DifferenceKind::flip, DifferenceKind::hdr_flip}) {
+        EXPECT_EQ(difference(a, b, kind).image.pixels,
+                  (kind == DifferenceKind::flip ? flip_error(a, b) : hdr_flip_error(a, b).error).pixels);
+        const auto result = difference(damaged, b, kind, &valid);
+        EXPECT_EQ(result.image.channels, 1);
+        EXPECT_TRUE(std::isnan(result.image.at(3, 4)));
+        EXPECT_EQ(result.valid.at(3, 4), 0);
+        EXPECT_TRUE(std::isnan(result.image.at(10, 10))) << "a bad value must stay visible";
+        EXPECT_EQ(result.valid.at(10, 10), 1);
+        EXPECT_GE(result.image.at(11, 10), 0);
+    }
 }
 
 TEST(Difference, RefusesWhatDoesNotFitAndNamesBothSizes) {

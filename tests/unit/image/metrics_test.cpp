@@ -2,18 +2,27 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "renderers/core/error.h"
+#include "tests/unit/image/test_pictures.h"
 
 namespace ir {
 namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
 
 Image grey(std::initializer_list<float> values) {
     Image image(static_cast<int>(values.size()), 1, 1);
     image.pixels = values;
     return image;
+}
+
+double value(const char* metric, const Image& a, const Image& b, const MetricOptions& options = {}) {
+    return compute_metrics(a, b, {metric}, options).values.at(metric);
 }
 
 TEST(Metrics, HandComputedValues) {
@@ -26,18 +35,41 @@ TEST(Metrics, HandComputedValues) {
     EXPECT_NEAR(result.values.at("psnr"), -7.2016, 1e-4);  // 10 log10(1 / 5.25)
 }
 
+TEST(Metrics, RelativeErrorsCountByTheReference) {
+    EXPECT_NEAR(value("relmse", grey({2, 0.5f}), grey({1, 0})), (1 / 1.01 + 0.25 / 0.01) / 2, 1e-9);
+    EXPECT_NE(value("relmse", grey({2}), grey({1})), value("relmse", grey({1}), grey({2})));
+}
+
 TEST(Metrics, PsnrOfATenthIsTwentyDecibels) {
-    const auto result = compute_metrics(Image(3, 3, 3, 0.5f), Image(3, 3, 3, 0.4f), {"psnr"});
-    EXPECT_NEAR(result.values.at("psnr"), 20, 1e-5);
+    EXPECT_NEAR(value("psnr", Image(3, 3, 3, 0.5f), Image(3, 3, 3, 0.4f)), 20, 1e-5);
     const auto equal = compute_metrics(Image(3, 3, 3, 0.5f), Image(3, 3, 3, 0.5f), {"psnr", "rmse"});
     EXPECT_TRUE(std::isinf(equal.values.at("psnr")) && equal.values.at("psnr") > 0);
     EXPECT_EQ(equal.values.at("rmse"), 0);
     EXPECT_EQ(equal.values.size(), 2u);
 }
 
+TEST(Metrics, EqualPicturesHaveNoErrorWhateverTheMeasure) {
+    const auto picture = test::high_range(24, 16);
+    const auto result = compute_metrics(picture, picture, metric_names());
+    for (const auto& metric : metrics()) {
+        const double value = result.values.at(metric.name);
+        if (metric.name == "psnr")
+            EXPECT_TRUE(std::isinf(value));
+        else
+            EXPECT_NEAR(value, metric.more_is_better ? 1 : 0, 1e-6) << metric.name;
+    }
+}
+
+TEST(Metrics, MoreNoiseIsWorseByAllMeasures) {
+    const auto picture = test::colourful(48, 32);
+    const auto little = compute_metrics(test::noisy(picture, 0.1f), picture, metric_names());
+    const auto much = compute_metrics(test::noisy(picture, 0.4f), picture, metric_names());
+    for (const auto& metric : metrics())
+        EXPECT_EQ(much.values.at(metric.name) > little.values.at(metric.name), !metric.more_is_better)
+            << metric.name;
+}
+
 TEST(Metrics, SkipsInvalidPixels) {
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    const float infinity = std::numeric_limits<float>::infinity();
     const Image a = grey({1, nan, 3, 9, 9, 2}), b = grey({0, 1, infinity, 0, 0, 2});
     const Image mask_a = grey({1, 1, 1, 0, 1, 1}), mask_b = grey({1, 1, 1, 1, 0, 1});
     const auto result = compute_metrics(a, b, {"mae"}, {.valid_image = &mask_a, .valid_reference = &mask_b});
@@ -48,25 +80,71 @@ TEST(Metrics, SkipsInvalidPixels) {
 
 TEST(Metrics, OneBadChannelSkipsThePixel) {
     Image a(2, 1, 3, 1.0f), b(2, 1, 3, 0.0f);
-    a.at(0, 0, 2) = std::numeric_limits<float>::quiet_NaN();
+    a.at(0, 0, 2) = nan;
     const auto result = compute_metrics(a, b, {"mae"});
     EXPECT_EQ(result.pixels, 1u);
     EXPECT_EQ(result.skipped, 1u);
     EXPECT_DOUBLE_EQ(result.values.at("mae"), 1);
 }
 
+TEST(Metrics, InvalidPixelsDoNotLeakIntoTheirNeighbours) {
+    const auto reference = test::colourful(48, 32);
+    auto image = test::noisy(reference, 0.2f);
+    Image valid(48, 32, 1, 1.0f);
+    for (int y = 8; y < 20; ++y)
+        for (int x = 10; x < 30; ++x) valid.at(x, y) = 0;
+    const MetricOptions options{.valid_image = &valid};
+    const auto before = compute_metrics(image, reference, metric_names(), options);
+    for (std::size_t i = 0; i < valid.pixels.size(); ++i)
+        if (valid.pixels[i] == 0) image.pixels[3 * i] = i % 3 == 0 ? nan : i % 3 == 1 ? infinity : 1e20f;
+    const auto after = compute_metrics(image, reference, metric_names(), options);
+    EXPECT_EQ(after.pixels, 48u * 32 - 12 * 20);
+    EXPECT_EQ(after.skipped, 12u * 20);
+    for (const auto& name : metric_names()) {
+        EXPECT_TRUE(std::isfinite(after.values.at(name))) << name;
+        EXPECT_EQ(after.values.at(name), before.values.at(name)) << name;
+    }
+}
+
+TEST(Metrics, ARectangleOrAMaskChoosesWhatCounts) {
+    const auto reference = test::colourful(40, 30);
+    auto image = reference;
+    for (int y = 5; y < 10; ++y)
+        for (int x = 20; x < 28; ++x) image.at(x, y, 1) += 0.3f;
+    const MetricOptions around{.rectangle = Rectangle{20, 5, 8, 5}};
+    const auto inside = compute_metrics(image, reference, {"mae", "flip"}, around);
+    EXPECT_EQ(inside.pixels, 40u);
+    EXPECT_NEAR(inside.values.at("mae"), 0.1, 1e-6);
+    EXPECT_GT(inside.values.at("flip"), value("flip", image, reference));
+    EXPECT_EQ(value("mae", image, reference, {.rectangle = Rectangle{0, 12, 40, 18}}), 0);
+
+    Image mask(40, 30, 1);
+    for (int x = 0; x < 40; ++x) mask.at(x, 5) = 1;
+    const auto both =
+        compute_metrics(image, reference, {"mae"}, {.rectangle = Rectangle{18, 0, 4, 30}, .mask = &mask});
+    EXPECT_EQ(both.pixels, 4u);
+    EXPECT_NEAR(both.values.at("mae"), 0.05, 1e-6);
+}
+
+TEST(Metrics, OnlyWhatLiesInTheRegionIsCountedAsSkipped) {
+    const Image a = grey({nan, 1, nan, 1}), b(4, 1, 1, 0.0f);
+    const auto result = compute_metrics(a, b, {"mae"}, {.rectangle = Rectangle{1, 0, 2, 1}});
+    EXPECT_EQ(result.pixels, 1u);
+    EXPECT_EQ(result.skipped, 1u);
+}
+
 TEST(Metrics, NothingValidIsNaN) {
     const Image none = grey({0, 0});
-    const auto result = compute_metrics(grey({1, 2}), grey({1, 2}), {"rmse"}, {.valid_image = &none});
-    EXPECT_TRUE(std::isnan(result.values.at("rmse")));
+    const auto result = compute_metrics(grey({1, 2}), grey({1, 2}), metric_names(), {.valid_image = &none});
+    for (const auto& name : metric_names()) EXPECT_TRUE(std::isnan(result.values.at(name))) << name;
     EXPECT_EQ(result.skipped, 2u);
 }
 
 TEST(Metrics, AlphaIsNotCompared) {
     Image a(1, 1, 4, 0.5f), b(1, 1, 4, 0.5f);
     a.at(0, 0, 3) = 0;
-    EXPECT_EQ(compute_metrics(a, b, {"rmse"}).values.at("rmse"), 0);
-    EXPECT_EQ(compute_metrics(a, Image(1, 1, 3, 0.25f), {"mae"}).values.at("mae"), 0.25);
+    EXPECT_EQ(value("rmse", a, b), 0);
+    EXPECT_EQ(value("mae", a, Image(1, 1, 3, 0.25f)), 0.25);
     EXPECT_EQ(signed_difference(a, b).channels, 3);
 }
 
@@ -79,12 +157,26 @@ TEST(Metrics, RefusesWhatCannotBeCompared) {
         EXPECT_NE(text.find("4x3"), std::string::npos) << text;
         EXPECT_NE(text.find("4x2"), std::string::npos) << text;
     }
+    const Image pixel(1, 1, 1), four(2, 2, 1), mask(2, 1, 1);
     EXPECT_THROW(compute_metrics(Image(4, 3, 1), Image(3, 4, 1), {"rmse"}), UsageError);
     EXPECT_THROW(compute_metrics(Image(4, 3, 1), Image(4, 3, 3), {"rmse"}), UsageError);
-    EXPECT_THROW(compute_metrics(Image(1, 1, 1), Image(1, 1, 1), {"rsme"}), UsageError);
+    EXPECT_THROW(compute_metrics(pixel, pixel, {"rsme"}), UsageError);
     EXPECT_THROW(signed_difference(Image(1, 2, 1), Image(2, 1, 1)), UsageError);
-    const Image mask(2, 1, 1);
-    EXPECT_THROW(compute_metrics(Image(1, 1, 1), Image(1, 1, 1), {"rmse"}, {.valid_image = &mask}), UsageError);
+    EXPECT_THROW(compute_metrics(pixel, pixel, {"rmse"}, {.valid_image = &mask}), UsageError);
+    EXPECT_THROW(compute_metrics(pixel, pixel, {"rmse"}, {.mask = &mask}), UsageError);
+    EXPECT_THROW(compute_metrics(Image(2, 2, 2), Image(2, 2, 2), {"flip"}), UsageError);
+    for (const auto& rectangle : {Rectangle{0, 0, 0, 1}, Rectangle{-1, 0, 2, 2}, Rectangle{1, 0, 2, 2},
+                                  Rectangle{0, 0, 1, 2147483647}, Rectangle{2147483647, 0, 2147483647, 1}})
+        EXPECT_THROW(compute_metrics(four, four, {"rmse"}, {.rectangle = rectangle}), UsageError);
+}
+
+TEST(Metrics, EveryOneIsDescribed) {
+    ASSERT_EQ(metric_names().size(), 7u);
+    for (const auto& metric : metrics()) {
+        EXPECT_FALSE(metric.label.empty()) << metric.name;
+        EXPECT_EQ(metric.doc.back(), '.') << metric.name;
+        EXPECT_EQ(&ir::metric(metric.name), &metric);
+    }
 }
 
 TEST(Metrics, SignedDifference) {
