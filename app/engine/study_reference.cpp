@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/engine/from_project.h"
+#include "app/engine/keep_result.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
@@ -56,9 +57,14 @@ StudyReference rendered(Machine& machine, const projects::Project& project,
     const auto key = variance_key(experiment);
     if (!key.empty()) options.wanted.push_back(key);
     Execution execution(machine, from_project(project, experiment, folder));
+    StudyReference result;
+    result.notes = resume_kept(execution, project, experiment, folder);
+    if (execution.samples() > 0)
+        result.notes.push_back("the reference goes on from a kept state of " +
+                               std::to_string(execution.samples()) + " samples");
     const int frames = execution.experiment().frames;
     const auto progress = options.progress;
-    while (execution.committed_frames() < frames) {
+    while (!execution.is_done()) {
         if (progress)
             options.progress = [&, done = execution.committed_frames()](const std::string& what,
                                                                         double part) {
@@ -66,7 +72,6 @@ StudyReference rendered(Machine& machine, const projects::Project& project,
             };
         execution.run_frame(options);
     }
-    StudyReference result;
     result.image = execution.main_result();
     result.valid = execution.graph().read_image("valid").value_or(Image());
     const auto variance = key.empty() ? std::nullopt : execution.graph().read_image(key);

@@ -1,0 +1,141 @@
+// `interreflect-cli plot`, `bench error` and `sweep`: statuses, tables, files, on the real program.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace ir {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Outcome {
+    int status = 0;
+    std::string out, err;
+};
+
+std::string read(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A copy of the sample with small pictures and few values.
+class PlotCommand : public testing::Test {
+  protected:
+    PlotCommand() {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        root_ = fs::temp_directory_path() / ("interreflect-plot-" + std::string(test->name()));
+        fs::remove_all(root_);
+        project_ = root_ / "p.interreflect";
+        fs::create_directories(project_);
+        json = Json::parse(
+            read(fs::path(SOURCE_ROOT) / "projects/samples/atrium-error.interreflect/project.json"));
+        json["scenes"][0]["parts"] = {{{"source", "builtin:cornell@1"}}};
+        json["cameras"] = Json::array();
+        for (auto& experiment : json["experiments"]) {
+            experiment["size"] = {16, 12};
+            experiment["camera"] = "";
+            if (experiment["id"] == "reference") experiment["values"]["samples"] = 64;
+        }
+        json["plots"][0]["values"] = {8, 16};
+        json["sweeps"][0]["axes"][0]["values"] = {8, 16, 24};
+        store();
+    }
+    ~PlotCommand() override { fs::remove_all(root_); }
+    void store() { std::ofstream(project_ / "project.json") << json.dump(2); }
+
+    Outcome run(const std::string& arguments) {
+        const auto out = root_ / "stdout", err = root_ / "stderr";
+        const auto command =
+            std::string(CLI_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string();
+        const int status = std::system(command.c_str());
+        EXPECT_TRUE(WIFEXITED(status)) << command;
+        return {WEXITSTATUS(status), read(out), read(err)};
+    }
+    Outcome plot(const std::string& flags) { return run("plot " + path() + " --quiet " + flags); }
+    std::string path() const { return project_.string(); }
+    std::string file(const std::string& name) const { return (root_ / name).string(); }
+    void expect_refused(const std::string& arguments, int status, const std::string& part) {
+        const auto outcome = run(arguments);
+        EXPECT_EQ(outcome.status, status) << arguments << "\n" << outcome.err;
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+        const auto notes = outcome.err.rfind("note: ");
+        const auto last = notes == std::string::npos ? 0 : outcome.err.find('\n', notes) + 1;
+        EXPECT_EQ(std::count(outcome.err.begin() + std::ptrdiff_t(last), outcome.err.end(), '\n'), 1)
+            << outcome.err;
+    }
+
+    Json json;
+    fs::path root_, project_;
+};
+
+TEST_F(PlotCommand, PrintsATableAndKeepsTheNumbers) {
+    const auto outcome = plot("--csv " + file("t.csv"));
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    for (const char* word : {"experiment", "directions", "rmse", "ldm-50", "ldm-200", "*"})
+        EXPECT_NE(outcome.out.find(word), std::string::npos) << word << "\n" << outcome.out;
+    const auto kept = Json::parse(read(project_ / "results/plots/directions.json"));
+    EXPECT_EQ(kept["study"]["points"].size(), 4u);
+    EXPECT_TRUE(kept.contains("key"));
+    const auto table = read(file("t.csv"));
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 5);
+    EXPECT_EQ(run("project " + path() + " --prune").status, 0);
+    EXPECT_TRUE(fs::exists(project_ / "results/plots/directions.json"));
+}
+
+TEST_F(PlotCommand, PrintsOneJsonObject) {
+    const auto outcome = plot("directions --json --no-keep --metric mae");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto all = Json::parse(outcome.out);
+    const auto& points = all["directions"]["points"];
+    ASSERT_EQ(points.size(), 4u);
+    for (const auto& point : points) {
+        EXPECT_GT(point["ms"], 0);
+        EXPECT_GT(point["errors"]["rmse"], 0);
+    }
+    EXPECT_FALSE(fs::exists(project_ / "results"));
+    const auto bench = run("bench error --json --project " + path());
+    ASSERT_EQ(bench.status, 0) << bench.err;
+    EXPECT_EQ(Json::parse(bench.out)["directions"]["points"][0]["errors"], points[0]["errors"]);
+    EXPECT_NE(run("bench").out.find("error  "), std::string::npos);
+}
+
+TEST_F(PlotCommand, RefusesInOneLine) {
+    expect_refused("plot " + path() + " nothing", 2, "there are directions");
+    expect_refused("plot " + path() + " --metric beauty", 2, "known are rmse");
+    expect_refused("plot " + file("nowhere"), 3, "nowhere");
+    expect_refused("bench error", 2, "--project");
+    expect_refused("sweep " + path() + " nothing --out " + file("out"), 2, "there are directions");
+    expect_refused("sweep " + path() + " directions --out " + file("out") + " --shard 3/2", 2, "1/4");
+    json["plots"][0]["over"] = "smaples";
+    store();
+    expect_refused("plot " + path() + " --quiet", 3, "cannot run over 'smaples'");
+    json["sweeps"][0]["axes"][0]["values"] = {"many"};
+    store();
+    expect_refused("sweep " + path() + " directions --out " + file("out"), 3, "directions");
+}
+
+TEST_F(PlotCommand, ShardsOfASweepMakeTheWhole) {
+    const auto sweep = [&](const std::string& flags) {
+        const auto outcome =
+            run("sweep " + path() + " directions --quiet --out " + file("out") + " " + flags);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+    };
+    sweep("--shard 1/2");
+    sweep("--shard 2/2");
+    for (const char* id : {"ldm-200-0001", "ldm-200-0002", "ldm-200-0003"})
+        EXPECT_TRUE(fs::exists(file("out/" + std::string(id) + ".exr"))) << id;
+    const auto first = Json::parse(read(file("out/sweep-1-of-2.json")));
+    ASSERT_EQ(first["points"].size(), 2u);
+    EXPECT_EQ(first["points"][1]["coordinates"], Json({{"directions", 24}}));
+    EXPECT_EQ(first["points"][1]["image"], "ldm-200-0003.exr");
+    EXPECT_GT(first["points"][1]["wall_ms"], 0);
+    EXPECT_EQ(Json::parse(read(file("out/sweep-2-of-2.json")))["points"].size(), 1u);
+}
+
+}  // namespace
+}  // namespace ir
