@@ -66,6 +66,7 @@ struct BsdfLobes {
     }
 
     float distribution(glm::vec3 h) const {
+        if (glm::dot(b.n_, h) <= 0) return ggx_distribution(1, b.alpha_);  // as rasterisation clamps n·h
         return ggx_distribution(squared_length(glm::cross(b.n_, h)), b.alpha_);
     }
 

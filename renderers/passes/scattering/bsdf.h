@@ -31,7 +31,10 @@ struct BsdfValue {
 /// directions that are above one of the two normals and below the other does not count. A viewer below the
 /// shading normal sees what one at n·v = 1e-4 would.
 ///
-/// - gltf: Lambert below a GGX interface, as gltf_brdf() of shaders/lib/brdf.glsl.  [glTF2 B.3.5]
+/// - gltf: Lambert below a GGX interface, as gltf_brdf() of shaders/lib/brdf.glsl.  [glTF2 B.3.5] As
+/// specified
+///   it does not conserve energy: a white dielectric seen at cosθ = 0.05 reflects 1.32 times what arrives at
+///   roughness 0.3 and 1.08 times at 0.6 (1.12 and 1.02 at cosθ = 0.3).
 /// - metalness-blend: f = k f_Lambert + (1 - k) f_CookTorrance, k = 1 - metallic, with GGX's D, Smith's G as
 ///   the product of two maskings, Schlick's F from the base colour, α = roughness²; a dielectric has no
 ///   highlight at all.  [Smal19 eqs. 3.4-3.8; 3.7 with tan² of the angle to the macroscopic normal]

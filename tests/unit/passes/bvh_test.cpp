@@ -210,6 +210,103 @@ TEST_F(MaskedQuad, OutlivesItsWorld) {
     EXPECT_FLOAT_EQ(bvh->closest(beside, away, 0, infinity), 1);
 }
 
+/// The nearest triangle that is there, masks included, found without any acceleration.
+struct ExpectedHit {
+    double distance = infinity;
+    std::size_t triangle = 0;
+    bool unsure = false;  ///< a ray passes an edge, starts on a plane or meets the border of a texel
+};
+ExpectedHit brute_force_hit(const scene::Scene& scene, const scene::World& world, const Ray& ray) {
+    ExpectedHit result;
+    for (std::size_t t = 0; t < world.triangles(); ++t) {
+        const auto corner = [&](std::size_t i) { return world.indices[3 * t + i]; };
+        const auto at = [&](std::size_t i) { return glm::dvec3(world.positions[corner(i)]); };
+        const auto crossing = cross_triangle(ray, at(0), at(1), at(2));
+        if (!crossing) continue;
+        if (std::abs(crossing->margin) < 1e-4 || std::abs(crossing->distance) < 1e-4) result.unsure = true;
+        if (crossing->margin <= 0 || crossing->distance <= 0) continue;
+        if (t >= world.opaque_triangles) {
+            const auto point = glm::dvec3(ray.origin) + crossing->distance * glm::dvec3(ray.direction);
+            const auto [u, v] = test::barycentric(point, at(0), at(1), at(2));
+            const auto uv = (1 - u - v) * glm::dvec2(world.uv0[corner(0)]) +
+                            u * glm::dvec2(world.uv0[corner(1)]) + v * glm::dvec2(world.uv0[corner(2)]);
+            const auto border = glm::abs(2.0 * uv - glm::round(2.0 * uv));
+            if (std::min(border.x, border.y) < 1e-3) result.unsure = true;
+            const auto& sampler = scene.textures[0].sampler;
+            if (!scene::is_covered(world, world.opacity[0], sampler, glm::vec2(uv))) continue;
+        }
+        if (crossing->distance < result.distance) result.distance = crossing->distance, result.triangle = t;
+    }
+    return result;
+}
+
+/// Opaque and masked triangles mixed up in space.
+SmallWorld mixed_soup() {
+    SmallWorld small;
+    small.add_soup(60, 1);
+    small.add_soup(120, 2, SmallWorld::masked);
+    return small;
+}
+
+TEST(Bvh, HitsNameTrianglesOfTheWorldThroughMasksToo) {
+    const auto small = mixed_soup();
+    const auto world = small.world();
+    ASSERT_EQ(world.opaque_triangles, 60u);
+    const Bvh bvh(small.scene(), world);
+    int compared = 0, opaque = 0, masked = 0;
+    for (const auto& ray : random_rays(4000, 3)) {
+        const auto expected = brute_force_hit(small.scene(), world, ray);
+        if (expected.unsure) continue;
+        ++compared;
+        const auto hit = bvh.closest_hit(ray.origin, ray.direction, 0, infinity);
+        ASSERT_EQ(hit.is_hit(), expected.distance < infinity);
+        if (!hit.is_hit()) continue;
+        ASSERT_EQ(hit.triangle, expected.triangle);
+        ASSERT_NEAR(hit.distance, expected.distance, 1e-4);
+        const auto corner = [&](std::size_t i) {
+            return world.positions[world.indices[3 * hit.triangle + i]];
+        };
+        const auto point = (1 - hit.u - hit.v) * corner(0) + hit.u * corner(1) + hit.v * corner(2);
+        ASSERT_LT(glm::distance(point, ray.origin + hit.distance * ray.direction), 1e-4f);
+        (hit.triangle < world.opaque_triangles ? opaque : masked)++;
+    }
+    EXPECT_GT(compared, 2500);
+    EXPECT_GT(opaque, 400);
+    EXPECT_GT(masked, 400);
+}
+
+TEST(Bvh, HitsOfAWorldWithMasksOnlyCountFromZero) {
+    SmallWorld small;
+    small.quad({0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, SmallWorld::masked);
+    const Bvh bvh(small.scene(), small.world());
+    const auto lower = bvh.closest_hit({1.5f, 0.4f, 1}, {0, 0, -1}, 0, infinity);
+    const auto upper = bvh.closest_hit({0.4f, 1.5f, 1}, {0, 0, -1}, 0, infinity);
+    EXPECT_EQ(lower.triangle, 0u);
+    EXPECT_EQ(upper.triangle, 1u);
+    EXPECT_FALSE(bvh.closest_hit({0.5f, 0.4f, 1}, {0, 0, -1}, 0, infinity).is_hit());
+}
+
+TEST(Bvh, HitsOfPacketsAreThoseOfSingleRaysBitForBit) {
+    auto small = mixed_soup();
+    small.add_soup(3000, 5);
+    const Bvh bvh(small.scene(), small.world());
+    const auto rays = random_rays(6400, 6);
+    int differing = 0;
+    for (std::size_t first = 0; first < rays.size(); first += 16) {
+        const auto some = std::span(rays).subspan(first, 1 + first / 16 % 16);
+        passes::Hit hits[16];
+        bvh.closest_hits16(make_packet(some, 0, infinity), false, hits);
+        for (std::size_t i = 0; i < 16; ++i) {
+            const auto single = i < some.size()
+                                    ? bvh.closest_hit(some[i].origin, some[i].direction, 0, infinity)
+                                    : passes::Hit{};
+            differing += hits[i].distance != single.distance || hits[i].triangle != single.triangle ||
+                         hits[i].u != single.u || hits[i].v != single.v;
+        }
+    }
+    EXPECT_EQ(differing, 0);
+}
+
 /// Rays from about the middle of a closed sphere towards points of its edges: how many escape.
 int escaping(Bvh::Edges edges) {
     const auto scene = scene::load_scene("builtin:furnace");

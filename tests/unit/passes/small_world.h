@@ -54,17 +54,21 @@ class SmallWorld {
         scene_.nodes.push_back(node);
     }
 
-    /// Triangles with corners at random in [-1, 1]³.
-    void add_soup(int triangles, unsigned seed) {
+    /// Triangles with corners at random in [-1, 1]³, those of the masked material with uv at random in [-1,
+    /// 1]².
+    void add_soup(int triangles, unsigned seed, Material material = opaque) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<float> unit(-1, 1);
         scene::Mesh mesh;
+        mesh.material = material;
         for (int i = 0; i < 3 * triangles; ++i) {
             mesh.positions.emplace_back(unit(random), unit(random), unit(random));
             mesh.indices.push_back(static_cast<std::uint32_t>(i));
         }
         mesh.normals.assign(mesh.positions.size(), {0, 1, 0});
         mesh.uv0.assign(mesh.positions.size(), {0, 0});
+        if (material == masked)
+            for (auto& uv : mesh.uv0) uv = {unit(random), unit(random)};
         add(std::move(mesh));
     }
 
@@ -74,6 +78,13 @@ class SmallWorld {
   private:
     scene::Scene scene_;
 };
+
+/// Weights of the second and third corner at a point in a triangle's plane.
+inline std::pair<double, double> barycentric(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+    const auto n = glm::cross(b - a, c - a);
+    const double area = glm::dot(n, n);
+    return {glm::dot(glm::cross(c - a, a - p), n) / area, glm::dot(glm::cross(b - a, p - a), n) / area};
+}
 
 /// Uniform on the sphere.
 inline glm::vec3 random_direction(std::mt19937& random) {
