@@ -5,12 +5,11 @@
 
 #include "app/engine/execution.h"
 #include "projects/coordinate.h"
+#include "projects/match.h"
 #include "projects/plots.h"
 #include "projects/results.h"
-#include "projects/settings.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
-#include "renderers/core/transport.h"
 #include "renderers/image/metrics.h"
 
 namespace ir::engine {
@@ -119,40 +118,18 @@ void judge(const Project& project, PlannedPoint& point, const projects::Experime
         point.problem = why_not_judged_by(project, point.run, reference);
 }
 
-/// Transport values that both methods have and that mean something under the reference's.
-std::string transport_difference(const projects::Experiment& experiment,
-                                 const projects::Experiment& reference) {
-    const auto& own = registry().at(experiment.method);
-    const auto& truth = registry().at(reference.method);
-    const auto values = projects::runnable_settings(experiment, own);
-    const auto truths = projects::runnable_settings(reference, truth);
-    for (const auto& parameter : truth.parameters) {
-        const auto& key = parameter.key;
-        if (!is_transport_key(key) || !find(own.parameters, key)) continue;
-        if (!is_active(parameter, truths) && !is_active(*find(own.parameters, key), values)) continue;
-        if (values.at(key) != truths.at(key))
-            return "its " + key + " is " + to_string(values.at(key)) + ", the reference's " +
-                   to_string(truths.at(key));
-    }
-    return "";
-}
-
 }  // namespace
 
 std::string why_not_judged_by(const Project& project, const projects::Experiment& experiment,
                               const projects::Experiment& reference) {
-    const auto own = projects::picture_inputs(project, experiment, registry());
-    const auto truth = projects::picture_inputs(project, reference, registry());
-    for (const char* key : {"scene", "camera", "lights", "environment", "size", "time"})
-        if (own.at(key) != truth.at(key)) {
-            const bool is_short = !own.at(key).is_structured() && !truth.at(key).is_structured();
-            const std::string what = std::string("its ") + key;
-            if (is_short || std::string(key) == "size")
-                return what + " is " + shown(own.at(key)) + ", the reference's " + shown(truth.at(key));
-            return what + (std::string(key) == "lights" ? " are not" : " is not") + " the reference's";
-        }
-    if (!registry().find(experiment.method) || !registry().find(reference.method)) return "";
-    return transport_difference(experiment, reference);
+    // The rule that badges of experiments follow, on a document of these two.
+    Project pair = project;
+    pair.experiments = {experiment, reference};
+    pair.experiments[0].id = reference.id + "-judged";
+    pair.experiments[0].reference = reference.id;
+    pair.experiments[1].reference.clear();
+    const auto found = projects::mismatched_references(pair, registry());
+    return found.empty() ? "" : found.front().second;
 }
 
 std::vector<PlannedRun> plan_study(const Project& project, const ErrorPlot& plot) {

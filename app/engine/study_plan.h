@@ -28,8 +28,8 @@ struct PlannedRun {
 /// line) where nothing can be measured at all: no experiments, unknown reference, key or metric, no values.
 std::vector<PlannedRun> plan_study(const projects::Project& project, const projects::ErrorPlot& plot);
 
-/// Why a picture of `experiment` cannot be judged by one of `reference`: "its max_distance is 1, the
-/// reference's 2". Empty: it can.
+/// Why a picture of `experiment` cannot be judged by one of `reference`, as mismatched_references() says it.
+/// Empty: it can.
 std::string why_not_judged_by(const projects::Project& project, const projects::Experiment& experiment,
                               const projects::Experiment& reference);
 
