@@ -32,10 +32,9 @@ bool counts(const ParameterDescription& parameter, const Settings& values) {
            condition.values.end();
 }
 
-/// The transport of an experiment, complete: its method's defaults may be others than the reference's.
-Settings transport_of(const Experiment& experiment, const MethodDescription& method) {
+/// The transport of a method with these values, complete: its defaults may be others than the reference's.
+Settings transport_of(const MethodDescription& method, const Settings& values) {
     Settings transport;
-    const auto values = runnable_settings(experiment, method);
     for (const auto& parameter : method.parameters)
         if (is_transport_key(parameter.key) && counts(parameter, values))
             transport[parameter.key] = values.at(parameter.key);
@@ -94,7 +93,7 @@ std::string mismatch(const Project& project, const Experiment& experiment, const
     const auto* reference = registry.find(truth.method);
     if (method && reference) {
         const auto values = runnable_settings(truth, *reference);
-        for (const auto& [key, value] : transport_of(experiment, *method)) {
+        for (const auto& [key, value] : transport_of(*method, runnable_settings(experiment, *method))) {
             const auto other = values.find(key);
             if (other != values.end() && other->second != value)
                 found.push_back(key + " (" + shown(value) + ", the reference has " + shown(other->second) +
@@ -106,6 +105,12 @@ std::string mismatch(const Project& project, const Experiment& experiment, const
 
 }  // namespace
 
+Settings matching_values(const MethodDescription& method, const Settings& values, const Registry& registry) {
+    const auto& reference = reference_method(registry);
+    if (method.is_reference) throw UsageError("'" + method.id + "' is the reference itself");
+    return matched_values(transport_of(method, completed(method.parameters, values)), reference);
+}
+
 Experiment matching_reference(const Project& project, const Experiment& experiment,
                               const Registry& registry) {
     const auto& reference = reference_method(registry);
@@ -114,7 +119,7 @@ Experiment matching_reference(const Project& project, const Experiment& experime
         throw UsageError("this build has no method '" + printable(experiment.method, 60) +
                          "', so its transport is unknown");
     if (method->is_reference)
-        throw UsageError("'" + printable(experiment.name, 60) + "' is a reference itself");
+        throw UsageError("'" + printable(experiment.id, 60) + "' is a reference itself");
     const auto run = effective(experiment);
     const auto name = experiment.name + " reference";
     auto truth = edits::new_experiment(project, registry, reference.id, name, run.scene, run.camera);
@@ -122,7 +127,7 @@ Experiment matching_reference(const Project& project, const Experiment& experime
     truth.size = run.size;
     truth.time = run.time;
     truth.frames = progressive_frames;
-    truth.values = matched_values(transport_of(experiment, *method), reference);
+    truth.values = matching_values(*method, runnable_settings(experiment, *method), registry);
     return truth;
 }
 

@@ -7,9 +7,16 @@
 
 namespace ir::projects {
 
+/// Values for the method that is the reference, so that it computes the transport of `method` with `values`;
+/// what is missing there counts as that method's default, and what is no transport as the reference's. Throws
+/// UsageError as matching_reference(), and where the reference cannot compute this transport.
+Settings matching_values(const MethodDescription& method, const Settings& values, const Registry& registry);
+
 /// The experiment that is the ground truth of another one: same scene, camera, lights, size, time and
-/// transport, by the method that is the reference. Throws UsageError where this build has none, where the
-/// experiment's method is unknown, or where the experiment is a reference itself.
+/// transport, by the method that is the reference; its samples per frame are the method's default, in 16
+/// frames, so that a first picture is there soon; its seed is that of new experiments, so that it is shared.
+/// Throws UsageError where this build has none, where the experiment's method is unknown, or where the
+/// experiment is a reference itself.
 Experiment matching_reference(const Project& project, const Experiment& experiment, const Registry& registry);
 
 /// *Match*: makes the experiment be judged by its ground truth, all in one step. An experiment of the project

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "projects/edit_kinds.h"
+
 namespace ir::projects {
 namespace {
 
@@ -77,6 +79,12 @@ Experiment with_sample_count(const Experiment& experiment, std::uint64_t samples
     else
         after.frames = static_cast<int>(frames);
     return after;
+}
+
+EditPtr set_sample_count(const Project& project, const std::string& experiment, std::uint64_t samples,
+                         const Registry& registry) {
+    const auto after = with_sample_count(edits::item_of<Experiment>(project, experiment), samples, registry);
+    return edits::replace(project, after, "Change number of samples", "samples:" + experiment);
 }
 
 }  // namespace ir::projects

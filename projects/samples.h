@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "projects/document.h"
+#include "projects/edits.h"
 #include "renderers/core/method.h"
 
 namespace ir::projects {
@@ -23,5 +23,9 @@ std::uint64_t sample_count(const Experiment& experiment, const Registry& registr
 /// cannot hold them: in frames of as many samples as now where they divide, else in frames of about as many.
 /// What the active preset overrides is changed there. Methods that do not accumulate come back as they are.
 Experiment with_sample_count(const Experiment& experiment, std::uint64_t samples, const Registry& registry);
+
+/// The same as a change of the document.
+EditPtr set_sample_count(const Project& project, const std::string& experiment, std::uint64_t samples,
+                         const Registry& registry);
 
 }  // namespace ir::projects

@@ -1,0 +1,214 @@
+#include "projects/keep.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "projects/changes.h"
+#include "projects/hash.h"
+#include "projects/samples.h"
+#include "projects/store.h"
+#include "renderers/core/error.h"
+#include "tests/unit/projects/sample.h"
+
+namespace ir::projects {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::sample_project;
+using testing::TemporaryFolder;
+
+/// Method "fog", whose samples add up.
+const Registry& registry() {
+    static const MethodDescription fog = [] {
+        auto method = testing::registry().at("fog");
+        for (auto& parameter : method.parameters)
+            if (parameter.key == "samples") parameter.accumulates = true;
+        return method;
+    }();
+    static const Registry all({&fog, &testing::registry().at("plain")});
+    return all;
+}
+
+std::string state_of(const Project& project) {
+    return state_key(project, project.experiments[0], registry());
+}
+
+TEST(StateKey, DoesNotDependOnTheNumberOfSamples) {
+    const auto before = state_of(sample_project());
+    auto project = sample_project();
+    project.experiments[0].frames = 9;
+    EXPECT_EQ(state_of(project), before);
+    project.experiments[0].presets["paper"].values["samples"] = std::int64_t{2};
+    EXPECT_EQ(state_of(project), before);
+    project.experiments[0].seed = 8;
+    EXPECT_NE(state_of(project), before);
+    project = sample_project();
+    project.experiments[0].values["density"] = 3.0;
+    EXPECT_NE(state_of(project), before);
+    project = sample_project();
+    EXPECT_NE(state_key(project, project.experiments[0], testing::registry()), before)
+        << "a parameter that does not accumulate is part of the key";
+}
+
+TEST(SampleCount, IsFramesTimesSamples) {
+    const auto project = sample_project();
+    EXPECT_EQ(sample_count(project.experiments[0], registry()), 4u * 256);
+    EXPECT_EQ(sample_count(project.experiments[1], registry()), 1u);
+    EXPECT_EQ(sample_count(project.experiments[0], testing::registry()), 4u);
+}
+
+TEST(SampleCount, CanBeSetExactly) {
+    auto project = sample_project();
+    for (const std::uint64_t samples : {1u, 2u, 64u, 97u, 100u, 1024u, 4096u, 5000u}) {
+        const auto after = with_sample_count(project.experiments[0], samples, registry());
+        EXPECT_EQ(sample_count(after, registry()), samples);
+        EXPECT_EQ(after.values, project.experiments[0].values) << "the preset overrides them";
+        project.experiments[0] = after;
+        EXPECT_EQ(state_of(project), state_of(sample_project()));
+    }
+    // Samples are at most 4096 in a frame here, and the next prime does not divide.
+    EXPECT_GE(sample_count(with_sample_count(project.experiments[0], 4099, registry()), registry()), 4099u);
+    const auto& plain = project.experiments[1];
+    EXPECT_EQ(with_sample_count(plain, 64, registry()), plain);
+}
+
+KeptResult kept(const std::string& key, std::uint64_t samples, bool with_state = true) {
+    KeptResult result;
+    result.key = key;
+    result.experiment = "fog-nave";
+    result.state_key = "one-picture";
+    result.samples = samples;
+    result.files = {{"main", key + "/main.exr", hash_bytes(key)}};
+    if (with_state) result.files.push_back({"state", key + "/state.exr", hash_bytes(key + "state")});
+    return result;
+}
+
+class KeepTest : public ::testing::Test {
+  protected:
+    void put(const KeptResult& result, const std::set<std::string>& in_use = {}) {
+        const ResultsGuard guard(folder.path());
+        for (const auto& file : result.files)
+            if (!fs::exists(at(file.path))) testing::write_text(at(file.path), result.key);
+        keep(folder.path(), result, in_use, guard);
+    }
+    fs::path at(const std::string& path) const { return folder.path() / "results" / path; }
+    ResultIndex index() const { return ResultIndex::load(folder.path()); }
+    TemporaryFolder folder;
+};
+
+TEST_F(KeepTest, RemembersStateKeyAndSamples) {
+    put(kept("k64", 64));
+    EXPECT_EQ(*index().find("k64"), kept("k64", 64));
+    EXPECT_EQ(index().find_most_samples("one-picture")->key, "k64");
+    EXPECT_EQ(index().find_most_samples("another"), nullptr);
+    EXPECT_EQ(index().find_state(""), nullptr);
+}
+
+TEST_F(KeepTest, MoreSamplesTakeTheStateAndLeaveThePicturesThatAreInUse) {
+    put(kept("k16", 16));
+    put(kept("k64", 64), {"k16"});
+    EXPECT_TRUE(fs::exists(at("k16/main.exr")));
+    EXPECT_FALSE(fs::exists(at("k16/state.exr")));
+    EXPECT_EQ(file_of(*index().find("k16"), state_role), nullptr);
+    EXPECT_EQ(index().find_state("one-picture")->key, "k64");
+    put(kept("k256", 256), {"k64"});
+    EXPECT_EQ(index().find("k16"), nullptr);
+    EXPECT_FALSE(fs::exists(at("k16/main.exr")));
+    EXPECT_TRUE(fs::exists(at("k64/main.exr")));
+    EXPECT_EQ(index().find_most_samples("one-picture")->key, "k256");
+}
+
+TEST_F(KeepTest, FewerSamplesAndOtherPicturesTakeNothing) {
+    put(kept("k64", 64));
+    put(kept("k16", 16, false));
+    auto other = kept("other", 4096);
+    other.state_key = "another-picture";
+    put(other);
+    auto plain = kept("plain", 0, false);
+    plain.state_key.clear();
+    put(plain);
+    EXPECT_EQ(index().entries().size(), 4u);
+    EXPECT_TRUE(fs::exists(at("k64/state.exr")));
+}
+
+/// A result that asks for fewer samples than are kept has the files of that which has them.
+TEST_F(KeepTest, SharedFilesStayAsLongAsOneNamesThem) {
+    put(kept("k64", 64));
+    auto served = kept("k16", 64, false);
+    served.files[0].path = "k64/main.exr";
+    put(served);
+    put(kept("k256", 256), {"k16"});
+    EXPECT_EQ(index().find("k64"), nullptr);
+    EXPECT_FALSE(fs::exists(at("k64/state.exr")));
+    EXPECT_TRUE(fs::exists(at("k64/main.exr")));
+    EXPECT_TRUE(fs::exists(at("k256/state.exr")));
+}
+
+TEST_F(KeepTest, WhatTheSavedDocumentNamesIsInUse) {
+    auto project = sample_project();
+    project.experiments[0].last_kept_key = "saved";
+    save_project(project, folder.path(), "");
+    project.experiments[0].last_kept_key = "unsaved";
+    EXPECT_EQ(keys_in_use(project, folder.path()), (std::set<std::string>{"saved", "unsaved"}));
+    testing::write_text(folder.path() / project_file_name, "damaged");
+    EXPECT_EQ(keys_in_use(project, folder.path()), (std::set<std::string>{"unsaved"}));
+}
+
+TEST_F(KeepTest, PruneKeepsTheGuardAndDropsStatesWithTheirResults) {
+    put(kept("k64", 64));
+    EXPECT_EQ(prune_results(sample_project(), registry(), folder.path()).files,
+              (std::vector<std::string>{"k64/main.exr", "k64/state.exr"}));
+    EXPECT_TRUE(fs::exists(at(results_guard_name)));
+}
+
+/// Without the guard, one writer's index would overwrite what another had added since it was read: the same
+/// loops without it lose entries within a few rounds.
+TEST_F(KeepTest, WritersAtOnceLoseNoEntries) {
+    constexpr int writers = 4, results = 12;
+    std::vector<std::thread> threads;
+    for (int w = 0; w < writers; ++w)
+        threads.emplace_back([&, w] {
+            for (int i = 0; i < results; ++i) {
+                auto result = kept("w" + std::to_string(w) + "-" + std::to_string(i), 1, false);
+                result.state_key.clear();
+                put(result);
+            }
+        });
+    for (auto& thread : threads) thread.join();
+    EXPECT_EQ(index().entries().size(), static_cast<std::size_t>(writers * results));
+    EXPECT_TRUE(check_results(index(), folder.path()).empty());
+}
+
+TEST(Changes, BetweenTwoResultsNameInputsAndProvenance) {
+    auto a = kept("aaaaaa1", 16), b = kept("aaaaaa2", 64);
+    a.inputs = {{"frames", 1}, {"seed", 7}};
+    b.inputs = {{"frames", 4}, {"seed", 7}};
+    a.provenance = {"0.1", "driver", "egl", "2024-05-01T12:00:00Z", Json::object()};
+    b.provenance = {"0.2", "driver", "osmesa", "2024-05-01T12:00:00Z", Json::object()};
+    b.provenance.extra["resumed_from"] = Json::array(
+        {{{"build", "0.1"}, {"driver", "driver"}, {"backend", "egl"}, {"date", ""}, {"samples", 16}}});
+    const auto found = changes(version_of(a), version_of(b));
+    EXPECT_EQ(found.inputs, std::vector<std::string>{"frames: 1 → 4"});
+    EXPECT_EQ(found.provenance,
+              (std::vector<std::string>{"build: 0.1 → 0.2", "backend: egl → osmesa", "samples: 16 → 64",
+                                        "resumed from: none → 16 samples by 0.1 on driver (egl)"}));
+    EXPECT_TRUE(changes(version_of(a), version_of(a)).empty());
+}
+
+TEST(Changes, AreAskedForByExperimentKeyOrNow) {
+    auto project = sample_project();
+    ResultIndex index;
+    index.put(kept("abcdef1", 16));
+    index.put(kept("abcdef2", 64));
+    project.experiments[0].last_kept_key = "abcdef2";
+    const auto find = [&](const std::string& text) { return find_version(text, project, index, registry()); };
+    EXPECT_EQ(find("fog-nave").key, "abcdef2");
+    EXPECT_EQ(find("abcdef1").samples, 16u);
+    EXPECT_EQ(find("now:fog-nave").key, result_key(project, project.experiments[0], registry()));
+    for (const char* text : {"abcdef", "abcde", "nothing", "now:nothing", "plain-nave", ""})
+        EXPECT_THROW(find(text), UsageError) << text;
+}
+
+}  // namespace
+}  // namespace ir::projects

@@ -1,0 +1,165 @@
+#include "projects/match.h"
+
+#include <gtest/gtest.h>
+
+#include "projects/results.h"
+#include "projects/samples.h"
+#include "projects/undo_stack.h"
+#include "renderers/core/error.h"
+#include "renderers/core/transport.h"
+#include "tests/unit/projects/sample.h"
+
+namespace ir::projects {
+namespace {
+
+using testing::sample_project;
+
+struct TruthSettings {
+    int samples = 16;
+    bool antialias = false;
+    Transport transport{.paths = Transport::Paths::full, .max_distance = 5};
+};
+
+/// A ground truth with other defaults than "fog", which has no bounces and no materials.
+const MethodDescription& truth() {
+    static const MethodDescription method = [] {
+        ParameterTable<TruthSettings> table;
+        table.add(&TruthSettings::samples,
+                  {.key = "samples", .label = "Samples", .doc = "", .hard = {1, 1e6}, .accumulates = true});
+        table.add(&TruthSettings::antialias, {.key = "antialias", .label = "Antialias", .doc = ""});
+        table.include(&TruthSettings::transport,
+                      transport_parameters(
+                          {{"ao", "full"}, {"max_distance", "falloff", "max_bounces", "normal_maps"}}));
+        MethodDescription result;
+        result.id = "truth";
+        result.title = "Truth";
+        result.parameters = table.descriptions();
+        result.is_reference = true;
+        return result;
+    }();
+    return method;
+}
+
+const Registry& registry() {
+    static const Registry all({&testing::registry().at("fog"), &testing::registry().at("plain"), &truth()});
+    return all;
+}
+
+Project unmatched() {
+    auto project = sample_project();
+    project.experiments[0].reference.clear();
+    return project;
+}
+
+const Experiment& reference_of(const Project& project, std::size_t i = 0) {
+    return *find_item(project.experiments, project.experiments[i].reference);
+}
+
+/// Applies it as one step and returns the stack to undo it by.
+UndoStack matched(Project& project, const std::string& id) {
+    UndoStack stack;
+    EXPECT_TRUE(stack.push(project, match(project, id, registry())));
+    return stack;
+}
+
+TEST(Match, CopiesWhatTheTruthDependsOnAndNothingElse) {
+    auto project = unmatched();
+    project.experiments[0].values["max_distance"] = 2.5;
+    matched(project, "fog-nave");
+    const auto& found = reference_of(project);
+    EXPECT_EQ(found.name, "Fog in the nave reference");
+    EXPECT_EQ(found.method, "truth");
+    EXPECT_EQ(&found, &project.experiments[1]) << "behind its experiment";
+    EXPECT_EQ(found.scene, "church");
+    EXPECT_EQ(found.camera, "orbit");
+    EXPECT_EQ(found.lights, "evening");
+    EXPECT_EQ(found.size, glm::ivec2(1024, 1024)) << "of the active preset";
+    EXPECT_EQ(found.time, 0.5);
+    EXPECT_EQ(found.values.at("max_distance"), Value{2.5});
+    EXPECT_EQ(found.values.at("paths"), Value{std::string("ao")}) << "the method's default, not the truth's";
+    EXPECT_EQ(found.values.at("samples"), Value{std::int64_t{16}}) << "no transport";
+    EXPECT_EQ(found.values.count("density"), 0u);
+    EXPECT_EQ(found.values.at("normal_maps"), Value{true}) << "unknown to the method: the truth's default";
+    EXPECT_TRUE(found.presets.empty());
+    EXPECT_GT(found.frames, 1) << "a first picture is there soon";
+    EXPECT_TRUE(mismatched_references(project, registry()).empty());
+}
+
+TEST(Match, CompletesTheValuesThatAnExperimentLacks) {
+    auto project = unmatched();
+    project.experiments[0].values.erase("max_distance");
+    matched(project, "fog-nave");
+    EXPECT_EQ(reference_of(project).values.at("max_distance"), Value{0.0})
+        << "fog's default, not the truth's 5";
+}
+
+TEST(Match, IsOneStepOfUndo) {
+    auto project = unmatched();
+    const auto before = project;
+    auto stack = matched(project, "fog-nave");
+    const auto after = project;
+    stack.undo(project);
+    EXPECT_EQ(project, before);
+    stack.redo(project);
+    EXPECT_EQ(project, after);
+    EXPECT_EQ(match(project, "fog-nave", registry()), nullptr) << "it is matched already";
+}
+
+TEST(Match, SharesATruthAtAnyNumberOfSamplesAndSeed) {
+    auto project = unmatched();
+    auto copy = project.experiments[0];
+    copy.id = "copy";
+    copy.values["density"] = 7.0;
+    project.experiments.push_back(copy);
+    matched(project, "fog-nave");
+    auto& first = project.experiments[1];
+    first = with_sample_count(first, 4096, registry());
+    first.seed = 99;
+    EXPECT_EQ(match_id(project, "copy", registry()), first.id);
+    matched(project, "copy");
+    EXPECT_EQ(project.experiments.size(), 4u);
+    EXPECT_EQ(find_item(project.experiments, "copy")->reference, first.id);
+    // What tells truths apart tells references apart.
+    first.values["antialias"] = true;
+    EXPECT_NE(match_id(project, "copy", registry()), first.id);
+    find_item(project.experiments, "copy")->values["max_distance"] = 1.0;
+    matched(project, "copy");
+    EXPECT_EQ(project.experiments.size(), 5u);
+}
+
+TEST(Match, WhatDoesNotCountTellsNoTruthsApart) {
+    auto project = unmatched();
+    matched(project, "fog-nave");
+    EXPECT_EQ(reference_of(project).values.at("max_bounces"), Value{std::int64_t{1}});
+    project.experiments[1].values["max_bounces"] = std::int64_t{1};
+    EXPECT_EQ(match(project, "fog-nave", registry()), nullptr);
+}
+
+TEST(Match, IsRefusedWithOneLine) {
+    auto project = unmatched();
+    EXPECT_THROW(match(project, "nobody", registry()), UsageError);
+    EXPECT_THROW(match(project, "fog-nave", testing::registry()), UsageError) << "no reference";
+    project.experiments[0].values["paths"] = std::string("direct");
+    EXPECT_THROW(match(project, "fog-nave", registry()), UsageError) << "the truth cannot compute it";
+    project.experiments[0].method = "teleport";
+    EXPECT_THROW(match(project, "fog-nave", registry()), UsageError);
+    project.experiments[0].method = "truth";
+    EXPECT_THROW(match(project, "fog-nave", registry()), UsageError);
+}
+
+TEST(Match, MismatchesAreNamed) {
+    auto project = unmatched();
+    matched(project, "fog-nave");
+    auto& reference = project.experiments[1];
+    reference.values["max_distance"] = 3.0;
+    reference.size = {8, 8};
+    reference.camera = "inside";
+    const auto found = mismatched_references(project, registry());
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].first, "fog-nave");
+    for (const char* part : {"camera", "size", "max_distance", "3"})
+        EXPECT_NE(found[0].second.find(part), std::string::npos) << part;
+}
+
+}  // namespace
+}  // namespace ir::projects
