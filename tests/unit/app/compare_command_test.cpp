@@ -1,0 +1,264 @@
+// `compare` on the real program: metrics, regions, difference files, refusals.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "renderers/image/exr.h"
+#include "renderers/image/metrics.h"
+
+namespace ir {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int status = 0;
+    std::string out, err;
+};
+
+class Compare : public testing::Test {
+  protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::temp_directory_path() / ("interreflect-compare-" + std::string(test->name()));
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+    static std::string read(const fs::path& path) {
+        std::ifstream stream(path);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
+    Outcome compare(const std::string& a, const std::string& b, const std::string& options = {}) const {
+        const auto out = file("stdout"), err = file("stderr");
+        const auto command = std::string(CLI_PROGRAM) + " compare " + file(a) + " " + file(b) + " " +
+                             options + " >" + out + " 2>" + err;
+        const int status = std::system(command.c_str());
+        EXPECT_TRUE(WIFEXITED(status)) << command;
+        return {WEXITSTATUS(status), read(out), read(err)};
+    }
+
+    void expect_refused(const Outcome& outcome, int status, const std::string& part) const {
+        EXPECT_EQ(outcome.status, status) << outcome.out << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    }
+
+    /// A picture that is neither symmetric nor flat, brighter by `more` in its first ten columns.
+    static Image picture(float more = 0, int width = 32, int height = 20) {
+        Image image(width, height, 1);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                image.at(x, y) = 0.2f + 0.02f * float(x) + 0.005f * float(y) + (x < 10 ? more : 0);
+        return image;
+    }
+
+    void write(const std::string& name, const Image& image, const ImageAttributes& attributes = {},
+               std::vector<ImageLayer> more = {}) const {
+        more.insert(more.begin(), {"", standard_channels(image.channels), image});
+        write_exr(file(name), more, attributes);
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(Compare, PrintsWhatTheLibraryComputes) {
+    write("a.exr", picture(0.1f));
+    write("b.exr", picture());
+    const auto outcome = compare("a.exr", "b.exr", "--metric all --json");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    const auto expected = compute_metrics(picture(0.1f), picture(), metric_names());
+    for (const auto& name : metric_names())
+        EXPECT_NEAR(json["metrics"][name].get<double>(), expected.values.at(name), 1e-9) << name;
+    EXPECT_EQ(json["pixels"], 640);
+    EXPECT_EQ(json["skipped"], 0);
+    EXPECT_EQ(json["hdr_flip_exposures"]["count"], expected.exposures->count);
+    const auto text = compare("a.exr", "b.exr", "--metric psnr,ssim").out;
+    EXPECT_NE(text.find(" dB"), std::string::npos) << text;
+    EXPECT_EQ(nlohmann::json::parse(compare("b.exr", "b.exr", "--json").out)["metrics"]["psnr"], "inf");
+}
+
+TEST_F(Compare, CountsOnlyARectangleOrAMask) {
+    write("a.exr", picture(0.1f));
+    write("b.exr", picture());
+    Image mask(32, 20, 1);
+    for (int x = 0; x < 20; ++x) mask.at(x, 3) = 1;
+    write("mask.exr", Image(32, 20, 3), {}, {{"object", {"Y"}, mask}});
+    const auto json = [&](const std::string& options) {
+        const auto outcome = compare("a.exr", "b.exr", "--json --metric mae " + options);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return nlohmann::json::parse(outcome.out);
+    };
+    EXPECT_NEAR(json("--rect 0,0,10,20")["metrics"]["mae"], 0.1, 1e-6);
+    EXPECT_EQ(json("--rect 10,0,22,20")["metrics"]["mae"], 0);
+    const auto masked = json("--mask " + file("mask.exr") + ":object");
+    EXPECT_EQ(masked["pixels"], 20);
+    EXPECT_NEAR(masked["metrics"]["mae"], 0.05, 1e-6);
+    expect_refused(compare("a.exr", "b.exr", "--rect 30,0,10,10"), 2, "rectangle");
+    expect_refused(compare("a.exr", "b.exr", "--rect 1,2,3"), 2, "--rect");
+    expect_refused(compare("a.exr", "b.exr", "--mask " + file("none.exr")), 3, "none.exr");
+    expect_refused(compare("a.exr", "b.exr", "--mask " + file("mask.exr") + ":no-layer"), 3, "no-layer");
+}
+
+TEST_F(Compare, WritesDifferencesAsValuesAndAsColours) {
+    auto a = picture(0.1f);
+    a.at(20, 5) = std::numeric_limits<float>::quiet_NaN();
+    Image valid(32, 20, 1, 1.0f);
+    valid.at(3, 3) = 0;
+    write("a.exr", a, {}, {{"valid", {"Y"}, valid}});
+    write("b.exr", picture());
+    ASSERT_EQ(compare("a.exr", "b.exr", "--diff-kind squared --diff " + file("d.exr")).status, 0);
+    ImageAttributes attributes;
+    const auto layers = read_exr(file("d.exr"), &attributes);
+    EXPECT_NEAR(layers.at(0).image.at(2, 2), 0.01, 1e-6);
+    EXPECT_TRUE(std::isnan(layers.at(0).image.at(3, 3)));
+    EXPECT_EQ(layers.at(1).name, "valid");
+    EXPECT_EQ(attributes.at("interreflect.difference.kind"), "squared");
+    EXPECT_EQ(attributes.at("interreflect.difference.range").substr(0, 2), "0,");
+
+    const auto colours = compare(
+        "a.exr", "b.exr", "--diff-kind signed --colour-map grey --range -0.2,0.2 --diff " + file("d.png"));
+    ASSERT_EQ(colours.status, 0) << colours.err;
+    EXPECT_NE(colours.out.find("-0.2 to 0.2 (grey)"), std::string::npos) << colours.out;
+    const auto png = read_image(file("d.png"));
+    const auto byte = [&](int x, int y, int c) {
+        const float linear = png.at(x, y, c);
+        return std::lround(
+            255 * (linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f));
+    };
+    EXPECT_NEAR(byte(2, 2, 0), 191, 1);   // (0.1 + 0.2) / 0.4 of 255
+    EXPECT_NEAR(byte(15, 2, 0), 128, 1);  // no difference
+    EXPECT_EQ(byte(3, 3, 0), 96);         // invalid
+    EXPECT_EQ(byte(20, 5, 0), 255);       // not a number
+    EXPECT_EQ(byte(20, 5, 1), 0);
+
+    for (const auto* kind : {"absolute", "relative", "flip", "hdr-flip"})
+        EXPECT_EQ(
+            compare("a.exr", "b.exr", std::string("--diff-kind ") + kind + " --diff " + file("k.png")).status,
+            0)
+            << kind;
+    expect_refused(compare("a.exr", "b.exr", "--diff " + file("d.jpg")), 2, ".png");
+    expect_refused(compare("a.exr", "b.exr", "--diff-kind odd --diff " + file("d.png")), 2, "odd");
+    expect_refused(compare("a.exr", "b.exr", "--colour-map odd --diff " + file("d.png")), 2, "odd");
+    expect_refused(compare("a.exr", "b.exr", "--range 1,0 --diff " + file("d.png")), 2, "--range");
+}
+
+TEST_F(Compare, TellsSignificantDifferencesByTheVarianceInTheFile) {
+    const ImageAttributes named{{"interreflect.variance", "method.variance"}};
+    const auto with = [&](float variance) {
+        return std::vector<ImageLayer>{{"method.variance", {"Y"}, Image(32, 20, 1, variance)}};
+    };
+    write("a.exr", picture(0.1f), named, with(1e-6f));
+    write("b.exr", picture(), named, with(1e-6f));
+    write("noisy.exr", picture(0.1f), named, with(1));
+    write("plain.exr", picture());
+    const auto part = [&](const std::string& a, const std::string& b) {
+        const auto outcome =
+            compare(a, b, "--json --diff-kind significant --diff " + file("significant.exr"));
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return nlohmann::json::parse(outcome.out)["difference"]["significant_part"].get<double>();
+    };
+    EXPECT_NEAR(part("a.exr", "b.exr"), 10.0 / 32, 1e-9);
+    EXPECT_NEAR(part("a.exr", "plain.exr"), 10.0 / 32, 1e-9);
+    EXPECT_EQ(part("noisy.exr", "b.exr"), 0);
+    expect_refused(compare("plain.exr", "plain.exr", "--diff-kind significant --diff " + file("s.exr")), 2,
+                   "variance");
+}
+
+TEST_F(Compare, RefusesWhatIsNotAlikeUnlessAllowed) {
+    const ImageAttributes base{{"interreflect.set.paths", "full"},
+                               {"interreflect.set.max_bounces", "5"},
+                               {"interreflect.camera.eye", "0,1,2"},
+                               {"interreflect.camera.target", "0,0,0"},
+                               {"interreflect.scene", "builtin:cornell@1"},
+                               {"interreflect.scene_hash", "abc"},
+                               {"interreflect.method", "one"},
+                               {"interreflect.set.samples", "4"}};
+    write("a.exr", picture(0.1f), base);
+    const auto other = [&](const std::string& key, const std::string& value) {
+        auto attributes = base;
+        attributes["interreflect." + key] = value;
+        write("b.exr", picture(), attributes);
+    };
+    const std::pair<const char*, std::pair<const char*, const char*>> cases[] = {
+        {"transport", {"set.max_bounces", "7"}},
+        {"transport", {"set.paths", "indirect"}},
+        {"camera", {"camera.eye", "0,1,2.5"}},
+        {"scene", {"scene_hash", "abd"}}};
+    for (const auto& [what, change] : cases) {
+        other(change.first, change.second);
+        expect_refused(compare("a.exr", "b.exr"), 3, std::string("--allow-different ") + what);
+        const auto allowed = compare("a.exr", "b.exr", std::string("--allow-different ") + what + " --json");
+        EXPECT_EQ(allowed.status, 0) << allowed.err;
+        EXPECT_NE(allowed.err.find("warning"), std::string::npos);
+        EXPECT_EQ(nlohmann::json::parse(allowed.out)["different"][0]["what"], what);
+    }
+    // What a method is called, how long it ran, and rounding of the camera do not matter.
+    for (const auto& [key, value] : {std::pair{"method", "two"},
+                                     {"set.samples", "64"},
+                                     {"set.resolution", "7"},
+                                     {"camera.eye", "0,1.0000001,2"}}) {
+        other(key, value);
+        EXPECT_EQ(compare("a.exr", "b.exr").status, 0) << key;
+    }
+    write("foreign.exr", picture());
+    EXPECT_EQ(compare("a.exr", "foreign.exr").status, 0);
+    expect_refused(compare("a.exr", "foreign.exr", "--allow-different everything"), 2, "everything");
+}
+
+TEST_F(Compare, BouncesDoNotMatterToAmbientOcclusion) {
+    write("a.exr", picture(0.1f), {{"interreflect.set.paths", "ao"}, {"interreflect.set.max_bounces", "1"}});
+    write("b.exr", picture(), {{"interreflect.set.paths", "ao"}, {"interreflect.set.max_bounces", "5"}});
+    EXPECT_EQ(compare("a.exr", "b.exr").status, 0);
+}
+
+TEST_F(Compare, RefusesPicturesThatAreTurned) {
+    const auto image = picture(0.1f);
+    Image upside_down = image, on_its_side(20, 32, 1);
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 32; ++x) {
+            upside_down.at(x, 19 - y) = image.at(31 - x, y);
+            on_its_side.at(y, x) = image.at(x, y);
+        }
+    write("a.exr", image);
+    write("turned.exr", upside_down);
+    write("side.exr", on_its_side);
+    write("small.exr", picture(0, 16, 16));
+    write("colour.exr", Image(32, 20, 3, 1.0f));
+    expect_refused(compare("a.exr", "turned.exr"), 3, "180°");
+    EXPECT_EQ(compare("a.exr", "turned.exr", "--allow-different orientation").status, 0);
+    expect_refused(compare("a.exr", "side.exr"), 3, "on its side");
+    expect_refused(compare("a.exr", "small.exr"), 3, "16x16");
+    expect_refused(compare("a.exr", "colour.exr"), 3, "channels");
+}
+
+TEST_F(Compare, FailsBeyondLimits) {
+    write("a.exr", picture(0.1f));
+    write("b.exr", picture());
+    const auto status = [&](const std::string& limit) {
+        return compare("a.exr", "b.exr", "--fail-above " + limit).status;
+    };
+    EXPECT_EQ(status("mae=0.04"), 0);
+    EXPECT_EQ(status("mae=0.03"), 4);
+    EXPECT_EQ(status("psnr=20"), 0);
+    EXPECT_EQ(status("psnr=40"), 4);
+    EXPECT_EQ(status("ssim=0.5"), 0);
+    EXPECT_EQ(status("ssim=0.9999"), 4);
+    EXPECT_EQ(status("flip=0.9"), 0);
+    expect_refused(compare("a.exr", "b.exr", "--fail-above mse=1"), 2, "mse");
+    expect_refused(compare("a.exr", "b.exr", "--metric mse"), 2, "hdr-flip");
+}
+
+}  // namespace
+}  // namespace ir
