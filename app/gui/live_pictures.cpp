@@ -36,8 +36,9 @@ std::string text_of(const Want& want) {
 
 }  // namespace
 
-LivePictures::LivePictures(Session& session, Renderer& renderer, ImageLoader& images, QObject* parent)
-    : QObject(parent), session_(session), renderer_(renderer), images_(images) {
+LivePictures::LivePictures(Session& session, Renderer& renderer, ImageLoader& images, const KeptResults& kept,
+                           QObject* parent)
+    : QObject(parent), session_(session), renderer_(renderer), images_(images), kept_(kept) {
     connect(&renderer_, &Renderer::result_arrived, this, &LivePictures::on_result);
     connect(&renderer_, &Renderer::failed, this, &LivePictures::on_failure);
     connect(&renderer_, &Renderer::progressed, this, &LivePictures::on_progress);
@@ -53,6 +54,7 @@ LivePictures::LivePictures(Session& session, Renderer& renderer, ImageLoader& im
     connect(&session_, &Session::project_replaced, this, [this] { set_wants({}); });
     connect(&images_, &ImageLoader::arrived, this, qOverload<>(&LivePictures::update));
     connect(&images_, &ImageLoader::failed, this, qOverload<>(&LivePictures::update));
+    connect(&kept_, &KeptResults::changed, this, qOverload<>(&LivePictures::update));
 }
 
 void LivePictures::set_wants(std::map<std::string, Want> wants) {
@@ -88,7 +90,8 @@ void LivePictures::update(const std::string& id, Entry& entry) {
                                                        session_.open_project().folder());
         if (!reason.empty()) throw Error(reason);
         entry.experiment = resolved(*chosen);
-        if (!entry.experiment) return set_state(id, entry, State::rendering);
+        // Stored histories are found once the index of a project that was just opened is read.
+        if (!entry.experiment || !kept_.is_known()) return set_state(id, entry, State::rendering);
         if (session_.experiment()->id == id) emit composition_resolved(entry.experiment->composition());
         send_if_changed(id, entry);
     } catch (const std::exception& error) {
@@ -143,6 +146,9 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     request.kept.assign(entry.want.kept.begin(), entry.want.kept.end());
     request.inspection = entry.want.inspection;
     request.thumbnails = entry.want.thumbnails;
+    // Under a camera that is being moved there is another picture than the stored one.
+    const auto* chosen = session_.moved_pose(id) ? nullptr : session_.experiment(id);
+    if (chosen) request.state_file = kept_.state_file(*chosen);
     entry.serial = renderer_.request(std::move(request));
     if (entry.first_serial == 0) entry.first_serial = entry.serial;
     entry.fraction = 0;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/gui/image_loader.h"
+#include "app/gui/kept_results.h"
 #include "app/gui/renderer.h"
 #include "app/gui/session.h"
 
@@ -30,7 +31,8 @@ class LivePictures : public QObject {
   public:
     enum class State { absent, blocked, rendering, done, cancelled, failed };
 
-    LivePictures(Session& session, Renderer& renderer, ImageLoader& images, QObject* parent = nullptr);
+    LivePictures(Session& session, Renderer& renderer, ImageLoader& images, const KeptResults& kept,
+                 QObject* parent = nullptr);
 
     /// By experiment id. Experiments that nobody wants any more are released.
     void set_wants(std::map<std::string, Want> wants);
@@ -85,6 +87,7 @@ class LivePictures : public QObject {
     Session& session_;
     Renderer& renderer_;
     ImageLoader& images_;
+    const KeptResults& kept_;
     std::map<std::string, Entry> entries_;
     std::string no_device_;  ///< why nothing can be rendered
 };

@@ -14,10 +14,12 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       recent_(options.remember),
       renderer_(renderer),
       session_(registry),
-      live_(session_, renderer, images_),
+      kept_(session_),
+      live_(session_, renderer, images_, kept_),
       scenes_(renderer),
-      workspace_(session_, live_, renderer, images_, options.surface),
+      workspace_(session_, live_, renderer, images_, kept_, options.surface),
       inspector_(session_, live_, renderer, workspace_),
+      references_(session_, workspace_),
       exports_(session_, live_, renderer, workspace_) {
     setObjectName(QStringLiteral("main"));
     setWindowIcon(widgets::icon("app"));
@@ -30,6 +32,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
     make_file_actions();
     make_export_actions();
     make_edit_actions();
+    make_result_actions();
     make_view_actions();
     make_display_actions();
     make_arrangement_actions();
@@ -42,6 +45,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
     connect_session();
     connect_panels();
     connect_views();
+    connect_results();
     restore_window();
     update_document();
 }
@@ -50,7 +54,8 @@ MainWindow::~MainWindow() {
     // Last words of the parts would reach half-destroyed widgets.
     for (QObject* part : {static_cast<QObject*>(&session_), static_cast<QObject*>(&renderer_),
                           static_cast<QObject*>(&live_), static_cast<QObject*>(&workspace_),
-                          static_cast<QObject*>(&inspector_), static_cast<QObject*>(&scenes_)})
+                          static_cast<QObject*>(&inspector_), static_cast<QObject*>(&kept_),
+                          static_cast<QObject*>(results_), static_cast<QObject*>(&scenes_)})
         part->disconnect(this);
 }
 
@@ -75,7 +80,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     // Whoever comes back may have changed files elsewhere.
-    if (event->type() == QEvent::ActivationChange && isActiveWindow()) session_.look_at_files();
+    if (event->type() != QEvent::ActivationChange || !isActiveWindow()) return;
+    session_.look_at_files();
+    kept_.look();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -9,6 +9,8 @@
 #include "app/gui/exports.h"
 #include "app/gui/known_projects.h"
 #include "app/gui/pixel_inspector.h"
+#include "app/gui/references.h"
+#include "app/gui/results_dock.h"
 #include "app/gui/scene_shelf.h"
 #include "app/gui/status_line.h"
 #include "app/gui/workspace.h"
@@ -26,7 +28,7 @@ class QStackedWidget;
 namespace ir::gui {
 
 /// Bumped when docks are added or renamed, so that a remembered arrangement of other docks is not applied.
-inline constexpr int dock_version = 2;
+inline constexpr int dock_version = 4;
 
 /// The window: menus, docks and the views in their middle. It joins parts that know nothing of each other and
 /// decides nothing about pictures or documents.
@@ -45,6 +47,9 @@ class MainWindow : public QMainWindow {
     Workspace& workspace() { return workspace_; }
     PixelInspector& inspector() { return inspector_; }
     DocumentDock& document() { return *document_; }
+    ResultsDock& results() { return *results_; }
+    References& references() { return references_; }
+    KeptResults& kept() { return kept_; }
     Exports& exports() { return exports_; }
     /// The picture of the active view.
     widgets::ImageView& view() { return workspace_.active_pane().compare().main_view(); }
@@ -110,6 +115,11 @@ class MainWindow : public QMainWindow {
     /// The welcome page stands alone; with a project the docks come back as they were.
     void show_docks(bool shown);
 
+    // window_results.cpp
+    void make_result_actions();
+    void connect_results();
+    void update_result_actions();
+
     // window_files.cpp
     bool run_file_step(const std::function<void()>& work, const QString& what);
     bool save();
@@ -153,10 +163,12 @@ class MainWindow : public QMainWindow {
     Renderer& renderer_;
     Session session_;
     ImageLoader images_;
+    KeptResults kept_;
     LivePictures live_;
     SceneShelf scenes_;
     Workspace workspace_;
     PixelInspector inspector_;
+    References references_;
     Exports exports_;
     QHash<QString, QAction*> actions_;
     QList<QAction*> action_order_;
@@ -167,6 +179,7 @@ class MainWindow : public QMainWindow {
     widgets::ExperimentPanel* experiment_panel_ = nullptr;
     widgets::ParameterPanel* parameter_panel_ = nullptr;
     DocumentDock* document_ = nullptr;
+    ResultsDock* results_ = nullptr;
     widgets::DisplayPanel* display_ = nullptr;
     widgets::RowsPanel *scene_tree_ = nullptr, *buffers_ = nullptr, *timings_ = nullptr, *counters_ = nullptr;
     widgets::MessagesPanel* messages_ = nullptr;

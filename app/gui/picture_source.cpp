@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/gui/kept_pictures.h"
 #include "projects/scene_files.h"
 #include "projects/settings.h"
 #include "renderers/core/transport.h"
@@ -31,6 +32,7 @@ OutputOption option_of(const ResourceReport& resource) {
                                            : text_of(resource.pass);
     option.doc = text_of(resource.doc);
     option.kind = resource.kind;
+    option.semantic = resource.semantic;
     option.levels = std::max(1, resource.levels);
     option.layers = std::max(1, resource.layers);
     return option;
@@ -43,6 +45,7 @@ OutputOption option_of(const OutputDescription& output) {
     option.group = tr("Outputs");
     option.doc = text_of(output.doc);
     option.kind = output.kind;
+    option.semantic = output.semantic;
     return option;
 }
 
@@ -70,7 +73,8 @@ QString why_no_picture(const ResourceReport* resource, const std::string& key) {
 
 bool same(const Picture& a, const Picture& b) {
     return a.image == b.image && a.valid == b.valid && a.note == b.note && a.label == b.label &&
-           a.stale == b.stale && a.unit == b.unit && a.atlas.tiles == b.atlas.tiles;
+           a.stale == b.stale && a.unit == b.unit && a.semantic == b.semantic &&
+           a.atlas.tiles == b.atlas.tiles;
 }
 
 }  // namespace
@@ -95,17 +99,25 @@ std::vector<widgets::Option> PictureSource::owners() const {
     for (const auto& each : session_.document().images)
         options.push_back({text_of("image:" + each.id), text_of(each.name.empty() ? each.id : each.name),
                            text_of(each.source + (each.notes.empty() ? "" : "\n" + each.notes))});
+    for (const auto& each : kept_.entries())
+        options.push_back({text_of(kept_owner(each.key)), text_of(kept_name(each)),
+                           tr("Kept result, rendered by %1").arg(text_of(each.provenance.driver))});
     return options;
 }
 
 bool PictureSource::has_owner(const std::string& owner) const {
-    return session_.experiment(owner) || foreign(owner);
+    // A kept result that is gone stays in its place and says so: a view should not show something else.
+    return session_.experiment(owner) || foreign(owner) || is_kept_owner(owner);
 }
 
 std::string PictureSource::owner_name(const std::string& owner) const {
     if (const auto* experiment = session_.experiment(owner))
         return experiment->name.empty() ? experiment->id : experiment->name;
     if (const auto* image = foreign(owner)) return image->name.empty() ? image->id : image->name;
+    if (is_kept_owner(owner)) {
+        const auto* result = kept(owner);
+        return result ? kept_name(*result) : tr("Kept result").toStdString();
+    }
     return owner;
 }
 
@@ -116,6 +128,7 @@ std::vector<OutputOption> PictureSource::outputs(const std::string& owner) const
         const auto layers = images_.get(file);
         return layers ? options_of_file(*layers) : options;
     }
+    if (const auto* result = kept(owner)) return kept_outputs(*result);
     const auto* experiment = session_.experiment(owner);
     if (!experiment) return options;
     const auto* method = session_.registry().find(experiment->method);
@@ -152,6 +165,10 @@ const OutputOption* PictureSource::find(const std::vector<OutputOption>& outputs
 
 std::string PictureSource::key_of(const ViewSource& source) const {
     if (!source.output.empty() || source.is_image()) return source.output;
+    if (const auto* result = kept(source.owner)) {
+        const auto* output = kept_output(*result, {});
+        return output ? output->key : std::string();
+    }
     const auto* experiment = session_.experiment(source.owner);
     const auto* method = experiment ? session_.registry().find(experiment->method) : nullptr;
     const auto* output = method ? main_output(*method, projects::effective(*experiment).values) : nullptr;
@@ -222,6 +239,7 @@ Picture PictureSource::of_file(const ViewSource& source) const {
 }
 
 Picture PictureSource::make(const ViewSource& source) const {
+    if (source.is_kept()) return of_kept(source);
     return source.is_image() ? of_file(source) : of_experiment(source);
 }
 
@@ -262,6 +280,7 @@ QString PictureSource::warning(const ViewSource& a, const ViewSource& b) const {
                        ? tr("Nothing is noted about the light that %1 shows.")
                              .arg(text_of(owner_name(source.owner)))
                        : tr("%1: %2").arg(text_of(owner_name(source.owner)), text_of(image->notes));
+    if (a.is_kept() || b.is_kept()) return kept_mismatch(a.owner, b.owner);
     const auto* first = session_.experiment(a.owner);
     const auto* second = session_.experiment(b.owner);
     if (!first || !second || first == second) return {};

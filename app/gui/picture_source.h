@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "app/gui/kept_results.h"
 #include "app/gui/live_pictures.h"
 #include "widgets/views/view_state.h"
 
@@ -15,13 +16,13 @@ namespace ir::gui {
 /// questions get the same object while its content is the same.
 class PictureSource {
   public:
-    PictureSource(Session& session, LivePictures& live, ImageLoader& images)
-        : session_(session), live_(live), images_(images) {}
+    PictureSource(Session& session, LivePictures& live, ImageLoader& images, const KeptResults& kept)
+        : session_(session), live_(live), images_(images), kept_(kept) {}
 
     std::vector<widgets::Option> owners() const;
     bool has_owner(const std::string& owner) const;
     std::string owner_name(const std::string& owner) const;
-    /// The method's outputs first, then its buffers by pass; the layers of a file.
+    /// The method's outputs first, then its buffers by pass; the layers of a file, kept results among them.
     std::vector<widgets::OutputOption> outputs(const std::string& owner) const;
     /// Null when the owner has no such output.
     const widgets::OutputOption* find(const std::vector<widgets::OutputOption>& outputs,
@@ -50,10 +51,20 @@ class PictureSource {
     widgets::Picture of_experiment(const widgets::ViewSource& source) const;
     widgets::Picture of_file(const widgets::ViewSource& source) const;
     const projects::ForeignImage* foreign(const std::string& owner) const;
+    // kept_pictures.cpp
+    const projects::KeptResult* kept(const std::string& owner) const;
+    std::string kept_name(const projects::KeptResult& result) const;
+    std::vector<widgets::OutputOption> kept_outputs(const projects::KeptResult& result) const;
+    /// What the method says about an output of a kept result; null where this build does not know it.
+    const OutputDescription* kept_output(const projects::KeptResult& result, const std::string& key) const;
+    widgets::Picture of_kept(const widgets::ViewSource& source) const;
+    /// Where one of them is a kept result: which inputs differ that both pictures depend on.
+    QString kept_mismatch(const std::string& a, const std::string& b) const;
 
     Session& session_;
     LivePictures& live_;
     ImageLoader& images_;
+    const KeptResults& kept_;
     std::map<Key, Entry> cache_;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/gui/json_fields.h"
+#include "app/gui/pixel_places.h"
 
 namespace ir::gui {
 namespace {
@@ -32,15 +33,11 @@ std::vector<std::array<float, 3>> positions_of(const engine::ProbeResult& result
     return positions;
 }
 
-/// Images of the main result's size or of a power of two of it; textures and maps have other pixels.
+/// Textures and maps have other pixels.
 bool shows_pixels_of(const ResourceReport& resource, const FrameReport& report, const std::string& main_key) {
     const auto* main = find_resource(report, main_key);
     if (!main || resource.width == 0) return main != nullptr && resource.is_output;
-    for (int level = 0; level < 16; ++level)
-        if (std::max(1, main->width >> level) == resource.width &&
-            std::max(1, main->height >> level) == resource.height)
-            return true;
-    return false;
+    return level_of({main->width, main->height}, {resource.width, resource.height}).has_value();
 }
 
 }  // namespace
@@ -88,8 +85,9 @@ PixelInspector::PixelInspector(Session& session, LivePictures& live, Renderer& r
         send_wants();
     });
     using Explain = widgets::ExplainPanel;
-    connect(explain_, &Explain::show_wanted, this,
-            [this](const QString& key) { workspace_.show_output(key.toStdString()); });
+    connect(explain_, &Explain::show_wanted, this, [this](const QString& key) {
+        workspace_.show_beside(experiment(), key.toStdString());  // the explained picture stays
+    });
     connect(explain_, &Explain::pixel_cleared, this, &PixelInspector::explain_nothing);
     connect(explain_, &Explain::item_chosen, this, [this](const QString& selector, int item) {
         auto now = workspace_.inspection(experiment());

@@ -22,6 +22,7 @@ class Renderer : public QObject {
     virtual std::uint64_t draw(engine::SceneViewRequest request) = 0;
     virtual void probe(engine::ProbeRequest request) = 0;
     virtual void export_layers(engine::ExportRequest request) = 0;
+    virtual void keep(engine::KeepRequest request) = 0;
     virtual void load_scene(const std::vector<scene::Part>& parts) = 0;
     virtual void reload_shaders() = 0;
 
@@ -31,6 +32,7 @@ class Renderer : public QObject {
     void probe_arrived(std::shared_ptr<const ir::engine::ProbeResult> result);
     /// `error` is empty when the file was written.
     void exported(const std::string& tag, const std::string& file, const std::string& error);
+    void kept(const ir::engine::KeepResult& result);
     void progressed(const std::string& tag, const std::string& what, double fraction);
     void failed(const std::string& tag, const std::string& error, bool cancelled);
     void scene_arrived(const ir::engine::SceneSummary& scene);

@@ -57,6 +57,10 @@ void Session::end_gesture() {
     if (project_) project_->end_gesture();
 }
 
+void Session::mark_kept(const std::string& experiment, const std::string& key) {
+    guarded([&] { return project_ && (project_->mark_kept(experiment, key), changed(true)); });
+}
+
 void Session::undo() {
     finish_camera_move();
     if (!project_ || !project_->undo_stack().can_undo()) return;

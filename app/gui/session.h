@@ -63,6 +63,8 @@ class Session : public QObject {
         return guarded([&] { return project_ && changed(project_->edit(make(project_->project()))); });
     }
     void end_gesture();
+    /// A result of the experiment was kept: part of the document, but no step of undo.
+    void mark_kept(const std::string& experiment, const std::string& key);
     void undo();
     void redo();
 

@@ -48,6 +48,7 @@ class ThreadRenderer final : public Renderer {
     }
     void probe(engine::ProbeRequest request) override { thread_->probe(std::move(request)); }
     void export_layers(engine::ExportRequest request) override { thread_->export_layers(std::move(request)); }
+    void keep(engine::KeepRequest request) override { thread_->keep(std::move(request)); }
     void load_scene(const std::vector<scene::Part>& parts) override { thread_->load_scene(parts); }
     void reload_shaders() override { thread_->reload_shaders(); }
 
@@ -93,6 +94,9 @@ class ThreadRenderer final : public Renderer {
         };
         c.on_exported = [this](std::string tag, std::string file, std::string error) {
             post([this, tag, file, error] { emit exported(tag, file, error); });
+        };
+        c.on_kept = [this](engine::KeepResult result) {
+            post([this, result = std::move(result)] { emit kept(result); });
         };
         c.on_progress = [this](std::string tag, std::string what, double fraction) {
             render_progress(tag, {std::move(what), fraction});

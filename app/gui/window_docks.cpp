@@ -24,8 +24,9 @@ const QList<Layout>& layouts() {
     static const QList<Layout> all = {
         {"default",
          {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "timings",
-          "messages"}},
+          "messages", "results"}},
         {"picture", {}},
+        {"results", {"results"}},
         {"parameters", {"parameters"}},
         {"inspect", {"display", "inspector", "buffers", "explain"}},
         {"project", {"project"}},
@@ -113,6 +114,7 @@ void MainWindow::make_docks() {
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     document_ = new DocumentDock(session_, scenes_, workspace_);
+    results_ = new ResultsDock(session_, live_, renderer_, workspace_, kept_);
     display_ = new widgets::DisplayPanel;
     display_->setMinimumWidth(300);
     scene_tree_ = new widgets::RowsPanel(widgets::scene_headings(), tr("No scene is open."));
@@ -132,6 +134,7 @@ void MainWindow::make_docks() {
     add_dock("explain", tr("Explain"), &inspector_.explain_panel(), key(Qt::Key_7));
     add_dock("timings", tr("Timings"), make_timings_dock(), key(Qt::Key_8));
     add_dock("messages", tr("Messages"), messages_, key(Qt::Key_9));
+    add_dock("results", tr("Results"), results_, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
 }
 
 /// Panels behind tabs and closed ones ask for nothing.
@@ -145,6 +148,7 @@ void MainWindow::watch_docks() {
         [this, seen] {
             inspector_.set_visible(seen("inspector"), seen("explain"));
             inspector_.set_thumbnails_wanted(seen("buffers"));
+            results_->set_visible_to_user(seen("results"));
         },
         Qt::QueuedConnection);
 }
@@ -174,8 +178,9 @@ void MainWindow::restore_default_layout() {
     tabifyDockWidget(dock("inspector"), dock("explain"));
     addDockWidget(Qt::RightDockWidgetArea, dock("timings"));
     addDockWidget(Qt::BottomDockWidgetArea, dock("messages"));
+    tabifyDockWidget(dock("messages"), dock("results"));
     for (auto* each : docks_of(this)) each->show();
-    for (const char* front : {"parameters", "display", "buffers"}) dock(front)->raise();
+    for (const char* front : {"parameters", "display", "buffers", "messages"}) dock(front)->raise();
     resizeDocks({dock("parameters"), dock("buffers")}, {350, 400}, Qt::Horizontal);
     resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
     resizeDocks({dock("messages")}, {110}, Qt::Vertical);

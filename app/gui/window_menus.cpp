@@ -26,10 +26,11 @@ void MainWindow::make_menus() {
     fill(file, {"", "close", "quit"});
     auto* edit = menuBar()->addMenu(tr("&Edit"));
     fill(edit, {"undo", "redo", "", "experiment-add", "experiment-duplicate", "experiment-rename",
-                "experiment-remove", "", "scene-add", "image-add", "bookmark", "comparison-add"});
+                "experiment-remove", "match", "", "scene-add", "image-add", "bookmark", "comparison-add"});
     experiment_menu_ = new QMenu(this);
-    fill(experiment_menu_,
-         {"experiment-add", "experiment-duplicate", "experiment-rename", "experiment-remove"});
+    fill(experiment_menu_, {"experiment-add", "experiment-duplicate", "experiment-rename",
+                            "experiment-remove", "", "match", "keep"});
+    experiment_menu_->setToolTipsVisible(true);
     experiment_panel_->set_menu(experiment_menu_);
     auto* view = menuBar()->addMenu(tr("&View"));
     fill(view, {"inspect",
@@ -61,7 +62,8 @@ void MainWindow::make_menus() {
     fill(compare, {"mode-single", "mode-side-by-side", "mode-wipe", "mode-flip", "mode-difference",
                    "mode-stages", "", "swap", "link", "", "comparison-add"});
     auto* render = menuBar()->addMenu(tr("&Render"));
-    fill(render, {"cancel", "rerun", "shaders"});
+    fill(render, {"cancel", "rerun", "shaders", "", "match", "keep"});
+    render->setToolTipsVisible(true);
     auto* window = menuBar()->addMenu(tr("&Window"));
     fill(window, {"views-1", "views-2", "views-2-stacked", "views-3", "views-4", "", "view-open",
                   "view-close", "view-next", "view-previous", ""});
@@ -107,6 +109,7 @@ void MainWindow::update_actions() {
     for (const char* name :
          {"experiment-duplicate", "experiment-rename", "experiment-remove", "bookmark", "comparison-add"})
         set(name, writable && experiment);
+    update_result_actions();
     const bool rendering = !live_.is_settled();
     set("cancel", rendering);
     for (const char* name : {"fit",

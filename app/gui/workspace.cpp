@@ -14,11 +14,11 @@ using widgets::ViewPane;
 using widgets::ViewState;
 
 Workspace::Workspace(Session& session, LivePictures& live, Renderer& renderer, ImageLoader& images,
-                     ImageView::Surface surface)
+                     KeptResults& kept, ImageView::Surface surface)
     : session_(session),
       live_(live),
       renderer_(renderer),
-      pictures_(session, live, images),
+      pictures_(session, live, images, kept),
       surface_(surface) {
     area_ = new ViewArea([this](int view) { return make_pane(view); });
     connect(area_, &ViewArea::active_changed, this, &Workspace::on_active_changed);
@@ -30,6 +30,7 @@ Workspace::Workspace(Session& session, LivePictures& live, Renderer& renderer, I
     });
     connect(&images, &ImageLoader::arrived, this, &Workspace::update_all);
     connect(&images, &ImageLoader::failed, this, &Workspace::update_all);
+    connect(&kept, &KeptResults::changed, this, &Workspace::update_all);
     connect(&renderer_, &Renderer::scene_view_arrived, this, &Workspace::on_scene_view);
     connect(&session_, &Session::document_changed, this, &Workspace::update_all);
     connect(&session_, &Session::experiment_selected, this, [this] {
@@ -82,6 +83,10 @@ void Workspace::connect_pane(int view, ViewPane& pane) {
         pane.update_summary();
         if (view == area_->active()) emit picture_shown();
     });
+    connect(&pane, &ViewPane::space_made, this,
+            [this, view](widgets::SpacePane& space) { connect_space(view, space); });
+    connect(&pane, &ViewPane::table_made, this,
+            [this, view](widgets::BufferTable& table) { connect_table(view, table); });
     connect(&pane, &ViewPane::cursor_moved, this, [this, view](QPoint pixel) {
         if (view == area_->active()) emit cursor_moved(pixel_of_result(view, pixel));
     });
@@ -95,34 +100,14 @@ void Workspace::set_state(int view, ViewState state) {
     state = completed(std::move(state));
     auto& present = states_[std::size_t(view)];
     if (state == present) return;
+    const bool is_other = state.a.owner != present.a.owner;
     present = std::move(state);
     if (view == area_->active() && session_.experiment(present.a.owner))
         session_.select_experiment(present.a.owner);
     send_wants();
     update_view(view);
+    if (is_other) mark_explained(view);
     if (view == area_->active()) emit active_changed();
-}
-
-/// Images of the view's size, or of a power of two of it, show its pixels; textures and maps do not.
-QPoint Workspace::pixel_of_result(int view, QPoint pixel) const {
-    const auto picture = pane(view)->picture_at(0);
-    const auto result = live_.result(state(view).a.owner);
-    const auto* main =
-        result ? find_resource(result->report, pictures_.key_of({state(view).a.owner, {}})) : nullptr;
-    if (pixel.x() < 0 || !picture || !picture->has_image()) return {-1, -1};
-    if (!main) return pixel;
-    const auto place = widgets::locate(*picture, pixel);
-    QSize size = picture->size();
-    for (const auto& tile : picture->atlas.tiles)
-        if (tile.level == place.level && tile.layer == place.layer) size = {tile.width, tile.height};
-    for (int level = 0; level < 16; ++level) {
-        const QSize scaled(std::max(1, main->width >> level), std::max(1, main->height >> level));
-        if (scaled != size) continue;
-        const QPoint centre((2 * place.pixel.x() + 1) * main->width / (2 * size.width()),
-                            (2 * place.pixel.y() + 1) * main->height / (2 * size.height()));
-        return level == 0 ? place.pixel : centre;
-    }
-    return {-1, -1};
 }
 
 bool Workspace::is_settled() const {
@@ -185,6 +170,12 @@ void Workspace::update_header(int view) {
     const auto& shown = state(view);
     widgets::ViewFields fields;
     fields.owners = pictures_.owners();
+    for (const auto& source : {shown.a, shown.b}) {  // a kept result that is gone has its name still
+        const QString id = QString::fromStdString(source.owner);
+        if (source.is_kept() && std::none_of(fields.owners.begin(), fields.owners.end(),
+                                             [&](const auto& each) { return each.id == id; }))
+            fields.owners.push_back({id, QString::fromStdString(pictures_.owner_name(source.owner)), {}});
+    }
     fields.outputs_a = pictures_.outputs(shown.a.owner);
     fields.outputs_b = pictures_.outputs(shown.b.owner);
     if (widgets::takes_many(shown.mode)) fields.candidates = candidates(shown);
@@ -250,62 +241,6 @@ void Workspace::set_panel_wants(std::map<std::string, Want> wants) {
     send_wants();
 }
 
-void Workspace::set_inspection(const std::string& experiment, const Inspection& inspection) {
-    inspections_[experiment] = inspection;
-    send_wants();
-    update_all();
-}
-
-const Inspection& Workspace::inspection(const std::string& experiment) const {
-    static const Inspection none;
-    const auto found = inspections_.find(experiment);
-    return found == inspections_.end() ? none : found->second;
-}
-
-void Workspace::show_output(const std::string& key, int level, int layer) {
-    auto state = active_state();
-    state.a.output = key;
-    state.a.level = level;
-    state.a.layer = layer;
-    state.as_table = false;
-    // The same buffer of both experiments is what one wants to compare.
-    if (state.b.owner != state.a.owner) {
-        state.b.output = key;
-        state.b.level = level;
-        state.b.layer = layer;
-    }
-    set_state(area_->active(), state);
-}
-
-void Workspace::step_output(int step) {
-    const auto outputs = pictures_.outputs(active_state().a.owner);
-    if (outputs.empty()) return;
-    const auto* now = pictures_.find(outputs, shown_key());
-    const int count = int(outputs.size()), at = now ? int(now - outputs.data()) : 0;
-    show_output(outputs[std::size_t((at + step + count) % count)].key);
-}
-
-void Workspace::show_owner(const std::string& owner) {
-    auto state = active_state();
-    if (state.a.owner == owner) return;
-    state.a.owner = owner;
-    set_state(area_->active(), state);
-}
-
-void Workspace::set_mode(widgets::ViewMode mode) {
-    auto state = active_state();
-    state.mode = mode;
-    set_state(area_->active(), state);
-}
-
-void Workspace::swap() {
-    active_pane().compare().swap();
-}
-
-std::string Workspace::shown_key() const {
-    return pictures_.key_of(active_state().a);
-}
-
 void Workspace::set_linked(bool linked) {
     if (linked == linked_) return;
     linked_ = linked;
@@ -334,12 +269,6 @@ void Workspace::set_legend(bool on) {
     legend_ = on;
     for (auto* pane : panes_)
         if (pane) pane->compare().set_legend(on);
-}
-
-void Workspace::set_pins(std::vector<widgets::PinMark> pins) {
-    pins_ = std::move(pins);
-    for (auto* pane : panes_)
-        if (pane) pane->compare().set_pins(pins_);
 }
 
 }  // namespace ir::gui

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <array>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -21,7 +22,7 @@ class Workspace : public QObject {
     Q_OBJECT
   public:
     Workspace(Session& session, LivePictures& live, Renderer& renderer, ImageLoader& images,
-              widgets::ImageView::Surface surface);
+              KeptResults& kept, widgets::ImageView::Surface surface);
 
     widgets::ViewArea& area() { return *area_; }
     widgets::ViewPane* pane(int view) const { return panes_[std::size_t(view)]; }  ///< null: never open
@@ -36,19 +37,24 @@ class Workspace : public QObject {
     void show_output(const std::string& key, int level = 0, int layer = 0);  ///< empty: the main result
     void step_output(int step);
     void show_owner(const std::string& owner);
+    /// As B: the output that A shows if the owner has it, else its main result. A mode without B becomes side
+    /// by side.
+    void compare_with(const std::string& owner);
     void set_mode(widgets::ViewMode mode);
     void swap();
     std::string shown_key() const;  ///< resource key of A
     /// Key and picture whose display the active view shows: A's, or the difference's.
-    std::string display_key() const;
+    std::string display_key();
     std::shared_ptr<const widgets::Picture> display_picture() const;
     widgets::Display display() const;
-    bool is_automatic() const;
+    bool is_automatic();
     void choose_display(const widgets::Display& display);
     void choose_automatic();
 
     /// Puts buffers that stand in space into one view: the active one if it shows space, else another.
     void show_in_space(const std::string& owner, const std::vector<std::string>& keys);
+    /// An output in another view than the active one, which stays as it is.
+    void show_beside(const std::string& owner, const std::string& key);
 
     bool linked() const { return linked_; }
     void set_linked(bool linked);
@@ -66,7 +72,7 @@ class Workspace : public QObject {
 
     /// A comparison of the document in the active view, and the active view as one.
     void open_comparison(const projects::Comparison& comparison);
-    projects::Comparison as_comparison() const;
+    projects::Comparison as_comparison();
 
     /// No 3D picture and no difference is under way.
     bool is_settled() const;
@@ -94,8 +100,6 @@ class Workspace : public QObject {
     void update_view(int view);
     void update_header(int view);
     void update_camera(int view);
-    /// The pixel of the main result that a pixel of the view's picture shows; (-1, -1): none.
-    QPoint pixel_of_result(int view, QPoint pixel) const;
     void send_wants();
     void on_active_changed();
     void on_picture(const std::string& id);
@@ -110,12 +114,26 @@ class Workspace : public QObject {
     Want want_of(const widgets::ViewState& state, const std::string& owner) const;
 
     // workspace_pictures.cpp
+    widgets::ViewSource meaning_of(const widgets::ViewState& state, const widgets::ViewSource& source);
+    std::string difference_key_of(const widgets::ViewState& state);
     void update_pictures(int view);
     void update_displays(int view);
     widgets::Display display_of(const widgets::ViewSource& source, int view);
     std::string display_key_of(const widgets::ViewSource& source) const;
     void link_views();
+    void connect_table(int view, widgets::BufferTable& table);
     void update_table(int view);
+
+    // workspace_pixels.cpp
+    /// The pixel of the main result that a pixel of the view's picture shows; (-1, -1): none.
+    QPoint pixel_of_result(int view, QPoint pixel) const;
+    QSize main_size(const std::string& owner) const;  ///< of the main result; empty: not known
+    void mark_explained(int view);
+
+    // workspace_beside.cpp
+    bool shows_explanation(const widgets::ViewState& state, const std::string& owner) const;
+    /// Where something of `owner` is shown that must not cover what is looked at.
+    int view_beside(const std::string& owner, const std::function<bool(const widgets::ViewState&)>& is_fit);
 
     // workspace_space.cpp
     void connect_space(int view, widgets::SpacePane& space);

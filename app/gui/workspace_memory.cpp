@@ -1,3 +1,5 @@
+#include <tuple>
+
 #include "app/gui/json_fields.h"
 #include "app/gui/view_memory.h"
 #include "app/gui/workspace.h"
@@ -56,6 +58,7 @@ void Workspace::load(const projects::Json& memory) {
     linked_ = !field_or(views, "linked", true);
     set_linked(!linked_);
     update_all();
+    for (const int view : area_->open_views()) mark_explained(view);
     const auto& zoom = member_or_null(views, "zoom");
     auto& compare = active_pane().compare();
     if (field_or(zoom, "fitted", true))

@@ -14,30 +14,35 @@ constexpr const char* difference_prefix = "difference:";
 
 }  // namespace
 
+/// What a foreign image means nobody says: beside a picture of ours of as many channels, the same, and it is
+/// shown alike. Everything else means what it says itself.
+ViewSource Workspace::meaning_of(const widgets::ViewState& state, const ViewSource& source) {
+    const auto foreign = source.is_image() ? pictures_.picture(source) : nullptr;
+    if (!foreign || !foreign->has_image()) return source;
+    for (const auto& other : sources(state)) {
+        const auto ours = other.is_image() ? nullptr : pictures_.picture(other);
+        if (ours && ours->has_image() && ours->image->channels == foreign->image->channels) return other;
+    }
+    return source;
+}
+
 void Workspace::update_pictures(int view) {
     std::vector<std::shared_ptr<const widgets::Picture>> shown;
     const auto wanted = sources(state(view));
     for (const auto& source : wanted) shown.push_back(pictures_.picture(source));
-    // What a foreign image means nobody says: beside a picture of ours of as many channels, the same.
-    for (std::size_t i = 1; i < shown.size(); ++i) {
-        if (wanted[0].is_image() == wanted[i].is_image()) continue;
-        const auto &ours = wanted[0].is_image() ? shown[i] : shown[0],
-                   &foreign = wanted[0].is_image() ? shown[0] : shown[i];
-        if (!ours->has_image() || !foreign->has_image() || ours->image->channels != foreign->image->channels)
-            continue;
-        auto alike = *foreign;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const auto meaning = meaning_of(state(view), wanted[i]);
+        if (meaning == wanted[i]) continue;
+        const auto ours = pictures_.picture(meaning);
+        auto alike = *shown[i];
         alike.semantic = ours->semantic;
         alike.unit = ours->unit;
         alike.colour_map = ours->colour_map;
-        (wanted[0].is_image() ? shown[0] : shown[i]) =
-            std::make_shared<const widgets::Picture>(std::move(alike));
+        shown[i] = std::make_shared<const widgets::Picture>(std::move(alike));
     }
     pane(view)->show_pictures(state(view), std::move(shown));
     update_displays(view);
     link_views();
-    // What is explained is marked, also when it was chosen elsewhere.
-    if (const auto& now = inspection(state(view).a.owner); now.has_pixel())
-        pane(view)->compare().set_picked({now.x, now.y});
 }
 
 std::string Workspace::display_key_of(const ViewSource& source) const {
@@ -52,12 +57,11 @@ Display Workspace::display_of(const ViewSource& source, int view) {
 
 void Workspace::update_displays(int view) {
     auto& compare = pane(view)->compare();
+    const auto& shown = state(view);
     std::vector<Display> displays;
-    for (const auto& source : sources(state(view))) displays.push_back(display_of(source, view));
+    for (const auto& source : sources(shown)) displays.push_back(display_of(meaning_of(shown, source), view));
     compare.set_displays(std::move(displays));
-    const auto key =
-        difference_prefix + widgets::to_key(state(view).difference) + ":" + display_key_of(state(view).a);
-    const auto* chosen = displays_.chosen(key, linked_ ? DisplayMemory::shared : view);
+    const auto* chosen = displays_.chosen(difference_key_of(shown), linked_ ? DisplayMemory::shared : view);
     compare.set_difference_display(chosen ? std::optional(*chosen) : std::nullopt);
 }
 
@@ -68,12 +72,15 @@ void Workspace::link_views() {
             for (auto* each : pane(view)->compare().views()) link_.add(each);
 }
 
-std::string Workspace::display_key() const {
+std::string Workspace::difference_key_of(const widgets::ViewState& state) {
+    return difference_prefix + widgets::to_key(state.difference) + ":" +
+           display_key_of(meaning_of(state, state.a));
+}
+
+std::string Workspace::display_key() {
     const auto& state = active_state();
-    const auto key = display_key_of(state.a);
-    return state.mode == ViewMode::difference
-               ? difference_prefix + widgets::to_key(state.difference) + ":" + key
-               : key;
+    return state.mode == ViewMode::difference ? difference_key_of(state)
+                                              : display_key_of(meaning_of(state, state.a));
 }
 
 std::shared_ptr<const widgets::Picture> Workspace::display_picture() const {
@@ -88,7 +95,7 @@ Display Workspace::display() const {
                                                        : compare.shown_display(0);
 }
 
-bool Workspace::is_automatic() const {
+bool Workspace::is_automatic() {
     return !displays_.chosen(display_key(), linked_ ? DisplayMemory::shared : area_->active());
 }
 
@@ -106,19 +113,19 @@ void Workspace::choose_automatic() {
     emit picture_shown();
 }
 
+void Workspace::connect_table(int view, widgets::BufferTable& table) {
+    connect(&table, &widgets::BufferTable::show_wanted, this, [this, view](qint64 element) {
+        auto state = states_[std::size_t(view)];
+        state.as_table = false;
+        set_state(view, state);
+        if (content_of(state) == widgets::ViewPane::Content::space)
+            panes_[std::size_t(view)]->space().select_element(pictures_.key_of(state.a), element);
+    });
+}
+
 void Workspace::update_table(int view) {
     auto& pane = *panes_[std::size_t(view)];
     pane.show_content(widgets::ViewPane::Content::table);
-    if (!pane.table().property("connected").toBool()) {
-        pane.table().setProperty("connected", true);
-        connect(&pane.table(), &widgets::BufferTable::show_wanted, this, [this, view](qint64 element) {
-            auto state = states_[std::size_t(view)];
-            state.as_table = false;
-            set_state(view, state);
-            if (content_of(state) == widgets::ViewPane::Content::space)
-                panes_[std::size_t(view)]->space().select_element(pictures_.key_of(state.a), element);
-        });
-    }
     const auto& source = state(view).a;
     const auto key = pictures_.key_of(source);
     const auto result = live_.result(source.owner);

@@ -86,8 +86,6 @@ std::vector<widgets::SpaceSelector> Workspace::selectors(const std::string& owne
 }
 
 void Workspace::connect_space(int view, SpacePane& space) {
-    if (space.property("connected").toBool()) return;
-    space.setProperty("connected", true);
     connect(&space.view(), &SpaceView::view_wanted, this,
             [this, view](const SpaceScene& scene, QSize size, int oversampling) {
                 request_space(view, scene, size, oversampling);
@@ -100,7 +98,7 @@ void Workspace::connect_space(int view, SpacePane& space) {
     });
     connect(&space.panel(), &widgets::LayerPanel::item_chosen, this,
             [this, view](const QString& selector, int item) {
-                const auto& owner = state(view).a.owner;
+                const std::string owner = state(view).a.owner;  // the view may change meanwhile
                 auto now = inspection(owner);
                 now.chosen[selector.toStdString()] = item;
                 set_inspection(owner, now);
@@ -137,7 +135,6 @@ void Workspace::update_space(int view) {
     auto& pane = *panes_[std::size_t(view)];
     pane.show_content(widgets::ViewPane::Content::space);
     auto& space = pane.space();
-    connect_space(view, space);
     const auto& owner = state(view).a.owner;
     space.set_available(spatial_buffers(owner));
     space.set_selectors(selectors(owner));
@@ -188,35 +185,6 @@ void Workspace::on_scene_view(std::shared_ptr<const engine::SceneViewResult> res
         if (!result->error.empty()) return space.view().set_note(QString::fromStdString(result->error));
         space.view().set_picture(picture_of(result->picture));
     }
-}
-
-void Workspace::show_in_space(const std::string& owner, const std::vector<std::string>& keys) {
-    if (keys.empty()) return;
-    const auto is_sphere = [this, &owner](const std::string& key) {
-        const auto outputs = pictures_.outputs(owner);
-        const auto* output = pictures_.find(outputs, key);
-        return output && output->kind == OutputKind::sphere_values;
-    };
-    // A view that shows such things already, else a new one, else whichever is not the active one.
-    const int before = area_->active();
-    int view = -1;
-    for (const int open : area_->open_views())
-        if (content_of(state(open)) == widgets::ViewPane::Content::space && state(open).a.owner == owner &&
-            is_sphere(pictures_.key_of(state(open).a)) == is_sphere(keys.front()))
-            view = open;
-    if (view < 0) view = area_->open_another();
-    for (const int open : area_->open_views())
-        if (view < 0 && open != before) view = open;
-    if (view < 0) view = before;
-    auto state = states_[std::size_t(view)];
-    state.a = {owner, keys.front()};
-    state.as_table = false;
-    state.space.layers.clear();
-    for (const auto& key : keys)
-        for (const auto& buffer : spatial_buffers(owner))
-            if (buffer.key == key) state.space.layers.push_back(widgets::default_layer(buffer));
-    set_state(view, state);
-    area_->set_active(before);
 }
 
 }  // namespace ir::gui

@@ -33,7 +33,7 @@ ViewState Workspace::completed(ViewState state) const {
         const auto outputs = pictures_.outputs(source.owner);
         const auto* output = pictures_.find(outputs, source.output);
         // A buffer that another method lacks; while nothing is known, it may still come.
-        if (!output && !outputs.empty() && (source.is_image() || live_.result(source.owner)))
+        if (!output && !outputs.empty() && (source.is_file() || live_.result(source.owner)))
             source.output.clear(), source.level = source.layer = 0;
         if (!output || !live_.result(source.owner)) return;
         source.level = output->levels < 2 ? 0 : std::min(source.level, output->levels - 1);
@@ -155,6 +155,10 @@ void Workspace::open_comparison(const projects::Comparison& comparison) {
     state.mode = widgets::mode_from_key(comparison.mode.substr(0, colon));
     if (colon != std::string::npos)
         state.difference = widgets::difference_from_key(comparison.mode.substr(colon + 1));
+    if (comparison.mode == "flip-metric") {  // as projects called it before there were kinds of it
+        state.mode = ViewMode::difference;
+        state.difference = DifferenceKind::flip;
+    }
     set_state(area_->active(), state);
     if (!comparison.range) return;
     auto shown = display();
@@ -163,7 +167,7 @@ void Workspace::open_comparison(const projects::Comparison& comparison) {
     choose_display(shown);
 }
 
-projects::Comparison Workspace::as_comparison() const {
+projects::Comparison Workspace::as_comparison() {
     const auto& state = active_state();
     const auto id_of = [](const ViewSource& source) {
         return source.is_image() ? source.owner.substr(6) : source.owner;

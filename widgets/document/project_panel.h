@@ -50,6 +50,8 @@ class ProjectPanel : public QWidget {
     /// For what the panel cannot add itself: scene, part (owner: the scene), camera (bookmark the view),
     /// experiment, image.
     void add_wanted(ir::widgets::ItemKind kind, const ir::widgets::ItemRef& owner);
+    /// The context menu is about to be shown: others may add what they can do with the item.
+    void menu_opening(const ir::widgets::ItemRef& item, QMenu* menu);
 
   private:
     QAction* add_action(const char* name, const QString& text, const char* drawing, const QKeySequence& key,

@@ -97,6 +97,7 @@ void ProjectPanel::show_menu(const QPoint& position) {
         for (const char* name : {"rename", "duplicate", "up", "down", "remove"})
             menu.addAction(actions_.value(QLatin1String(name)));
         menu.addSeparator();
+        emit menu_opening(selected(), &menu);
     }
     if (actions_.value(QStringLiteral("add"))->isEnabled()) {
         const auto entries = add_menu_->actions();

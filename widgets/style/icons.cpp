@@ -80,6 +80,10 @@ constexpr Drawing drawings[] = {
     {"views-3", "<path d='M2 3h12v10H2z M8 3v10 M8 8h6'/>"},
     {"views-4", "<path d='M2 3h12v10H2z M8 3v10 M2 8h12'/>"},
     {"bookmark", "<path d='M4 2h8v12l-4-3.5L4 14z'/>"},
+    {"keep", "<path d='M2 5.5h12V14H2z M1.5 2.5h13v3h-13z M6 8.5h4'/>"},
+    {"match",
+     "<circle cx='8' cy='8' r='5.5'/><circle cx='8' cy='8' r='2'/><path d='M8 .8v3 M8 12.2v3 M.8 8h3 "
+     "M12.2 8h3'/>"},
     {"export", "<path d='M8 10V2 M5 5l3-3 3 3 M2.5 9v5h11V9'/>"},
     {"explain",
      "<circle cx='8' cy='8' r='6'/><path d='M6.2 6.3a1.9 1.9 0 1 1 2.6 1.8c-.6.3-.8.6-.8 1.3'/><circle "

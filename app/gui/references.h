@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+#include <string>
+
+#include "app/gui/workspace.h"
+#include "widgets/panels/banner.h"
+
+namespace ir::gui {
+
+/// The ground truth that experiments are judged by: set up from their own transport, shown beside them, and a
+/// banner where the two have gone apart.
+class References : public QObject {
+    Q_OBJECT
+  public:
+    References(Session& session, Workspace& workspace, QObject* parent = nullptr);
+    /// Where warnings are shown.
+    void set_banners(widgets::BannerStack* banners);
+
+    /// The experiment that the active view shows, else the one that is worked on; empty: none.
+    std::string shown() const;
+    /// Why an experiment cannot get a reference; empty: it can.
+    QString why_not(const std::string& experiment) const;
+    /// Takes or adds the reference of an experiment, and shows it as B of the active view. One step of undo.
+    void match(const std::string& experiment);
+
+  private:
+    void update_banner();
+
+    Session& session_;
+    Workspace& workspace_;
+    widgets::BannerStack* banners_ = nullptr;
+    QString shown_text_;
+};
+
+}  // namespace ir::gui
