@@ -73,6 +73,32 @@ TEST_F(CompareWindowTest, AForeignImageTakesPart) {
     EXPECT_TRUE(compare().refusal().isEmpty());
 }
 
+TEST_F(CompareWindowTest, AForeignImageMeansWhatItIsComparedWithOnEitherSide) {
+    const QTemporaryDir folder;
+    const auto size = window.session().experiment()->size;
+    const std::string file = (folder.path() + "/depth.exr").toStdString();
+    write_exr(file, {{"", {"Y"}, Image(size.x, size.y, 1, 0.125f)}}, {});
+    window.session().add_image(file);
+    auto state = workspace().active_state();
+    state.mode = ViewMode::wipe;
+    state.b = {state.a.owner, "depth"};
+    state.a = {"image:" + window.session().document().images[0].id, ""};
+    for (int turn = 0; turn < 2; ++turn) {
+        workspace().set_state(0, state);
+        ASSERT_TRUE(settle());
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] { return compare().pictures()[0]->has_image() && compare().pictures()[1]->has_image(); },
+            5000));
+        const int ours = turn == 0 ? 1 : 0;
+        EXPECT_EQ(compare().pictures()[1 - ours]->semantic, Semantic::depth);
+        const auto automatic = widgets::display_for(Semantic::depth, "", *compare().pictures()[ours]->image);
+        EXPECT_EQ(compare().shown_display(1 - ours), automatic) << "turn " << turn;
+        EXPECT_EQ(compare().shown_display(ours), automatic) << "turn " << turn;
+        EXPECT_EQ(workspace().display_key(), "depth");
+        std::swap(state.a, state.b);
+    }
+}
+
 TEST_F(CompareWindowTest, UnequalSizesAreRefusedWithAReason) {
     const auto second = window.session().document().experiments[1].id;
     window.session().edit([&](const projects::Project& project) {

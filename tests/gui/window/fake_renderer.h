@@ -2,6 +2,7 @@
 
 #include <QTimer>
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "app/engine/execution.h"
@@ -34,7 +35,15 @@ inline const MethodDescription& fake_method() {
         items.default_value = std::int64_t{6};
         items.hard = {1, 100};
         items.soft = {1, 10};
-        m.parameters = {level, items};
+        ParameterDescription distance;
+        distance.key = "max_distance";
+        distance.label = "Maximum distance";
+        distance.doc = "Of the transport, which references take over.";
+        distance.type = ParameterType::number;
+        distance.default_value = 0.0;
+        distance.hard = {0, 1000};
+        distance.soft = {0, 10};
+        m.parameters = {level, items, distance};
         m.selectors = {{"item", "Item", "The one that is shown.", "items"}};
         m.outputs = {{.key = "picture", .label = "Picture", .semantic = Semantic::radiance},
                      {.key = "depth", .label = "Depth", .semantic = Semantic::depth},
@@ -43,7 +52,11 @@ inline const MethodDescription& fake_method() {
                      {.key = "cloud", .label = "Cloud", .kind = OutputKind::point_set},
                      {.key = "ball", .label = "Ball", .kind = OutputKind::sphere_values},
                      {.key = "numbers", .label = "Numbers", .kind = OutputKind::table},
-                     {.key = "why", .label = "Why", .kind = OutputKind::line_set, .explains = true}};
+                     {.key = "why", .label = "Why", .kind = OutputKind::line_set, .explains = true},
+                     {.key = "shares", .label = "Shares", .explains = true},
+                     {.key = "noise", .label = "Noise"},
+                     {.key = "cover", .label = "Cover", .semantic = Semantic::mask}};
+        m.variance = "noise";
         return m;
     }();
     return method;
@@ -74,8 +87,30 @@ inline std::vector<std::byte> fake_bytes(const std::string& key) {
     return bytes;
 }
 
+/// The ground truth of it, which counts samples.
+inline const MethodDescription& fake_truth() {
+    static const MethodDescription method = [] {
+        auto m = fake_method();
+        m.id = "truth";
+        m.title = "Fake truth";
+        m.is_reference = true;
+        ParameterDescription samples;
+        samples.key = "samples";
+        samples.label = "Samples";
+        samples.doc = "Per pixel and frame.";
+        samples.type = ParameterType::integer;
+        samples.default_value = std::int64_t{4};
+        samples.hard = {1, 1e9};
+        samples.soft = {1, 64};
+        samples.accumulates = true;
+        m.parameters.push_back(samples);
+        return m;
+    }();
+    return method;
+}
+
 inline const Registry& fake_registry() {
-    static const Registry registry({&fake_method()});
+    static const Registry registry({&fake_method(), &fake_truth()});
     return registry;
 }
 
@@ -124,6 +159,12 @@ class FakeRenderer final : public Renderer {
         QTimer::singleShot(0, this, [this, request] { answer(request); });
     }
     void export_layers(engine::ExportRequest request) override { exports.push_back(std::move(request)); }
+    void keep(engine::KeepRequest request) override {
+        keeps.push_back(request);
+        QTimer::singleShot(0, this, [this, request] {
+            if (on_keep) emit kept(on_keep(request));
+        });
+    }
     void reload_shaders() override {}
 
     void answer(const engine::LiveRequest& request, std::uint64_t serial) {
@@ -165,6 +206,12 @@ class FakeRenderer final : public Renderer {
             for (const auto& tile : atlas.tiles)
                 paste(all, tile, Image(tile.width, tile.height, 1, float(tile.level + tile.layer)));
             return all;
+        }
+        if (part.key == "noise") return Image(w, h, 1, 0.01f);
+        if (part.key == "cover") {  // the left half
+            Image cover(w, h, 1);
+            for (int y = 0; y < h; ++y) std::fill_n(&cover.at(0, y), w / 2, 1.0f);
+            return cover;
         }
         return Image(w, h, colour ? 3 : 1, value);
     }
@@ -249,6 +296,9 @@ class FakeRenderer final : public Renderer {
     std::vector<engine::SceneViewRequest> views;
     std::vector<engine::ProbeRequest> probes;
     std::vector<engine::ExportRequest> exports;
+    std::vector<engine::KeepRequest> keeps;
+    /// What the render thread does; without it nothing answers.
+    std::function<engine::KeepResult(const engine::KeepRequest&)> on_keep;
     std::vector<std::string> releases;
     bool hold = false;
     int cancels = 0;

@@ -88,6 +88,22 @@ TEST_F(InspectWindowTest, ShiftClickExplainsAPixelAndDrawsItInSpace) {
     EXPECT_FALSE(window.inspector().explained().has_value());
 }
 
+TEST_F(InspectWindowTest, WhatExplainsAPixelNeverCoversThePicture) {
+    window.inspector().explain({20, 10});
+    ASSERT_TRUE(settle());
+    const auto picture = window.workspace().state(0);
+    for (const char* key : {"why", "shares", "why"}) {
+        emit window.inspector().explain_panel().show_wanted(key);
+        ASSERT_TRUE(settle());
+        EXPECT_EQ(window.workspace().state(0), picture) << key;
+        EXPECT_EQ(window.workspace().area().active(), 0);
+    }
+    const auto open = window.workspace().area().open_views();
+    ASSERT_EQ(open.size(), 3u);
+    EXPECT_EQ(window.workspace().state(1).a.output, "why");
+    EXPECT_EQ(window.workspace().state(2).a.output, "shares");
+}
+
 TEST_F(InspectWindowTest, AnExplanationIsNoEdit) {
     const auto position = window.session().open_project().undo_stack().position();
     window.inspector().explain({1, 2});
