@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "projects/hash.h"
+#include "projects/keep.h"
 #include "projects/open_project.h"
 #include "projects/results.h"
 #include "renderers/core/error.h"
@@ -284,6 +285,42 @@ Scenario result_index_scenario() {
             }};
 }
 
+/// A picture with more samples takes the state of the one before, whose picture the document still names.
+Scenario superseded_state_scenario() {
+    const auto picture = [](const std::string& key, std::uint64_t samples) {
+        KeptResult result = kept(key, key);
+        result.state_key = "one picture";
+        result.samples = samples;
+        result.files.push_back({"state", key + "/state.exr", hash_bytes(key)});
+        return result;
+    };
+    const auto keep_picture = [=](const fs::path& root, FileSystem& files, const std::string& key,
+                                  std::uint64_t samples) {
+        const ResultsGuard guard(home(root));
+        const auto result = picture(key, samples);
+        files.create_directories(home(root) / "results" / key);
+        for (const auto& file : result.files)
+            write_atomically(files, home(root) / "results" / file.path, key);
+        keep(home(root), result, {"k1"}, guard, files);
+    };
+    return {"keep more samples of a picture",
+            [=](const fs::path& root, FileSystem& files) {
+                save_first(root, files);
+                keep_picture(root, files, "k1", 16);
+            },
+            [=](const fs::path& root, FileSystem& files) { keep_picture(root, files, "k2", 64); },
+            [](const fs::path& root, bool done) {
+                const auto index = ResultIndex::load(home(root));
+                EXPECT_TRUE(check_results(index, home(root)).empty()) << "what is listed is there";
+                ASSERT_NE(index.find("k1"), nullptr);
+                EXPECT_NE(index.find_state("one picture"), nullptr) << "some state is there at any time";
+                if (done) {
+                    EXPECT_EQ(index.find_state("one picture")->key, "k2");
+                    EXPECT_FALSE(fs::exists(home(root) / "results/k1/state.exr"));
+                }
+            }};
+}
+
 std::vector<Scenario> scenarios() {
     return {save_scenario(),
             save_after_autosave_scenario(),
@@ -293,7 +330,8 @@ std::vector<Scenario> scenarios() {
             save_as_scenario(),
             save_over_scenario(),
             upgrade_scenario(),
-            result_index_scenario()};
+            result_index_scenario(),
+            superseded_state_scenario()};
 }
 
 int steps_of(const Scenario& scenario) {

@@ -162,8 +162,8 @@ TEST_F(KeepTest, PruneKeepsTheGuardAndDropsStatesWithTheirResults) {
     EXPECT_TRUE(fs::exists(at(results_guard_name)));
 }
 
-/// Without the guard, one writer's index would overwrite what another had added since it was read: the same
-/// loops without it lose entries within a few rounds.
+/// Each reads the index, adds to it and writes it. Without the guard this fails at once: one takes away the
+/// temporary file that another is about to rename.
 TEST_F(KeepTest, WritersAtOnceLoseNoEntries) {
     constexpr int writers = 4, results = 12;
     std::vector<std::thread> threads;
