@@ -23,6 +23,7 @@ void add_scene(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_compare(CLI::App& app, Run& run);
 void add_project(CLI::App& app, Run& run);
+void add_reference(CLI::App& app, Run& run);
 void add_plot(CLI::App& app, Run& run);
 void add_sweep(CLI::App& app, Run& run);
 void add_bench(CLI::App& app, Run& run);

@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
     add_render(app, run);
     add_compare(app, run);
     add_project(app, run);
+    add_reference(app, run);
     add_plot(app, run);
     add_sweep(app, run);
     add_bench(app, run);

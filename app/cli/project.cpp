@@ -4,11 +4,13 @@
 #include <optional>
 
 #include "app/cli/command.h"
+#include "app/cli/results.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
 #include "projects/autosave.h"
 #include "projects/check.h"
 #include "projects/hash.h"
+#include "projects/match.h"
 #include "projects/pack.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
@@ -25,7 +27,8 @@ using Json = nlohmann::ordered_json;
 struct Flags {
     MachineFlags machine;
     std::string project, pack, unpack;
-    bool check = false, upgrade = false, verify = false, prune = false, json = false;
+    std::vector<std::string> changes;
+    bool check = false, upgrade = false, verify = false, prune = false, results = false, json = false;
 };
 
 const char* word(Severity severity) {
@@ -175,6 +178,8 @@ std::vector<Message> check_all(const projects::LoadedProject& loaded) {
     } catch (const InputError& error) {
         messages.insert(messages.begin(), {Severity::error, "results", error.what()});
     }
+    for (const auto& [id, why] : projects::mismatched_references(loaded.project, engine::registry()))
+        messages.push_back({Severity::note, "project", "experiment '" + id + "' " + why});
     if (const auto recovery = projects::find_recovery(loaded.folder, engine::registry()))
         messages.push_back({Severity::warning, "project",
                             recovery->file.string() +
@@ -221,6 +226,8 @@ int run_project(const Flags& flags) {
             std::cout << pruned.keys.size() << " results and " << pruned.files.size() << " files removed\n";
         return done;
     }
+    if (flags.results) return list_results(loaded, flags.json);
+    if (!flags.changes.empty()) return print_changes(loaded, flags.changes, flags.json);
     if (flags.verify) return verify_all(flags, loaded);
     auto json = summary(loaded);
     std::vector<Message> messages = loaded.messages;
@@ -255,6 +262,12 @@ void add_project(CLI::App& app, Run& run) {
     actions->add_flag("--upgrade", flags->upgrade, "Rewrite with the newest schema");
     actions->add_flag("--verify", flags->verify, "Render kept results again and compare");
     actions->add_flag("--prune", flags->prune, "Remove results that no experiment needs");
+    actions->add_flag("--results", flags->results, "List the kept results");
+    actions
+        ->add_option("--changes", flags->changes,
+                     "What changed from result A to B: ids of experiments (their last kept result), "
+                     "beginnings of keys, or now:ID; without B to what the experiment would give now")
+        ->expected(1, 2);
     actions->add_option("--pack", flags->pack,
                         "Write the project with its scenes, images and kept results to one file");
     actions->add_option("--unpack", flags->unpack,

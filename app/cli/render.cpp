@@ -11,6 +11,8 @@
 #include "app/cli/run_frames.h"
 #include "app/engine/execution.h"
 #include "app/engine/from_project.h"
+#include "projects/match.h"
+#include "projects/samples.h"
 #include "renderers/core/error.h"
 
 namespace ir::cli {
@@ -24,7 +26,8 @@ struct Flags {
     std::string size, seed_text;
     double fov_y = 45, time = 0, initial_capacity = 1;
     int frames = 1;
-    bool keep = false, quiet = false;
+    bool keep = false, quiet = false, match = false;
+    std::int64_t samples = 0;
 };
 
 scene::Environment parse_environment(const std::string& text) {
@@ -110,8 +113,23 @@ engine::Experiment to_experiment(const Flags& flags) {
     return e;
 }
 
+/// The ground truth of an experiment in its place.
+void match(engine::Experiment& experiment, std::int64_t samples) {
+    const auto& registry = engine::registry();
+    projects::Experiment truth;
+    truth.values = projects::matching_values(registry.at(experiment.method), experiment.settings, registry);
+    truth.method = registry.reference()->id;
+    truth.frames = experiment.frames;
+    if (samples > 0)
+        truth = projects::with_sample_count(truth, static_cast<std::uint64_t>(samples), registry);
+    experiment.method = truth.method;
+    experiment.settings = truth.values;
+    experiment.frames = truth.frames;
+}
+
 int render_scene(const Flags& flags) {
-    const auto experiment = to_experiment(flags);
+    auto experiment = to_experiment(flags);
+    if (flags.match) match(experiment, flags.samples);
     const auto inspection = parse_inspection(flags.inspection, experiment);
     if (std::filesystem::path(flags.out).extension() != ".exr")
         throw UsageError("--out '" + flags.out + "' must end in .exr");
@@ -157,9 +175,10 @@ void add_render(CLI::App& app, Run& run) {
     command->add_option("--camera", flags->camera, "Name of one of the scene's cameras");
     command->add_option("--size", flags->size, "Picture size WxH (default 800x600)");
     command->add_option("--set", flags->sets, "Parameter key=value; repeat for more");
-    command->add_option("--light", flags->lights,
-                        "Light that replaces the scene's, such as point:position=0,2,0;flux=40; a rect's size is "
-                        "its width, held level (along X where it points straight up or down), and height");
+    command->add_option(
+        "--light", flags->lights,
+        "Light that replaces the scene's, such as point:position=0,2,0;flux=40; a rect's size is "
+        "its width, held level (along X where it points straight up or down), and height");
     command->add_option("--env", flags->environment, "Environment: an image file, or radiance r,g,b");
     command->add_option("--seed", flags->seed_text, "Seed of everything random");
     command
@@ -180,7 +199,13 @@ void add_render(CLI::App& app, Run& run) {
         ->add_option("--initial-capacity", flags->initial_capacity,
                      "Factor on the first size of growing buffers (to test growth)")
         ->check(CLI::Range(1e-9, 1e3));
-    command->add_flag("--keep", flags->keep, "Keep the results in the project");
+    command->add_flag("--match", flags->match,
+                      "Render the ground truth of --method and its --set instead: the same transport by the "
+                      "reference");
+    command->add_option("--samples", flags->samples, "With --match: how many samples")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
+    command->add_flag("--keep", flags->keep,
+                      "Keep the results in the project; what accumulates goes on from the kept state");
     command->add_flag("--quiet", flags->quiet, "No progress on standard error");
     add_machine_flags(*command, flags->machine);
     command->callback([flags, command, &run] {
@@ -189,11 +214,12 @@ void add_render(CLI::App& app, Run& run) {
             if (!flags->project.empty()) {
                 if (!flags->scene.empty() || !flags->method.empty())
                     throw UsageError("give a PROJECT, or --scene and --method, not both");
-                refuse_given(*command,
-                             {"--eye", "--target", "--up", "--fov-y", "--camera", "--size", "--set",
-                              "--light", "--env", "--seed", "--frames", "--time", "--initial-capacity"},
-                             "with a PROJECT, whose experiments say it; change the project or give --scene "
-                             "and --method");
+                refuse_given(
+                    *command,
+                    {"--eye", "--target", "--up", "--fov-y", "--camera", "--size", "--set", "--light",
+                     "--env", "--seed", "--frames", "--time", "--initial-capacity", "--match", "--samples"},
+                    "with a PROJECT, whose experiments say it; change the project or give --scene "
+                    "and --method");
                 return render_project({flags->machine, flags->project, flags->out, flags->experiments,
                                        flags->dumps, flags->inspection, flags->keep, !flags->quiet,
                                        flags->json});
@@ -201,6 +227,7 @@ void add_render(CLI::App& app, Run& run) {
             if (flags->scene.empty() || flags->method.empty())
                 throw UsageError("give a PROJECT, or --scene and --method");
             refuse_given(*command, {"--keep", "--experiment"}, "without a PROJECT");
+            if (!flags->match) refuse_given(*command, {"--samples"}, "without --match");
             if (flags->eye.empty()) refuse_given(*command, {"--fov-y", "--up"}, "without --eye and --target");
             return render_scene(*flags);
         };

@@ -68,7 +68,15 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
     const auto inspection = inspection_of(job, resolved);
     engine::Execution execution(machine, resolved);
     execution.inspect(inspection);
-    auto report = run_frames(execution, frame_options(job.machine, job.dumps, 1, job.show_progress));
+    auto options = frame_options(job.machine, job.dumps, 1, job.show_progress);
+    std::vector<std::string> problems;
+    if (keep_in) {
+        problems = engine::resume_kept(execution, project, experiment, folder);
+        if (const auto& variance = execution.method().variance; !variance.empty())
+            options.wanted.push_back(variance);
+    }
+    auto report = run_frames(execution, options);
+    for (const auto& problem : problems) report.messages.push_back({Severity::warning, "state", problem});
     for (auto& warning : inspection_warnings(inspection, resolved))
         report.messages.push_back(std::move(warning));
     warn_of_unmatched(job.dumps, report);
