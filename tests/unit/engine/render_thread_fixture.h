@@ -34,6 +34,7 @@ class RenderThreadTest : public testing::Test {
         std::vector<SceneViewResult> views;
         std::vector<ProbeResult> probes;
         std::vector<Export> exports;
+        std::vector<KeepResult> keeps;
         std::vector<Failure> failures;
         std::vector<SceneSummary> scenes;
         std::vector<std::pair<std::string, std::string>> progress;  ///< tag, pass
@@ -48,6 +49,7 @@ class RenderThreadTest : public testing::Test {
         c.on_exported = [this](std::string tag, std::string file, std::string error) {
             note(&Answers::exports, {tag, file, error});
         };
+        c.on_kept = [this](KeepResult kept) { note(&Answers::keeps, std::move(kept)); };
         c.on_failure = [this](std::string tag, std::string error, bool cancelled) {
             note(&Answers::failures, {tag, error, cancelled, Clock::now()});
         };
