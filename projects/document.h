@@ -134,8 +134,9 @@ struct Experiment {
 struct Comparison {
     std::string id, name, a, b;
     std::string output;         ///< key of the output; empty: main result
-    std::string mode = "wipe";  ///< side-by-side, wipe, flip, difference[:signed|absolute|relative], stages:
-                                ///< the views' own names
+    /// The views' own names: side-by-side, wipe, flip, stages, difference[:KIND] with signed, absolute,
+    /// relative, squared, flip, hdr-flip, significant.
+    std::string mode = "wipe";
     std::optional<glm::dvec2> range;  ///< shown from … to; absent: automatic
     std::string notes;
     Json extra = Json::object();

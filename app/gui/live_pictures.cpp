@@ -151,6 +151,7 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     if (chosen) request.state_file = kept_.state_file(*chosen);
     entry.serial = renderer_.request(std::move(request));
     if (entry.first_serial == 0) entry.first_serial = entry.serial;
+    entry.sent[entry.serial] = signature(experiment);
     entry.fraction = 0;
     entry.doing.clear();
     entry.since.start();
@@ -172,6 +173,9 @@ void LivePictures::on_result(std::shared_ptr<const engine::LiveResult> result) {
     const auto id = found->first;
     if (entry.first_serial == 0 || result->serial < entry.first_serial) return;
     entry.result = result;
+    entry.sent.erase(entry.sent.begin(), entry.sent.lower_bound(result->serial));
+    if (const auto sent = entry.sent.find(result->serial); sent != entry.sent.end())
+        entry.computed_from = sent->second;
     entry.fraction = result->frames > 0 ? double(result->frame) / result->frames : 1;
     const bool done = result->serial == entry.serial && result->finished;
     for (auto each : result->report.messages) {
@@ -227,6 +231,12 @@ const std::string& LivePictures::text(const std::string& id) const {
 std::shared_ptr<const engine::LiveResult> LivePictures::result(const std::string& id) const {
     const auto* entry = find(id);
     return entry ? entry->result : nullptr;
+}
+
+const std::string& LivePictures::computed_from(const std::string& id) const {
+    static const std::string none;
+    const auto* entry = find(id);
+    return entry ? entry->computed_from : none;
 }
 
 double LivePictures::progress(const std::string& id) const {

@@ -40,6 +40,8 @@ class LivePictures : public QObject {
     State state(const std::string& id) const;
     const std::string& text(const std::string& id) const;                           ///< why blocked or failed
     std::shared_ptr<const engine::LiveResult> result(const std::string& id) const;  ///< may be null
+    /// The same text for all results of one computation: what the present one was computed from.
+    const std::string& computed_from(const std::string& id) const;
     /// Of the experiment's whole run, 0 … 1, and what is being done.
     double progress(const std::string& id) const;
     QString doing(const std::string& id) const;
@@ -64,6 +66,8 @@ class LivePictures : public QObject {
     struct Entry {
         Want want;
         std::string signature, text, doing;
+        std::map<std::uint64_t, std::string> sent;  ///< by serial: what is computed
+        std::string computed_from;                  ///< of `result`
         State state = State::absent;
         std::uint64_t serial = 0;
         std::uint64_t first_serial = 0;      ///< answers to older requests are of another life of the tag

@@ -19,6 +19,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       scenes_(renderer),
       workspace_(session_, live_, renderer, images_, kept_, options.surface),
       inspector_(session_, live_, renderer, workspace_),
+      metrics_(session_, live_, workspace_),
       references_(session_, workspace_),
       exports_(session_, live_, renderer, workspace_) {
     setObjectName(QStringLiteral("main"));
@@ -55,12 +56,13 @@ MainWindow::~MainWindow() {
     for (QObject* part : {static_cast<QObject*>(&session_), static_cast<QObject*>(&renderer_),
                           static_cast<QObject*>(&live_), static_cast<QObject*>(&workspace_),
                           static_cast<QObject*>(&inspector_), static_cast<QObject*>(&kept_),
-                          static_cast<QObject*>(results_), static_cast<QObject*>(&scenes_)})
+                          static_cast<QObject*>(results_), static_cast<QObject*>(&metrics_),
+                          static_cast<QObject*>(&scenes_)})
         part->disconnect(this);
 }
 
 bool MainWindow::is_settled() const {
-    return live_.is_settled() && workspace_.is_settled();
+    return live_.is_settled() && workspace_.is_settled() && metrics_.is_settled();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

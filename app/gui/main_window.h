@@ -8,6 +8,7 @@
 #include "app/gui/document_dock.h"
 #include "app/gui/exports.h"
 #include "app/gui/known_projects.h"
+#include "app/gui/metrics_dock.h"
 #include "app/gui/pixel_inspector.h"
 #include "app/gui/references.h"
 #include "app/gui/results_dock.h"
@@ -28,7 +29,7 @@ class QStackedWidget;
 namespace ir::gui {
 
 /// Bumped when docks are added or renamed, so that a remembered arrangement of other docks is not applied.
-inline constexpr int dock_version = 4;
+inline constexpr int dock_version = 5;
 
 /// The window: menus, docks and the views in their middle. It joins parts that know nothing of each other and
 /// decides nothing about pictures or documents.
@@ -46,6 +47,7 @@ class MainWindow : public QMainWindow {
     LivePictures& live() { return live_; }
     Workspace& workspace() { return workspace_; }
     PixelInspector& inspector() { return inspector_; }
+    MetricsDock& metrics() { return metrics_; }
     DocumentDock& document() { return *document_; }
     ResultsDock& results() { return *results_; }
     References& references() { return references_; }
@@ -168,6 +170,7 @@ class MainWindow : public QMainWindow {
     SceneShelf scenes_;
     Workspace workspace_;
     PixelInspector inspector_;
+    MetricsDock metrics_;
     References references_;
     Exports exports_;
     QHash<QString, QAction*> actions_;

@@ -71,9 +71,18 @@ QString why_no_picture(const ResourceReport* resource, const std::string& key) {
         .arg(text_of(resource->label), text_of(to_string(resource->kind)));
 }
 
+/// A layer "variance" or "….variance" beside the main one of a file, as dumped by a method that estimates it.
+const ImageLayer* variance_layer(const std::vector<ImageLayer>& layers, const ImageLayer& of) {
+    if (&of != &layers.front()) return nullptr;
+    for (const auto& layer : layers)
+        if (layer.name == "variance" || layer.name.ends_with(".variance")) return &layer;
+    return nullptr;
+}
+
 bool same(const Picture& a, const Picture& b) {
     return a.image == b.image && a.valid == b.valid && a.note == b.note && a.label == b.label &&
-           a.stale == b.stale && a.unit == b.unit && a.semantic == b.semantic &&
+           a.stale == b.stale && a.unit == b.unit && a.variance == b.variance &&
+           a.awaits_variance == b.awaits_variance && a.semantic == b.semantic &&
            a.atlas.tiles == b.atlas.tiles;
 }
 
@@ -211,6 +220,7 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
         picture.atlas = make_atlas(resource->width, resource->height,
                                    source.level == ViewSource::all ? resource->levels : 1,
                                    source.layer == ViewSource::all ? std::max(1, resource->layers) : 1);
+    add_variance(picture, source);
     return picture;
 }
 
@@ -235,6 +245,7 @@ Picture PictureSource::of_file(const ViewSource& source) const {
     picture.semantic = Semantic::radiance;
     if (!layer.name.empty()) picture.label += QStringLiteral(" · ") + text_of(layer.name);
     picture.image = {layers, &layer.image};
+    if (const auto* variance = variance_layer(*layers, layer)) picture.variance = {layers, &variance->image};
     return picture;
 }
 
@@ -273,6 +284,37 @@ widgets::Display PictureSource::automatic_display(const ViewSource& source) {
     return found.automatic;
 }
 
+/// Of the same frame as the picture; it is sent only while a view wants it.
+void PictureSource::add_variance(Picture& picture, const ViewSource& source) const {
+    const auto key = variance_key(source);
+    const auto result = live_.result(source.owner);
+    if (key.empty() || !result || !picture.has_image()) return;
+    const auto found = result->images.find({key, 0, 0});
+    if (found != result->images.end() && !found->second.empty())
+        picture.variance = {result, &found->second};
+    else
+        picture.awaits_variance = picture.stale;
+}
+
+std::string PictureSource::variance_key(const ViewSource& source) const {
+    const auto* experiment = session_.experiment(source.owner);
+    const auto* method = experiment ? session_.registry().find(experiment->method) : nullptr;
+    const bool main =
+        method && source.level == 0 && source.layer == 0 && key_of(source) == key_of({source.owner, {}});
+    return main ? method->variance : std::string();
+}
+
+QString PictureSource::variance_hint() const {
+    QStringList names;
+    for (const auto& owner : owners()) {
+        const ViewSource source{owner.id.toStdString(), {}};
+        if (source.is_image() ? of_file(source).variance != nullptr : !variance_key(source).empty())
+            names << owner.label;
+    }
+    return names.isEmpty() ? tr("No picture of this project has one.")
+                           : tr("These have one: %1.").arg(names.join(QStringLiteral(", ")));
+}
+
 QString PictureSource::warning(const ViewSource& a, const ViewSource& b) const {
     for (const auto& source : {a, b})
         if (const auto* image = foreign(source.owner))
@@ -280,6 +322,10 @@ QString PictureSource::warning(const ViewSource& a, const ViewSource& b) const {
                        ? tr("Nothing is noted about the light that %1 shows.")
                              .arg(text_of(owner_name(source.owner)))
                        : tr("%1: %2").arg(text_of(owner_name(source.owner)), text_of(image->notes));
+    return mismatch(a, b);
+}
+
+QString PictureSource::mismatch(const ViewSource& a, const ViewSource& b) const {
     if (a.is_kept() || b.is_kept()) return kept_mismatch(a.owner, b.owner);
     const auto* first = session_.experiment(a.owner);
     const auto* second = session_.experiment(b.owner);

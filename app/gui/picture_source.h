@@ -35,6 +35,12 @@ class PictureSource {
     widgets::Display automatic_display(const widgets::ViewSource& source);
     /// What a user should know before comparing: transports that differ. Empty: nothing.
     QString warning(const widgets::ViewSource& a, const widgets::ViewSource& b) const;
+    /// In what the computations of two experiments differ, in one line; empty: in nothing, or nobody knows.
+    QString mismatch(const widgets::ViewSource& a, const widgets::ViewSource& b) const;
+    /// Output that holds the variance of this one; empty: there is none.
+    std::string variance_key(const widgets::ViewSource& source) const;
+    /// Whose pictures come with their variance, in one line.
+    QString variance_hint() const;
     /// Forgets all but these: a picture keeps the whole result that it is of.
     void keep_only(const std::vector<widgets::ViewSource>& sources);
     void clear() { cache_.clear(); }
@@ -49,6 +55,7 @@ class PictureSource {
     Entry& entry(const widgets::ViewSource& source);
     widgets::Picture make(const widgets::ViewSource& source) const;
     widgets::Picture of_experiment(const widgets::ViewSource& source) const;
+    void add_variance(widgets::Picture& picture, const widgets::ViewSource& source) const;
     widgets::Picture of_file(const widgets::ViewSource& source) const;
     const projects::ForeignImage* foreign(const std::string& owner) const;
     // kept_pictures.cpp

@@ -103,6 +103,26 @@ Inspection inspection_from_json(const Json& json) {
     return inspection;
 }
 
+Json to_json(QSize size, const QRect& region) {
+    if (region.isEmpty()) return nullptr;
+    return {{"of", {size.width(), size.height()}},
+            {"x", region.x()},
+            {"y", region.y()},
+            {"width", region.width()},
+            {"height", region.height()}};
+}
+
+std::pair<QSize, QRect> region_from_json(const Json& json) {
+    const auto& of = member_or_null(json, "of");
+    if (!of.is_array() || of.size() != 2 || !of[0].is_number() || !of[1].is_number()) return {};
+    const auto side = [&](std::size_t i) { return int(std::clamp(of[i].get<double>(), 0.0, 65536.0)); };
+    const QSize size(side(0), side(1));
+    const QRect region(field_or(json, "x", 0), field_or(json, "y", 0), field_or(json, "width", 0),
+                       field_or(json, "height", 0));
+    const QRect inside = region & QRect(QPoint(0, 0), size);
+    return inside.isEmpty() ? std::pair<QSize, QRect>() : std::pair(size, inside);
+}
+
 Json to_json(const widgets::CameraPose& pose) {
     return {{"eye", to_json(pose.eye)},
             {"target", to_json(pose.target)},

@@ -148,6 +148,8 @@ void MainWindow::show_shortcuts() {
         {tr("See one of several pictures (Wipe, Flip, Difference)"), tr("Hold 1 … 9")},
         {tr("Go on to the next picture (Flip)"), tr("Tab")},
         {tr("Move the divider (Wipe)"), tr("Drag it")},
+        {tr("Move, resize the rectangle (Rectangle)"), tr("Drag, arrows; Shift+arrows")},
+        {tr("Clear the rectangle (Rectangle)"), tr("Esc, Del")},
         {tr("Turn, slide, approach, frame (3D)"), tr("Drag, Shift+drag, wheel, double click")},
         {tr("Choose what an element stands for (3D, sphere)"), tr("Click it")},
         {tr("Turn the camera about its target (Orbit)"), tr("Drag")},

@@ -23,11 +23,12 @@ struct Layout {
 const QList<Layout>& layouts() {
     static const QList<Layout> all = {
         {"default",
-         {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "timings",
-          "messages", "results"}},
+         {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "metrics",
+          "timings", "messages", "results"}},
         {"picture", {}},
         {"results", {"results"}},
         {"parameters", {"parameters"}},
+        {"compare", {"display", "metrics"}},
         {"inspect", {"display", "inspector", "buffers", "explain"}},
         {"project", {"project"}},
         {"scene", {"parameters", "scene"}},
@@ -132,6 +133,7 @@ void MainWindow::make_docks() {
     add_dock("buffers", tr("Buffers"), buffers_, key(Qt::Key_5));
     add_dock("inspector", tr("Inspector"), &inspector_.panel(), key(Qt::Key_6));
     add_dock("explain", tr("Explain"), &inspector_.explain_panel(), key(Qt::Key_7));
+    add_dock("metrics", tr("Metrics"), &metrics_.panel(), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_M));
     add_dock("timings", tr("Timings"), make_timings_dock(), key(Qt::Key_8));
     add_dock("messages", tr("Messages"), messages_, key(Qt::Key_9));
     add_dock("results", tr("Results"), results_, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
@@ -149,6 +151,7 @@ void MainWindow::watch_docks() {
             inspector_.set_visible(seen("inspector"), seen("explain"));
             inspector_.set_thumbnails_wanted(seen("buffers"));
             results_->set_visible_to_user(seen("results"));
+            metrics_.set_visible(seen("metrics"));
         },
         Qt::QueuedConnection);
 }
@@ -176,6 +179,7 @@ void MainWindow::restore_default_layout() {
     addDockWidget(Qt::RightDockWidgetArea, dock("buffers"));
     tabifyDockWidget(dock("buffers"), dock("inspector"));
     tabifyDockWidget(dock("inspector"), dock("explain"));
+    tabifyDockWidget(dock("explain"), dock("metrics"));
     addDockWidget(Qt::RightDockWidgetArea, dock("timings"));
     addDockWidget(Qt::BottomDockWidgetArea, dock("messages"));
     tabifyDockWidget(dock("messages"), dock("results"));

@@ -32,6 +32,7 @@ void MainWindow::connect_session() {
         update_document();  // before the views, which want to be seen and have the focus
         workspace_.load(session_.memory());
         inspector_.load(session_.memory());
+        metrics_.load(session_.memory());
         update_project_banners();
     });
     connect(&session_, &Session::document_changed, this, &MainWindow::update_document);

@@ -131,6 +131,7 @@ void MainWindow::store_memory() {
     if (!session_.has_project()) return;
     workspace_.save(session_.memory());
     inspector_.save(session_.memory());
+    metrics_.save(session_.memory());
 }
 
 /// The picture by which the project is known on the start page. Nothing of value is lost with it.

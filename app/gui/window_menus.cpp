@@ -36,6 +36,7 @@ void MainWindow::make_menus() {
     fill(view, {"inspect",
                 "orbit",
                 "fly",
+                "rectangle",
                 "",
                 "fit",
                 "actual",
@@ -83,10 +84,11 @@ void MainWindow::make_toolbar() {
     bar->setIconSize(QSize(18, 18));
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
-    for (const char* name : {"new",      "open",  "save",    "",         "undo",    "redo",    "",
-                             "inspect",  "orbit", "fly",     "",         "fit",     "actual",  "zoom-in",
-                             "zoom-out", "grid",  "",        "views-1",  "views-2", "views-3", "views-4",
-                             "link",     "",      "explain", "bookmark", "",        "rerun",   "cancel"})
+    for (const char* name :
+         {"new",     "open",     "save",      "",        "undo",    "redo",    "",        "inspect",
+          "orbit",   "fly",      "rectangle", "",        "fit",     "actual",  "zoom-in", "zoom-out",
+          "grid",    "",         "views-1",   "views-2", "views-3", "views-4", "link",    "",
+          "explain", "bookmark", "",          "rerun",   "cancel"})
         *name ? bar->addAction(actions_.value(QLatin1String(name))) : void(bar->addSeparator());
 }
 
@@ -130,6 +132,7 @@ void MainWindow::update_actions() {
                              "inspect",
                              "orbit",
                              "fly",
+                             "rectangle",
                              "explain",
                              "explain-nothing",
                              "pin",

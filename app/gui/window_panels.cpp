@@ -61,6 +61,9 @@ void MainWindow::connect_views() {
         update_display_panel();
         if (is_settled()) emit settled();
     });
+    connect(&metrics_, &MetricsDock::settled, this, [this] {
+        if (is_settled()) emit settled();
+    });
     connect(&renderer_, &Renderer::scene_view_arrived, this, [this] {
         if (is_settled()) emit settled();
     });

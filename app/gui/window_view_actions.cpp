@@ -120,6 +120,7 @@ void MainWindow::make_tool_actions() {
     };
     add("inspect", tr("&Inspect: drag moves the picture, a click marks a pixel"), Qt::Key_I, Tool::inspect);
     add("orbit", tr("&Orbit: drag turns the camera about its target"), Qt::Key_O, Tool::orbit);
+    add("rectangle", tr("Re&ctangle: drag draws what metrics measure"), Qt::Key_B, Tool::rectangle);
     add("fly", tr("F&ly: drag looks around, W A S D moves"), Qt::Key_T, Tool::fly);
 }
 

@@ -46,6 +46,7 @@ ViewPane* Workspace::make_pane(int view) {
     pane->compare().set_pixel_grid(grid_);
     pane->compare().set_legend(legend_);
     pane->compare().set_pins(pins_);
+    pane->compare().set_region(region_size_, region_);
     connect_pane(view, *pane);
     return pane;
 }
@@ -66,6 +67,7 @@ void Workspace::connect_pane(int view, ViewPane& pane) {
         set_state(view, state);
     });
     connect(&compare, &CompareView::activated, this, [this, view] { area_->set_active(view); });
+    connect(&compare, &CompareView::region_changed, this, &Workspace::set_region);
     connect(&compare, &CompareView::tool_changed, this, &Workspace::set_tool);
     connect(&compare, &CompareView::camera_moved, this,
             [this, view](const widgets::CameraPose& pose, int picture) {
@@ -223,11 +225,14 @@ void Workspace::send_wants() {
             want.kept.insert(more.kept.begin(), more.kept.end());
         }
         want.inspection = inspection(id);
-        if (const auto found = panel_wants_.find(id); found != panel_wants_.end()) {
-            want.thumbnails = found->second.thumbnails;
-            want.kept.insert(found->second.kept.begin(), found->second.kept.end());
-            want.buffers.insert(found->second.buffers.begin(), found->second.buffers.end());
-        }
+        for (const auto& [panel, wanted] : panel_wants_)
+            if (const auto found = wanted.find(id); found != wanted.end()) {
+                const auto& more = found->second;
+                want.thumbnails |= more.thumbnails;
+                want.parts.insert(more.parts.begin(), more.parts.end());
+                want.kept.insert(more.kept.begin(), more.kept.end());
+                want.buffers.insert(more.buffers.begin(), more.buffers.end());
+            }
     }
     live_.set_wants(std::move(wants));
     std::vector<widgets::ViewSource> shown;
@@ -236,8 +241,8 @@ void Workspace::send_wants() {
     pictures_.keep_only(shown);
 }
 
-void Workspace::set_panel_wants(std::map<std::string, Want> wants) {
-    panel_wants_ = std::move(wants);
+void Workspace::set_panel_wants(std::map<std::string, Want> wants, const std::string& panel) {
+    panel_wants_[panel] = std::move(wants);
     send_wants();
 }
 
@@ -257,6 +262,14 @@ void Workspace::set_tool(ImageView::Tool tool) {
     for (auto* pane : panes_)
         if (pane) pane->compare().set_tool(tool);
     emit tool_changed(tool);
+}
+
+void Workspace::set_region(QSize size, const QRect& region) {
+    region_size_ = region.isEmpty() ? QSize() : size;
+    region_ = region;
+    for (auto* pane : panes_)
+        if (pane) pane->compare().set_region(region_size_, region_);
+    emit region_changed();
 }
 
 void Workspace::set_pixel_grid(bool on) {

@@ -63,9 +63,12 @@ class Workspace : public QObject {
     void set_pixel_grid(bool on);
     void set_legend(bool on);
     void set_pins(std::vector<widgets::PinMark> pins);
+    /// The rectangle that is measured, in all pictures of one size; empty: none.
+    void set_region(QSize size, const QRect& region);
+    QRect region(QSize size) const { return size == region_size_ ? region_ : QRect(); }
 
-    /// What panels want beside the views, by experiment; only of experiments that a view shows.
-    void set_panel_wants(std::map<std::string, Want> wants);
+    /// What a panel wants beside the views, by experiment; only of experiments that a view shows.
+    void set_panel_wants(std::map<std::string, Want> wants, const std::string& panel = "inspector");
     void set_inspection(const std::string& experiment, const Inspection& inspection);
     const Inspection& inspection(const std::string& experiment) const;
     std::vector<widgets::SpaceSelector> selectors(const std::string& owner) const;
@@ -90,6 +93,7 @@ class Workspace : public QObject {
     void explain_wanted(QPoint pixel);
     void element_clicked(const std::string& owner, const std::string& buffer, qint64 element);
     void linked_changed(bool linked);
+    void region_changed();
     void tool_changed(ir::widgets::ImageView::Tool tool);
 
   private:
@@ -163,7 +167,9 @@ class Workspace : public QObject {
     DisplayMemory displays_;
     std::set<int> drawing_;  ///< views whose 3D picture is under way
     std::vector<widgets::PinMark> pins_;
-    std::map<std::string, Want> panel_wants_;
+    std::map<std::string, std::map<std::string, Want>> panel_wants_;  ///< by panel
+    QSize region_size_;
+    QRect region_;
     std::map<std::string, Inspection> inspections_;
     bool linked_ = true, grid_ = true, legend_ = true, loading_ = false;
     widgets::ImageView::Tool tool_ = widgets::ImageView::Tool::inspect;

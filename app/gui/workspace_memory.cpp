@@ -25,6 +25,7 @@ void Workspace::save(projects::Json& memory) const {
                          {"y", transform.centre().y()}};
     }
     memory["displays"] = displays_.save();
+    memory["region"] = to_json(region_size_, region_);
     auto& inspections = memory["inspections"] = projects::Json::object();
     for (const auto& [id, inspection] : inspections_)
         if (session_.experiment(id)) inspections[id] = to_json(inspection);
@@ -41,6 +42,8 @@ void Workspace::load(const projects::Json& memory) {
     drawing_.clear();
     displays_.clear();
     displays_.load(member_or_null(memory, "displays"));
+    std::tie(region_size_, region_) = region_from_json(member_or_null(memory, "region"));
+    set_region(region_size_, region_);
     const auto& views = member_or_null(memory, "views");
     states_ = {};
     std::size_t view = 0;

@@ -40,6 +40,8 @@ void Workspace::update_pictures(int view) {
         alike.colour_map = ours->colour_map;
         shown[i] = std::make_shared<const widgets::Picture>(std::move(alike));
     }
+    if (state(view).difference == DifferenceKind::significant)
+        pane(view)->compare().set_noise_hint(pictures_.variance_hint());
     pane(view)->show_pictures(state(view), std::move(shown));
     update_displays(view);
     link_views();

@@ -125,6 +125,11 @@ Want Workspace::want_of(const ViewState& state, const std::string& owner) const 
     if (content == ViewPane::Content::picture)
         for (const auto& source : sources(state))
             if (source.owner == owner) want.parts.insert({source.output, source.level, source.layer});
+    const bool differs = state.mode == ViewMode::difference || state.mode == ViewMode::stages;
+    if (content == ViewPane::Content::picture && differs && state.difference == DifferenceKind::significant)
+        for (const auto& source : sources(state))
+            if (const auto key = pictures_.variance_key(source); source.owner == owner && !key.empty())
+                want.parts.insert({key, 0, 0});
     if (state.a.owner != owner) return want;
     if (content == ViewPane::Content::table) want.buffers.insert(pictures_.key_of(state.a));
     if (content == ViewPane::Content::space) want.kept.insert(pictures_.key_of(state.a));

@@ -30,9 +30,9 @@ QString q(const std::string& text) {
 void MetricsHistory::take(std::shared_ptr<const MetricsResult> result) {
     if (now && now->request.pair != result->request.pair) clear();
     now = result;
-    if (!result->refusal.isEmpty() || !result->complete) return;
+    if (!result->refusal.isEmpty()) return;
     if (settled && settled->request.generation != result->request.generation) before = settled;
-    settled = std::move(result);
+    if (result->complete) settled = std::move(result);
 }
 
 QString metric_text(const MetricDescription& metric, double value) {
@@ -76,6 +76,16 @@ std::optional<double> MetricsModel::value(int row, int column) const {
     return value_in(history_.now.get(), name, rectangle);
 }
 
+std::optional<double> MetricsModel::last_value(int row, int column) const {
+    const auto *now = history_.now.get(), *last = history_.settled.get();
+    if (!now || now->complete || !now->refusal.isEmpty() || !last || value(row, column)) return {};
+    const bool rectangle = column == rectangle_column;
+    if ((column != image_column && !rectangle) ||
+        (rectangle && last->request.rectangle != now->request.rectangle))
+        return {};
+    return value_in(last, metrics()[std::size_t(row)].name, rectangle);
+}
+
 int MetricsModel::trend(int row, int column) const {
     if (column != image_column && column != rectangle_column) return 0;
     const auto now = value(row, column), before = value(row, column + 1);
@@ -107,6 +117,7 @@ QVariant MetricsModel::data(const QModelIndex& index, int role) const {
             if (column == name_column) return q(metric.label);
             const auto number = value(index.row(), column);
             const bool coming = history_.now && !history_.now->complete && history_.now->refusal.isEmpty();
+            if (const auto last = last_value(index.row(), column)) return metric_text(metric, *last);
             if (!number && coming && !before && (column == image_column || has_rectangle()))
                 return QStringLiteral("…");
             if (!number) return {};
@@ -119,7 +130,8 @@ QVariant MetricsModel::data(const QModelIndex& index, int role) const {
         case Qt::TextAlignmentRole:
             return int((column == name_column ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
         case Qt::ForegroundRole:
-            if (before) return QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text);
+            if (before || last_value(index.row(), column))
+                return QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text);
             if (const int way = trend(index.row(), column)) return way > 0 ? better_colour : worse_colour;
             return {};
         case Qt::ToolTipRole:

@@ -39,6 +39,8 @@ class MetricsModel : public QAbstractTableModel {
   private:
     QString tooltip(int row, int column) const;
     int trend(int row, int column) const;
+    /// Of an earlier frame, while the slower metrics of this one are still being measured.
+    std::optional<double> last_value(int row, int column) const;
     MetricsHistory history_;
 };
 

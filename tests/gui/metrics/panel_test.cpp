@@ -171,6 +171,33 @@ TEST(MetricsModelTest, TrendsKnowWhatIsBetter) {
         EXPECT_FALSE(model.index(row, 0).data(Qt::ToolTipRole).toString().isEmpty());
 }
 
+TEST(MetricsModelTest, SlowMetricsKeepTheirLastValueUntilTheNewOneComes) {
+    const auto result = [](const std::string& generation, bool complete,
+                           std::map<std::string, double> values) {
+        auto result = std::make_shared<MetricsResult>();
+        result->request.generation = generation;
+        result->complete = complete;
+        result->image.values = std::move(values);
+        return result;
+    };
+    Model model;
+    MetricsHistory history;
+    history.take(result("1", true, {{"rmse", 0.2}, {"flip", 0.5}}));
+    history.take(result("2", false, {{"rmse", 0.1}}));
+    model.show(history);
+    const auto shown = [&](const char* metric) {
+        return model.index(row_of(metric), Model::image_column).data().toString();
+    };
+    EXPECT_EQ(shown("rmse"), QStringLiteral("▼ 0.1"));  // before is known at once
+    EXPECT_EQ(shown("flip"), "0.5");
+    EXPECT_TRUE(model.index(row_of("flip"), Model::image_column).data(Qt::ForegroundRole).isValid());
+    EXPECT_FALSE(model.value(row_of("flip"), Model::image_column));  // and is not copied
+    EXPECT_EQ(shown("ssim"), QStringLiteral("…"));
+    history.take(result("2", true, {{"rmse", 0.1}, {"flip", 0.6}}));
+    model.show(history);
+    EXPECT_EQ(shown("flip"), QStringLiteral("▲ 0.6"));
+}
+
 TEST_F(MetricsPanelTest, TheNewestQuestionWins) {
     const auto large = [](float error) { return radiance(with_error(ramp(512, 512), error)); };
     const auto reference = radiance(ramp(512, 512));

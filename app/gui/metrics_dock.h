@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QObject>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "app/gui/workspace.h"
+#include "widgets/metrics/metrics_panel.h"
+
+namespace ir::gui {
+
+/// Keeps the metrics panel at the active view's A and B: what is compared, what refuses to be, the rectangle
+/// and the mask. Measures only while the panel is seen.
+class MetricsDock : public QObject {
+    Q_OBJECT
+  public:
+    MetricsDock(Session& session, LivePictures& live, Workspace& workspace);
+
+    widgets::MetricsPanel& panel() { return *panel_; }
+    void set_visible(bool visible);
+    bool is_settled() const { return !panel_->is_computing(); }
+
+    /// Masks and what is compared although it was refused.
+    void save(projects::Json& memory) const;
+    void load(const projects::Json& memory);
+
+  signals:
+    /// The numbers are there.
+    void settled();
+
+  private:
+    struct Pair {
+        widgets::ViewSource a, b;
+        std::shared_ptr<const widgets::Picture> image, reference;
+        std::string key() const;  ///< of the sources, not of their pixels
+    };
+    std::optional<Pair> pair() const;
+    std::vector<widgets::Option> masks(const Pair& pair) const;
+    std::optional<widgets::ViewSource> chosen_mask(const Pair& pair) const;
+    std::string generation(const Pair& pair) const;
+    void update();
+    void send_wants(const std::optional<Pair>& pair);
+    void choose_mask(const QString& id);
+    bool is_accepted(const Pair& pair, const QString& refusal) const;
+    void compare_anyway();
+
+    Session& session_;
+    LivePictures& live_;
+    Workspace& workspace_;
+    widgets::MetricsPanel* panel_;
+    std::map<std::string, std::string> masks_;  ///< by pair: owner and output, as in mask_id()
+    std::set<std::string> accepted_;            ///< pairs with the refusals that do not count for them
+    std::map<std::string, Want> sent_;
+    bool visible_ = false;
+};
+
+}  // namespace ir::gui
