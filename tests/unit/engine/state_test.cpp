@@ -130,6 +130,14 @@ class ResumeTest : public StateTest {
             if (parameter.accumulates) return parameter.key;
         return {};
     }
+    /// Each is another way through the method.
+    static std::vector<std::string> paths_of(const MethodDescription& method) {
+        const auto* parameter = find(method.parameters, "paths");
+        std::vector<std::string> keys;
+        for (const auto& choice : parameter ? parameter->choices : std::vector<Choice>())
+            keys.push_back(choice.key);
+        return keys.empty() ? std::vector<std::string>{""} : keys;
+    }
     static Experiment experiment_of(const MethodDescription& method, std::int64_t samples, int frames) {
         Experiment experiment;
         experiment.scene = "builtin:cornell";
@@ -161,30 +169,38 @@ class ResumeTest : public StateTest {
 };
 
 TEST_F(ResumeTest, SavedAndContinuedIsAtOnce) {
-    for (const auto* method : methods()) {
-        Execution whole(machine, experiment_of(*method, 61, 1));
-        finish(whole);
-        for (const auto& [samples, frames] : {std::pair{5, 1}, {3, 5}, {61, 1}}) {
-            Execution first(machine, experiment_of(*method, samples, frames));
-            finish(first);
-            store(folder / "state.exr", first.state().value(), first.attributes());
-            Execution second(machine, experiment_of(*method, 61, 1));
-            second.restore(load_state(folder / "state.exr"));
-            finish(second);
-            EXPECT_EQ(second.samples(), 61u);
-            EXPECT_TRUE(bits(second) == bits(whole)) << method->id << " from " << samples << " x " << frames;
-            EXPECT_EQ(second.origins().size(), 1u);
-            EXPECT_EQ(second.origins()[0].samples, static_cast<std::uint64_t>(samples) * frames);
-            EXPECT_EQ(second.is_extended(), samples * frames < 61);
+    for (const auto* method : methods())
+        for (const auto& paths : paths_of(*method)) {
+            SCOPED_TRACE(method->id + " " + paths);
+            const auto experiment = [&](std::int64_t samples, int frames) {
+                auto result = experiment_of(*method, samples, frames);
+                if (!paths.empty()) result.settings["paths"] = paths;
+                return result;
+            };
+            Execution whole(machine, experiment(61, 1));
+            finish(whole);
+            for (const auto& [samples, frames] : {std::pair{5, 1}, {3, 5}, {61, 1}}) {
+                Execution first(machine, experiment(samples, frames));
+                finish(first);
+                store(folder / "state.exr", first.state().value(), first.attributes());
+                Execution second(machine, experiment(61, 1));
+                second.restore(load_state(folder / "state.exr"));
+                finish(second);
+                EXPECT_EQ(second.samples(), 61u);
+                EXPECT_TRUE(bits(second) == bits(whole)) << samples << " x " << frames;
+                EXPECT_EQ(second.origins().size(), 1u);
+                EXPECT_EQ(second.origins()[0].samples, static_cast<std::uint64_t>(samples) * frames);
+                EXPECT_EQ(second.is_extended(), samples * frames < 61);
+            }
+            // The mutant: a state that is not continued exactly where it ended.
+            Execution mutant(machine, experiment(61, 1)), other(machine, experiment(5, 1));
+            finish(other);
+            auto state = other.state().value();
+            state.samples = 30;
+            mutant.restore(std::move(state));
+            finish(mutant);
+            EXPECT_FALSE(bits(mutant) == bits(whole));
         }
-        // The mutant: a state that is not continued exactly where it ended.
-        Execution mutant(machine, experiment_of(*method, 61, 1));
-        auto state = load_state(folder / "state.exr");
-        state.samples = 30;
-        mutant.restore(std::move(state));
-        finish(mutant);
-        EXPECT_FALSE(bits(mutant) == bits(whole)) << method->id;
-    }
 }
 
 TEST_F(ResumeTest, MoreThanAskedForIsShownAndNothingIsAdded) {
