@@ -1,0 +1,323 @@
+#include "widgets/plot/plot_chart.h"
+
+#include <QApplication>
+#include <QCategoryAxis>
+#include <QGraphicsLayout>
+#include <QGraphicsScene>
+#include <QGraphicsSceneResizeEvent>
+#include <QLineSeries>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ir::widgets {
+namespace {
+
+constexpr int tick_width = 64, tick_height = 30;  ///< logical pixels that a label wants
+constexpr double farthest_level = 30;             ///< below the least value, as a factor
+
+int most_ticks(double pixels, int each) {
+    return std::clamp(int(pixels) / each, 3, 10);
+}
+
+std::vector<double> values_of(const PlotData& data, double PlotPoint::*member) {
+    std::vector<double> values;
+    for (const auto& series : data.series)
+        for (const auto& point : series.points)
+            if (!std::isnan(point.x) && !std::isnan(point.y)) values.push_back(point.*member);
+    return values;
+}
+
+/// Stands above axes and lines; the chart paints.
+class Painted : public QGraphicsItem {
+  public:
+    explicit Painted(PlotChart& chart) : QGraphicsItem(&chart), chart_(chart) { setZValue(1000); }
+    QRectF boundingRect() const override { return QRectF(QPointF(), chart_.size()); }
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+        painter->setRenderHint(QPainter::Antialiasing);
+        chart_.paint_marks(*painter);
+    }
+    void grow() { prepareGeometryChange(); }
+
+  private:
+    PlotChart& chart_;
+};
+
+}  // namespace
+
+PlotChart::PlotChart(const PlotStyle& style, QGraphicsItem* parent)
+    : QChart(parent),
+      style_(style),
+      x_(PlotAxis(), {}),
+      y_(PlotAxis(), {}),
+      font_(QApplication::font()),
+      title_font_(font_),
+      painted_(new Painted(*this)) {
+    title_font_.setBold(true);
+    setAnimationOptions(NoAnimation);
+    setBackgroundBrush(style.background);
+    setBackgroundPen(Qt::NoPen);
+    setBackgroundRoundness(0);
+    legend()->hide();
+    connect(this, &QChart::plotAreaChanged, this, [this] { painted_->update(); });
+}
+
+const PlotChart::Mark* PlotChart::mark(const QString& id) const {
+    const auto found =
+        std::find_if(marks_.begin(), marks_.end(), [&](const Mark& each) { return each.id == id; });
+    return id.isEmpty() || found == marks_.end() ? nullptr : &*found;
+}
+
+double PlotChart::y_at(double place) const {
+    const QRectF area = plotArea();
+    return area.bottom() - (place - y_.low()) / (y_.high() - y_.low()) * area.height();
+}
+
+QPointF PlotChart::position(const Mark& mark) const {
+    const QRectF area = plotArea();
+    return {area.left() + (mark.x - x_.low()) / (x_.high() - x_.low()) * area.width(), y_at(mark.y)};
+}
+
+void PlotChart::set_data(const PlotData& data) {
+    data_ = data;
+    rebuild();
+    if (!mark(selected_)) selected_.clear();
+    if (!mark(hovered_)) hovered_.clear();
+}
+
+void PlotChart::set_selected(const QString& id) {
+    selected_ = id;
+    painted_->update();
+}
+
+void PlotChart::set_hovered(const QString& id) {
+    if (hovered_ == id) return;
+    hovered_ = id;
+    painted_->update();
+}
+
+void PlotChart::resizeEvent(QGraphicsSceneResizeEvent* event) {
+    QChart::resizeEvent(event);
+    static_cast<Painted*>(painted_)->grow();
+    rebuild();
+}
+
+void PlotChart::rebuild() {
+    make_scales();
+    lay_out_legend();
+    removeAllSeries();
+    make_axes();
+    make_lines();
+    painted_->update();
+}
+
+void PlotChart::make_scales() {
+    auto heights = values_of(data_, &PlotPoint::y);
+    remarks_.clear();
+    shows_level_ = data_.level.has_value();
+    if (data_.level && data_.y.log) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const double y : heights)
+            if (y > 0) least = std::min(least, y);
+        shows_level_ = data_.level->y > 0 && (std::isinf(least) || data_.level->y * farthest_level > least);
+        if (!shows_level_)
+            remarks_
+                << tr("%1: %2, far below all points").arg(data_.level->label, plot_number(data_.level->y));
+    }
+    if (shows_level_ && !heights.empty()) heights.push_back(data_.level->y);
+    x_ = PlotScale(data_.x, values_of(data_, &PlotPoint::x), most_ticks(size().width() - 80, tick_width));
+    y_ = PlotScale(data_.y, heights, most_ticks(size().height() - 90, tick_height));
+    marks_.clear();
+    int displaced = 0, unknown = 0;
+    for (std::size_t s = 0; s < data_.series.size(); ++s)
+        for (const auto& point : data_.series[s].points) {
+            if (std::isnan(point.x) || std::isnan(point.y)) {
+                ++unknown;
+                continue;
+            }
+            const bool is_displaced = x_.is_displaced(point.x) || y_.is_displaced(point.y);
+            displaced += is_displaced ? 1 : 0;
+            marks_.push_back(
+                {point.id, int(s), x_.place(point.x), y_.place(point.y), point.ring, is_displaced});
+        }
+    if (displaced > 0)
+        remarks_ << (displaced == 1
+                         ? tr("1 point is zero or infinite, and stands hollow at the edge")
+                         : tr("%1 points are zero or infinite, and stand hollow at the edge").arg(displaced));
+    if (unknown > 0)
+        remarks_ << (unknown == 1 ? tr("1 point has no such number")
+                                  : tr("%1 points have no such number").arg(unknown));
+}
+
+/// Entries after one another, in as many lines as they need, below the title.
+void PlotChart::lay_out_legend() {
+    const QFontMetricsF metrics(font_);
+    const double line = metrics.height() + 4, width = std::max(120.0, size().width() - 24);
+    const double top = data_.title.isEmpty() ? 8 : 10 + QFontMetricsF(title_font_).height() + 4;
+    legend_.clear();
+    double x = 12, y = top;
+    const auto add = [&](const QString& text, int series) {
+        const QString shown = metrics.elidedText(text, Qt::ElideMiddle, width - 40);
+        const double needed = 32 + metrics.horizontalAdvance(shown) + 18;
+        if (x > 12 && x + needed - 18 > width + 12) x = 12, y += line;
+        legend_.push_back({shown, series, {x, y + line / 2}});
+        x += needed;
+    };
+    for (std::size_t s = 0; s < data_.series.size(); ++s) add(data_.series[s].name, int(s));
+    const bool rings = std::any_of(marks_.begin(), marks_.end(), [](const Mark& mark) { return mark.ring; });
+    if (rings && !data_.ring_name.isEmpty()) add(data_.ring_name, -1);
+    const double bottom = legend_.empty() ? top : y + line;
+    setMargins(QMargins(6, int(std::ceil(bottom)) + 4, 16, 6));
+}
+
+QCategoryAxis* PlotChart::make_axis(const PlotScale& scale, const PlotAxis& axis, Qt::Alignment side) {
+    auto* made = new QCategoryAxis;
+    made->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
+    made->setStartValue(scale.low() - (scale.high() - scale.low()));
+    for (const auto& tick : scale.ticks()) made->append(tick.text, tick.place);
+    made->setRange(scale.low(), scale.high());
+    made->setTruncateLabels(!axis.names.isEmpty());
+    made->setLinePen(QPen(style_.dim, 1));
+    made->setGridLinePen(QPen(style_.grid, 1));
+    made->setLabelsFont(font_);
+    made->setLabelsBrush(style_.text);
+    made->setTitleFont(font_);
+    made->setTitleBrush(style_.text);
+    made->setTitleText(axis.title);
+    addAxis(made, side);
+    return made;
+}
+
+void PlotChart::make_axes() {
+    for (auto* old : {x_axis_, y_axis_})
+        if (old) {
+            removeAxis(old);
+            delete old;
+        }
+    x_axis_ = make_axis(x_, data_.x, Qt::AlignBottom);
+    y_axis_ = make_axis(y_, data_.y, Qt::AlignLeft);
+}
+
+void PlotChart::add_line(const std::vector<QPointF>& points, const QPen& pen) {
+    auto* line = new QLineSeries;
+    line->append(QList<QPointF>(points.begin(), points.end()));
+    line->setPen(pen);
+    addSeries(line);
+    line->attachAxis(x_axis_);
+    line->attachAxis(y_axis_);
+}
+
+void PlotChart::make_lines() {
+    std::vector<std::vector<QPointF>> lines(data_.series.size());
+    std::vector<QPointF> front;
+    for (const auto& mark : marks_) {
+        lines[std::size_t(mark.series)].push_back({mark.x, mark.y});
+        if (mark.ring) front.push_back({mark.x, mark.y});
+    }
+    for (std::size_t s = 0; s < lines.size(); ++s) {
+        QColor colour = style_.series(int(s));
+        colour.setAlphaF(0.75f);
+        add_line(lines[s], QPen(colour, 1.5));
+    }
+    std::sort(front.begin(), front.end(), [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
+    QPen pen(style_.front, 1.2);
+    pen.setDashPattern({2, 3});
+    if (data_.join_rings && front.size() > 1) add_line(front, pen);
+    if (shows_level_ && !marks_.empty()) {
+        QPen dashes(style_.level, 1.2);
+        dashes.setDashPattern({7, 4});
+        const double y = y_.place(data_.level->y);
+        add_line({{x_.low(), y}, {x_.high(), y}}, dashes);
+    }
+}
+
+void PlotChart::paint_marks(QPainter& painter) const {
+    paint_header(painter);
+    if (marks_.empty()) return;
+    painter.save();
+    painter.setClipRect(plotArea().adjusted(-9, -9, 9, 9));
+    paint_level(painter);
+    paint_points(painter);
+    painter.restore();
+}
+
+void PlotChart::paint_header(QPainter& painter) const {
+    painter.setPen(style_.text);
+    painter.setFont(title_font_);
+    const QFontMetricsF bold(title_font_);
+    painter.drawText(QRectF(12, 8, size().width() - 24, bold.height() + 2), Qt::AlignLeft | Qt::AlignTop,
+                     bold.elidedText(data_.title, Qt::ElideRight, size().width() - 24));
+    painter.setFont(font_);
+    for (const auto& entry : legend_) {
+        const QPointF centre = entry.at + QPointF(12, 0);
+        QPen pen(entry.series < 0 ? style_.front : style_.series(entry.series), 1.5);
+        if (entry.series < 0) pen.setDashPattern({2, 3});
+        painter.setPen(pen);
+        if (entry.series >= 0 || data_.join_rings)
+            painter.drawLine(centre - QPointF(12, 0), centre + QPointF(12, 0));
+        if (entry.series >= 0) {
+            draw_mark(painter, centre, entry.series, 4.5, style_);
+        } else {
+            painter.setPen(QPen(style_.front, 1.5));
+            painter.setBrush(style_.background);
+            painter.drawEllipse(centre, 6, 6);
+        }
+        painter.setPen(style_.text);
+        const QFontMetricsF metrics(font_);
+        painter.drawText(QPointF(centre.x() + 18, entry.at.y() + (metrics.ascent() - metrics.descent()) / 2),
+                         entry.text);
+    }
+}
+
+void PlotChart::paint_level(QPainter& painter) const {
+    if (!shows_level_) return;
+    const QRectF area = plotArea();
+    const QFontMetricsF metrics(font_);
+    const QString text = metrics.elidedText(data_.level->label, Qt::ElideRight, area.width() - 16);
+    const double width = metrics.horizontalAdvance(text), y = y_at(y_.place(data_.level->y));
+    const bool above = y - metrics.height() - 2 > area.top();
+    painter.setFont(font_);
+    painter.setPen(style_.dim);
+    painter.drawText(QPointF(area.right() - width - 6, above ? y - 5 : y + metrics.ascent() + 4), text);
+}
+
+void PlotChart::paint_points(QPainter& painter) const {
+    const double size = mark_size();
+    const auto ring = [&](const Mark& mark, double radius, const QPen& pen) {
+        painter.setPen(pen);
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(position(mark), radius, radius);
+    };
+    for (const auto& mark : marks_) {
+        draw_mark(painter, position(mark), mark.series, size, style_, mark.displaced);
+        if (mark.ring) ring(mark, size + 3, QPen(style_.front, 1.5));
+    }
+    if (const auto* hovered = mark(hovered_)) {
+        draw_mark(painter, position(*hovered), hovered->series, size + 2, style_, hovered->displaced);
+        if (hovered->ring) ring(*hovered, size + 5, QPen(style_.front, 1.5));
+    }
+    if (const auto* selected = mark(selected_)) {
+        draw_mark(painter, position(*selected), selected->series, size + 1.5, style_, selected->displaced);
+        ring(*selected, size + 7, QPen(style_.selection, 2.5));
+    }
+}
+
+QImage plot_picture(const PlotData& data, const QSize& size, double scale, const PlotStyle& style) {
+    QGraphicsScene scene;
+    auto* chart = new PlotChart(style);
+    scene.addItem(chart);
+    chart->set_data(data);
+    chart->resize(size);
+    chart->layout()->activate();
+    const QRectF area(0, 0, size.width(), size.height());
+    scene.setSceneRect(area);
+    QImage image((QSizeF(size) * scale).toSize(), QImage::Format_RGB32);
+    image.fill(style.background);
+    QPainter painter(&image);
+    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+    scene.render(&painter, QRectF(QPointF(), QSizeF(image.size())), area);
+    return image;
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <QChart>
+#include <QImage>
+
+#include "widgets/plot/plot_data.h"
+#include "widgets/plot/plot_scale.h"
+#include "widgets/plot/plot_style.h"
+
+class QCategoryAxis;
+
+namespace ir::widgets {
+
+/// A plot as an item of a scene: axes and lines by Qt Charts; marks, rings, the level, title and legend
+/// painted by an item of its own, so that thousands of points stay quick.
+class PlotChart : public QChart {
+    Q_OBJECT
+  public:
+    /// A point where it is drawn.
+    struct Mark {
+        QString id;
+        int series = 0;
+        double x = 0, y = 0;  ///< places on the axes
+        bool ring = false, displaced = false;
+    };
+
+    explicit PlotChart(const PlotStyle& style, QGraphicsItem* parent = nullptr);
+    void set_data(const PlotData& data);
+    const PlotData& data() const { return data_; }
+    const PlotStyle& colours() const { return style_; }
+    /// Points that have a place, in the order of series, then points.
+    const std::vector<Mark>& marks() const { return marks_; }
+    const Mark* mark(const QString& id) const;
+    /// In the chart's coordinates.
+    QPointF position(const Mark& mark) const;
+    /// Points whose values the axes cannot show, and levels that lie far from all points: a line each.
+    const QStringList& remarks() const { return remarks_; }
+    void set_selected(const QString& id);
+    void set_hovered(const QString& id);
+    const QString& selected() const { return selected_; }
+
+    /// Painted by the marks' item.
+    void paint_marks(QPainter& painter) const;
+
+  protected:
+    void resizeEvent(QGraphicsSceneResizeEvent* event) override;
+
+  private:
+    struct Entry {
+        QString text;
+        int series;  ///< -1: the rings
+        QPointF at;
+    };
+    void rebuild();
+    void lay_out_legend();
+    void make_scales();
+    void make_axes();
+    void make_lines();
+    QCategoryAxis* make_axis(const PlotScale& scale, const PlotAxis& axis, Qt::Alignment side);
+    void add_line(const std::vector<QPointF>& points, const QPen& pen);
+    void paint_header(QPainter& painter) const;
+    void paint_level(QPainter& painter) const;
+    void paint_points(QPainter& painter) const;
+    double y_at(double place) const;
+    double mark_size() const { return marks_.size() > 400 ? 3 : 4.5; }
+
+    PlotStyle style_;
+    PlotData data_;
+    PlotScale x_, y_;
+    std::vector<Mark> marks_;
+    std::vector<Entry> legend_;
+    QStringList remarks_;
+    bool shows_level_ = false;
+    QString selected_, hovered_;
+    QFont font_, title_font_;
+    QGraphicsItem* painted_;
+    QCategoryAxis *x_axis_ = nullptr, *y_axis_ = nullptr;
+};
+
+/// The plot with title, axes and legend, size · scale pixels large.
+QImage plot_picture(const PlotData& data, const QSize& size, double scale, const PlotStyle& style);
+
+}  // namespace ir::widgets

@@ -1,0 +1,161 @@
+#include "widgets/plot/plot_scale.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+namespace ir::widgets {
+namespace {
+
+constexpr double margin = 0.05;  ///< of the range, beside the outermost points
+constexpr double least_decades = 0.1;
+
+QString superscript(int exponent) {
+    static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString text = exponent < 0 ? QStringLiteral("⁻") : QString();
+    for (const QChar digit : QString::number(std::abs(exponent))) text += digits[digit.digitValue()];
+    return text;
+}
+
+/// 1, 2 or 5 times a power of ten, such that `range` has at most `most` of them.
+double round_step(double range, int most) {
+    const double least = range / most;
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double mantissa : {1.0, 2.0, 5.0})
+        if (mantissa * power >= least * (1 - 1e-9)) return mantissa * power;
+    return 10 * power;
+}
+
+}  // namespace
+
+QString plot_number(double value) {
+    if (!std::isfinite(value))
+        return std::isnan(value) ? QStringLiteral("—")
+               : value > 0       ? QStringLiteral("∞")
+                                 : QStringLiteral("−∞");
+    const double size = std::abs(value);
+    if (size == 0) return QStringLiteral("0");
+    if (size >= 1e-3 && size < 1e6) {
+        const int digits = std::max(0, 2 - int(std::floor(std::log10(size))));
+        QString text = QString::number(value, 'f', digits);
+        if (text.contains(QLatin1Char('.'))) {
+            while (text.endsWith(QLatin1Char('0'))) text.chop(1);
+            if (text.endsWith(QLatin1Char('.'))) text.chop(1);
+        }
+        return text;
+    }
+    int exponent = int(std::floor(std::log10(size)));
+    QString mantissa = QString::number(value / std::pow(10.0, exponent), 'g', 3);
+    if (mantissa == QLatin1String("10")) mantissa = QStringLiteral("1"), ++exponent;
+    const auto power = QStringLiteral("10") + superscript(exponent);
+    return mantissa == QLatin1String("1") ? power : mantissa + QStringLiteral("·") + power;
+}
+
+PlotScale::PlotScale(const PlotAxis& axis, const std::vector<double>& values, int most_ticks)
+    : log_(axis.log && axis.names.isEmpty()) {
+    if (!axis.names.isEmpty()) {
+        name_all(axis.names, most_ticks);
+        return;
+    }
+    fit(values);
+    label_wanted(axis.wanted, most_ticks);
+    if (ticks_.empty()) log_ ? label_log(most_ticks) : label_linear(most_ticks);
+}
+
+double PlotScale::raw(double value) const {
+    return log_ ? std::log10(value) : value;
+}
+
+bool PlotScale::is_displaced(double value) const {
+    return std::isinf(value) || (log_ && value <= 0);
+}
+
+double PlotScale::place(double value) const {
+    if (std::isnan(value)) return value;
+    if (log_ && value <= 0) return low_;
+    if (std::isinf(value)) return value > 0 ? high_ : low_;
+    return raw(value);
+}
+
+void PlotScale::fit(const std::vector<double>& values) {
+    bool any = false, displaced = false;
+    for (const double value : values) {
+        if (std::isnan(value)) continue;
+        if (is_displaced(value)) {
+            displaced = true;
+            continue;
+        }
+        low_ = any ? std::min(low_, raw(value)) : raw(value);
+        high_ = any ? std::max(high_, raw(value)) : raw(value);
+        any = true;
+    }
+    if (!any) {
+        low_ = log_ ? -2 : 0;
+        high_ = log_ ? 0 : 1;
+        return;
+    }
+    // A single value stands in the middle; what has no place stands apart from all that have one.
+    const double least = log_ ? least_decades : std::max(1e-12, 0.1 * std::abs(high_));
+    const double range = std::max(high_ - low_, least);
+    const double middle = (low_ + high_) / 2, half = range * (0.5 + (displaced ? 3 : 1) * margin);
+    const bool from_zero = !log_ && low_ >= 0 && low_ < 0.35 * high_;
+    low_ = from_zero ? 0 : middle - half;
+    high_ = middle + half;
+}
+
+void PlotScale::name_all(const QStringList& names, int most) {
+    low_ = -0.5;
+    high_ = double(names.size()) - 0.5;
+    const int step = std::max(1, int((names.size() + most - 1) / most));
+    for (int i = 0; i < names.size(); i += step) ticks_.push_back({double(i), names[i]});
+}
+
+/// Only where they are few, and far enough apart to be read.
+void PlotScale::label_wanted(const std::vector<double>& wanted, int most) {
+    if (int(wanted.size()) > most) return;
+    std::vector<double> sorted = wanted;
+    std::sort(sorted.begin(), sorted.end());
+    for (const double value : sorted) {
+        if (std::isnan(value) || is_displaced(value)) continue;
+        const double at = raw(value);
+        if (!ticks_.empty() && at - ticks_.back().place < 0.06 * (high_ - low_)) continue;
+        ticks_.push_back({at, plot_number(value)});
+    }
+}
+
+void PlotScale::label_linear(int most) {
+    const double step = round_step(high_ - low_, most);
+    for (double i = std::ceil(low_ / step - 1e-9); i * step <= high_ + 1e-9 * step; ++i)
+        ticks_.push_back({i * step, plot_number(i * step)});
+}
+
+/// 1, 2, 5 in each decade where that is enough, all digits where it is not, powers alone where it is too
+/// much.
+void PlotScale::label_log(int most) {
+    const std::vector<std::vector<double>> sets = {{1, 2, 3, 4, 5, 6, 7, 8, 9}, {1, 2, 5}, {1}};
+    for (const auto& set : sets) {
+        std::vector<Tick> ticks;
+        for (int decade = int(std::floor(low_)); decade <= int(std::ceil(high_)); ++decade)
+            for (const double mantissa : set) {
+                const double value = mantissa * std::pow(10.0, decade);
+                const double at = std::log10(value);
+                if (at >= low_ - 1e-9 && at <= high_ + 1e-9) ticks.push_back({at, plot_number(value)});
+            }
+        ticks_ = std::move(ticks);
+        if (int(ticks_.size()) <= most) break;
+    }
+    if (int(ticks_.size()) > most) {
+        const auto step = (ticks_.size() + std::size_t(most) - 1) / std::size_t(most);
+        std::vector<Tick> fewer;
+        for (std::size_t i = 0; i < ticks_.size(); i += step) fewer.push_back(ticks_[i]);
+        ticks_ = std::move(fewer);
+    }
+    if (ticks_.size() >= 3) return;
+    ticks_.clear();  // less than a decade: round numbers at even distances of the values
+    const double first = std::pow(10.0, low_), last = std::pow(10.0, high_);
+    const double step = round_step(last - first, std::max(2, most - 2));
+    for (double i = std::ceil(first / step - 1e-9); i * step <= last * (1 + 1e-9); ++i)
+        if (i * step > 0) ticks_.push_back({std::log10(i * step), plot_number(i * step)});
+}
+
+}  // namespace ir::widgets

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "widgets/plot/plot_data.h"
+
+namespace ir::widgets {
+
+/// Where values stand along an axis: the values themselves, or their decimal logarithms. A value that has no
+/// place (zero on a logarithmic axis, infinity) stands at the end that it lies beyond.
+class PlotScale {
+  public:
+    struct Tick {
+        double place = 0;
+        QString text;
+    };
+    /// Of an axis that is to show these values; NaN has no place. At most `most_ticks` round numbers.
+    PlotScale(const PlotAxis& axis, const std::vector<double>& values, int most_ticks = 8);
+
+    double low() const { return low_; }
+    double high() const { return high_; }
+    /// Within low() … high() for every value that was given, but NaN for NaN.
+    double place(double value) const;
+    /// Whether the value stands at an end because it has no place.
+    bool is_displaced(double value) const;
+    const std::vector<Tick>& ticks() const { return ticks_; }
+
+  private:
+    double raw(double value) const;
+    void fit(const std::vector<double>& values);
+    void name_all(const QStringList& names, int most);
+    void label_wanted(const std::vector<double>& wanted, int most);
+    void label_linear(int most);
+    void label_log(int most);
+
+    bool log_;
+    double low_ = 0, high_ = 1;
+    std::vector<Tick> ticks_;
+};
+
+/// "0.02", "1500", "2·10⁻⁵": three digits that count.
+QString plot_number(double value);
+
+}  // namespace ir::widgets

@@ -1,0 +1,88 @@
+#include "widgets/plot/plot_table_model.h"
+
+#include <QIcon>
+#include <QPainter>
+#include <QPixmap>
+
+#include "widgets/plot/plot_style.h"
+
+namespace ir::widgets {
+namespace {
+
+QIcon mark_icon(int series) {
+    constexpr int size = 14, sharpness = 2;
+    QPixmap pixmap(size * sharpness, size * sharpness);
+    pixmap.setDevicePixelRatio(sharpness);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    draw_mark(painter, {size / 2.0, size / 2.0}, series, 4.5, PlotStyle::screen());
+    return pixmap;
+}
+
+}  // namespace
+
+void PlotTableModel::set_data(const PlotData& data) {
+    std::vector<Row> rows;
+    for (std::size_t s = 0; s < data.series.size(); ++s)
+        for (const auto& point : data.series[s].points) rows.push_back({point, int(s)});
+    const auto same_shape = [&] {
+        if (headings_ != data.headings || rows_.size() != rows.size()) return false;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (rows[i].point.id != rows_[i].point.id) return false;
+        return true;
+    };
+    if (same_shape()) {
+        if (rows_ == rows) return;
+        rows_ = std::move(rows);
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+        return;
+    }
+    beginResetModel();
+    headings_ = data.headings;
+    rows_ = std::move(rows);
+    endResetModel();
+}
+
+QModelIndex PlotTableModel::index_of(const QString& id) const {
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        if (rows_[i].point.id == id) return index(int(i), 0);
+    return {};
+}
+
+int PlotTableModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : int(rows_.size());
+}
+
+int PlotTableModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : int(headings_.size());
+}
+
+QVariant PlotTableModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) return {};
+    const auto& row = rows_[std::size_t(index.row())];
+    if (role == id_role) return row.point.id;
+    if (role == Qt::ToolTipRole) return row.point.label;
+    if (std::size_t(index.column()) >= row.point.cells.size()) return {};
+    const auto& cell = row.point.cells[std::size_t(index.column())];
+    const bool is_number = cell.number.has_value();
+    switch (role) {
+        case Qt::DisplayRole:
+            return cell.text;
+        case sort_role:
+            return is_number ? QVariant(*cell.number) : QVariant(cell.text);
+        case Qt::DecorationRole:
+            return index.column() == 0 ? QVariant(mark_icon(row.series)) : QVariant();
+        case Qt::TextAlignmentRole:
+            return int((is_number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        default:
+            return {};
+    }
+}
+
+QVariant PlotTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || section < 0 || section >= headings_.size()) return {};
+    return role == Qt::DisplayRole ? QVariant(headings_[section]) : QVariant();
+}
+
+}  // namespace ir::widgets
