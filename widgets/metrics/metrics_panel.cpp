@@ -178,7 +178,7 @@ void MetricsPanel::set_fields(const MetricsFields& fields) {
     empty_->setText(fields.why_empty);
     a_->setText(fields.label_a);
     a_->setToolTip(fields.label_a);
-    b_->setText(tr("%1 · reference").arg(fields.label_b));
+    b_->setText(tr("%1 (reference)").arg(fields.label_b));
     b_->setToolTip(tr("%1: what A is measured against").arg(fields.label_b));
     rectangle_->show(fields.size, fields.rectangle, fields.drawing);
     if (other_masks) fill_masks();
@@ -241,7 +241,7 @@ void MetricsPanel::update_foot() {
     const auto* now = history_.now && history_.now->refusal.isEmpty() ? history_.now.get() : nullptr;
     QString text;
     if (now) text = pixels_text(now->image);
-    if (now && now->rectangle) text += tr("  ·  rectangle: %1").arg(pixels_text(*now->rectangle));
+    if (now && now->rectangle) text += tr("\nRectangle: %1").arg(pixels_text(*now->rectangle));
     if (worker_->is_computing()) text += (now ? QStringLiteral("  ·  ") : QString()) + tr("measuring …");
     foot_->setText(text);
     foot_->setToolTip(now ? tr("Skipped are pixels that a mask excludes, or that are NaN or infinite in "

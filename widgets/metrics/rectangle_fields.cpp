@@ -78,8 +78,9 @@ void RectangleFields::show_numbers() {
         fields_[i]->setValue(values[i]);
         fields_[i]->setEnabled(!picture.isEmpty());
         QPalette colours = palette();
-        if (rectangle_.isEmpty())  // the whole picture, chosen by nobody
-            colours.setColor(QPalette::Text, colours.color(QPalette::Disabled, QPalette::Text));
+        // The whole picture was chosen by nobody.
+        const auto group = rectangle_.isEmpty() ? QPalette::Disabled : QPalette::Active;
+        colours.setColor(QPalette::Text, colours.color(group, QPalette::Text));
         fields_[i]->setPalette(colours);
     }
 }

@@ -60,7 +60,7 @@ TEST_F(MetricsPanelTest, ValuesAreThoseOfTheMetrics) {
     EXPECT_NEAR(value("mae"), 0.05 / 4, 1e-6);  // a quarter of the picture
     EXPECT_NEAR(value("mae", Model::rectangle_column), 0.05, 1e-6);
     EXPECT_TRUE(find<QLabel>("pixels")->text().contains("768 pixels compared"));
-    EXPECT_TRUE(find<QLabel>("pixels")->text().contains("rectangle: 60 pixels"));
+    EXPECT_TRUE(find<QLabel>("pixels")->text().contains("Rectangle: 60 pixels"));
 }
 
 TEST_F(MetricsPanelTest, MasksAndGapsOfAtlasesDoNotCount) {
