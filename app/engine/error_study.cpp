@@ -65,8 +65,10 @@ class Study {
     /// `part` of what is being worked on, which is `width_` points; the reference counts as one.
     void tell(const std::string& what, double part) {
         const double done = double(study_.points.size()) + (reference_.image.empty() ? 0 : 1);
-        if (callbacks_.progress)
-            callbacks_.progress(what, std::min(1.0, (done + part * width_) / double(points_ + 1)));
+        // Frames that warm up and runs that are repeated do not lead back.
+        told_fraction_ =
+            std::max(told_fraction_, std::min(1.0, (done + part * width_) / double(points_ + 1)));
+        if (callbacks_.progress) callbacks_.progress(what, told_fraction_);
     }
 
     void check() const {
@@ -185,11 +187,10 @@ class Study {
         for (const auto& name : metric_names()) {
             check();
             try {
-                const auto result =
-                    compute_metrics(image, reference_.image, {name},
-                                    {.valid_image = valid.empty() ? nullptr : &valid,
-                                     .valid_reference =
-                                         reference_.valid.empty() ? nullptr : &reference_.valid});
+                const auto result = compute_metrics(
+                    image, reference_.image, {name},
+                    {.valid_image = valid.empty() ? nullptr : &valid,
+                     .valid_reference = reference_.valid.empty() ? nullptr : &reference_.valid});
                 point.errors[name] = result.values.at(name);
                 point.pixels = result.pixels;
                 point.skipped = result.skipped;
@@ -209,7 +210,7 @@ class Study {
     StudyReference reference_;
     ErrorStudy study_;
     std::size_t points_ = 0;
-    double width_ = 1;
+    double width_ = 1, told_fraction_ = 0;
     std::set<std::size_t> told_;  ///< points of the run that callbacks know
 };
 

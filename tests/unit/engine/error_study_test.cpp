@@ -122,9 +122,14 @@ TEST_F(ErrorStudyTest, APointIsThePictureThatTheCommandLineRenders) {
     const auto render = [&](const projects::Experiment& each) {
         Execution execution(machine(), from_project(project_, each, folder_.path));
         while (!execution.is_done()) execution.run_frame({});
-        return execution.main_result();
+        return std::pair(execution.main_result(), execution.graph().read_image("valid").value());
     };
-    const auto measured = compute_metrics(render(same), render(project_.experiments[2]), {"rmse"});
+    const auto [image, valid] = render(same);
+    const auto [truth, truth_valid] = render(project_.experiments[2]);
+    MetricOptions masks;
+    masks.valid_image = &valid;
+    masks.valid_reference = &truth_valid;
+    const auto measured = compute_metrics(image, truth, {"rmse"}, masks);
     ASSERT_EQ(study.points.size(), 1u);
     EXPECT_NEAR(study.points[0].errors.at("rmse"), measured.values.at("rmse"), 1e-6);
 }
