@@ -4,6 +4,7 @@
 #include "renderers/graph/method.h"
 
 #include "renderers/methods/ldm-ao/benchmark.h"
+#include "renderers/methods/ldm-ao/exact.h"
 #include "renderers/methods/ldm-ao/explain.h"
 #include "renderers/methods/ldm-ao/map_views.h"
 #include "renderers/methods/ldm-ao/parameters.h"
@@ -94,6 +95,8 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     if (parameters.progressive) options.rotation = passes::ldm::random_rotation(inputs.seed, inputs.frame);
     const auto maps = passes::ldm::declare_maps(builder, options);
     const auto images = declare_images(builder, parameters);
+    std::optional<ExactHits> exact;
+    if (parameters.exact != Exact::none) exact = declare_exact_hits(builder, *maps, parameters);
     const auto chosen = chosen_maps(inputs.inspection, *maps);
     const auto directions = show_directions(builder, maps);
     const auto layers = declare_layers(builder, *maps);
@@ -101,7 +104,8 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto explanation = declare_explanation(builder, *maps, chosen);
     for (int batch = 0; batch < maps->layout.batches(); ++batch) {
         passes::ldm::build_maps(builder, scene, maps, batch);
-        trace(builder, gbuffer, maps, batch, images);
+        if (exact) trace_exact(builder, gbuffer, maps, batch, *exact, parameters.transport);
+        trace(builder, gbuffer, maps, batch, images, exact ? &*exact : nullptr);
         trace_views(builder, gbuffer, maps, batch, images);
         show_layers(builder, maps, batch, chosen, layers);
         passes::ldm::find_points(builder, scene, maps, batch, points);

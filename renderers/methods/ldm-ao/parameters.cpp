@@ -107,6 +107,30 @@ void add_self_hits(ParameterTable<Parameters>& table) {
               .active_when = normal_offset});
 }
 
+void add_exact(ParameterTable<Parameters>& table) {
+    table
+        .add(&Parameters::exact,
+             {.key = "exact",
+              .label = "Exact rays",
+              .doc =
+                  "Takes hits from ray tracing instead of the maps, to tell the causes of error apart: what "
+                  "is left with all hits exact is due to the directions, what exact hits nearby take away "
+                  "to the self-hit rule, and the rest to the texels.",
+              .choices = {{"none", "None", "All hits come from the maps: the method itself."},
+                          {"near", "Near hits",
+                           "Hits up to a few texels away are exact, those beyond come "
+                           "from the maps."},
+                          {"all", "All hits", "The maps are not asked."}}})
+        .add(&Parameters::exact_texels,
+             {.key = "exact_texels",
+              .label = "Reach of exact rays",
+              .doc = "Hits up to so far away are exact, in texels of the map asked.",
+              .unit = "texels",
+              .hard = {0, 4096},
+              .soft = {0, 16},
+              .active_when = {"exact", {std::string("near")}}});
+}
+
 }  // namespace
 
 ParameterTable<Parameters> parameter_table() {
@@ -116,6 +140,7 @@ ParameterTable<Parameters> parameter_table() {
         &Parameters::transport,
         transport_parameters({.paths = {"ao"}, .keys = {"max_distance", "falloff", "normal_maps"}}));
     add_self_hits(table);
+    add_exact(table);
     table
         .add(&Parameters::progressive,
              {.key = "progressive",

@@ -6,6 +6,8 @@
 namespace ir::methods::ldm_ao {
 
 enum class SelfHit { tangent_plane, normal_offset };
+/// Which hits come from exact rays instead of the maps.
+enum class Exact { none, near, all };
 
 struct Parameters {
     int directions = 128;
@@ -18,6 +20,8 @@ struct Parameters {
     float slope_tolerance = 0.35f;
     float largest_dip = 1;
     float normal_offset = 1;
+    Exact exact = Exact::none;
+    float exact_texels = 4;
     bool progressive = false;
     float ambient = 0.5f;
 };

@@ -1,6 +1,7 @@
 #include "renderers/methods/ldm-ao/passes.h"
 
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/ldm-ao/exact.h"
 
 namespace ir::methods::ldm_ao {
 namespace {
@@ -10,6 +11,8 @@ namespace ldm = passes::ldm;
 /// Directions of one dispatch: drivers may stop the loops of an invocation after 65,535 turns in all, and
 /// each direction walks through a list.
 constexpr std::int64_t directions_per_dispatch = 16;
+/// Behind those of the maps' storage.
+constexpr int exact_binding = 8;
 
 graph::ImageRef plain_image(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format) {
     graph::ImageDesc desc;
@@ -33,20 +36,24 @@ void dispatch_over(const graph::PassContext& context, const gl::Program& program
 }
 
 void declare_trace(graph::GraphBuilder& builder, const std::string& name, const passes::GBuffer& gbuffer,
-                   MapsPointer maps, int batch, graph::ImageRef sums, bool views) {
+                   MapsPointer maps, int batch, graph::ImageRef sums, bool views, const ExactHits* exact) {
     auto pass = builder.pass(name + maps->batch_name(batch));
     ldm::reads_maps(pass, *maps);
     pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).writes(sums);
+    if (exact) pass.reads(exact->hits);
+    const auto replaced = exact ? std::optional(*exact) : std::nullopt;
     const auto run = [=](graph::PassContext& context, graph::Slice slice) {
         gl::ProgramSource source{{"methods/ldm-ao/trace.comp"}};
         source.defines = ldm::bind_maps(context, *maps, 0, 1);
         if (views) source.defines["LDM_VIEWS"] = "1";
+        if (replaced) source.defines["EXACT_HITS"] = std::to_string(exact_binding);
         const auto& program = context.method_program(source);
         program.use();
         context.bind_texture(0, gbuffer.position);
         context.bind_texture(1, gbuffer.normal);
         context.bind_texture(2, gbuffer.geometric_normal);
         context.bind_storage_image(0, sums);
+        if (replaced) bind_exact(context, program, *replaced, *maps, exact_binding);
         static_assert(sizeof(ldm::MapFrame) == 6 * sizeof(glm::vec4));
         const auto rows = context.api().GetUniformLocation(program.name(), "frame_rows");
         const auto end = std::min<std::int64_t>(slice.end * directions_per_dispatch, maps->batch_maps(batch));
@@ -111,13 +118,14 @@ Images declare_images(graph::GraphBuilder& builder, const Parameters& parameters
 }
 
 void trace(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
-           const Images& images) {
-    declare_trace(builder, "trace", gbuffer, std::move(maps), batch, images.sums, false);
+           const Images& images, const ExactHits* exact) {
+    declare_trace(builder, "trace", gbuffer, std::move(maps), batch, images.sums, false, exact);
 }
 
 void trace_views(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
                  const Images& images) {
-    declare_trace(builder, "trace self-hits", gbuffer, std::move(maps), batch, images.view_counts, true);
+    declare_trace(builder, "trace self-hits", gbuffer, std::move(maps), batch, images.view_counts, true,
+                  nullptr);
 }
 
 void resolve(graph::GraphBuilder& builder, const Images& images, const Parameters& parameters) {

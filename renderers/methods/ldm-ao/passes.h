@@ -22,9 +22,11 @@ struct Images {
 
 Images declare_images(graph::GraphBuilder& builder, const Parameters& parameters);
 
-/// Pass "trace": adds the directions of a batch to the sums.
+struct ExactHits;
+
+/// Pass "trace": adds the directions of a batch to the sums. `exact` (may be null) replaces hits of the maps.
 void trace(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
-           const Images& images);
+           const Images& images, const ExactHits* exact);
 /// Pass "trace self-hits": the same for the views of self-hits.
 void trace_views(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
                  const Images& images);

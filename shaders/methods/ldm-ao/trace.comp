@@ -6,6 +6,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/ldm/storage.glsl"
 #include "passes/ldm/trace.glsl"
 #include "methods/ldm-ao/visibility.glsl"
+#ifdef EXACT_HITS
+#include "methods/ldm-ao/exact.glsl"
+#endif
 
 layout(binding = 0) uniform sampler2D position_texture;
 layout(binding = 1) uniform sampler2D normal_texture;
@@ -47,11 +50,23 @@ void main() {
         float facing = dot(geometric_normal, frame.direction.xyz);
         if (cosine == 0.0 || (forward ? facing <= 0.0 : facing >= 0.0)) continue;  // below the surface: closed
         float reach = params.max_distance > 0.0 ? params.max_distance / frame.direction.w : unlimited;
+#ifdef EXACT_HITS
+        float exact_up_to = exact_reach(frame);
+        float exact = exact_distance(uint(pixel.y * imageSize(sums).x + pixel.x), first_map + i, exact_up_to);
+        if (exact >= 0.0 || exact_texels < 0.0) {
+            sum.x += cosine * (exact < 0.0 ? 1.0 : isinf(reach) ? 0.0 : visibility(exact));
+            continue;
+        }
+        LdmHit hit = ldm_trace_beyond(frame, first_map + i, params.resolution, position_ws, geometric_normal,
+                                      forward, reach, rule, exact_up_to / frame.direction.w,
+                                      params.self_hit == SELF_HIT_TANGENT_PLANE);
+#else
         LdmHit hit = params.self_hit == SELF_HIT_TANGENT_PLANE
                          ? ldm_trace_tangent(frame, first_map + i, params.resolution, position_ws,
                                              geometric_normal, forward, reach, rule)
                          : ldm_trace_offset(frame, first_map + i, params.resolution, position_ws,
                                             geometric_normal, forward, reach, rule);
+#endif
 #ifdef LDM_VIEWS
         if (!hit.outside) sum += vec4(hit.own ? 1.0 : 0.0, 1.0, hit.own ? 0.0 : 1.0, hit.rejected);
 #else

@@ -153,3 +153,14 @@ LdmHit ldm_trace_offset(MapFrame frame, uint map, int resolution, vec3 position_
     hit.found = hit.found && hit.distance < reach;
     return hit;
 }
+
+/// The answer without a self-hit rule: hits count from `beyond` quanta on, where nothing can be x's own.
+/// `tangent`: at the texel and from the plane that the rule "tangent-plane" asks, else "normal-offset".
+LdmHit ldm_trace_beyond(MapFrame frame, uint map, int resolution, vec3 position_ws, vec3 normal_ws, bool forward,
+                        float reach, LdmRule rule, float beyond, bool tangent) {
+    LdmQuestion q = tangent ? ldm_question_tangent(frame, resolution, position_ws, normal_ws, forward, rule)
+                            : ldm_question_offset(frame, resolution, position_ws, normal_ws, rule);
+    if (q.outside) return LdmHit(false, 0.0, true, false, 0);
+    float start = q.plane + (forward ? beyond : -beyond);
+    return ldm_ask(map, q.texel, resolution, q.plane, 0.0, start, forward, reach, isinf(reach));
+}

@@ -1,0 +1,152 @@
+#include "renderers/methods/ldm-ao/exact.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+#include <limits>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/raytracing/ray_offset.h"
+
+namespace ir::methods::ldm_ao {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr int lanes = 16;
+/// A hit takes a byte: 0 is none, else its distance in steps of the reach.
+constexpr int hits_per_word = 4;
+constexpr float steps = 254;
+
+int words_per_pixel(const passes::ldm::Maps& maps) {
+    return (maps.layout.batch_maps + hits_per_word - 1) / hits_per_word;
+}
+
+/// Without any reach the distance does not matter: any hit closes.
+std::uint32_t encoded(float distance, float reach) {
+    if (distance == infinity) return 0;
+    if (reach == infinity) return 1;
+    return 1 + static_cast<std::uint32_t>(std::lround(std::clamp(distance / reach, 0.0f, 1.0f) * steps));
+}
+
+struct Point {
+    glm::vec3 position_ws, geometric_normal_ws, shading_normal_ws;
+};
+
+/// One pixel's hits in all directions of a batch.
+class PixelTracer {
+  public:
+    PixelTracer(const passes::Bvh& bvh, const passes::ldm::Maps& maps, int batch, const ExactHits& exact,
+                const Transport& transport)
+        : bvh_(bvh), maps_(maps), batch_(batch), exact_(exact), transport_(transport) {}
+
+    void run(const Point& x, std::span<std::uint32_t> words) const {
+        for (int first = 0; first < maps_.batch_maps(batch_); first += lanes) run_packet(x, first, words);
+    }
+
+  private:
+    const passes::ldm::MapFrame& frame(int map) const {
+        return maps_.frames[static_cast<std::size_t>(maps_.first_map(batch_) + map)];
+    }
+
+    float reach(int map) const {
+        const float reach = exact_reach(frame(map), exact_.exact, exact_.texels);
+        return transport_.max_distance > 0 ? std::min(reach, transport_.max_distance) : reach;
+    }
+
+    void run_packet(const Point& x, int first, std::span<std::uint32_t> words) const {
+        passes::Bvh::Packet16 packet{};
+        const auto origin = passes::offset_origin(x.position_ws, x.geometric_normal_ws);
+        const int count = std::min(lanes, maps_.batch_maps(batch_) - first);
+        for (int lane = 0; lane < count; ++lane) {
+            auto direction = glm::vec3(frame(first + lane).direction);
+            if (glm::dot(x.shading_normal_ws, direction) < 0) direction = -direction;
+            packet.ox[lane] = origin.x, packet.oy[lane] = origin.y, packet.oz[lane] = origin.z;
+            packet.dx[lane] = direction.x, packet.dy[lane] = direction.y, packet.dz[lane] = direction.z;
+            packet.far[lane] = reach(first + lane);
+            packet.active[lane] = glm::dot(x.geometric_normal_ws, direction) > 0 ? -1 : 0;
+        }
+        float distances[lanes];
+        bvh_.closest16(packet, false, distances);
+        for (int lane = 0; lane < count; ++lane) {
+            const int map = first + lane;
+            words[static_cast<std::size_t>(map / hits_per_word)] |= encoded(distances[lane], reach(map))
+                                                                    << (8 * (map % hits_per_word));
+        }
+    }
+
+    const passes::Bvh& bvh_;
+    const passes::ldm::Maps& maps_;
+    int batch_;
+    const ExactHits& exact_;
+    const Transport& transport_;
+};
+
+}  // namespace
+
+float exact_reach(const passes::ldm::MapFrame& frame, Exact exact, float texels) {
+    if (exact == Exact::all) return infinity;
+    return texels * std::max(glm::length(glm::vec3(frame.step_u)), glm::length(glm::vec3(frame.step_v)));
+}
+
+ExactHits declare_exact_hits(graph::GraphBuilder& builder, const passes::ldm::Maps& maps,
+                             const Parameters& parameters) {
+    const auto& view = builder.inputs().view;
+    graph::BufferDesc desc;
+    desc.text = {.key = "ldm.exact_hits",
+                 .label = "Exact hits",
+                 .doc =
+                     "Hits of exact rays by pixel and map, a byte each: 0 is none, 1 to 255 is the distance "
+                     "from 0 to the reach of exact rays."};
+    desc.fields = {{"hits_of_4_maps", graph::FieldType::u32}};
+    desc.elements = static_cast<std::uint64_t>(view.width) * view.height * words_per_pixel(maps);
+    desc.lower = "directions";
+    return {builder.buffer(desc), passes::bvh(builder), parameters.exact, parameters.exact_texels};
+}
+
+void bind_exact(const graph::PassContext& context, const gl::Program& program, const ExactHits& exact,
+                const passes::ldm::Maps& maps, int binding) {
+    context.bind_buffer(binding, exact.hits);
+    program.set("exact_words", static_cast<unsigned>(words_per_pixel(maps)));
+    program.set("exact_texels", exact.exact == Exact::all ? -1.0f : exact.texels);
+}
+
+void trace_exact(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
+                 const ExactHits& exact, const Transport& transport) {
+    const auto& view = builder.inputs().view;
+    builder.pass("trace exact rays" + maps->batch_name(batch), graph::Queue::cpu)
+        .reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal, exact.bvh)
+        .writes(exact.hits)
+        .execute_sliced(view.height, [=, width = view.width](graph::PassContext& p, graph::Slice slice) {
+            const auto positions = p.pixels<glm::vec4>(gbuffer.position),
+                       geometric = p.pixels<glm::vec4>(gbuffer.geometric_normal);
+            const auto shading = p.pixels<std::uint64_t>(gbuffer.normal);
+            const auto words = p.elements<std::uint32_t>(exact.hits);
+            const auto per_pixel = static_cast<std::size_t>(words_per_pixel(*maps));
+            const auto bvh = p.object<passes::Bvh>(exact.bvh);
+            const PixelTracer tracer(*bvh, *maps, batch, exact, transport);
+            const int threads = p.inputs().threads;
+            tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+            arena.execute([&] {
+                tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t row) {
+                    if (p.cancel().is_cancelled()) return;
+                    for (int column = 0; column < width; ++column) {
+                        const auto i = static_cast<std::size_t>(row * width + column);
+                        const auto own = words.subspan(i * per_pixel, per_pixel);
+                        std::fill(own.begin(), own.end(), 0u);
+                        const auto normal = glm::vec3(geometric[i]);
+                        if (normal == glm::vec3(0)) continue;
+                        tracer.run(
+                            {glm::vec3(positions[i]), normal, glm::vec3(glm::unpackHalf4x16(shading[i]))},
+                            own);
+                    }
+                });
+            });
+            p.cancel().check();
+        });
+}
+
+}  // namespace ir::methods::ldm_ao
