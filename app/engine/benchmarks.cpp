@@ -105,6 +105,10 @@ Json run_one(Machine& machine, const std::string& method, const graph::Benchmark
     experiment.camera = options.camera;
     experiment.width = benchmark.width;
     experiment.height = benchmark.height;
+    if (benchmark.sky) {
+        experiment.replace_lights = true;
+        experiment.environment = scene::Environment{*benchmark.sky, nullptr};
+    }
     Json json{{"scene", experiment.scene}, {"size", {experiment.width, experiment.height}}};
     for (const auto& variant : benchmark.variants) {
         experiment.settings = variant.settings;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <glm/glm.hpp>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,8 @@ struct Benchmark {
     std::string scene = "builtin:atrium";
     std::string camera = {};
     int width = 800, height = 800;
+    /// Constant radiance from everywhere, W/(m² sr), in place of the scene's own lights and environment.
+    std::optional<glm::vec3> sky = {};
     std::vector<Variant> variants;
     std::vector<std::string> total_of = {};  ///< patterns of pass names that make up the total; empty: all
     std::vector<Peer> peers = {};

@@ -22,6 +22,7 @@ constexpr int direct_layer = randomisations, indirect_layer = randomisations + 1
 
 struct Resources {
     PathInputs inputs;
+    std::vector<bool> specular;  ///< by material
     Progress progress;
     graph::ImageRef sums;  ///< rgba32f stack, W/(m² sr)
     graph::ImageRef samples, radiance, variance;
@@ -103,7 +104,7 @@ class Tracer {
           bvh_(context.object<passes::Bvh>(r.inputs.bvh)),
           surfaces_(context.object<passes::SurfaceLookup>(r.inputs.surfaces)),
           lights_(context.object<passes::LightSampler>(r.inputs.lights)),
-          world_(*bvh_, *surfaces_, *lights_, parameters.transport.materials),
+          world_(*bvh_, *surfaces_, *lights_, r.specular),
           rules_(parameters.transport) {
         if (r.inputs.gbuffer) gbuffer_.emplace(context, *r.inputs.gbuffer);
         for (int layer = 0; layer < r.layers(); ++layer)
@@ -193,7 +194,8 @@ class Tracer {
 
 /// Mean and variance by channel. One sample alone says nothing: its variance is taken to be its square.
 struct PixelEstimate {
-    glm::vec4 mean{0}, variance{0};
+    glm::vec3 mean{0};
+    glm::vec4 variance{0};
 };
 PixelEstimate estimate_pixel(const std::vector<std::span<glm::vec4>>& sums, std::size_t pixel,
                              std::uint64_t samples) {
@@ -207,6 +209,11 @@ PixelEstimate estimate_pixel(const std::vector<std::span<glm::vec4>>& sums, std:
         result.variance[channel] = static_cast<float>(e.variance);
     }
     return result;
+}
+
+/// Pictures are looked at and saved with their alpha.
+glm::vec4 opaque(glm::vec3 colour) {
+    return {colour, 1};
 }
 
 void average(const graph::PassContext& context, const Resources& r, const Parameters& parameters) {
@@ -224,7 +231,7 @@ void average(const graph::PassContext& context, const Resources& r, const Parame
     for (std::size_t i = 0; i < counts.size(); ++i) {
         const auto pixel = estimate_pixel(sums, i, samples);
         counts[i] = static_cast<std::uint32_t>(samples);
-        radiance[i] = pixel.mean;
+        radiance[i] = opaque(pixel.mean);
         variance[i] = pixel.variance;
         if (valid[i] == 0) continue;
         sum_variance += pixel.variance.r + pixel.variance.g + pixel.variance.b;
@@ -234,8 +241,8 @@ void average(const graph::PassContext& context, const Resources& r, const Parame
         const auto direct = context.pixels<glm::vec4>(*r.direct);
         const auto indirect = context.pixels<glm::vec4>(*r.indirect);
         for (std::size_t i = 0; i < counts.size(); ++i) {
-            direct[i] = share * sums[direct_layer][i];
-            indirect[i] = share * sums[indirect_layer][i];
+            direct[i] = opaque(share * glm::vec3(sums[direct_layer][i]));
+            indirect[i] = opaque(share * glm::vec3(sums[indirect_layer][i]));
         }
     }
     report_figures(context, *r.tally, samples, sum_valid > 0 ? sum_variance / sum_valid : 0);
@@ -243,8 +250,10 @@ void average(const graph::PassContext& context, const Resources& r, const Parame
 
 }  // namespace
 
-void light_paths(graph::GraphBuilder& builder, const PathInputs& inputs, const Parameters& parameters) {
-    const auto r = declare(builder, inputs, parameters);
+void light_paths(graph::GraphBuilder& builder, const PathInputs& inputs, const Parameters& parameters,
+                 const std::vector<bool>& specular) {
+    auto r = declare(builder, inputs, parameters);
+    r.specular = specular;
     const auto declared =
         declared_items(tiles_of(builder.inputs().view), static_cast<std::uint64_t>(parameters.samples));
     auto trace = builder.pass("trace paths", graph::Queue::cpu);

@@ -4,9 +4,11 @@
 #include "renderers/graph/method.h"
 
 #include "renderers/methods/reference/ambient_occlusion_pass.h"
+#include "renderers/methods/reference/benchmark.h"
 #include "renderers/methods/reference/light_paths_pass.h"
 #include "renderers/methods/reference/notes.h"
 #include "renderers/methods/reference/parameters.h"
+#include "renderers/methods/reference/path_world.h"
 
 namespace ir::methods::reference {
 namespace {
@@ -126,18 +128,22 @@ MethodDescription description() {
 }
 
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
-    note_limits(builder, parameters);
     const auto inputs = path_inputs(builder, parameters);
     if (parameters.transport.paths == Transport::Paths::ao)
-        ambient_occlusion(builder, inputs, parameters);
-    else
-        light_paths(builder, inputs, parameters);
+        return ambient_occlusion(builder, inputs, parameters);
+    const auto specular = specular_materials(*builder.inputs().scene, parameters.transport.materials);
+    note_limits(builder, parameters, specular);
+    light_paths(builder, inputs, parameters, specular);
 }
 
 }  // namespace
 
 const graph::Method& method() {
-    static const auto instance = graph::make_method<Parameters>(description(), parameter_table(), setup);
+    static const auto instance = [] {
+        auto made = graph::make_method<Parameters>(description(), parameter_table(), setup);
+        made.benchmarks = benchmarks();
+        return made;
+    }();
     return instance;
 }
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "renderers/methods/reference/path_world.h"
-
 namespace ir::methods::reference {
 namespace {
 
@@ -24,13 +22,14 @@ bool is_punctual(const scene::Light& light) {
            light.type == scene::LightType::directional;
 }
 
-/// Materials that the world's triangles have and that are mirrors or glass.
-int specular_materials(const graph::FrameInputs& inputs, Transport::Materials model) {
-    return static_cast<int>(
-        std::count_if(inputs.world->ranges.begin(), inputs.world->ranges.end(), [&](const auto& range) {
-            return range.triangle_count > 0 &&
-                   may_be_specular(inputs.scene->materials[static_cast<std::size_t>(range.material)], model);
-        }));
+/// Materials among these that the world's triangles have.
+std::ptrdiff_t materials_in(const scene::World& world, const std::vector<bool>& chosen) {
+    std::vector<bool> used(chosen.size());
+    for (const auto& range : world.ranges)
+        if (range.triangle_count > 0) used[static_cast<std::size_t>(range.material)] = true;
+    std::ptrdiff_t count = 0;
+    for (std::size_t i = 0; i < used.size(); ++i) count += used[i] && chosen[i];
+    return count;
 }
 
 void note_darkness(graph::GraphBuilder& builder, const Transport& transport) {
@@ -41,20 +40,21 @@ void note_darkness(graph::GraphBuilder& builder, const Transport& transport) {
                          : "add a light or an environment, or choose the paths ao"));
 }
 
-void note_caustics(graph::GraphBuilder& builder, const Transport& transport) {
+void note_caustics(graph::GraphBuilder& builder, const std::vector<bool>& specular_materials) {
     const auto& lights = builder.inputs().world->lights;
     const auto punctual = std::count_if(lights.begin(), lights.end(), is_punctual);
-    const int specular = specular_materials(builder.inputs(), transport.materials);
+    const auto specular = materials_in(*builder.inputs().world, specular_materials);
     if (punctual == 0 || specular == 0) return;
     builder.note("paths from point, spot and directional lights (" + std::to_string(punctual) +
                  " here) over mirrors or through glass (" + std::to_string(specular) +
-                 " materials that may be such) cannot be found by a path tracer and are missing; lights with "
-                 "an extent (rectangle, disk, emissive mesh) have none of this");
+                 " materials are such, at least in places) cannot be found by a path tracer and are missing; "
+                 "lights with an extent (rectangle, disk, emissive mesh) lack nothing");
 }
 
 }  // namespace
 
-void note_limits(graph::GraphBuilder& builder, const Parameters& parameters) {
+void note_limits(graph::GraphBuilder& builder, const Parameters& parameters,
+                 const std::vector<bool>& specular) {
     const auto& transport = parameters.transport;
     if (transport.paths == Transport::Paths::ao) return;
     note_darkness(builder, transport);
@@ -62,7 +62,7 @@ void note_limits(graph::GraphBuilder& builder, const Parameters& parameters) {
         builder.note("min_bounces is " + std::to_string(transport.min_bounces) + ", max_bounces " +
                      std::to_string(transport.max_bounces) + ": no indirect light counts; raise max_bounces");
     }
-    note_caustics(builder, transport);
+    note_caustics(builder, specular);
 }
 
 }  // namespace ir::methods::reference

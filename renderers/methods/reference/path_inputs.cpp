@@ -10,13 +10,17 @@ namespace ir::methods::reference {
 namespace {
 
 /// Both are made anew in each frame: they point into scene and world.
-graph::ObjectRef declare_surfaces(graph::GraphBuilder& builder, bool normal_maps) {
+graph::ObjectRef declare_surfaces(graph::GraphBuilder& builder, const Transport& transport) {
+    const bool normal_maps = transport.normal_maps;
+    const bool reflectance =
+        transport.paths != Transport::Paths::ao && transport.materials != Transport::Materials::lambert;
     const auto result = builder.object(
         {.text = {
              .key = "reference.surfaces", .label = "Surfaces", .doc = "Materials and textures for rays."}});
     builder.pass("surfaces", graph::Queue::cpu).writes(result).execute([=](graph::PassContext& context) {
         const auto& inputs = context.inputs();
-        const auto made = std::make_shared<passes::SurfaceLookup>(*inputs.scene, *inputs.world, normal_maps);
+        const auto made =
+            std::make_shared<passes::SurfaceLookup>(*inputs.scene, *inputs.world, normal_maps, reflectance);
         context.store(result, made, sizeof *made);
     });
     return result;
@@ -52,7 +56,7 @@ PathInputs path_inputs(graph::GraphBuilder& builder, const Parameters& parameter
     }
     inputs.bvh = passes::bvh(builder);
     const bool is_light = transport.paths != Transport::Paths::ao;
-    if (on_rays || is_light) inputs.surfaces = declare_surfaces(builder, transport.normal_maps);
+    if (on_rays || is_light) inputs.surfaces = declare_surfaces(builder, transport);
     if (on_rays) inputs.valid = first_hits(builder, inputs.bvh, inputs.surfaces);
     if (is_light) inputs.lights = declare_lights(builder, inputs.surfaces, transport.environment_light);
     return inputs;

@@ -6,20 +6,47 @@
 
 namespace ir::methods::reference {
 
-bool may_be_specular(const scene::Material& material, Transport::Materials model) {
+namespace {
+
+/// The smallest value of the texture's green channel, which is roughness; 1 without a texture.
+float least_green(const scene::Scene& scene, int texture) {
+    if (texture < 0) return 1;
+    std::uint8_t least = 255;
+    const auto& rgba = scene.textures[static_cast<std::size_t>(texture)].rgba;
+    for (std::size_t i = 1; i < rgba.size() && least > 0; i += 4) least = std::min(least, rgba[i]);
+    return static_cast<float>(least) / 255;
+}
+
+bool is_mirror_somewhere(const scene::Scene& scene, const scene::Material& material) {
+    const float roughness =
+        material.roughness * least_green(scene, material.metallic_roughness_texture.texture);
+    return roughness * roughness < passes::mirror_alpha;
+}
+
+bool is_specular(const scene::Scene& scene, const scene::Material& material, Transport::Materials model) {
     if (model == Transport::Materials::lambert || material.unlit) return false;
-    const bool is_smooth = material.metallic_roughness_texture.texture >= 0 ||
-                           material.roughness * material.roughness < passes::mirror_alpha;
+    if (material.transmission > 0) return true;
     const bool has_interface = model == Transport::Materials::gltf || material.metallic > 0;
-    return material.transmission > 0 || (is_smooth && has_interface);
+    return has_interface && is_mirror_somewhere(scene, material);
+}
+
+}  // namespace
+
+std::vector<bool> specular_materials(const scene::Scene& scene, Transport::Materials model) {
+    std::vector<bool> result;
+    for (const auto& material : scene.materials) result.push_back(is_specular(scene, material, model));
+    return result;
 }
 
 PathWorld::PathWorld(const passes::Bvh& b, const passes::SurfaceLookup& s, const passes::LightSampler& l,
-                     Transport::Materials model)
-    : bvh(b), surfaces(s), lights(l), rays_meet_lights(l.has_environment()) {
+                     std::vector<bool> specular)
+    : bvh(b),
+      surfaces(s),
+      lights(l),
+      may_be_specular(std::move(specular)),
+      rays_meet_lights(l.has_environment()) {
     for (const auto& m : s.scene().materials) {
         emits.push_back(m.emission != glm::vec3(0));
-        may_be_specular.push_back(reference::may_be_specular(m, model));
         rays_meet_lights = rays_meet_lights || emits.back();
     }
     const auto& all = s.world().lights;

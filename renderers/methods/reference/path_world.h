@@ -9,10 +9,15 @@
 
 namespace ir::methods::reference {
 
+/// By material: whether it is a mirror or glass under this model, at least where its textures say so. Looks
+/// at all texels of roughness textures.
+std::vector<bool> specular_materials(const scene::Scene& scene, Transport::Materials model);
+
 /// What paths run through, with what is known of it beforehand. Keeps references.
 struct PathWorld {
+    /// `specular`: specular_materials() of the scene.
     PathWorld(const passes::Bvh& bvh, const passes::SurfaceLookup& surfaces,
-              const passes::LightSampler& lights, Transport::Materials materials);
+              const passes::LightSampler& lights, std::vector<bool> specular);
 
     const scene::Material& material(int index) const {
         return surfaces.scene().materials[static_cast<std::size_t>(index)];
@@ -28,8 +33,5 @@ struct PathWorld {
     std::vector<bool> may_be_specular;  ///< by material: mirror or glass somewhere
     bool rays_meet_lights = false;      ///< something emits that has an extent
 };
-
-/// Whether a material is a mirror or glass under this model, at least where its textures say so.
-bool may_be_specular(const scene::Material& material, Transport::Materials model);
 
 }  // namespace ir::methods::reference

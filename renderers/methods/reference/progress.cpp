@@ -39,6 +39,13 @@ void Progress::advance(const graph::PassContext& context, std::uint64_t per_fram
         static_cast<std::uint32_t>(of_frame(context, per_frame).end);
 }
 
+namespace {
+
+/// The RMSE that renderers are compared at, in the result's unit.
+constexpr double compared_error = 0.02;
+
+}  // namespace
+
 void report_figures(const graph::PassContext& context, const Tally& tally, std::uint64_t samples,
                     double mean_variance) {
     const auto& view = context.inputs().view;
@@ -51,6 +58,9 @@ void report_figures(const graph::PassContext& context, const Tally& tally, std::
     context.set_figure("reference.trace_ms", tally.milliseconds);
     context.set_figure("reference.samples_total", pixels * static_cast<double>(samples));
     context.set_figure("reference.error", std::sqrt(mean_variance));
+    // Variance falls as 1 / time, or faster.
+    context.set_figure("reference.ms_to_rmse_0.02",
+                       tally.milliseconds * mean_variance / (compared_error * compared_error));
     context.set_figure("reference.cut_paths", static_cast<double>(tally.cut));
     context.set_figure("reference.bad_samples", static_cast<double>(tally.bad));
 }

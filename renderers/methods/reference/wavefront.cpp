@@ -143,7 +143,7 @@ void Wavefront::go_on(Path& path, const passes::Surface& surface, const passes::
     }
     // After the last scattering only light sources are looked for.
     if (path.scatterings == most_ && !world_.rays_meet_lights) return;
-    if (!sample.is_specular && path.scatterings >= estimator_.first_roulette && !survives(path, dice)) return;
+    if (!sample.is_specular && !survives(path, dice)) return;
     const auto side = sample.is_transmitted ? -surface.geometric_normal_ws : surface.geometric_normal_ws;
     path.origin = passes::offset_origin(surface.position_ws, side);
     path.direction = sample.wi;

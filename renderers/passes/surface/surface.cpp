@@ -42,7 +42,8 @@ struct LookedUpMaterial {
     bool is_unlit = false, has_textures = false, has_colours = false;
     Slot base_colour_slot, metallic_roughness_slot, normal_slot, emission_slot, transmission_slot;
 
-    LookedUpMaterial(const scene::Material& m, const std::vector<HostTexture>& textures, bool normal_maps)
+    LookedUpMaterial(const scene::Material& m, const std::vector<HostTexture>& textures, bool normal_maps,
+                     bool reflectance)
         : base_colour(m.base_colour),
           emission(m.emission),
           metallic(m.metallic),
@@ -51,9 +52,11 @@ struct LookedUpMaterial {
           normal_scale(m.normal_scale),
           is_unlit(m.unlit),
           base_colour_slot(m.base_colour_texture, textures),
-          metallic_roughness_slot(m.metallic_roughness_texture, textures),
-          emission_slot(m.emission_texture, textures),
-          transmission_slot(m.transmission_texture, textures) {
+          emission_slot(m.emission_texture, textures) {
+        if (reflectance) {
+            metallic_roughness_slot = Slot(m.metallic_roughness_texture, textures);
+            transmission_slot = Slot(m.transmission_texture, textures);
+        }
         if (normal_maps) normal_slot = Slot(m.normal_texture, textures);
         has_textures =
             base_colour_slot || metallic_roughness_slot || normal_slot || emission_slot || transmission_slot;
@@ -91,10 +94,12 @@ struct Corners {
 }  // namespace
 
 struct SurfaceLookup::Impl {
-    Impl(const scene::Scene& s, const scene::World& w, bool normal_maps) : scene(s), world(w) {
+    Impl(const scene::Scene& s, const scene::World& w, bool normal_maps, bool reflectance)
+        : scene(s), world(w) {
         textures.reserve(s.textures.size());
         for (const auto& texture : s.textures) textures.emplace_back(texture);
-        for (const auto& material : s.materials) materials.emplace_back(material, textures, normal_maps);
+        for (const auto& material : s.materials)
+            materials.emplace_back(material, textures, normal_maps, reflectance);
         mark_colours();
         vertices.reserve(w.positions.size());
         for (std::size_t i = 0; i < w.positions.size(); ++i)
@@ -165,8 +170,9 @@ struct SurfaceLookup::Impl {
     std::vector<Vertex> vertices;
 };
 
-SurfaceLookup::SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps)
-    : impl_(std::make_unique<Impl>(scene, world, normal_maps)) {}
+SurfaceLookup::SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps,
+                             bool reflectance)
+    : impl_(std::make_unique<Impl>(scene, world, normal_maps, reflectance)) {}
 
 SurfaceLookup::~SurfaceLookup() = default;
 

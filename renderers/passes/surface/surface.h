@@ -25,7 +25,10 @@ struct Surface {
 /// Looks surfaces up on the host. Keeps pointers to scene and world, which must outlive it. Thread-safe.
 class SurfaceLookup {
   public:
-    SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps);
+    /// Without `reflectance` textures of metallic, roughness and transmission are not asked, for models that
+    /// do not use them: texels that are not in the cache cost as much as a ray.
+    SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps,
+                  bool reflectance = true);
     ~SurfaceLookup();
     SurfaceLookup(const SurfaceLookup&) = delete;
 

@@ -26,7 +26,7 @@ std::vector<Estimate> estimates(const passes::Bvh& bvh, const SurfacePoint& poin
         Sums sums{};
         add_visibility(bvh, point, rule, PixelSamples(static_cast<std::uint64_t>(seed), 5, 9), {0, samples},
                        sums, direction);
-        result.push_back(estimate(sums, samples));
+        result.push_back(estimate(sums, samples, largest_variance_of_a_fraction));
     }
     return result;
 }

@@ -114,20 +114,61 @@ TEST(CosineDirection, TurnsWithTheNormal) {
     }
 }
 
+/// The points of a pixel's paths in one dimension and randomisation.
+struct PathDimension {
+    std::uint64_t key;
+    std::uint32_t dimension;
+    glm::vec2 point(std::uint32_t i) const { return PathSampler(key, i).pair(dimension); }
+};
+
+TEST(PathSampler, PutsOnePointIntoEachElementaryInterval) {
+    // Shuffled within blocks whose lengths are powers of two: the first 2^k points stay a net.
+    for (const std::uint32_t dimension : {0u, 1u, 17u}) {
+        for (int k = 0; k <= 8; ++k) {
+            for (int a = 0; a <= k; ++a)
+                EXPECT_EQ(most_in_a_box(PathDimension{77, dimension}, k, a), 1) << k << " " << a;
+        }
+    }
+}
+
+TEST(PathSampler, DimensionsAreUnrelated) {
+    // Pairs (x of one dimension, x of another) of 65,536 paths, each the first of its key: 64 bins, α = 1e-4.
+    for (const auto& [one, other] : {std::pair{0u, 1u}, {1u, 2u}, {3u, 40u}}) {
+        const auto chi2 = chi2_of(1 << 16, [&, one = one, other = other](int i) {
+            const PathSampler path(mixed(i), 5);
+            return glm::vec2(path.pair(one).x, path.pair(other).x);
+        });
+        EXPECT_LT(chi2, chi2_63_at_1e_4) << one << " " << other;
+    }
+}
+
+TEST(PathSampler, DimensionsAreShuffledApart) {
+    // Of one key: with 4096 points of two dimensions, all boxes of a coarse grid are filled about equally.
+    // Without shuffling they lie on few lines: the test rejects one dimension taken twice.
+    const auto pairs = [](std::uint32_t other) {
+        return chi2_of(4096, [=](int i) {
+            const PathSampler path(9, static_cast<std::uint32_t>(i));
+            return glm::vec2(path.pair(2).x, path.pair(other).x);
+        });
+    };
+    EXPECT_LT(pairs(3), chi2_63_at_1e_4);
+    EXPECT_GT(pairs(2), chi2_63_at_1e_4);
+}
+
 TEST(Estimate, IsTheMeanOfAllSamples) {
-    EXPECT_DOUBLE_EQ(estimate({3, 1, 2, 0, 0, 0, 0, 2}, 16).mean, 0.5);
-    EXPECT_DOUBLE_EQ(estimate({1, 0, 1, 0, 0, 0, 0, 0}, 3).mean, 2.0 / 3);
+    EXPECT_DOUBLE_EQ(estimate({3, 1, 2, 0, 0, 0, 0, 2}, 16, 0.25).mean, 0.5);
+    EXPECT_DOUBLE_EQ(estimate({1, 0, 1, 0, 0, 0, 0, 0}, 3, 0.25).mean, 2.0 / 3);
 }
 
 TEST(Estimate, TakesTheVarianceFromTheRandomisations) {
     // Means 0.5 ± 0.5 in eight randomisations: sample variance 8/7 · 1/4, of the mean 1/28.
-    EXPECT_NEAR(estimate({4, 0, 4, 0, 4, 0, 4, 0}, 32).variance, 1.0 / 28, 1e-15);
-    EXPECT_EQ(estimate({2, 2, 2, 2, 2, 2, 2, 2}, 16).variance, 0);
+    EXPECT_NEAR(estimate({4, 0, 4, 0, 4, 0, 4, 0}, 32, 0.25).variance, 1.0 / 28, 1e-15);
+    EXPECT_EQ(estimate({2, 2, 2, 2, 2, 2, 2, 2}, 16, 0.25).variance, 0);
     // Fewer samples than randomisations: independent samples. 1, 0, 1 has the variance 1/3, its mean 1/9.
-    EXPECT_NEAR(estimate({1, 0, 1, 0, 0, 0, 0, 0}, 3).variance, 1.0 / 9, 1e-15);
-    EXPECT_EQ(estimate({1, 0, 0, 0, 0, 0, 0, 0}, 1).variance, 0.25);
+    EXPECT_NEAR(estimate({1, 0, 1, 0, 0, 0, 0, 0}, 3, 0.25).variance, 1.0 / 9, 1e-15);
+    EXPECT_EQ(estimate({1, 0, 0, 0, 0, 0, 0, 0}, 1, 0.7).variance, 0.7);  // one sample says nothing
     // Shares that differ do not look like variance.
-    EXPECT_NEAR(estimate({2, 2, 1, 1, 1, 1, 1, 1}, 10).variance, 0, 1e-15);
+    EXPECT_NEAR(estimate({2, 2, 1, 1, 1, 1, 1, 1}, 10, 0.25).variance, 0, 1e-15);
 }
 
 TEST(Visibility, FollowsItsRule) {
