@@ -60,6 +60,8 @@ PlotChart::PlotChart(const PlotStyle& style, QGraphicsItem* parent)
     setBackgroundPen(Qt::NoPen);
     setBackgroundRoundness(0);
     legend()->hide();
+    x_axis_ = make_axis(Qt::AlignBottom);
+    y_axis_ = make_axis(Qt::AlignLeft);
     connect(this, &QChart::plotAreaChanged, this, [this] { painted_->update(); });
 }
 
@@ -107,7 +109,8 @@ void PlotChart::rebuild() {
     make_scales();
     lay_out_legend();
     removeAllSeries();
-    make_axes();
+    show_axis(*x_axis_, x_, data_.x);
+    show_axis(*y_axis_, y_, data_.y);
     make_lines();
     painted_->update();
 }
@@ -168,35 +171,29 @@ void PlotChart::lay_out_legend() {
     const bool rings = std::any_of(marks_.begin(), marks_.end(), [](const Mark& mark) { return mark.ring; });
     if (rings && !data_.ring_name.isEmpty()) add(data_.ring_name, -1);
     const double bottom = legend_.empty() ? top : y + line;
-    setMargins(QMargins(6, int(std::ceil(bottom)) + 4, 16, 6));
+    setMargins(QMargins(6, int(std::ceil(bottom)) + 4, 16, 2));
 }
 
-QCategoryAxis* PlotChart::make_axis(const PlotScale& scale, const PlotAxis& axis, Qt::Alignment side) {
+QCategoryAxis* PlotChart::make_axis(Qt::Alignment side) {
     auto* made = new QCategoryAxis;
     made->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
-    made->setStartValue(scale.low() - (scale.high() - scale.low()));
-    for (const auto& tick : scale.ticks()) made->append(tick.text, tick.place);
-    made->setRange(scale.low(), scale.high());
-    made->setTruncateLabels(!axis.names.isEmpty());
     made->setLinePen(QPen(style_.dim, 1));
     made->setGridLinePen(QPen(style_.grid, 1));
     made->setLabelsFont(font_);
     made->setLabelsBrush(style_.text);
     made->setTitleFont(font_);
     made->setTitleBrush(style_.text);
-    made->setTitleText(axis.title);
     addAxis(made, side);
     return made;
 }
 
-void PlotChart::make_axes() {
-    for (auto* old : {x_axis_, y_axis_})
-        if (old) {
-            removeAxis(old);
-            delete old;
-        }
-    x_axis_ = make_axis(x_, data_.x, Qt::AlignBottom);
-    y_axis_ = make_axis(y_, data_.y, Qt::AlignLeft);
+void PlotChart::show_axis(QCategoryAxis& shown, const PlotScale& scale, const PlotAxis& axis) {
+    for (const auto& label : shown.categoriesLabels()) shown.remove(label);
+    shown.setStartValue(scale.low() - (scale.high() - scale.low()));
+    for (const auto& tick : scale.ticks()) shown.append(tick.text, tick.place);
+    shown.setRange(scale.low(), scale.high());
+    shown.setTruncateLabels(!axis.names.isEmpty());
+    shown.setTitleText(axis.title);
 }
 
 void PlotChart::add_line(const std::vector<QPointF>& points, const QPen& pen) {
@@ -307,8 +304,8 @@ QImage plot_picture(const PlotData& data, const QSize& size, double scale, const
     QGraphicsScene scene;
     auto* chart = new PlotChart(style);
     scene.addItem(chart);
-    chart->set_data(data);
     chart->resize(size);
+    chart->set_data(data);
     chart->layout()->activate();
     const QRectF area(0, 0, size.width(), size.height());
     scene.setSceneRect(area);

@@ -54,9 +54,9 @@ class PlotChart : public QChart {
     void rebuild();
     void lay_out_legend();
     void make_scales();
-    void make_axes();
     void make_lines();
-    QCategoryAxis* make_axis(const PlotScale& scale, const PlotAxis& axis, Qt::Alignment side);
+    QCategoryAxis* make_axis(Qt::Alignment side);
+    void show_axis(QCategoryAxis& shown, const PlotScale& scale, const PlotAxis& axis);
     void add_line(const std::vector<QPointF>& points, const QPen& pen);
     void paint_header(QPainter& painter) const;
     void paint_level(QPainter& painter) const;

@@ -53,6 +53,7 @@ QComboBox* PlotHeader::add_list(QBoxLayout* row, const char* name, const QString
     list->setAccessibleName(label);
     list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     list->setMinimumContentsLength(7);
+    list->setMinimumWidth(48);
     set_tip(list, tip);
     row->addWidget(list, 1);
     if (chosen)
@@ -94,6 +95,7 @@ void PlotHeader::make_first_row(QBoxLayout* row) {
     stale_->setObjectName(QStringLiteral("stale"));
     stale_->setStyleSheet(QStringLiteral(
         "QLabel { background: #8a5a10; color: #ffffff; border-radius: 3px; padding: 1px 6px; }"));
+    stale_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     row->addWidget(stale_);
     progress_ = new QProgressBar;
     progress_->setObjectName(QStringLiteral("progress"));

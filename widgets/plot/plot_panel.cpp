@@ -115,6 +115,7 @@ QWidget* PlotPanel::make_content() {
     lines_->setObjectName(QStringLiteral("lines"));
     lines_->setAccessibleName(tr("Points that could not be measured, and notes"));
     lines_->setFrameShape(QFrame::NoFrame);
+    lines_->setIconSize(QSize(14, 14));
     lines_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     add_copy(lines_, [this] {
         QStringList texts;

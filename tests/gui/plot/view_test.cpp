@@ -174,13 +174,26 @@ TEST_F(PlotViewTest, PicturesHaveTheAskedSizeAndBothGrounds) {
     for (int s = 0; s < 2; ++s)
         EXPECT_GT(count_like(paper, PlotStyle::paper().series(s), paper.rect()), 100) << s;
     EXPECT_GT(count_like(paper, PlotStyle::paper().text, QRect(0, 0, 500, 30)), 50) << "the title";
-    EXPECT_GT(count_like(paper, PlotStyle::paper().text, QRect(0, 60, 30, 240)), 30) << "the vertical axis";
+    EXPECT_GT(count_like(paper, PlotStyle::paper().text, QRect(0, 60, 60, 240)), 60) << "the vertical axis";
     EXPECT_GT(count_like(paper, PlotStyle::paper().text, QRect(0, 296, 500, 24)), 30)
         << "the horizontal axis";
     const auto fine = plot_picture(sample_plot(), {500, 320}, 2, PlotStyle::screen());
     EXPECT_EQ(fine.size(), QSize(1000, 640));
     EXPECT_EQ(fine.pixelColor(1, 1), PlotStyle::screen().background);
     EXPECT_GT(count_like(fine, PlotStyle::screen().series(0), fine.rect()), 400);
+}
+
+TEST_F(PlotViewTest, WhatWasShownBeforeLeavesNothingBehind) {
+    const auto fresh = grab();
+    auto other = sample_plot();
+    other.x = {"Directions", false, {"a", "b", "c"}, {}};
+    other.y.log = false;
+    view.set_data(other);
+    view.resize(500, 300);
+    EXPECT_NE(grab(), fresh);
+    view.resize(640, 400);
+    view.set_data(sample_plot());
+    EXPECT_EQ(grab(), fresh);
 }
 
 TEST(PlotStyle, SeriesDifferInColourOrMark) {
