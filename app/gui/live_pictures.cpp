@@ -90,8 +90,9 @@ void LivePictures::update(const std::string& id, Entry& entry) {
                                                        session_.open_project().folder());
         if (!reason.empty()) throw Error(reason);
         entry.experiment = resolved(*chosen);
+        if (!entry.experiment) return set_state(id, entry, State::rendering);
         // Stored histories are found once the index of a project that was just opened is read.
-        if (!entry.experiment || !kept_.is_known()) return set_state(id, entry, State::rendering);
+        if (!kept_.is_known() && entry.signature.empty()) return set_state(id, entry, State::rendering);
         if (session_.experiment()->id == id) emit composition_resolved(entry.experiment->composition());
         send_if_changed(id, entry);
     } catch (const std::exception& error) {

@@ -42,6 +42,7 @@ class PixelPlacesWindowTest : public WindowTest {
         window.workspace().active_pane().compare().look_at(QPointF(pixel), 8);
         const QPointF device = view.transform().view_from_image(QPointF(pixel) + QPointF(0.5, 0.5));
         const QPoint place = (device / view.devicePixelRatioF()).toPoint();
+        QTest::mouseMove(&view, place + QPoint(1, 1));
         QTest::mouseMove(&view, place);
         QTest::mouseClick(&view, Qt::LeftButton, keys, place);
         ASSERT_TRUE(settle());
