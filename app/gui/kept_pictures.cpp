@@ -149,6 +149,7 @@ Picture PictureSource::of_kept(const widgets::ViewSource& source) const {
 }
 
 QString PictureSource::kept_mismatch(const std::string& a, const std::string& b) const {
+    if (!session_.has_project()) return {};
     const auto now = projects::with_contents(session_.document(), session_.open_project().contents());
     const auto inputs_of = [&](const std::string& owner) -> Json {
         if (const auto* result = kept(owner)) return result->inputs;
