@@ -244,8 +244,9 @@ void MetricsPanel::update_foot() {
     if (now && now->rectangle) text += tr("\nRectangle: %1").arg(pixels_text(*now->rectangle));
     if (worker_->is_computing()) text += (now ? QStringLiteral("  ·  ") : QString()) + tr("measuring …");
     foot_->setText(text);
-    foot_->setToolTip(now ? tr("Skipped are pixels that a mask excludes, or that are NaN or infinite in "
-                               "either picture")
+    foot_->setToolTip(now ? tr("Skipped are pixels that are invalid, NaN or infinite in either picture; what "
+                               "the mask or the "
+                               "rectangle leaves out is not counted")
                           : QString());
     copy_->setEnabled(now && now->complete);
 }
