@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <QSignalSpy>
+#include <QTest>
 #include <cmath>
 
 #include "widgets/space/picture_pacer.h"
