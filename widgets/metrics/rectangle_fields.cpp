@@ -77,11 +77,6 @@ void RectangleFields::show_numbers() {
         fields_[i]->setRange(i < 2 ? 0 : 1, std::max(i < 2 ? 0 : 1, most[i]));
         fields_[i]->setValue(values[i]);
         fields_[i]->setEnabled(!picture.isEmpty());
-        QPalette colours = palette();
-        // The whole picture was chosen by nobody.
-        const auto group = rectangle_.isEmpty() ? QPalette::Disabled : QPalette::Active;
-        colours.setColor(QPalette::Text, colours.color(group, QPalette::Text));
-        fields_[i]->setPalette(colours);
     }
 }
 

@@ -186,7 +186,7 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
     pictures_->setMenu(pictures_menu_);
     connect(pictures_menu_, &QMenu::aboutToShow, this, &ViewHeader::fill_pictures_menu);
     difference_ = make_combo(second, QStringLiteral("difference"), tr("Kind of difference"), 64);
-    difference_->setMinimumContentsLength(4);
+    difference_->setMinimumContentsLength(9);
     for (const auto kind : all_differences()) {
         difference_->addItem(difference_name(kind), int(kind));
         difference_->setItemData(difference_->count() - 1, difference_doc(kind), Qt::ToolTipRole);
