@@ -47,22 +47,23 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
     connect_panels();
     connect_views();
     connect_results();
+    connect_plots();
     restore_window();
     update_document();
 }
 
 MainWindow::~MainWindow() {
     // Last words of the parts would reach half-destroyed widgets.
-    for (QObject* part : {static_cast<QObject*>(&session_), static_cast<QObject*>(&renderer_),
-                          static_cast<QObject*>(&live_), static_cast<QObject*>(&workspace_),
-                          static_cast<QObject*>(&inspector_), static_cast<QObject*>(&kept_),
-                          static_cast<QObject*>(results_), static_cast<QObject*>(&metrics_),
-                          static_cast<QObject*>(&scenes_)})
+    for (QObject* part :
+         {static_cast<QObject*>(&session_), static_cast<QObject*>(&renderer_), static_cast<QObject*>(&live_),
+          static_cast<QObject*>(&workspace_), static_cast<QObject*>(&inspector_),
+          static_cast<QObject*>(&kept_), static_cast<QObject*>(results_), static_cast<QObject*>(plots_),
+          static_cast<QObject*>(&metrics_), static_cast<QObject*>(&scenes_)})
         part->disconnect(this);
 }
 
 bool MainWindow::is_settled() const {
-    return live_.is_settled() && workspace_.is_settled() && metrics_.is_settled();
+    return live_.is_settled() && workspace_.is_settled() && metrics_.is_settled() && plots_->is_settled();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -85,6 +86,7 @@ void MainWindow::changeEvent(QEvent* event) {
     if (event->type() != QEvent::ActivationChange || !isActiveWindow()) return;
     session_.look_at_files();
     kept_.look();
+    plots_->look();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

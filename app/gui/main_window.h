@@ -10,6 +10,7 @@
 #include "app/gui/known_projects.h"
 #include "app/gui/metrics_dock.h"
 #include "app/gui/pixel_inspector.h"
+#include "app/gui/plots_dock.h"
 #include "app/gui/references.h"
 #include "app/gui/results_dock.h"
 #include "app/gui/scene_shelf.h"
@@ -39,6 +40,8 @@ class MainWindow : public QMainWindow {
     struct Options {
         bool remember = true;  ///< keeps geometry, docks and recent projects between runs
         widgets::ImageView::Surface surface = widgets::ImageView::Surface::best;
+        engine::MachineOptions machine = {};    ///< of studies
+        engine::StudyRunner study_runner = {};  ///< without one they are carried out by that machine
     };
     MainWindow(Renderer& renderer, const Registry& registry, const Options& options);
     ~MainWindow();
@@ -50,6 +53,7 @@ class MainWindow : public QMainWindow {
     MetricsDock& metrics() { return metrics_; }
     DocumentDock& document() { return *document_; }
     ResultsDock& results() { return *results_; }
+    PlotsDock& plots() { return *plots_; }
     References& references() { return references_; }
     KeptResults& kept() { return kept_; }
     Exports& exports() { return exports_; }
@@ -61,6 +65,8 @@ class MainWindow : public QMainWindow {
 
     /// A project, a scene file or builtin:NAME; failures become a banner and a message. Asks nothing.
     bool open_path(const QString& path);
+    /// Brings the plots forward, and one of them.
+    void show_plot(const std::string& id);
     /// Throws UsageError that lists the known layouts.
     void apply_layout(const QString& name);
     static QStringList layout_names();
@@ -121,6 +127,9 @@ class MainWindow : public QMainWindow {
     void make_result_actions();
     void connect_results();
     void update_result_actions();
+
+    // window_plots.cpp
+    void connect_plots();
 
     // window_files.cpp
     bool run_file_step(const std::function<void()>& work, const QString& what);
@@ -183,6 +192,7 @@ class MainWindow : public QMainWindow {
     widgets::ParameterPanel* parameter_panel_ = nullptr;
     DocumentDock* document_ = nullptr;
     ResultsDock* results_ = nullptr;
+    PlotsDock* plots_ = nullptr;
     widgets::DisplayPanel* display_ = nullptr;
     widgets::RowsPanel *scene_tree_ = nullptr, *buffers_ = nullptr, *timings_ = nullptr, *counters_ = nullptr;
     widgets::MessagesPanel* messages_ = nullptr;

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/engine/version.h"
+#include "app/gui/export_plot.h"
 #include "app/gui/main_window.h"
 #include "projects/light_spec.h"
 #include "projects/scene_files.h"
@@ -24,7 +25,12 @@ constexpr int settle_ms = 400;
 constexpr int failed = 1, bad_input = 3;
 
 struct Arguments {
-    std::string project, layout, screenshot, size, backend;
+    std::string project, layout, screenshot, size, backend, plot, plot_file;
+    int scale = 1;
+    bool dark = false;
+
+    bool exports() const { return !plot_file.empty(); }
+    bool needs_screen() const { return screenshot.empty() && !exports(); }
 };
 
 void describe(CLI::App& command, Arguments& arguments) {
@@ -35,7 +41,18 @@ void describe(CLI::App& command, Arguments& arguments) {
                        "Arrangement of the docks: " + MainWindow::layout_names().join(", ").toStdString());
     command.add_option("--screenshot", arguments.screenshot,
                        "Wait until everything shown is rendered, save the window as PNG and quit");
-    command.add_option("--size", arguments.size, "Size of the window, WxH");
+    command.add_option("--size", arguments.size, "Size of the window, or of the exported plot, WxH");
+    auto* plot = command.add_option("--plot", arguments.plot,
+                                    "Show this plot of the project, and carry it out unless its numbers are "
+                                    "kept and current");
+    auto* file = command.add_option("--export", arguments.plot_file,
+                                    "Write that plot to a .png or .csv file instead of opening a window");
+    file->needs(plot);
+    command.add_option("--scale", arguments.scale, "Pixels of the exported picture for one of its --size")
+        ->check(CLI::Range(1, 8))
+        ->needs(file);
+    command.add_flag("--dark", arguments.dark, "Export the plot as the window shows it, not on white")
+        ->needs(file);
     command.add_option("--backend", arguments.backend,
                        "OpenGL through egl or osmesa (default: the best that works)");
 }
@@ -118,7 +135,7 @@ void check_display(const Arguments& arguments) {
 #ifdef Q_OS_LINUX
     for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
         if (!qEnvironmentVariableIsEmpty(variable)) return;
-    if (arguments.screenshot.empty())
+    if (arguments.needs_screen())
         throw Error("no display; start it in a desktop session, or use interreflect-cli");
     qputenv("QT_QPA_PLATFORM", "offscreen");
 #else
@@ -131,7 +148,7 @@ int run_window(const Arguments& arguments) {
     machine.backend = arguments.backend;
     const auto renderer = make_thread_renderer(machine);
     const bool screenshot = !arguments.screenshot.empty();
-    MainWindow window(*renderer, engine::registry(), {.remember = !screenshot});
+    MainWindow window(*renderer, engine::registry(), {.remember = !screenshot, .machine = machine});
     if (!arguments.size.empty()) {
         const auto size = projects::parse_size(arguments.size, "--size");
         window.resize(size.x, size.y);
@@ -145,7 +162,25 @@ int run_window(const Arguments& arguments) {
                   << in_one_line(window.banners().text(QStringLiteral("file")).toStdString()) << "\n";
         return bad_input;
     }
+    if (!arguments.plot.empty() && window.session().has_project()) {
+        if (!projects::find_item(window.session().document().plots, arguments.plot))
+            throw UsageError("--plot '" + arguments.plot + "': the project has no such plot");
+        window.show_plot(arguments.plot);
+        window.plots().run_if_needed();
+    }
     return QApplication::exec();
+}
+
+int run_export(const Arguments& arguments) {
+    PlotExport job{arguments.project, arguments.plot, arguments.plot_file, arguments.backend};
+    job.scale = arguments.scale;
+    job.dark = arguments.dark;
+    if (!arguments.size.empty()) {
+        const auto size = projects::parse_size(arguments.size, "--size");
+        job.size = {size.x, size.y};
+    }
+    export_plot(job);
+    return 0;
 }
 
 }  // namespace
@@ -166,9 +201,10 @@ int run(int argc, char** argv) {
             !MainWindow::layout_names().contains(QString::fromStdString(arguments.layout)))
             throw UsageError("unknown layout '" + arguments.layout + "'; known are " +
                              MainWindow::layout_names().join(", ").toStdString());
+        if (arguments.exports()) check_plot_file(arguments.plot_file);
         check_display(arguments);
         // Off screen Qt says what is no news to anybody; stderr is for the one line that says what failed.
-        if (!arguments.screenshot.empty())
+        if (!arguments.needs_screen())
             QLoggingCategory::setFilterRules(QStringLiteral("default.warning=false\nqt.qpa.*=false"));
         QLocale::setDefault(QLocale::c());
         QApplication application(argc, argv);
@@ -176,11 +212,13 @@ int run(int argc, char** argv) {
         QApplication::setApplicationName("Interreflect");
         QApplication::setApplicationVersion(QString::fromStdString(engine::version()));
         widgets::apply_theme(application);
-        return run_window(arguments);
+        return arguments.exports() ? run_export(arguments) : run_window(arguments);
     } catch (const CLI::Success& shown) {
         return command.exit(shown);
     } catch (const CLI::ParseError& error) {
         return fail(std::string(error.what()) + " (--help lists what is allowed)", 2);
+    } catch (const InputError& error) {
+        return fail(in_one_line(error.what()), bad_input);
     } catch (const UsageError& error) {
         return fail(error.what(), 2);
     } catch (const std::exception& error) {

@@ -157,6 +157,8 @@ void MainWindow::show_shortcuts() {
         {tr("Slide the camera (Orbit, Fly)"), tr("Shift+drag, right drag")},
         {tr("Camera nearer or farther (Orbit, Fly)"), tr("Ctrl+wheel")},
         {tr("Move the camera (Fly)"), tr("W A S D, Q E; Shift is faster")},
+        {tr("Load a point's setting (Plots)"), tr("Click, Enter")},
+        {tr("Walk through points (Plots)"), tr("Arrows, Home, End")},
     };
     auto* dialog = new widgets::ShortcutsDialog(action_order_, gestures, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);

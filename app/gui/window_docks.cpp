@@ -24,11 +24,12 @@ const QList<Layout>& layouts() {
     static const QList<Layout> all = {
         {"default",
          {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "metrics",
-          "timings", "messages", "results"}},
+          "timings", "messages", "results", "plots"}},
         {"picture", {}},
-        {"results", {"results"}},
         {"parameters", {"parameters"}},
         {"compare", {"display", "metrics"}},
+        {"results", {"results"}},
+        {"plots", {"plots"}},
         {"inspect", {"display", "inspector", "buffers", "explain"}},
         {"project", {"project"}},
         {"scene", {"parameters", "scene"}},
@@ -116,6 +117,7 @@ void MainWindow::make_docks() {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     document_ = new DocumentDock(session_, scenes_, workspace_);
     results_ = new ResultsDock(session_, live_, renderer_, workspace_, kept_);
+    plots_ = new PlotsDock(session_, options_.machine, options_.study_runner);
     display_ = new widgets::DisplayPanel;
     display_->setMinimumWidth(300);
     scene_tree_ = new widgets::RowsPanel(widgets::scene_headings(), tr("No scene is open."));
@@ -137,6 +139,7 @@ void MainWindow::make_docks() {
     add_dock("timings", tr("Timings"), make_timings_dock(), key(Qt::Key_8));
     add_dock("messages", tr("Messages"), messages_, key(Qt::Key_9));
     add_dock("results", tr("Results"), results_, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
+    add_dock("plots", tr("Plots"), plots_, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
 }
 
 /// Panels behind tabs and closed ones ask for nothing.
@@ -151,6 +154,7 @@ void MainWindow::watch_docks() {
             inspector_.set_visible(seen("inspector"), seen("explain"));
             inspector_.set_thumbnails_wanted(seen("buffers"));
             results_->set_visible_to_user(seen("results"));
+            plots_->set_visible_to_user(seen("plots"));
             metrics_.set_visible(seen("metrics"));
         },
         Qt::QueuedConnection);
@@ -183,6 +187,7 @@ void MainWindow::restore_default_layout() {
     addDockWidget(Qt::RightDockWidgetArea, dock("timings"));
     addDockWidget(Qt::BottomDockWidgetArea, dock("messages"));
     tabifyDockWidget(dock("messages"), dock("results"));
+    tabifyDockWidget(dock("results"), dock("plots"));
     for (auto* each : docks_of(this)) each->show();
     for (const char* front : {"parameters", "display", "buffers", "messages"}) dock(front)->raise();
     resizeDocks({dock("parameters"), dock("buffers")}, {350, 400}, Qt::Horizontal);
@@ -202,6 +207,8 @@ void MainWindow::apply_layout(const QString& name) {
         if (name != QLatin1String(layout.name)) continue;
         restore_default_layout();
         for (auto* dock : docks_of(this)) dock->setVisible(layout.docks.contains(dock->objectName()));
+        if (name == QLatin1String("plots"))
+            resizeDocks({findChild<QDockWidget*>(name)}, {height() / 2}, Qt::Vertical);
         if (!session_.has_project()) show_docks(false);
         return;
     }

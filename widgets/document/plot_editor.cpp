@@ -6,11 +6,10 @@
 #include <algorithm>
 
 #include "projects/plots.h"
-#include "renderers/image/metrics.h"
-#include "widgets/document/axis_text.h"
 #include "widgets/document/field_edit.h"
 #include "widgets/document/fields.h"
 #include "widgets/document/options.h"
+#include "widgets/document/plot_options.h"
 
 namespace ir::widgets {
 namespace {
@@ -28,37 +27,6 @@ std::vector<Option> pictures(const projects::Project& project) {
     return options;
 }
 
-/// Frames, the seed, and the parameters of the experiments' methods, as these call them.
-std::vector<Option> key_options(const ShownProject& shown, const ErrorPlot& plot) {
-    std::vector<Option> options;
-    for (const auto& key : projects::plot_keys(shown.project, plot, shown.registry)) {
-        Option option{q(key), q(key), {}};
-        if (key == "frames") option = {q(key), QObject::tr("Frames"), QObject::tr("Accumulated frames")};
-        if (key == "seed") option = {q(key), QObject::tr("Seed"), QObject::tr("Of all random numbers")};
-        for (const auto& id : plot.experiments) {
-            const auto* experiment = projects::find_item(shown.project.experiments, id);
-            const auto* method = experiment ? shown.registry.find(experiment->method) : nullptr;
-            const auto* parameter = method ? ir::find(method->parameters, key) : nullptr;
-            if (parameter) option = {q(key), q(parameter->label), q(parameter->doc)};
-        }
-        options.push_back(option);
-    }
-    return options;
-}
-
-std::vector<Option> metric_options() {
-    std::vector<Option> options;
-    for (const auto& metric : metrics()) options.push_back({q(metric.name), q(metric.label), q(metric.doc)});
-    return options;
-}
-
-QString values_text(const ErrorPlot& plot) {
-    projects::Sweep::Axis axis;
-    axis.key = plot.over;
-    axis.values = plot.values;
-    return q(axis_text(axis));
-}
-
 }  // namespace
 
 PlotEditor::PlotEditor(QWidget* parent) : ItemForm(parent) {
@@ -74,14 +42,8 @@ PlotEditor::PlotEditor(QWidget* parent) : ItemForm(parent) {
                          &ErrorPlot::metric);
     axis_ = new ChoiceField("axis", this);
     row(grid, tr("Drawn over"), axis_, tr("Horizontal axis: the time that rendering took, or the values"));
-    connect(axis_, &ChoiceField::chosen, this, [this](const QString& id) {
-        emit edit_wanted(field_edit<ErrorPlot>(
-            id_, "axis",
-            [against_time = id == QLatin1String("time")](ErrorPlot& plot) {
-                plot.against_time = against_time;
-            },
-            false));
-    });
+    connect(axis_, &ChoiceField::chosen, this,
+            [this](const QString& id) { emit edit_wanted(set_plot_axis(id_, id == QLatin1String("time"))); });
     notes_ = new NotesField("notes", this);
     row(grid, tr("Notes"), notes_, tr("What the plot shows"));
     connect(notes_, &NotesField::chosen, this, [this](const QString& text) {
@@ -126,37 +88,18 @@ void PlotEditor::make_experiments(QGridLayout* grid) {
 void PlotEditor::make_values(QGridLayout* grid) {
     over_ = new ChoiceField("over", this);
     row(grid, tr("Varies"), over_, tr("What differs from point to point"));
-    connect(over_, &ChoiceField::chosen, this, &PlotEditor::choose_key);
+    connect(over_, &ChoiceField::chosen, this,
+            [this](const QString& key) { emit edit_wanted(set_plot_key(id_, key.toStdString())); });
     values_ = new TextField("values", this);
     row(grid, tr("Values"), values_,
         tr("Separated by commas: 32, 64, 128. Of frames they may be left out: then 1, 2, 4, … of each "
            "experiment"));
-    connect(values_, &TextField::chosen, this, [this](const QString& text) {
-        emit edit_wanted([id = id_, text = text.toStdString()](const projects::Project& project) {
-            const auto& plot = projects::edits::item_of<ErrorPlot>(project, id);
-            auto values = text.empty() ? std::vector<projects::Json>() : parse_axis(plot.over, text);
-            return field_edit<ErrorPlot>(
-                id, "values", [values = std::move(values)](ErrorPlot& changed) { changed.values = values; },
-                false)(project);
-        });
-    });
+    connect(values_, &TextField::chosen, this,
+            [this](const QString& text) { emit edit_wanted(set_plot_values(id_, text.toStdString())); });
     count_ = new QLabel(this);
     count_->setObjectName(QStringLiteral("plot-count"));
     count_->setWordWrap(true);
     add_wide(grid, count_);
-}
-
-void PlotEditor::choose_key(const QString& key) {
-    // The old key's values mean nothing here: it begins with what the first experiment has.
-    const auto value = present_value(first_, key.toStdString());
-    emit edit_wanted(field_edit<ErrorPlot>(
-        id_, "key",
-        [key = key.toStdString(), value](ErrorPlot& plot) {
-            plot.over = key;
-            plot.values.clear();
-            if (key != "frames" && !value.is_null()) plot.values.push_back(value);
-        },
-        false));
 }
 
 void PlotEditor::show_experiments(const ShownProject& shown) {
@@ -198,20 +141,14 @@ void PlotEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     showing_ = true;
     id_ = item.id.toStdString();
     plot_ = *projects::find_item(shown.project.plots, id_);
-    first_ = {};
-    for (const auto& id : plot_.experiments)
-        if (const auto* experiment = projects::find_item(shown.project.experiments, id)) {
-            first_ = projects::effective(*experiment);
-            break;
-        }
     set_controls_usable(shown.read_only ? shown.why_read_only : QString());
     name_->show_text(q(plot_.name));
     reference_->show_options(with_first({QString(), tr("None"), {}}, pictures(shown.project)),
                              q(plot_.reference));
     show_experiments(shown);
-    over_->show_options(key_options(shown, plot_), q(plot_.over));
-    values_->setPlaceholderText(plot_.over == "frames" ? tr("1, 2, 4, …") : QString());
-    values_->show_text(values_text(plot_));
+    over_->show_options(plot_key_options(shown.project, plot_, shown.registry), q(plot_.over));
+    values_->setPlaceholderText(plot_values_hint(plot_));
+    values_->show_text(plot_values_text(plot_));
     metric_->show_options(metric_options(), q(plot_.metric));
     axis_->show_options({{QStringLiteral("time"), tr("Time"), tr("Milliseconds of rendering")},
                          {QStringLiteral("values"), tr("Values"), tr("What varies")}},

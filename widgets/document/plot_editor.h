@@ -24,7 +24,6 @@ class PlotEditor : public ItemForm {
     void make_values(QGridLayout* grid);
     void show_experiments(const ShownProject& shown);
     void show_count(const ShownProject& shown);
-    void choose_key(const QString& key);
 
     TextField *name_, *values_;
     ChoiceField *reference_, *over_, *metric_, *axis_;
@@ -32,7 +31,6 @@ class PlotEditor : public ItemForm {
     QLabel* count_;
     NotesField* notes_;
     projects::ErrorPlot plot_;
-    projects::Experiment first_;  ///< of the plot's experiments, as it runs
     bool showing_ = false;
 };
 

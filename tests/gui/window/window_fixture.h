@@ -81,7 +81,15 @@ class WindowTest : public testing::Test {
     std::string label(const char* name) { return window.findChild<QLabel*>(name)->text().toStdString(); }
 
     FakeRenderer renderer;
-    MainWindow window{renderer, fake_registry(), {.remember = false}};
+    /// What the study's thread does.
+    engine::StudyRunner on_study = [](const engine::StudyRequest&, const engine::StudyCallbacks&) {
+        return engine::ErrorStudy{};
+    };
+    MainWindow window{renderer,
+                      fake_registry(),
+                      {.remember = false, .study_runner = [this](const auto& request, const auto& callbacks) {
+                           return on_study(request, callbacks);
+                       }}};
 };
 
 }  // namespace ir::gui

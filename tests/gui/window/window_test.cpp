@@ -9,6 +9,7 @@
 #include <QProgressBar>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeView>
@@ -112,7 +113,7 @@ TEST_F(WindowTest, RenderingShowsProgressAndEscapeCancels) {
     EXPECT_FALSE(window.is_settled());
     emit renderer.progressed(window.session().experiment()->id, "painting", 0.5);
     EXPECT_NE(label("state").find("painting"), std::string::npos);
-    EXPECT_EQ(window.findChild<QProgressBar*>()->value(), 500);
+    EXPECT_EQ(window.statusBar()->findChild<QProgressBar*>()->value(), 500);
     QTest::keyClick(&window.view(), Qt::Key_Escape);
     ASSERT_TRUE(settle());
     EXPECT_GE(renderer.cancels, 1);

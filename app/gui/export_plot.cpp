@@ -1,0 +1,77 @@
+#include "app/gui/export_plot.h"
+
+#include <QString>
+#include <fstream>
+#include <iostream>
+
+#include "app/engine/kept_study.h"
+#include "app/gui/plot_points.h"
+#include "projects/scene_files.h"
+#include "projects/store.h"
+#include "renderers/core/error.h"
+#include "renderers/image/atomic_file.h"
+#include "widgets/plot/plot_chart.h"
+
+namespace ir::gui {
+namespace {
+
+bool ends_with(const std::string& file, const char* suffix) {
+    return QString::fromStdString(file).endsWith(QLatin1String(suffix), Qt::CaseInsensitive);
+}
+
+const projects::ErrorPlot& plot_of(const projects::Project& project, const std::string& id) {
+    if (const auto* plot = projects::find_item(project.plots, id)) return *plot;
+    std::string known;
+    for (const auto& each : project.plots) known += (known.empty() ? "" : ", ") + each.id;
+    throw UsageError("--plot '" + id + "': the project has no such plot; there are " +
+                     (known.empty() ? "none" : known));
+}
+
+engine::ErrorStudy numbers_of(const projects::LoadedProject& loaded, const projects::ErrorPlot& plot,
+                              const std::string& backend) {
+    const auto& [project, folder] = std::tie(loaded.project, loaded.folder);
+    const auto kept = engine::load_study(folder, plot.id);
+    if (kept && !engine::is_stale(*kept, project, plot, projects::read_contents(project, folder)))
+        return kept->study;
+    engine::MachineOptions options;
+    options.backend = backend;
+    engine::Machine machine(options);
+    auto study = engine::run_error_study(machine, project, plot, folder);
+    try {
+        engine::keep_study(project, plot, folder, study);
+    } catch (const Error& error) {
+        std::cerr << "interreflect: note: the numbers were not kept: " << error.what() << "\n";
+    }
+    return study;
+}
+
+void write_numbers(const std::string& file, const std::string& text) {
+    AtomicFile target(file);
+    std::ofstream out(target.temporary(), std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) throw Error(file + ": cannot be written; is the disk full?");
+    target.commit();
+}
+
+}  // namespace
+
+void check_plot_file(const std::string& file) {
+    if (!ends_with(file, ".png") && !ends_with(file, ".csv"))
+        throw UsageError("--export '" + file + "': the name must end with .png or .csv");
+}
+
+void export_plot(const PlotExport& job) {
+    const auto loaded = projects::load_project(job.project, engine::registry());
+    const auto& plot = plot_of(loaded.project, job.plot);
+    auto study = numbers_of(loaded, plot, job.backend);
+    engine::mark_front(study.points, plot.metric);
+    if (ends_with(job.file, ".csv")) return write_numbers(job.file, engine::study_csv(study));
+    const auto drawn = draw_study(loaded.project, engine::registry(), plot, study, {plot.over, true, true});
+    const auto& style = job.dark ? widgets::PlotStyle::screen() : widgets::PlotStyle::paper();
+    if (!widgets::plot_picture(drawn.data, job.size, job.scale, style)
+             .save(QString::fromStdString(job.file), "PNG"))
+        throw Error(job.file + ": cannot be written");
+}
+
+}  // namespace ir::gui

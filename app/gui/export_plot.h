@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QSize>
+#include <string>
+
+namespace ir::gui {
+
+/// A plot of a project, to be written without a window.
+struct PlotExport {
+    std::string project, plot, file;  ///< .png or .csv
+    std::string backend;
+    QSize size{800, 500};
+    int scale = 1;  ///< pixels of the picture for one of `size`
+    bool dark = false;
+};
+
+/// Throws UsageError unless the file's name ends with .png or .csv.
+void check_plot_file(const std::string& file);
+
+/// Reads the kept numbers where they are current; otherwise carries the plot out and keeps it. Needs a
+/// QApplication. Throws Error, InputError, UsageError with one line.
+void export_plot(const PlotExport& job);
+
+}  // namespace ir::gui
