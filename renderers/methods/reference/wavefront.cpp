@@ -63,8 +63,8 @@ void Wavefront::intersect() {
 
 void Wavefront::arrive(Path& path, const passes::Hit& hit) {
     const bool counts = rules_.count(path.scatterings);
-    if (path.medium >= 0) absorb(path, path.medium, hit.distance);
     if (counts) add_flat_lights(path, hit.distance);
+    if (path.medium >= 0) absorb(path, path.medium, hit.distance);
     if (!hit.is_hit()) {
         if (counts) add_environment(path);
         return;
@@ -80,8 +80,8 @@ void Wavefront::arrive(Path& path, const passes::Hit& hit) {
 
 void Wavefront::arrive_at(Path& path, const passes::Surface& surface, float distance) {
     // Seen from inside without having come in: the camera, or a surface, is within the medium.
-    if (path.medium < 0 && !surface.is_front && surface.transmission > 0)
-        absorb(path, surface.material, distance);
+    const bool is_glass = surface.transmission > 0 && rules_.materials != Transport::Materials::lambert;
+    if (path.medium < 0 && !surface.is_front && is_glass) absorb(path, surface.material, distance);
     if (!surface.is_unlit) return scatter(path, surface);
     if (path.scatterings == 0 && rules_.show_unlit())
         lights_[path.index].direct += path.throughput * surface.base_colour;
@@ -99,7 +99,10 @@ void Wavefront::add_flat_lights(const Path& path, float far) {
     world_.lights.visit_lights(path.origin, path.direction, far, [&](const passes::LightHit& hit) {
         const float pdf =
             path.pdf > 0 ? world_.lights.pdf_of_light(path.origin, path.normal, path.direction, hit) : 0;
-        lights_[path.index].after(path.scatterings) += weight(path, pdf) * path.throughput * hit.radiance;
+        auto radiance = weight(path, pdf) * path.throughput * hit.radiance;
+        if (path.medium >= 0)
+            radiance *= passes::Bsdf::transmittance(world_.material(path.medium), hit.distance);
+        lights_[path.index].after(path.scatterings) += radiance;
     });
 }
 
