@@ -37,7 +37,7 @@ std::optional<StudyReference> from_kept(const projects::Project& project,
     StudyReference result;
     Image variance;
     for (const auto& file : kept->files) {
-        if (file.role != "main") continue;
+        if (file.role != projects::main_role) continue;
         for (auto& layer : read_exr(folder / "results" / file.path)) {
             if (layer.name.empty()) result.image = std::move(layer.image);
             if (layer.name == "valid") result.valid = std::move(layer.image);
