@@ -12,6 +12,12 @@ bool stands_still(const graph::FrameInputs& inputs) {
         now.clip_from_world() != before.clip_from_world()) {
         return false;
     }
+    // Lights on nodes may move where no surface does.
+    const auto& lights = inputs.scene->lights;
+    if (inputs.scene->is_animated() &&
+        std::any_of(lights.begin(), lights.end(), [](const auto& light) { return light.node >= 0; })) {
+        return false;
+    }
     const auto& motion = inputs.world->motion;
     return std::all_of(motion.begin(), motion.end(), [](const auto& m) { return m == glm::mat4(1); });
 }
