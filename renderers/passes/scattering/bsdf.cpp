@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "renderers/passes/lights/luminance.h"
 #include "renderers/passes/scattering/microfacets.h"
 #include "renderers/scene/frame.h"
 
@@ -11,10 +12,6 @@ namespace ir::passes {
 namespace {
 
 constexpr float inverse_pi = glm::one_over_pi<float>();
-
-float luminance(glm::vec3 c) {
-    return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f));
-}
 
 /// Columns: tangent, bitangent, n.
 glm::mat3 frame_of(glm::vec3 n) {
