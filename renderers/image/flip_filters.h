@@ -11,8 +11,8 @@ struct Taps {
     std::vector<float> weights;
 };
 
-/// The eye's contrast sensitivity as low-pass filters of the opponent channels [Andersson20 §4.1.1]. Blue–yellow
-/// is the sum of two filters, whose weights are the roots of those of the 2D filter.
+/// The eye's contrast sensitivity as low-pass filters of the opponent channels [Andersson20 §4.1.1].
+/// Blue–yellow is the sum of two filters, whose weights are the roots of those of the 2D filter.
 struct ContrastSensitivity {
     Taps luminance, red_green, blue_yellow[2];
 };
