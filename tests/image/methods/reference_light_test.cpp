@@ -217,7 +217,8 @@ TEST(ReferenceLight, SaysWhatIsMissing) {
     dark.replace_lights = true;
     const Picture black(dark);
     EXPECT_TRUE(black.notes("nothing in the scene emits light"));
-    for (const float v : black.main.pixels) ASSERT_EQ(v, 0);
+    for (std::size_t i = 0; i < black.main.pixels.size(); ++i)
+        ASSERT_EQ(black.main.pixels[i], i % 4 == 3 ? 1 : 0);  // alpha is 1
     const Picture lit(cornell(light("full", 1)));
     EXPECT_FALSE(lit.notes("nothing in the scene emits"));
     EXPECT_FALSE(lit.notes("cannot be found"));
