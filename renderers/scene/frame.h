@@ -12,4 +12,10 @@ inline glm::vec3 any_tangent(glm::vec3 n) {
     return {1.0f + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
 }
 
+/// Columns: tangent, bitangent, n.
+inline glm::mat3 frame_around(glm::vec3 n) {
+    const auto tangent = any_tangent(n);
+    return {tangent, glm::cross(n, tangent), n};
+}
+
 }  // namespace ir::scene

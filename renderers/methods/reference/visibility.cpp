@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "renderers/passes/raytracing/ray_offset.h"
+#include "renderers/scene/frame.h"
 
 namespace ir::methods::reference {
 namespace {
@@ -13,14 +14,6 @@ using Packet = passes::Bvh::Packet16;
 
 constexpr std::uint64_t lanes = 16;
 constexpr float infinity = std::numeric_limits<float>::infinity();
-
-/// Columns: tangent, bitangent, n [Duff17, listing 3].
-glm::mat3 frame_around(glm::vec3 n) {
-    const float sign = std::copysign(1.0f, n.z);
-    const float a = -1 / (sign + n.z);
-    const float b = n.x * n.y * a;
-    return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
-}
 
 void set_origin(Packet& packet, std::uint64_t lane, glm::vec3 origin) {
     packet.ox[lane] = origin.x, packet.oy[lane] = origin.y, packet.oz[lane] = origin.z;
@@ -89,7 +82,7 @@ float visibility(const VisibilityRule& rule, float distance) {
 glm::vec3 cosine_direction(glm::vec2 u, glm::vec3 n) {
     // A uniform point of the disc, lifted to the hemisphere [Malley88].
     const float radius = std::sqrt(u.x), angle = glm::two_pi<float>() * u.y;
-    return frame_around(n) *
+    return scene::frame_around(n) *
            glm::vec3(radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1 - u.x));
 }
 

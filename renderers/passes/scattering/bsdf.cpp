@@ -13,12 +13,6 @@ namespace {
 
 constexpr float inverse_pi = glm::one_over_pi<float>();
 
-/// Columns: tangent, bitangent, n.
-glm::mat3 frame_of(glm::vec3 n) {
-    const auto tangent = scene::any_tangent(n);
-    return {tangent, glm::cross(n, tangent), n};
-}
-
 glm::vec3 mirrored(glm::vec3 v, glm::vec3 h) {
     return 2 * glm::dot(v, h) * h - v;
 }
@@ -118,7 +112,7 @@ struct BsdfLobes {
 
     std::optional<BsdfSample> sample_opaque(float lobe, glm::vec2 u) const {
         if (lobe < specular_probability && is_mirror) return sample_mirror();
-        const auto frame = frame_of(b.n_);
+        const auto frame = scene::frame_around(b.n_);
         if (lobe >= specular_probability) return sample_smooth(glm::normalize(frame * sample_cosine_ts(u)));
         const auto seen_ts = seen_from * frame;  // the transpose's product
         const auto h = frame * sample_visible_normal_ts(seen_ts, b.alpha_, u);
