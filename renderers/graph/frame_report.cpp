@@ -111,11 +111,13 @@ void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
     auto notes = builder->notes();
     if (const int parts = std::min(batches, builder->batch_limit()); parts > 1)
         notes.push_back("works in " + std::to_string(parts) + " batches to stay within the memory budget");
-    for (const auto& note : notes) {
-        const auto same = [&](const Message& message) { return message.text == note; };
+    const auto say = [&](Severity severity, const std::string& text) {
+        const auto same = [&](const Message& message) { return message.text == text; };
         if (std::none_of(report.messages.begin(), report.messages.end(), same))
-            report.messages.push_back({Severity::note, description.id, note});
-    }
+            report.messages.push_back({severity, description.id, text});
+    };
+    for (const auto& note : notes) say(Severity::note, note);
+    for (const auto& warning : warnings) say(Severity::warning, warning);
     for (auto& message : device.take_messages()) report.messages.push_back(std::move(message));
 }
 

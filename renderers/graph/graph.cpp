@@ -69,6 +69,7 @@ void Graph::State::begin_frame(const Method& m, const Settings& s, const FrameIn
     report.frame = i.frame;
     growths = 0;
     figures.clear();
+    warnings.clear();
     auto key = work_of(m, s, i, o);
     if (work_key != key) {
         batches = 1;

@@ -269,6 +269,10 @@ void PassContext::set_figure(const std::string& key, double value) const {
     graph_.state_->figures[key] = value;
 }
 
+void PassContext::warn(std::string text) const {
+    graph_.state_->warnings.push_back(std::move(text));
+}
+
 std::shared_ptr<void> PassContext::stored(ObjectRef ref) const {
     auto& s = *graph_.state_;
     const auto& key = s.builder->objects().at(ref.index).text.key;

@@ -89,6 +89,7 @@ struct Graph::State {
     std::vector<double> views_ms;  ///< by pass: spent on views between its slices
 
     std::map<std::string, double> figures;  ///< PassContext::set_figure
+    std::vector<std::string> warnings;      ///< PassContext::warn
 
     std::optional<History> restored;  ///< for the next frame
     FrameInputs anew;                 ///< of a frame whose restored history does not fit

@@ -177,5 +177,21 @@ TEST_F(GraphTest, APassThatThrowsOnTheDeviceIsClosed) {
     EXPECT_EQ(counts.passes, 1) << "each begin_pass has its end_pass";
 }
 
+TEST_F(GraphTest, PassesWarnOnceAndOnlyInTheirFrame) {
+    const auto warnings = [&](bool warns) {
+        const auto report = run([=](GraphBuilder& builder) {
+            const auto image = builder.image(image_of("image"));
+            builder.pass("doubtful", Queue::cpu).writes(image).execute([=](PassContext& p) {
+                for (int i = 0; i < 2 && warns; ++i) p.warn("look at this");
+            });
+        });
+        return std::count_if(report.messages.begin(), report.messages.end(), [](const Message& message) {
+            return message.severity == Severity::warning && message.text == "look at this";
+        });
+    };
+    EXPECT_EQ(warnings(true), 1);
+    EXPECT_EQ(warnings(false), 0);
+}
+
 }  // namespace
 }  // namespace ir::graph
