@@ -25,9 +25,9 @@ int words_per_pixel(const passes::ldm::Maps& maps) {
     return (maps.layout.batch_maps + hits_per_word - 1) / hits_per_word;
 }
 
-/// Without any reach the distance does not matter: any hit closes.
+/// Without a limit to the reach the distance does not matter: any hit closes. A reach of 0 has no hits.
 std::uint32_t encoded(float distance, float reach) {
-    if (distance == infinity) return 0;
+    if (distance == infinity || reach <= 0) return 0;
     if (reach == infinity) return 1;
     return 1 + static_cast<std::uint32_t>(std::lround(std::clamp(distance / reach, 0.0f, 1.0f) * steps));
 }
