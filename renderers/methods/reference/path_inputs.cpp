@@ -1,5 +1,6 @@
 #include "renderers/methods/reference/path_inputs.h"
 
+#include "renderers/core/error.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/reference/first_hits.h"
 #include "renderers/passes/lights/light_sampler.h"
@@ -43,19 +44,29 @@ graph::ObjectRef declare_lights(graph::GraphBuilder& builder, graph::ObjectRef s
     return result;
 }
 
+/// The G-buffer names a material in a half float.
+void require_few_materials(const graph::FrameInputs& inputs) {
+    const auto count = inputs.scene->materials.size();
+    if (count <= passes::gbuffer_materials) return;
+    throw UsageError("the scene has " + std::to_string(count) +
+                     " materials, and primary=gbuffer tells only " +
+                     std::to_string(passes::gbuffer_materials) + " apart; choose primary=rays");
+}
+
 }  // namespace
 
 PathInputs path_inputs(graph::GraphBuilder& builder, const Parameters& parameters) {
     const bool on_rays = parameters.primary == Primary::rays;
     const auto& transport = parameters.transport;
     PathInputs inputs;
+    const bool is_light = transport.paths != Transport::Paths::ao;
     if (!on_rays) {
+        if (is_light) require_few_materials(builder.inputs());
         inputs.gbuffer =
             passes::gbuffer(builder, passes::upload_scene(builder), {.normal_maps = transport.normal_maps});
         inputs.valid = inputs.gbuffer->valid;
     }
     inputs.bvh = passes::bvh(builder);
-    const bool is_light = transport.paths != Transport::Paths::ao;
     if (on_rays || is_light) inputs.surfaces = declare_surfaces(builder, transport);
     if (on_rays) inputs.valid = first_hits(builder, inputs.bvh, inputs.surfaces);
     if (is_light) inputs.lights = declare_lights(builder, inputs.surfaces, transport.environment_light);

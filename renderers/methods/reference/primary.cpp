@@ -1,5 +1,6 @@
 #include "renderers/methods/reference/primary.h"
 
+#include <algorithm>
 #include <glm/gtc/packing.hpp>
 #include <limits>
 
@@ -10,6 +11,12 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
+/// Of a half float, which is exact only up to gbuffer_materials; never out of bounds, whatever it holds.
+int material_index(float stored, std::size_t materials) {
+    const float last = materials > 0 ? static_cast<float>(materials - 1) : 0;
+    return static_cast<int>(std::min(std::max(0.0f, stored + 0.5f), last));
+}
+
 }  // namespace
 
 GBufferSurfaces::GBufferSurfaces(const graph::PassContext& context, const passes::GBuffer& gbuffer)
@@ -18,7 +25,8 @@ GBufferSurfaces::GBufferSurfaces(const graph::PassContext& context, const passes
       normals_(context.pixels<std::uint64_t>(gbuffer.normal)),
       albedos_(context.pixels<std::uint64_t>(gbuffer.albedo)),
       materials_(context.pixels<std::uint64_t>(gbuffer.material)),
-      emissions_(context.pixels<std::uint64_t>(gbuffer.emission)) {}
+      emissions_(context.pixels<std::uint64_t>(gbuffer.emission)),
+      material_count_(context.inputs().scene->materials.size()) {}
 
 void GBufferSurfaces::declare_reads(graph::PassBuilder& pass, const passes::GBuffer& gbuffer) {
     pass.reads(gbuffer.position, gbuffer.geometric_normal, gbuffer.normal, gbuffer.albedo, gbuffer.material,
@@ -37,7 +45,7 @@ passes::Surface GBufferSurfaces::at(std::size_t i) const {
     s.transmission = albedo.a;
     s.metallic = material.x, s.roughness = material.y;
     s.is_unlit = material.z > 0.5f;
-    s.material = static_cast<int>(material.w + 0.5f);
+    s.material = material_index(material.w, material_count_);
     s.emission = glm::vec3(glm::unpackHalf4x16(emissions_[i]));
     return s;
 }

@@ -23,6 +23,7 @@ class GBufferSurfaces {
   private:
     std::span<const glm::vec4> positions_, geometric_normals_;
     std::span<const std::uint64_t> normals_, albedos_, materials_, emissions_;
+    std::size_t material_count_;
 };
 
 /// Where paths of a pixel start: one ray for each, uniform over the pixel, or all on the surface that the

@@ -29,6 +29,14 @@ void note_skipped_lights(GraphBuilder& builder) {
                  (skipped == 1 ? "" : "s") + ": shadow maps need lights without extent");
 }
 
+void note_many_materials(GraphBuilder& builder) {
+    const auto count = builder.inputs().scene->materials.size();
+    if (count <= gbuffer_materials) return;
+    builder.note("the scene has " + std::to_string(count) + " materials, of which the G-buffer tells " +
+                 std::to_string(gbuffer_materials) +
+                 " apart: direct light may take the index of refraction of another one");
+}
+
 void bind(const PassContext& p, const Inputs& in) {
     p.bind_buffer(0, in.scene.materials);
     p.bind_buffer(1, in.scene.lights);
@@ -61,6 +69,7 @@ void light(const PassContext& p, const Inputs& in, graph::ImageRef radiance) {
 DirectLight direct_light(GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
                          const DirectLightOptions& options) {
     note_skipped_lights(builder);
+    note_many_materials(builder);
     const auto shadow = shadow_maps(builder, scene, options.shadow_resolution);
     graph::ImageDesc desc;
     desc.text = {"direct.radiance",  "Direct light", "Reflected towards the eye; emission is left out",

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "renderers/graph/builder.h"
 #include "renderers/passes/scene/scene_buffers.h"
 
@@ -20,6 +22,9 @@ struct GBuffer {
         velocity;  ///< "gbuffer.velocity" rg16f: pixels from the previous frame's place to this one's
     graph::ImageRef valid;  ///< "valid" r8: 1 where the result counts; background and glass are 0
 };
+
+/// Scenes with more materials have pixels whose half float names another material than theirs.
+inline constexpr std::size_t gbuffer_materials = 2048;
 
 struct GBufferOptions {
     bool normal_maps = true;

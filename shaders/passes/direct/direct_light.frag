@@ -45,7 +45,8 @@ void main() {
     vec3 n = normalize(texelFetch(normal_image, pixel, 0).xyz);
     vec3 geometric_n = texelFetch(geometric_normal_image, pixel, 0).xyz;
     vec3 v = view_axis_ws == vec3(0) ? (eye_ws - position.xyz) / position.w : -view_axis_ws;
-    Surface surface = Surface(albedo.rgb, material.x, material.y, materials[int(material.w + 0.5)].ior);
+    int index = int(clamp(material.w + 0.5, 0.0, float(materials.length() - 1)));  // a half float: rounded above 2048
+    Surface surface = Surface(albedo.rgb, material.x, material.y, materials[index].ior);
     for (int i = 0; i < light_count; ++i)
         if (is_punctual(lights[i]))
             radiance.rgb += reflected(lights[i], surface, position.xyz, n, geometric_n, v);
