@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "app/engine/execution.h"
+#include "app/engine/lighting_digest.h"
 #include "app/engine/version.h"
 
 namespace ir::engine {
@@ -110,6 +111,7 @@ ImageAttributes Execution::attributes() const {
     for (const auto& [key, value] : settings_) result["interreflect.set." + key] = to_string(value);
     result["interreflect.scene"] = scene::composition_name(experiment_.composition());
     result["interreflect.scene_hash"] = scene_->content_hash;
+    result["interreflect.lighting"] = lighting_digest(world_.lights, scene_->environment);
     if (const auto& environment = experiment_.environment)
         result["interreflect.environment"] = environment->map ? "map" : vector(environment->constant);
     result["interreflect.seed"] = std::to_string(experiment_.seed);
