@@ -6,19 +6,8 @@
 #include "projects/results_guard.h"
 
 namespace ir::projects {
-namespace {
 
 namespace fs = std::filesystem;
-
-std::set<std::string> files_of(const ResultIndex& index) {
-    std::set<std::string> paths;
-    for (const auto& entry : index.entries())
-        for (const auto& file : entry.files)
-            paths.insert(fs::path(file.path).lexically_normal().generic_string());
-    return paths;
-}
-
-}  // namespace
 
 Pruned delete_results(const fs::path& project_folder, const std::vector<std::string>& keys,
                       FileSystem& files) {

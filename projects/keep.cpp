@@ -10,14 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::set<std::string> files_of(const ResultIndex& index) {
-    std::set<std::string> paths;
-    for (const auto& entry : index.entries())
-        for (const auto& file : entry.files)
-            paths.insert(fs::path(file.path).lexically_normal().generic_string());
-    return paths;
-}
-
 /// Takes from older results what the new one has more of.
 void supersede(ResultIndex& index, const KeptResult& result, const std::set<std::string>& in_use) {
     if (result.state_key.empty()) return;

@@ -119,14 +119,6 @@ const KeptResult* ResultIndex::find(const std::string& key) const {
     return nullptr;
 }
 
-const KeptResult* ResultIndex::find_most_samples(const std::string& state_key) const {
-    const KeptResult* most = nullptr;
-    for (const auto& entry : entries_)
-        if (!state_key.empty() && entry.state_key == state_key && (!most || entry.samples > most->samples))
-            most = &entry;
-    return most;
-}
-
 const KeptResult* ResultIndex::find_state(const std::string& state_key) const {
     const KeptResult* most = nullptr;
     for (const auto& entry : entries_)
@@ -151,6 +143,14 @@ void ResultIndex::put(KeptResult result) {
 
 bool ResultIndex::erase(const std::string& key) {
     return std::erase_if(entries_, [&](const KeptResult& entry) { return entry.key == key; }) > 0;
+}
+
+std::set<std::string> files_of(const ResultIndex& index) {
+    std::set<std::string> paths;
+    for (const auto& entry : index.entries())
+        for (const auto& file : entry.files)
+            paths.insert(fs::path(file.path).lexically_normal().generic_string());
+    return paths;
 }
 
 const ResultFile* file_of(const KeptResult& result, const std::string& role) {

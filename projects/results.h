@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -76,9 +77,8 @@ class ResultIndex {
 
     const std::vector<KeptResult>& entries() const { return entries_; }
     const KeptResult* find(const std::string& key) const;
-    /// Of the results with this state key the one with the most samples; null where there is none.
-    const KeptResult* find_most_samples(const std::string& state_key) const;
-    /// The same among those that have a file with role "state", to be continued.
+    /// Of the results with this state key and a file with role "state", to be continued, the one with the
+    /// most samples; null where there is none.
     const KeptResult* find_state(const std::string& state_key) const;
     void put(KeptResult result);  ///< replaces an entry with the same key
     bool erase(const std::string& key);
@@ -89,6 +89,9 @@ class ResultIndex {
     std::vector<KeptResult> entries_;
     Json extra_ = Json::object();
 };
+
+/// Paths of the files that an index lists, relative to results/, normalised.
+std::set<std::string> files_of(const ResultIndex& index);
 
 /// Of a result by its role; null where it has none.
 const ResultFile* file_of(const KeptResult& result, const std::string& role);

@@ -6,6 +6,7 @@
 #include "projects/object_reader.h"
 #include "projects/plots.h"
 #include "projects/results.h"
+#include "projects/results_guard.h"
 #include "projects/text.h"
 
 namespace ir::engine {
@@ -30,7 +31,15 @@ Json study_inputs(const projects::Project& project, const projects::ErrorPlot& p
     Json inputs = Json::object({{"over", plot.over}, {"values", plot.values}});
     inputs["reference"] = inputs_of(project, plot.reference);
     inputs["experiments"] = Json::object();
-    for (const auto& id : plot.experiments) inputs["experiments"][id] = inputs_of(project, id);
+    for (const auto& id : plot.experiments) {
+        auto own = inputs_of(project, id);
+        // Every point brings its own.
+        if (own.is_object() && !plot.values.empty()) {
+            own.erase(plot.over);
+            if (own.contains("values")) own["values"].erase(plot.over);
+        }
+        inputs["experiments"][id] = std::move(own);
+    }
     return inputs;
 }
 
@@ -53,6 +62,7 @@ void keep_study(const projects::Project& project, const projects::ErrorPlot& plo
               {"inputs", study_inputs(now, plot)}};
     json["study"] = projects::parse_json(study_json(study), plot.id);
     const auto file = study_file(folder, plot.id);
+    const projects::ResultsGuard guard(folder);
     auto& files = projects::real_file_system();
     files.create_directories(file.parent_path());
     projects::write_atomically(files, file, projects::pretty_json(json));

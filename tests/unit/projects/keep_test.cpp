@@ -100,8 +100,8 @@ class KeepTest : public ::testing::Test {
 TEST_F(KeepTest, RemembersStateKeyAndSamples) {
     put(kept("k64", 64));
     EXPECT_EQ(*index().find("k64"), kept("k64", 64));
-    EXPECT_EQ(index().find_most_samples("one-picture")->key, "k64");
-    EXPECT_EQ(index().find_most_samples("another"), nullptr);
+    EXPECT_EQ(index().find_state("one-picture")->key, "k64");
+    EXPECT_EQ(index().find_state("another"), nullptr);
     EXPECT_EQ(index().find_state(""), nullptr);
 }
 
@@ -116,7 +116,7 @@ TEST_F(KeepTest, MoreSamplesTakeTheStateAndLeaveThePicturesThatAreInUse) {
     EXPECT_EQ(index().find("k16"), nullptr);
     EXPECT_FALSE(fs::exists(at("k16/main.exr")));
     EXPECT_TRUE(fs::exists(at("k64/main.exr")));
-    EXPECT_EQ(index().find_most_samples("one-picture")->key, "k256");
+    EXPECT_EQ(index().find_state("one-picture")->key, "k256");
 }
 
 TEST_F(KeepTest, FewerSamplesAndOtherPicturesTakeNothing) {
