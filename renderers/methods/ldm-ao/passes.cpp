@@ -2,6 +2,7 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-ao/exact.h"
+#include "renderers/passes/scene/stands_still.h"
 
 namespace ir::methods::ldm_ao {
 namespace {
@@ -19,15 +20,6 @@ graph::ImageRef plain_image(graph::GraphBuilder& builder, graph::ResourceText te
     desc.text = std::move(text);
     desc.format = format;
     return builder.image(desc);
-}
-
-bool stands_still(const graph::FrameInputs& inputs) {
-    const auto &now = inputs.view, &before = inputs.previous_view;
-    if (now.width != before.width || now.height != before.height || now.eye_ws != before.eye_ws ||
-        now.clip_from_world() != before.clip_from_world())
-        return false;
-    return std::all_of(inputs.world->motion.begin(), inputs.world->motion.end(),
-                       [](const glm::mat4& motion) { return motion == glm::mat4(1); });
 }
 
 void dispatch_over(const graph::PassContext& context, const gl::Program& program, graph::ImageRef image) {
@@ -142,7 +134,8 @@ void resolve(graph::GraphBuilder& builder, const Images& images, const Parameter
         if (progressive) {
             context.bind_previous_texture(1, images.average);
             context.bind_storage_image(1, images.average);
-            program.set("continues", context.has_previous() && stands_still(context.inputs()));
+            program.set("continues", context.has_previous() &&
+                                         passes::stands_still(context.inputs(), passes::Watched::surfaces));
         }
         dispatch_over(context, program, images.accessibility);
     });

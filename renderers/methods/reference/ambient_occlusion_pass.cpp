@@ -168,8 +168,8 @@ class Tracer {
 
 void average(const graph::PassContext& context, const Resources& r, const Parameters& parameters) {
     const auto per_frame = static_cast<std::uint64_t>(parameters.samples);
-    const auto samples = r.progress.of_frame(context, per_frame).end;
-    r.progress.advance(context, per_frame);
+    const auto totals = r.progress.advance(context, per_frame, *r.tally);
+    const auto samples = totals.samples;
     const Layers layers(context, r.sums);
     std::optional<Points> points;
     if (r.inputs.gbuffer) points.emplace(context, *r.inputs.gbuffer);
@@ -189,7 +189,7 @@ void average(const graph::PassContext& context, const Resources& r, const Parame
         sum_variance += result.variance;
         ++sum_valid;
     }
-    report_figures(context, *r.tally, samples, sum_valid > 0 ? sum_variance / sum_valid : 0);
+    report_figures(context, *r.tally, totals, sum_valid > 0 ? sum_variance / sum_valid : 0);
 }
 
 }  // namespace

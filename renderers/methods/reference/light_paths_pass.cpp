@@ -160,7 +160,8 @@ class Tracer {
         tally.paths += b.starts.size();
     }
 
-    /// Sample by sample in order; pixels belong to one tile, hence to one thread.
+    /// Sample by sample in order; pixels belong to one tile, hence to one thread. A sample that is no finite
+    /// number counts as black, and is reported: it must not spoil the others of its pixel.
     void add(const Bench& b, SampleRange range) {
         auto light = b.lights.begin();
         for (const auto pixel : b.pixels) {
@@ -218,8 +219,8 @@ glm::vec4 opaque(glm::vec3 colour) {
 
 void average(const graph::PassContext& context, const Resources& r, const Parameters& parameters) {
     const auto per_frame = static_cast<std::uint64_t>(parameters.samples);
-    const auto samples = r.progress.of_frame(context, per_frame).end;
-    r.progress.advance(context, per_frame);
+    const auto totals = r.progress.advance(context, per_frame, *r.tally);
+    const auto samples = totals.samples;
     std::vector<std::span<glm::vec4>> sums;
     for (int layer = 0; layer < r.layers(); ++layer) sums.push_back(context.pixels<glm::vec4>(r.sums, layer));
     const auto radiance = context.pixels<glm::vec4>(r.radiance);
@@ -245,7 +246,7 @@ void average(const graph::PassContext& context, const Resources& r, const Parame
             indirect[i] = opaque(share * glm::vec3(sums[indirect_layer][i]));
         }
     }
-    report_figures(context, *r.tally, samples, sum_valid > 0 ? sum_variance / sum_valid : 0);
+    report_figures(context, *r.tally, totals, sum_valid > 0 ? sum_variance / sum_valid : 0);
 }
 
 }  // namespace

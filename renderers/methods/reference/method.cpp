@@ -62,7 +62,9 @@ void add_main_outputs(MethodDescription& d) {
                                 "samples so far. Missing are paths from point, spot and directional lights "
                                 "over mirrors or through glass, which no path from the camera can meet; a "
                                 "note says when a scene has such. Paths that meet more than 32 mirrors or "
-                                "panes of glass are cut and counted as reference.cut_paths.",
+                                "panes of glass are cut and counted as reference.cut_paths; samples that "
+                                "are no finite number count as black, as reference.bad_samples, and a "
+                                "warning says so.",
                          .active_when = only_light});
     d.outputs.push_back({.key = "direct",
                          .label = "Direct light",

@@ -3,35 +3,41 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ir::methods::reference {
+#include "renderers/passes/scene/stands_still.h"
 
-bool stands_still(const graph::FrameInputs& inputs) {
-    const auto& now = inputs.view;
-    const auto& before = inputs.previous_view;
-    if (now.width != before.width || now.height != before.height || now.eye_ws != before.eye_ws ||
-        now.clip_from_world() != before.clip_from_world()) {
-        return false;
-    }
-    // Lights on nodes may move where no surface does.
-    const auto& lights = inputs.scene->lights;
-    if (inputs.scene->is_animated() &&
-        std::any_of(lights.begin(), lights.end(), [](const auto& light) { return light.node >= 0; })) {
-        return false;
-    }
-    const auto& motion = inputs.world->motion;
-    return std::all_of(motion.begin(), motion.end(), [](const auto& m) { return m == glm::mat4(1); });
+namespace ir::methods::reference {
+namespace {
+
+/// Words of the buffer; samples of all pixels may need 64 bits, low word first.
+constexpr std::size_t bad_word = 1, cut_word = 3;
+
+std::uint64_t word_pair(std::uint32_t low, std::uint32_t high) {
+    return std::uint64_t{high} << 32 | low;
 }
+void write_words(std::span<std::uint32_t> words, std::uint64_t number) {
+    words[0] = static_cast<std::uint32_t>(number);
+    words[1] = static_cast<std::uint32_t>(number >> 32);
+}
+
+}  // namespace
 
 Progress::Progress(graph::GraphBuilder& builder) {
     graph::BufferDesc desc;
-    desc.text = {.key = "reference.progress", .label = "Progress", .doc = "How many paths each pixel has."};
-    desc.fields = {{"samples", graph::FieldType::u32}};
+    desc.text = {.key = "reference.progress",
+                 .label = "Progress",
+                 .doc =
+                     "How many paths each pixel has; of all pixels, samples that were no number, and paths "
+                     "that were cut (low word first)."};
+    desc.fields = {{"samples", graph::FieldType::u32},
+                   {"bad_samples", graph::FieldType::u32, 2},
+                   {"cut_paths", graph::FieldType::u32, 2}};
     desc.elements = 1;
     buffer_ = builder.buffer(std::move(desc));
 }
 
 bool Progress::continues(const graph::PassContext& context) {
-    return context.has_previous() && stands_still(context.inputs());
+    return context.has_previous() &&
+           passes::stands_still(context.inputs(), passes::Watched::surfaces_and_lights);
 }
 
 SampleRange Progress::of_frame(const graph::PassContext& context, std::uint64_t per_frame) const {
@@ -40,9 +46,19 @@ SampleRange Progress::of_frame(const graph::PassContext& context, std::uint64_t 
     return {before, before + std::min(per_frame, context.inputs().sample_limit)};
 }
 
-void Progress::advance(const graph::PassContext& context, std::uint64_t per_frame) const {
-    context.elements<std::uint32_t>(buffer_)[0] =
-        static_cast<std::uint32_t>(of_frame(context, per_frame).end);
+Totals Progress::advance(const graph::PassContext& context, std::uint64_t per_frame,
+                         const Tally& tally) const {
+    Totals totals{of_frame(context, per_frame).end, tally.bad, tally.cut};
+    if (continues(context)) {
+        const auto before = context.previous_elements<std::uint32_t>(buffer_);
+        totals.bad += word_pair(before[bad_word], before[bad_word + 1]);
+        totals.cut += word_pair(before[cut_word], before[cut_word + 1]);
+    }
+    const auto words = context.elements<std::uint32_t>(buffer_);
+    words[0] = static_cast<std::uint32_t>(totals.samples);
+    write_words(words.subspan(bad_word, 2), totals.bad);
+    write_words(words.subspan(cut_word, 2), totals.cut);
+    return totals;
 }
 
 namespace {
@@ -50,10 +66,18 @@ namespace {
 /// The RMSE that renderers are compared at, in the result's unit.
 constexpr double compared_error = 0.02;
 
+void warn_of_bad_samples(const graph::PassContext& context, const Totals& totals) {
+    if (totals.bad == 0) return;
+    context.warn(std::to_string(totals.bad) + (totals.bad == 1 ? " sample was" : " samples were") +
+                 " no finite number and counted as black: the picture is too dark there; look for extreme "
+                 "radiances and for degenerate triangles in the scene");
+}
+
 }  // namespace
 
-void report_figures(const graph::PassContext& context, const Tally& tally, std::uint64_t samples,
+void report_figures(const graph::PassContext& context, const Tally& tally, const Totals& totals,
                     double mean_variance) {
+    const auto samples = static_cast<double>(totals.samples);
     const auto& view = context.inputs().view;
     const auto pixels = static_cast<double>(view.width) * view.height;
     context.set_figure("rays", static_cast<double>(tally.rays));
@@ -62,15 +86,16 @@ void report_figures(const graph::PassContext& context, const Tally& tally, std::
                            static_cast<double>(tally.paths) / tally.milliseconds * 1e3);
     }
     context.set_figure("reference.trace_ms", tally.milliseconds);
-    context.set_figure("reference.samples_total", pixels * static_cast<double>(samples));
+    context.set_figure("reference.samples_total", pixels * samples);
     context.set_figure("reference.error", std::sqrt(mean_variance));
     // All samples made the variance, this frame's the time. Variance falls as 1 / time, or faster.
     const auto paths = static_cast<double>(tally.paths);
-    const double all_ms = paths > 0 ? tally.milliseconds * pixels * static_cast<double>(samples) / paths : 0;
+    const double all_ms = paths > 0 ? tally.milliseconds * pixels * samples / paths : 0;
     context.set_figure("reference.ms_to_rmse_0.02",
                        all_ms * mean_variance / (compared_error * compared_error));
-    context.set_figure("reference.cut_paths", static_cast<double>(tally.cut));
-    context.set_figure("reference.bad_samples", static_cast<double>(tally.bad));
+    context.set_figure("reference.cut_paths", static_cast<double>(totals.cut));
+    context.set_figure("reference.bad_samples", static_cast<double>(totals.bad));
+    warn_of_bad_samples(context, totals);
 }
 
 }  // namespace ir::methods::reference

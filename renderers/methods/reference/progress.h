@@ -14,8 +14,21 @@ struct SampleRange {
     bool empty() const { return begin >= end; }
 };
 
-/// Whether this frame sees the same picture as the one before, so that its samples still count.
-bool stands_still(const graph::FrameInputs& inputs);
+/// What a frame's passes count, beyond 32 bits; made anew by each setup. Thread-safe where it says so.
+struct Tally {
+    std::atomic<std::uint64_t> rays{0};   ///< thread-safe
+    std::atomic<std::uint64_t> paths{0};  ///< thread-safe
+    std::atomic<std::uint64_t> cut{0};  ///< thread-safe: paths ended by the limit of mirror and glass events
+    std::atomic<std::uint64_t> bad{0};  ///< thread-safe: samples that were no finite number
+    double milliseconds = 0;            ///< spent on tracing
+};
+
+/// Over all frames that the result is made of.
+struct Totals {
+    std::uint64_t samples = 0;  ///< of each pixel
+    std::uint64_t bad = 0;      ///< samples of all pixels that were no finite number; they count as black
+    std::uint64_t cut = 0;      ///< paths of all pixels ended by the limit of mirror and glass events
+};
 
 /// How far the samples have come, the same for all pixels: a small buffer with history.
 class Progress {
@@ -31,24 +44,15 @@ class Progress {
     /// the inputs limit them; empty where the history, which may come from a file, is only shown.
     SampleRange of_frame(const graph::PassContext& context, std::uint64_t per_frame) const;
     /// Once of_frame() is traced, by a pass that writes the buffer.
-    void advance(const graph::PassContext& context, std::uint64_t per_frame) const;
+    Totals advance(const graph::PassContext& context, std::uint64_t per_frame, const Tally& tally) const;
 
   private:
     graph::BufferRef buffer_;
 };
 
-/// What a frame's passes count, beyond 32 bits; made anew by each setup. Thread-safe where it says so.
-struct Tally {
-    std::atomic<std::uint64_t> rays{0};   ///< thread-safe
-    std::atomic<std::uint64_t> paths{0};  ///< thread-safe
-    std::atomic<std::uint64_t> cut{0};  ///< thread-safe: paths ended by the limit of mirror and glass events
-    std::atomic<std::uint64_t> bad{0};  ///< thread-safe: samples that were no finite number
-    double milliseconds = 0;            ///< spent on tracing
-};
-
-/// Figures of a frame: rays, paths per second, samples in all, and the estimated error of the main result.
-/// `mean_variance`: over valid pixels and channels.
-void report_figures(const graph::PassContext& context, const Tally& tally, std::uint64_t samples,
+/// Figures of a frame: rays, paths per second, samples in all, and the estimated error of the main result;
+/// and a warning where samples were no finite number. `mean_variance`: over valid pixels and channels.
+void report_figures(const graph::PassContext& context, const Tally& tally, const Totals& totals,
                     double mean_variance);
 
 }  // namespace ir::methods::reference
