@@ -102,6 +102,23 @@ void write_values(const Side& image, const Side& reference, const DifferenceRequ
                {prefix + ".range", number(shown.low) + "," + number(shown.high)}});
 }
 
+/// Variances are estimated from at most 8 randomisations of the samples.
+constexpr double randomisations = 8;
+
+/// Degrees of freedom of both sides' estimated variances: of the one with fewer. Throws UsageError for a side
+/// whose variance is a guess.
+int degrees_of(const Side& image, const Side& reference) {
+    int degrees = Noise{}.degrees;
+    for (const auto* side : {&image, &reference}) {
+        if (!side->noise() || !side->samples) continue;
+        if (*side->samples < 2)
+            throw UsageError("--diff-kind significant: " + side->file + " has " + number(*side->samples) +
+                             " sample in each pixel, too few to tell its variance; render at least 2");
+        degrees = std::min(degrees, static_cast<int>(std::min(*side->samples, randomisations)) - 1);
+    }
+    return degrees;
+}
+
 std::string extension(const DifferenceRequest& request) {
     return std::filesystem::path(request.file).extension().string();
 }
@@ -137,6 +154,7 @@ WrittenDifference write_difference(const Side& image, const Side& reference,
         throw UsageError("--diff-kind significant: neither " + image.file + " nor " + reference.file +
                          " holds its variance; render one with a method that estimates it");
     Noise noise{.variance_a = image.noise(), .variance_b = reference.noise(), .alpha = request.alpha};
+    if (kind.kind == DifferenceKind::significant) noise.degrees = degrees_of(image, reference);
     const auto result =
         difference(image.image, reference.image, kind.kind, noise, image.mask(), reference.mask());
     const auto range = request.range ? *request.range : range_of(result.image, kind);

@@ -81,6 +81,12 @@ void add_camera(const ImageAttributes& a, const ImageAttributes& b, std::vector<
     }
 }
 
+/// Ambient occlusion is the same under any light.
+bool depends_on_light(const ImageAttributes& attributes) {
+    const auto* paths = find(attributes, setting_prefix + "paths");
+    return paths && *paths != "ao";
+}
+
 void add_scene(const ImageAttributes& a, const ImageAttributes& b, std::vector<Mismatch>& result) {
     const auto name = [](const ImageAttributes& attributes) {
         const auto* text = find(attributes, prefix + "scene");
@@ -90,6 +96,9 @@ void add_scene(const ImageAttributes& a, const ImageAttributes& b, std::vector<M
     if (left && right && *left != *right)
         result.push_back({"scene", name(a) == name(b) ? name(a) + " has other content"
                                                       : "it is " + name(a) + " and " + name(b)});
+    const auto *lit = find(a, prefix + "lighting"), *otherwise_lit = find(b, prefix + "lighting");
+    if (lit && otherwise_lit && *lit != *otherwise_lit && depends_on_light(a) && depends_on_light(b))
+        result.push_back({"lighting", "lights or environment differ"});
     const auto *before = find(a, prefix + "time"), *after = find(b, prefix + "time");
     if (before && after && !nearly_equal(*before, *after))
         result.push_back({"scene", "time is " + *before + " and " + *after});
@@ -103,6 +112,10 @@ bool is_exr(const std::string& file) {
 
 bool same_size(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height;
+}
+
+bool counts_samples(const ImageLayer& layer) {
+    return layer.name.ends_with(".samples") && layer.image.channels == 1 && !layer.image.pixels.empty();
 }
 
 }  // namespace
@@ -120,7 +133,11 @@ Side load_side(const std::string& file, const std::string& layer) {
             side.valid = std::move(candidate.image);
         else if (variance && candidate.name == *variance)
             side.variance = std::move(candidate.image);
+        else if (variance && counts_samples(candidate))
+            side.samples = *std::min_element(candidate.image.pixels.begin(), candidate.image.pixels.end());
     }
+    if (const auto* text = find(side.attributes, prefix + "samples"); variance && text)
+        if (const auto told = numbers(*text); !told.empty()) side.samples = told.front();
     return side;
 }
 
@@ -141,7 +158,7 @@ Image load_mask(const std::string& text) {
 }
 
 const std::vector<std::string>& mismatch_kinds() {
-    static const std::vector<std::string> kinds = {"transport", "scene", "camera", "orientation"};
+    static const std::vector<std::string> kinds = {"transport", "scene", "lighting", "camera", "orientation"};
     return kinds;
 }
 

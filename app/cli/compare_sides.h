@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,17 @@ struct Side {
     Image image;
     Image valid;     ///< empty: every pixel is
     Image variance;  ///< of the picture's mean; empty: not known
+    /// Of each pixel, as far as the file tells; the fewest where pixels differ.
+    std::optional<double> samples;
     ImageAttributes attributes;
     const Image* mask() const { return valid.empty() ? nullptr : &valid; }
     const Image* noise() const { return variance.empty() ? nullptr : &variance; }
 };
 
 /// The layer of a file (empty: the main one), its layer `valid` where it has one of the same size, and for
-/// the main layer the one that the attribute interreflect.variance names. Throws InputError.
+/// the main layer the one that the attribute interreflect.variance names, with the samples that it is
+/// estimated from: those of the attribute interreflect.samples, else of a layer "….samples". Throws
+/// InputError.
 Side load_side(const std::string& file, const std::string& layer);
 
 /// "FILE" or "FILE:LAYER": 1 where any channel is above 0.5. Throws InputError.
