@@ -176,6 +176,32 @@ TEST_F(Compare, TellsSignificantDifferencesByTheVarianceInTheFile) {
                    "variance");
 }
 
+TEST_F(Compare, TrustsVariancesOfFewSamplesLess) {
+    // 0.1 is 10 standard deviations: beyond Student's t of 7 degrees at 1e-4 / 3, not of 1.
+    const std::vector<ImageLayer> variance{{"method.variance", {"Y"}, Image(32, 20, 1, 1e-4f)}};
+    auto counted = variance;
+    counted.push_back({"method.samples", {"Y"}, Image(32, 20, 1, 2)});
+    const auto part = [&](const std::string& samples, const std::vector<ImageLayer>& layers) {
+        ImageAttributes attributes{{"interreflect.variance", "method.variance"}};
+        if (!samples.empty()) attributes["interreflect.samples"] = samples;
+        write("few.exr", picture(0.1f), attributes, layers);
+        write("exact.exr", picture());
+        const auto outcome = compare("few.exr", "exact.exr",
+                                     "--json --diff-kind significant --diff " + file("significant.exr"));
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return nlohmann::json::parse(outcome.out)["difference"]["significant_part"].get<double>();
+    };
+    for (const auto* many : {"", "8", "4096"}) EXPECT_GT(part(many, variance), 0) << many;
+    EXPECT_EQ(part("2", variance), 0);
+    EXPECT_EQ(part("", counted), 0);
+    EXPECT_GT(part("64", counted), 0) << "the attribute counts";
+    write("one.exr", picture(0.1f),
+          {{"interreflect.variance", "method.variance"}, {"interreflect.samples", "1"}}, variance);
+    expect_refused(compare("one.exr", "exact.exr", "--diff-kind significant --diff " + file("s.exr")), 2,
+                   "at least 2");
+    EXPECT_EQ(compare("one.exr", "exact.exr", "--diff " + file("s.exr")).status, 0) << "others need none";
+}
+
 TEST_F(Compare, RefusesWhatIsNotAlikeUnlessAllowed) {
     const ImageAttributes base{{"interreflect.set.paths", "full"},
                                {"interreflect.set.max_bounces", "5"},
@@ -183,6 +209,7 @@ TEST_F(Compare, RefusesWhatIsNotAlikeUnlessAllowed) {
                                {"interreflect.camera.target", "0,0,0"},
                                {"interreflect.scene", "builtin:cornell@1"},
                                {"interreflect.scene_hash", "abc"},
+                               {"interreflect.lighting", "123"},
                                {"interreflect.method", "one"},
                                {"interreflect.set.samples", "4"}};
     write("a.exr", picture(0.1f), base);
@@ -195,7 +222,8 @@ TEST_F(Compare, RefusesWhatIsNotAlikeUnlessAllowed) {
         {"transport", {"set.max_bounces", "7"}},
         {"transport", {"set.paths", "indirect"}},
         {"camera", {"camera.eye", "0,1,2.5"}},
-        {"scene", {"scene_hash", "abd"}}};
+        {"scene", {"scene_hash", "abd"}},
+        {"lighting", {"lighting", "124"}}};
     for (const auto& [what, change] : cases) {
         other(change.first, change.second);
         expect_refused(compare("a.exr", "b.exr"), 3, std::string("--allow-different ") + what);
@@ -217,9 +245,15 @@ TEST_F(Compare, RefusesWhatIsNotAlikeUnlessAllowed) {
     expect_refused(compare("a.exr", "foreign.exr", "--allow-different everything"), 2, "everything");
 }
 
-TEST_F(Compare, BouncesDoNotMatterToAmbientOcclusion) {
-    write("a.exr", picture(0.1f), {{"interreflect.set.paths", "ao"}, {"interreflect.set.max_bounces", "1"}});
-    write("b.exr", picture(), {{"interreflect.set.paths", "ao"}, {"interreflect.set.max_bounces", "5"}});
+TEST_F(Compare, NeitherBouncesNorLightsMatterToAmbientOcclusion) {
+    write("a.exr", picture(0.1f),
+          {{"interreflect.set.paths", "ao"},
+           {"interreflect.set.max_bounces", "1"},
+           {"interreflect.lighting", "123"}});
+    write("b.exr", picture(),
+          {{"interreflect.set.paths", "ao"},
+           {"interreflect.set.max_bounces", "5"},
+           {"interreflect.lighting", "124"}});
     EXPECT_EQ(compare("a.exr", "b.exr").status, 0);
 }
 
