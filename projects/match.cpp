@@ -1,8 +1,10 @@
 #include "projects/match.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "projects/results.h"
+#include "projects/samples.h"
 #include "projects/settings.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
@@ -13,6 +15,9 @@ namespace {
 
 /// A matched reference shows a first picture soon and is complete after so many times the method's default.
 constexpr int progressive_frames = 16;
+
+/// Seconds.
+constexpr double same_moment = 1e-9;
 
 const Experiment& experiment_of(const Project& project, const std::string& id) {
     if (const auto* found = find_item(project.experiments, id)) return *found;
@@ -58,6 +63,20 @@ Settings matched_values(const Settings& transport, const MethodDescription& refe
     return values;
 }
 
+/// Whether the pose of an experiment's camera, which is that of its time in all frames, would be another.
+bool camera_moves(const Project& project, const Experiment& run, double time) {
+    const auto* camera = find_item(project.cameras, run.camera);
+    if (!camera || !camera->scene_camera.empty()) return false;
+    return camera_at(project, *camera, run.time) != camera_at(project, *camera, time);
+}
+
+/// Of the truth of an experiment, which it is judged by.
+double judged_time(const Project& project, const Experiment& experiment, const Registry& registry) {
+    const auto run = effective(experiment);
+    const double last = last_time(experiment, registry);
+    return camera_moves(project, run, last) ? run.time : last;
+}
+
 /// What makes it the truth that it is, whatever its noise.
 Json truth_of(const Project& project, const Experiment& experiment, const Registry& registry) {
     auto inputs = state_inputs(project, experiment, registry);
@@ -87,8 +106,13 @@ std::string mismatch(const Project& project, const Experiment& experiment, const
     std::vector<std::string> found;
     const auto mine = picture_inputs(project, experiment, registry);
     const auto its = picture_inputs(project, truth, registry);
-    for (const char* key : {"scene", "camera", "lights", "environment", "size", "time"})
+    for (const char* key : {"scene", "camera", "lights", "environment", "size"})
         if (mine.at(key) != its.at(key)) found.push_back(key);
+    const double seconds = judged_time(project, experiment, registry),
+                 truth_seconds = last_time(truth, registry);
+    if (std::abs(seconds - truth_seconds) > same_moment)
+        found.push_back("time (" + shown(seconds) + " s after its last frame, the reference has " +
+                        shown(truth_seconds) + " s)");
     const auto* method = registry.find(experiment.method);
     const auto* reference = registry.find(truth.method);
     if (method && reference) {
@@ -111,6 +135,14 @@ Settings matching_values(const MethodDescription& method, const Settings& values
     return matched_values(transport_of(method, completed(method.parameters, values)), reference);
 }
 
+Experiment ground_truth(Experiment run, const Registry& registry) {
+    run.values = matching_values(registry.at(run.method), run.values, registry);
+    run.time = last_time(run, registry);
+    run.method = reference_method(registry).id;
+    run.frames = progressive_frames;
+    return run;
+}
+
 Experiment matching_reference(const Project& project, const Experiment& experiment,
                               const Registry& registry) {
     const auto& reference = reference_method(registry);
@@ -120,14 +152,16 @@ Experiment matching_reference(const Project& project, const Experiment& experime
                          "', so its transport is unknown");
     if (method->is_reference)
         throw UsageError("'" + printable(experiment.id, 60) + "' is a reference itself");
-    const auto run = effective(experiment);
+    auto run = effective(experiment);
+    run.values = runnable_settings(experiment, *method);
+    const auto computed = ground_truth(run, registry);
     const auto name = experiment.name + " reference";
     auto truth = edits::new_experiment(project, registry, reference.id, name, run.scene, run.camera);
     truth.lights = run.lights;
     truth.size = run.size;
-    truth.time = run.time;
-    truth.frames = progressive_frames;
-    truth.values = matching_values(*method, runnable_settings(experiment, *method), registry);
+    truth.time = judged_time(project, experiment, registry);
+    truth.frames = computed.frames;
+    truth.values = computed.values;
     return truth;
 }
 

@@ -38,6 +38,12 @@ bool accumulates(const MethodDescription& method) {
     return accumulating_parameter(method) != nullptr;
 }
 
+double last_time(const Experiment& experiment, const Registry& registry) {
+    const auto run = effective(experiment);
+    const auto* method = registry.find(run.method);
+    return !method || accumulates(*method) ? run.time : run.time + (run.frames - 1) * frame_seconds;
+}
+
 std::uint64_t samples_per_frame(const MethodDescription& method, const Settings& values) {
     std::uint64_t product = 1;
     for (const auto& parameter : method.parameters) {

@@ -11,6 +11,13 @@ namespace ir::projects {
 /// every smaller number of samples: one of its parameters accumulates.
 bool accumulates(const MethodDescription& method);
 
+/// Seconds between two frames of a run.
+inline constexpr double frame_seconds = 1.0 / 30;
+
+/// Seconds at which the last frame of an experiment sees its scene: a method that accumulates adds all its
+/// frames up at the experiment's time, others let frame_seconds pass between two frames.
+double last_time(const Experiment& experiment, const Registry& registry);
+
 /// What one frame adds: the product of the effective values of parameters that accumulate; 1 where there are
 /// none.
 std::uint64_t samples_per_frame(const MethodDescription& method, const Settings& values);

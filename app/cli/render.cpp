@@ -117,14 +117,17 @@ engine::Experiment to_experiment(const Flags& flags) {
 void match(engine::Experiment& experiment, std::int64_t samples) {
     const auto& registry = engine::registry();
     projects::Experiment truth;
-    truth.values = projects::matching_values(registry.at(experiment.method), experiment.settings, registry);
-    truth.method = registry.reference()->id;
+    truth.method = experiment.method;
+    truth.values = experiment.settings;
     truth.frames = experiment.frames;
+    truth.time = experiment.time;
+    truth = projects::ground_truth(truth, registry);
     if (samples > 0)
         truth = projects::with_sample_count(truth, static_cast<std::uint64_t>(samples), registry);
     experiment.method = truth.method;
     experiment.settings = truth.values;
     experiment.frames = truth.frames;
+    experiment.time = truth.time;
 }
 
 int render_scene(const Flags& flags) {
@@ -183,7 +186,8 @@ void add_render(CLI::App& app, Run& run) {
     command->add_option("--seed", flags->seed_text, "Seed of everything random");
     command
         ->add_option("--frames", flags->frames,
-                     "Frames to run from empty history; each is 1/30 s after the one before")
+                     "Frames to run from empty history; each is 1/30 s after the one before, unless the "
+                     "method adds frames up")
         ->check(CLI::Range(1, 1000000));
     command->add_option("--time", flags->time, "Time of the first frame in seconds");
     command->add_option("--dump", flags->dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");

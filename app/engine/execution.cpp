@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "projects/samples.h"
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
 #include "renderers/methods/all_methods.h"
@@ -18,9 +19,6 @@ const graph::Method& find_method(const std::string& id) {
     registry().at(id);  // throws, naming the known ones
     throw Error("method '" + id + "' is not built");
 }
-
-/// Seconds between frames of a run.
-constexpr double frame_seconds = 1.0 / 30;
 
 bool same_camera(const std::optional<scene::Camera>& a, const std::optional<scene::Camera>& b) {
     if (a.has_value() != b.has_value()) return false;
@@ -154,10 +152,12 @@ scene::Camera Execution::camera() const {
 
 FrameReport Execution::run_frame(const graph::FrameOptions& options) {
     machine_.context().make_current();
-    const double time = experiment_.time + frame_ * frame_seconds;
+    // What adds up over frames is a picture of one moment.
+    const double step = projects::accumulates(method_->description) ? 0 : projects::frame_seconds;
+    const double time = experiment_.time + frame_ * step;
     const double world_time = scene_->is_animated() ? time : 0;
     if (world_time != world_time_) {
-        const double previous = frame_ > 0 && scene_->is_animated() ? time - frame_seconds : world_time;
+        const double previous = frame_ > 0 && scene_->is_animated() ? time - step : world_time;
         world_ = scene::flatten(*scene_, world_time, previous);
         world_time_ = world_time;
     }

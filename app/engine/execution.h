@@ -98,7 +98,8 @@ class Execution {
     /// Whether this execution has added samples itself.
     bool is_extended() const { return is_extended_; }
 
-    /// Runs the next frame; frames are 1/30 s apart. Throws as Graph::run.
+    /// Runs the next frame, 1/30 s after the one before; at the experiment's time where the method
+    /// accumulates. Throws as Graph::run.
     FrameReport run_frame(const graph::FrameOptions& options);
     /// Computes what the last frame left out, and explains again after inspect(), on the contents of that
     /// frame. Throws and returns as Graph::explain.

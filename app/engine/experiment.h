@@ -26,7 +26,7 @@ struct Experiment {
     std::optional<scene::Environment> environment;
     int width = 800, height = 600;
     std::uint64_t seed = 0;
-    int frames = 1;   ///< each 1/30 s after the one before
+    int frames = 1;   ///< each 1/30 s after the one before, unless the method accumulates
     double time = 0;  ///< seconds, of the first frame
 
     /// The parts, or `scene` as the only one.

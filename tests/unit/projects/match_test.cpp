@@ -147,6 +147,27 @@ TEST(Match, IsRefusedWithOneLine) {
     EXPECT_THROW(match(project, "fog-nave", registry()), UsageError);
 }
 
+/// The last frame is what is judged; a method that accumulates lets no time pass.
+TEST(Match, TheTruthIsOfTheLastFrame) {
+    auto project = unmatched();
+    auto& plain = project.experiments[1];
+    plain.reference.clear();
+    plain.camera = "inside";
+    plain.time = 2;
+    plain.frames = 7;
+    const auto id = plain.id;
+    EXPECT_DOUBLE_EQ(last_time(plain, registry()), 2 + 6 / 30.0);
+    matched(project, id);
+    const auto& found = *find_item(project.experiments, find_item(project.experiments, id)->reference);
+    EXPECT_DOUBLE_EQ(found.time, 2 + 6 / 30.0);
+    EXPECT_EQ(last_time(found, registry()), found.time);
+    EXPECT_TRUE(mismatched_references(project, registry()).empty());
+    find_item(project.experiments, id)->frames = 1;
+    const auto wrong = mismatched_references(project, registry());
+    ASSERT_EQ(wrong.size(), 1u);
+    EXPECT_NE(wrong[0].second.find("time"), std::string::npos) << wrong[0].second;
+}
+
 TEST(Match, MismatchesAreNamed) {
     auto project = unmatched();
     matched(project, "fog-nave");
