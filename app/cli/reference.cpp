@@ -14,6 +14,7 @@
 #include "app/engine/keep_result.h"
 #include "projects/match.h"
 #include "projects/open_project.h"
+#include "projects/results.h"
 #include "projects/samples.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
@@ -127,6 +128,9 @@ class References {
             if (!projects::find_item(open_.project().experiments, id))
                 throw UsageError("no experiment '" + id + "' in the project");
         if (!ids.empty()) return ids;
+        if (open_.project().experiments.empty())
+            throw InputError((open_.folder() / "project.json").string(), "",
+                             "has no experiments to match; add one");
         for (const auto& experiment : open_.project().experiments) {
             const auto* method = engine::registry().find(experiment.method);
             if (!method || !method->is_reference) ids.push_back(experiment.id);
@@ -145,7 +149,11 @@ class References {
         const auto samples = static_cast<std::uint64_t>(flags_.samples);
         for (const auto& id : ids_) {
             const auto& truth = *projects::find_item(open_.project().experiments, id);
-            if (samples > projects::sample_count(truth, registry))
+            const auto count = projects::sample_count(truth, registry);
+            // What is kept already never gets fewer.
+            const bool is_kept =
+                projects::result_state(open_.project(), truth, registry) == projects::ResultState::current;
+            if (samples > count || (samples > 0 && samples < count && !is_kept))
                 open_.edit(projects::set_sample_count(open_.project(), id, samples, registry));
         }
     }
@@ -162,7 +170,13 @@ class References {
         Progress progress;
         progress.asked = projects::sample_count(experiment, engine::registry());
         progress.pixels = static_cast<double>(execution.experiment().width) * execution.experiment().height;
-        auto report = trace(execution, options, progress, !flags_.quiet && isatty(STDERR_FILENO));
+        FrameReport report;
+        try {
+            report = trace(execution, options, progress, !flags_.quiet && isatty(STDERR_FILENO));
+        } catch (const Cancelled&) {
+            keep_what_is_there(experiment, execution, options, progress);
+            throw;
+        }
         for (const auto& problem : problems) report.messages.push_back({Severity::warning, "state", problem});
         print_messages(execution, report);
         const auto key = engine::keep_result(open_.project(), experiment, folder, execution, report);
@@ -170,6 +184,24 @@ class References {
         open_.save();
         write(execution, report, id);
         tell(id, key, progress);
+    }
+
+    /// The samples of all whole frames of a computation that somebody stopped: a next one goes on from them.
+    void keep_what_is_there(const projects::Experiment& experiment, engine::Execution& execution,
+                            graph::FrameOptions options, const Progress& progress) {
+        if (execution.samples() <= progress.first) return;
+        const auto partial = projects::with_sample_count(experiment, execution.samples(), engine::registry());
+        const auto folder = open_.folder();
+        // A frame that asks for no more than is there shows it.
+        execution.update(engine::from_project(open_.project(), partial, folder));
+        options.cancel = nullptr;
+        options.progress = nullptr;
+        const auto report = execution.run_frame(options);
+        open_.mark_kept(experiment.id,
+                        engine::keep_result(open_.project(), partial, folder, execution, report));
+        open_.save();
+        std::cerr << "interreflect-cli: kept " << execution.samples() << " of " << progress.asked
+                  << " samples of '" << experiment.id << "'; run it again to go on\n";
     }
 
     void write(const engine::Execution& execution, const FrameReport& report, const std::string& id) const {
