@@ -35,6 +35,12 @@ void put_point(std::vector<engine::ErrorPoint>& points, const engine::ErrorPoint
         *found = point;
 }
 
+/// Points that were refused have a problem instead of numbers.
+int count_measured(const engine::ErrorStudy& study) {
+    return int(std::count_if(study.points.begin(), study.points.end(),
+                             [](const engine::ErrorPoint& point) { return point.problem.empty(); }));
+}
+
 }  // namespace
 
 PlotsDock::PlotsDock(Session& session, const engine::MachineOptions& machine, engine::StudyRunner runner,
@@ -241,8 +247,7 @@ void PlotsDock::finish(const std::string& id, const engine::ErrorStudy& study, c
         emit failed(state.problem);
     }
     const auto* now = plot(id);
-    emit said(
-        tr("%1: %n point(s) measured", nullptr, int(study.points.size())).arg(now ? q(now->name) : q(id)));
+    emit said(tr("%1: %n point(s) measured", nullptr, count_measured(study)).arg(now ? q(now->name) : q(id)));
     update();
     if (is_settled()) emit settled();
 }
@@ -251,8 +256,9 @@ void PlotsDock::finish(const std::string& id, const engine::ErrorStudy& study, c
 void PlotsDock::fail(const std::string& id, const QString& error, bool cancelled) {
     auto& state = states_[id];
     state.is_running = false;
-    const auto count = state.running ? int(state.running->study.points.size()) : 0;
-    if (state.running && (state.numbers || count == 0)) state.running.reset();
+    const bool is_empty = !state.running || state.running->study.points.empty();
+    const int count = is_empty ? 0 : count_measured(state.running->study);
+    if (state.numbers || is_empty) state.running.reset();
     state.problem = !cancelled      ? error
                     : state.running ? tr("Cancelled after %n point(s); they are not kept", nullptr, count)
                                     : QString();

@@ -3,6 +3,7 @@
 #include <QDockWidget>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <atomic>
@@ -138,6 +139,7 @@ TEST_F(PlotsWindowTest, AnEmptyDockOffersAPlotOfTheExperimentsAndTheirReference)
 
 TEST_F(PlotsWindowTest, PointsAppearAsTheyAreMeasured) {
     add_plot();
+    QSignalSpy said(&plots(), &PlotsDock::said);
     studies.allowed = 2;
     press("plot-run");
     ASSERT_TRUE(wait_for_points(2));
@@ -152,6 +154,8 @@ TEST_F(PlotsWindowTest, PointsAppearAsTheyAreMeasured) {
     EXPECT_TRUE(panel().data().level);
     EXPECT_TRUE(panel().data().find(id_of(1.0))->ring) << "error falls with time: all are on the front";
     EXPECT_EQ(find<QListWidget>("lines")->count(), 2);
+    ASSERT_FALSE(said.empty());
+    EXPECT_TRUE(said.last()[0].toString().contains("3 point")) << "the refused one was not measured";
 }
 
 TEST_F(PlotsWindowTest, AClickLoadsTheSettingInOneStepOfUndo) {
