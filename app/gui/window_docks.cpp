@@ -1,3 +1,4 @@
+#include <QAction>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -41,6 +42,26 @@ QList<QDockWidget*> docks_of(const QMainWindow* window) {
     return window->findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
 }
 
+/// Neither hidden nor covered by another tab.
+bool is_in_front(const QDockWidget* dock) {
+    return dock && dock->isVisible() && !dock->visibleRegion().isEmpty();
+}
+
+void focus_into(QWidget* content) {
+    for (auto* child : content->findChildren<QWidget*>())
+        if (child->isVisible() && child->isEnabled() && (child->focusPolicy() & Qt::TabFocus))
+            return child->setFocus(Qt::ShortcutFocusReason);
+    content->setFocus(Qt::ShortcutFocusReason);
+}
+
+/// toggleViewAction() knows of hidden panels alone, not of those that a tab covers.
+void toggle_dock(QDockWidget* dock) {
+    if (is_in_front(dock)) return dock->hide();
+    dock->show();
+    dock->raise();
+    focus_into(dock->widget());
+}
+
 }  // namespace
 
 void MainWindow::make_centre() {
@@ -68,8 +89,14 @@ QDockWidget* MainWindow::add_dock(const QString& name, const QString& title, QWi
     dock->setObjectName(name);
     dock->setWidget(content);
     addDockWidget(Qt::RightDockWidgetArea, dock);
-    dock->toggleViewAction()->setShortcut(key);
-    dock->toggleViewAction()->setText(tr("Show %1").arg(title));
+    auto* show = new QAction(tr("Show %1").arg(title), this);
+    show->setCheckable(true);
+    show->setShortcut(key);
+    connect(show, &QAction::triggered, this, [this, dock] {
+        toggle_dock(dock);
+        watch_docks();
+    });
+    actions_.insert(QStringLiteral("dock-") + name, show);
     connect(dock, &QDockWidget::visibilityChanged, this, &MainWindow::watch_docks);
     return dock;
 }
@@ -145,8 +172,7 @@ void MainWindow::make_docks() {
 /// Panels behind tabs and closed ones ask for nothing.
 void MainWindow::watch_docks() {
     const auto seen = [this](const char* name) {
-        const auto* dock = findChild<QDockWidget*>(QLatin1String(name));
-        return dock && dock->isVisible() && !dock->visibleRegion().isEmpty();
+        return is_in_front(findChild<QDockWidget*>(QLatin1String(name)));
     };
     QMetaObject::invokeMethod(
         this,
@@ -156,6 +182,9 @@ void MainWindow::watch_docks() {
             results_->set_visible_to_user(seen("results"));
             plots_->set_visible_to_user(seen("plots"));
             metrics_.set_visible(seen("metrics"));
+            for (const auto* dock : docks_of(this))
+                if (auto* show = action(QStringLiteral("dock-") + dock->objectName()))
+                    show->setChecked(is_in_front(dock));
         },
         Qt::QueuedConnection);
 }

@@ -68,9 +68,10 @@ void MainWindow::make_menus() {
     auto* window = menuBar()->addMenu(tr("&Window"));
     fill(window, {"views-1", "views-2", "views-2-stacked", "views-3", "views-4", "", "view-open",
                   "view-close", "view-next", "view-previous", ""});
-    for (auto* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-        window->addAction(dock->toggleViewAction());
-        action_order_ << dock->toggleViewAction();
+    for (const auto* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        auto* show = action(QStringLiteral("dock-") + dock->objectName());
+        window->addAction(show);
+        action_order_ << show;
     }
     fill(window, {"", "layout-default", "full-screen"});
     auto* help = menuBar()->addMenu(tr("&Help"));

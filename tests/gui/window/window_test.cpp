@@ -223,6 +223,34 @@ TEST_F(WindowTest, LayoutsAreNamed) {
     EXPECT_THROW(window.apply_layout("nonsense"), UsageError);
 }
 
+TEST_F(WindowTest, KeysBringACoveredPanelForwardAndHideTheOneInFront) {
+    open_scene();
+    const auto* buffers = window.findChild<QDockWidget*>("buffers");
+    auto* metrics = window.findChild<QDockWidget*>("metrics");
+    auto* show = window.action("dock-metrics");
+    const auto is_seen = [](const QDockWidget* dock) { return !dock->visibleRegion().isEmpty(); };
+    const auto press = [this] {
+        QTest::keyClick(&window, Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
+        QTest::qWait(20);
+    };
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(is_seen(buffers));
+    ASSERT_FALSE(is_seen(metrics)) << "a tab covers it";
+    EXPECT_FALSE(show->isChecked());
+    EXPECT_TRUE(window.action("dock-buffers")->isChecked());
+    press();
+    EXPECT_TRUE(is_seen(metrics));
+    EXPECT_FALSE(is_seen(buffers));
+    EXPECT_TRUE(show->isChecked());
+    EXPECT_FALSE(window.action("dock-buffers")->isChecked());
+    EXPECT_TRUE(metrics->isAncestorOf(QApplication::focusWidget()));
+    press();
+    EXPECT_TRUE(metrics->isHidden());
+    EXPECT_FALSE(show->isChecked());
+    press();
+    EXPECT_TRUE(is_seen(metrics));
+}
+
 TEST_F(WindowTest, EveryMenuEntryHasKeysExceptAbout) {
     for (auto* action : window.actions())
         EXPECT_EQ(action->shortcut().isEmpty(), action->objectName() == "about")
