@@ -166,7 +166,11 @@ void MainWindow::make_docks() {
     add_dock("timings", tr("Timings"), make_timings_dock(), key(Qt::Key_8));
     add_dock("messages", tr("Messages"), messages_, key(Qt::Key_9));
     add_dock("results", tr("Results"), results_, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
-    add_dock("plots", tr("Plots"), plots_, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
+    auto* plots = new QScrollArea;  // its height is not asked of the panels that share its place
+    plots->setFrameShape(QFrame::NoFrame);
+    plots->setWidget(plots_);
+    plots->setWidgetResizable(true);
+    add_dock("plots", tr("Plots"), plots, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
 }
 
 /// Panels behind tabs and closed ones ask for nothing.

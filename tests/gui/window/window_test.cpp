@@ -251,6 +251,18 @@ TEST_F(WindowTest, KeysBringACoveredPanelForwardAndHideTheOneInFront) {
     EXPECT_TRUE(is_seen(metrics));
 }
 
+TEST_F(WindowTest, ThePictureHasHalfOfTheWindowsHeight) {
+    window.resize(1440, 900);
+    open_scene();
+    window.action("layout-default")->trigger();
+    QTest::qWait(50);
+    EXPECT_EQ(window.height(), 900);
+    EXPECT_GE(window.workspace().area().height(), window.height() / 2);
+    window.findChild<QDockWidget*>("plots")->raise();
+    QTest::qWait(50);
+    EXPECT_GE(window.workspace().area().height(), window.height() / 2);
+}
+
 TEST_F(WindowTest, EveryMenuEntryHasKeysExceptAbout) {
     for (auto* action : window.actions())
         EXPECT_EQ(action->shortcut().isEmpty(), action->objectName() == "about")
