@@ -1,16 +1,41 @@
 #include "widgets/metrics/rectangle_fields.h"
 
+#include <QFocusEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
 namespace {
+
+/// Selects its number when the click that brings the focus ends, so that typing replaces it. At the press the
+/// text's own cursor would undo it.
+class ClickedField : public QSpinBox {
+  public:
+    explicit ClickedField(QWidget* parent) : QSpinBox(parent) { lineEdit()->installEventFilter(this); }
+
+  protected:
+    void focusInEvent(QFocusEvent* event) override {
+        QSpinBox::focusInEvent(event);
+        is_fresh_ = event->reason() == Qt::MouseFocusReason;
+    }
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::MouseButtonRelease && std::exchange(is_fresh_, false) &&
+            !lineEdit()->hasSelectedText())
+            QMetaObject::invokeMethod(this, &QSpinBox::selectAll, Qt::QueuedConnection);
+        return QSpinBox::eventFilter(watched, event);
+    }
+
+  private:
+    bool is_fresh_ = false;  ///< the focus came with the button that is down
+};
 
 QToolButton* button(QWidget* parent, const char* name, const char* icon_name, const QString& tip) {
     auto* result = new QToolButton(parent);
@@ -34,7 +59,7 @@ RectangleFields::RectangleFields(QWidget* parent) : QWidget(parent) {
                             tr("Width, pixels"), tr("Height, pixels")};
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         if (!letters[i].isEmpty()) row->addWidget(new QLabel(letters[i], this));
-        auto* field = fields_[i] = new QSpinBox(this);
+        auto* field = fields_[i] = new ClickedField(this);
         field->setObjectName(QLatin1String(names[i]));
         field->setToolTip(tips[i]);
         field->setAccessibleName(tips[i]);
@@ -71,7 +96,10 @@ void RectangleFields::show_numbers() {
     const QSize& picture = picture_;
     const QRect shown = rectangle_.isEmpty() ? QRect(QPoint(0, 0), picture) : rectangle_;
     const int values[] = {shown.x(), shown.y(), shown.width(), shown.height()};
-    const int most[] = {picture.width() - 1, picture.height() - 1, picture.width(), picture.height()};
+    // A rectangle is moved as it is; where there is none, its corner is typed first.
+    const QSize corner = rectangle_.isEmpty() ? QSize(1, 1) : rectangle_.size();
+    const int most[] = {picture.width() - corner.width(), picture.height() - corner.height(), picture.width(),
+                        picture.height()};
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         const QSignalBlocker quiet(fields_[i]);
         fields_[i]->setRange(i < 2 ? 0 : 1, std::max(i < 2 ? 0 : 1, most[i]));

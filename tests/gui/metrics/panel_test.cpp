@@ -2,6 +2,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -243,6 +244,29 @@ TEST_F(MetricsPanelTest, TheRectangleIsTyped) {
     QTest::mouseClick(find<QToolButton>("draw"), Qt::LeftButton);
     ASSERT_EQ(drawing.count(), 1);
     EXPECT_TRUE(drawing[0][0].toBool());
+}
+
+TEST_F(MetricsPanelTest, AClickedNumberIsReplacedAndMovesTheRectangleAsItIs) {
+    QSignalSpy chosen(&panel, &MetricsPanel::rectangle_chosen);
+    auto now = fields();
+    now.rectangle = QRect(21, 4, 8, 6);
+    panel.set_fields(now);
+    find<QSpinBox>("rectangle-height")->setFocus();
+    auto* x = find<QSpinBox>("rectangle-x");
+    const auto click_and_type = [&](const char* text) {
+        QTest::mouseClick(x->findChild<QLineEdit*>(), Qt::LeftButton);
+        QApplication::processEvents();
+        QTest::keyClicks(x, text);
+        QTest::keyClick(x, Qt::Key_Return);
+    };
+    click_and_type("10");
+    ASSERT_EQ(chosen.count(), 1);
+    EXPECT_EQ(chosen.last()[0].toRect(), QRect(10, 4, 8, 6));
+    now.rectangle = QRect(10, 4, 8, 6);
+    panel.set_fields(now);
+    EXPECT_EQ(x->maximum(), 32 - 8) << "the width is not cut";
+    EXPECT_EQ(find<QSpinBox>("rectangle-y")->maximum(), 24 - 6);
+    EXPECT_EQ(find<QSpinBox>("rectangle-width")->maximum(), 32);
 }
 
 TEST_F(MetricsPanelTest, NumbersAreCopied) {
