@@ -42,6 +42,12 @@ double error_of(const ErrorPoint& point, const std::string& metric) {
     return found == point.errors.end() ? std::nan("") : found->second;
 }
 
+widgets::PlotCell error_cell(const ErrorPoint& point, const std::string& metric) {
+    const double error = error_of(point, metric);
+    if (std::isnan(error)) return {QStringLiteral("—")};
+    return {plot_number(error), error};
+}
+
 class Drawing {
   public:
     Drawing(const projects::Project& project, const Registry& registry, const projects::ErrorPlot& plot,
@@ -60,9 +66,11 @@ class Drawing {
         draw_axes();
         data_.ring_name = QObject::tr("front: no other is faster and better");
         data_.join_rings = plot_.against_time;
-        data_.headings = QStringList{QObject::tr("Experiment"), over_.first, QObject::tr("ms")};
+        if (names_experiments()) data_.headings << QObject::tr("Experiment");
+        data_.headings << over_.first << with_unit(metric_label(plot_.metric), unit_of(plot_.metric))
+                       << QObject::tr("ms");
         for (const auto& metric : study_.metrics)
-            data_.headings << with_unit(metric_label(metric), unit_of(metric));
+            if (metric != plot_.metric) data_.headings << with_unit(metric_label(metric), unit_of(metric));
         data_.headings << QObject::tr("Memory") << QObject::tr("Front");
         for (const auto& point : study_.points) draw_point(point);
         if (plot_.metric == "rmse" && study_.reference_noise > 0)
@@ -75,6 +83,14 @@ class Drawing {
     static std::string unit_of(const std::string& metric) {
         const auto* known = known_metric(metric);
         return known ? known->unit : std::string();
+    }
+
+    bool names_experiments() const {
+        const auto& points = study_.points;
+        return plot_.experiments.size() > 1 ||
+               std::any_of(points.begin(), points.end(), [&](const ErrorPoint& point) {
+                   return point.experiment != points.front().experiment;
+               });
     }
 
     /// What the values are called, and their unit.
@@ -150,15 +166,13 @@ class Drawing {
         drawn.y = error_of(point, plot_.metric);
         drawn.ring = point.on_front;
         drawn.label = label_of(point);
-        drawn.cells.push_back({name_of(point.experiment)});
+        if (names_experiments()) drawn.cells.push_back({name_of(point.experiment)});
         drawn.cells.push_back(
             {value, point.value.is_number() ? std::optional(point.value.get<double>()) : std::nullopt});
+        drawn.cells.push_back(error_cell(point, plot_.metric));
         drawn.cells.push_back({plot_number(point.ms), point.ms});
-        for (const auto& metric : study_.metrics) {
-            const double error = error_of(point, metric);
-            drawn.cells.push_back(std::isnan(error) ? widgets::PlotCell{QStringLiteral("—")}
-                                                    : widgets::PlotCell{plot_number(error), error});
-        }
+        for (const auto& metric : study_.metrics)
+            if (metric != plot_.metric) drawn.cells.push_back(error_cell(point, metric));
         drawn.cells.push_back({widgets::bytes_text(point.memory_bytes), double(point.memory_bytes)});
         drawn.cells.push_back({point.on_front ? QStringLiteral("●") : QString()});
         series_of(point.experiment).points.push_back(std::move(drawn));

@@ -232,6 +232,11 @@ TEST_F(PlotsWindowTest, AnotherMetricOrAxisIsDrawnWithoutRunning) {
     choose(find<QComboBox>("axis"), "against values");
     EXPECT_EQ(panel().data().x.title, "Level");
     EXPECT_DOUBLE_EQ(panel().data().find(id_of(2.0))->x, 2.0);
+    const auto headings = panel().data().headings;
+    ASSERT_EQ(headings.size(), 6);
+    EXPECT_EQ(headings[0], "Level") << "one experiment needs no name in each row";
+    EXPECT_TRUE(headings[1].startsWith("MAE")) << "what is judged by stands beside the value";
+    EXPECT_TRUE(headings[3].startsWith("RMSE"));
     press("log-x");
     EXPECT_FALSE(panel().data().x.log);
     EXPECT_EQ(studies.runs, 1);
