@@ -238,6 +238,18 @@ TEST_F(ResultsWindowTest, MatchAddsTheReferenceAsBInOneStep) {
     EXPECT_TRUE(window.session().experiment(judged)->reference.empty());
 }
 
+TEST_F(ResultsWindowTest, UndoingMatchLeavesTheExperimentAlone) {
+    const auto before = workspace().active_state().a;
+    trigger("match");
+    ASSERT_EQ(workspace().active_state().mode, ViewMode::side_by_side);
+    trigger("undo");
+    EXPECT_EQ(workspace().active_state().mode, ViewMode::single);
+    EXPECT_EQ(workspace().active_state().a, before);
+    trigger("redo");
+    trigger("mode-side-by-side");
+    EXPECT_EQ(workspace().active_state().b.owner, window.session().experiment()->reference);
+}
+
 TEST_F(ResultsWindowTest, AReferenceThatNoLongerMatchesIsToldAndMatchedAgain) {
     const auto judged = experiment();
     trigger("match");
