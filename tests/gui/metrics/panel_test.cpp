@@ -251,6 +251,7 @@ TEST_F(MetricsPanelTest, AClickedNumberIsReplacedAndMovesTheRectangleAsItIs) {
     auto now = fields();
     now.rectangle = QRect(21, 4, 8, 6);
     panel.set_fields(now);
+    QApplication::setActiveWindow(&panel);  // a bare X server has no window manager to do it
     find<QSpinBox>("rectangle-height")->setFocus();
     auto* x = find<QSpinBox>("rectangle-x");
     const auto click_and_type = [&](const char* text) {
