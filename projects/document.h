@@ -133,7 +133,7 @@ struct Experiment {
 /// Two pictures side by side. A and B are ids of experiments or foreign images.
 struct Comparison {
     std::string id, name, a, b;
-    std::string output;         ///< key of the output; empty: main result
+    std::string output;  ///< key of the output; empty: main result
     /// The views' own names: side-by-side, wipe, flip, stages, difference[:KIND] with signed, absolute,
     /// relative, squared, flip, hdr-flip, significant.
     std::string mode = "wipe";

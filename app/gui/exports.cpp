@@ -90,8 +90,7 @@ void Exports::save_values(const QString& file) const {
 void Exports::save_all_buffers(const QString& file) const {
     const auto& state = workspace_.active_state();
     const auto& owner = state.a.is_file() ? state.b.owner : state.a.owner;
-    if (!session_.experiment(owner))
-        throw Error("the active view shows no experiment; choose one");
+    if (!session_.experiment(owner)) throw Error("the active view shows no experiment; choose one");
     if (!live_.result(owner)) throw Error("nothing has been rendered yet");
     renderer_.export_layers({owner, file.toStdString(), {"*"}});
 }

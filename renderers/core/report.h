@@ -59,7 +59,7 @@ struct FrameReport {
     std::string backend, device;
     double wall_ms = 0;  ///< of the whole frame, with attempts that overflowed
     int frame = 0;
-    bool complete = true;  ///< false: a buffer overflowed and the next frame mends it
+    bool complete = true;     ///< false: a buffer overflowed and the next frame mends it
     bool began_anew = false;  ///< a restored history did not fit and was dropped
     std::vector<PassReport> passes;
     std::vector<ResourceReport> resources;
