@@ -177,14 +177,14 @@ TEST_F(Compare, TellsSignificantDifferencesByTheVarianceInTheFile) {
 }
 
 TEST_F(Compare, TrustsVariancesOfFewSamplesLess) {
-    // 0.1 is 10 standard deviations: beyond Student's t of 7 degrees at 1e-4 / 3, not of 1.
+    // 6 standard deviations: beyond Student's t at 1e-4 / 3 of 7 degrees pooled over 9 pixels, not of 1.
     const std::vector<ImageLayer> variance{{"method.variance", {"Y"}, Image(32, 20, 1, 1e-4f)}};
     auto counted = variance;
     counted.push_back({"method.samples", {"Y"}, Image(32, 20, 1, 2)});
     const auto part = [&](const std::string& samples, const std::vector<ImageLayer>& layers) {
         ImageAttributes attributes{{"interreflect.variance", "method.variance"}};
         if (!samples.empty()) attributes["interreflect.samples"] = samples;
-        write("few.exr", picture(0.1f), attributes, layers);
+        write("few.exr", picture(0.06f), attributes, layers);
         write("exact.exr", picture());
         const auto outcome = compare("few.exr", "exact.exr",
                                      "--json --diff-kind significant --diff " + file("significant.exr"));
