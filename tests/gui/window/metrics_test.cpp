@@ -58,9 +58,10 @@ class MetricsWindowTest : public WindowTest {
         });
         ASSERT_TRUE(settle());
     }
-    /// From pixel to pixel of the picture, as shown.
+    /// From pixel to pixel of the picture, so large that a click meets the pixel that is meant.
     void draw(QPointF from, QPointF to) {
         auto& view = compare().main_view();
+        view.look_at((from + to) / 2, 8);
         const auto at = [&](QPointF pixel) {
             return (view.transform().view_from_image(pixel) / view.devicePixelRatioF()).toPoint();
         };
