@@ -9,6 +9,14 @@
 
 namespace ir {
 
+/// One step of a chain of pictures that each come from the one before, such as a filter's.
+struct Stage {
+    std::string output;  ///< key of an image, pyramid or stack
+    int layer = 0;       ///< of a stack, or level of a pyramid
+    std::string label;
+    Condition active_when = {};  ///< under other settings the chain has no such step
+};
+
 /// A method as everything outside its folder sees it.
 struct MethodDescription {
     std::string id;                        ///< folder name under renderers/methods/, "ldm-ao"
@@ -19,6 +27,8 @@ struct MethodDescription {
     std::vector<ParameterDescription> parameters = {};
     std::vector<OutputDescription> outputs = {};  ///< see main_output()
     std::vector<SelectorDescription> selectors = {};
+    /// The chain that leads to the result, to be looked at beside each other. Empty: there is none.
+    std::vector<Stage> stages = {};
     double background = 0;  ///< value of the main result where nothing is hit (AO: 1)
     /// The ground truth that other methods are judged by: takes every transport, and its result comes with
     /// its own variance.

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "renderers/core/transport.h"
+#include "renderers/passes/raytracing/trace_rays.h"
+
+namespace ir::methods::photon_mapping {
+
+enum class Resolution { r64, r128, r256, r512, r1024 };  ///< of a square map, texels a side
+enum class FirstHit { rsm, traced };
+enum class Emission { importance, uniform };
+enum class PowerScaling { exact, printed };
+enum class Budget { intensity, probability };
+enum class Roulette { multichannel, per_channel };
+enum class MicrofacetSampling { visible_normals, ggx, ggx_printed };
+enum class SplatResolution { full, half, quarter };
+enum class InsideTest { ellipsoid, linear_depth };
+enum class Precision { half_float, single_float };
+enum class FilterKernel { printed, b3_spline };
+
+/// Groups stand in the order of the pipeline; each is described in the file that is named beside it.
+struct Parameters {
+    // emission/parameters.cpp
+    int photons = 100000;  ///< emitted in a frame by all lights together
+    Transport transport{.paths = Transport::Paths::indirect};
+    FirstHit first_hit = FirstHit::rsm;
+    Resolution rsm_resolution = Resolution::r256;
+    bool depth_prepass = false;  ///< the shadow map, drawn again at the RSM's resolution, before it
+    Emission emission = Emission::importance;
+    float photon_near = 0, photon_far = 0;  ///< m from the light; 0 as far plane: unlimited
+    PowerScaling power_scaling = PowerScaling::exact;
+    Budget budget = Budget::intensity;
+    int strata = 1;             ///< frames of a cycle of emission sets
+    int photons_per_point = 1;  ///< photons that leave one sample point, with different seeds
+    float reserve = 1;          ///< part of the photons that memory is reserved for at first
+
+    // tracing/parameters.cpp
+    passes::Tracer tracer = passes::Tracer::compute;
+    Roulette roulette = Roulette::multichannel;
+    MicrofacetSampling microfacet_sampling = MicrofacetSampling::visible_normals;
+    bool culling = true;
+
+    // splatting/parameters.cpp
+    SplatResolution splat_resolution = SplatResolution::full;
+    InsideTest inside_test = InsideTest::ellipsoid;
+    Precision precision = Precision::half_float;
+    int tile_size = 16;         ///< pixels of the splatting resolution
+    float kernel_scale = 1;     ///< n_tile: photons that a kernel should hold, squared radius in proportion
+    float radius_min = 0.002f;  ///< r_min and r_max as parts of the radius of the scene's bounds
+    float radius_max = 0.05f;
+    float ray_length_floor = 0.1f;   ///< least s_l
+    float ray_length_scale = 0.25f;  ///< l_max as part of the radius of the scene's bounds
+    float normal_axis = 0.25f;       ///< s_n
+    float stretch_max = 3;           ///< s_max
+
+    // filtering/parameters.cpp
+    bool temporal = true;
+    float temporal_weight = 0.95f;
+    int filter_passes = 4;
+    FilterKernel filter_kernel = FilterKernel::printed;
+    float sigma_depth = 1, sigma_normal = 32;
+    float detail_clip = 0.045f;  ///< γ
+    bool directional = true;     ///< the cosine to the shading normal by the mean direction of the photons
+};
+
+ParameterTable<Parameters> parameter_table();
+
+void add_emission_parameters(ParameterTable<Parameters>& table);
+void add_tracing_parameters(ParameterTable<Parameters>& table);
+void add_splatting_parameters(ParameterTable<Parameters>& table);
+void add_filtering_parameters(ParameterTable<Parameters>& table);
+
+/// Texels a side.
+int texels(Resolution resolution);
+
+}  // namespace ir::methods::photon_mapping
