@@ -1,0 +1,23 @@
+// Russian roulette at a surface: how likely a photon goes on, and what it is expected to keep.
+
+/// Choices of the transport's `materials`, in the order of Transport::Materials.
+const int SURVIVAL_GLTF = 0;
+const int SURVIVAL_METALNESS_BLEND = 1;
+const int SURVIVAL_LAMBERT = 2;
+
+/// A photon that meets this reflectance goes on with this probability; one power for all channels, which is
+/// multiplied by reflectance / probability.  [Smal19 eq. 4.9]
+float survival_probability(vec3 reflectance) {
+    return clamp(max(reflectance.r, max(reflectance.g, reflectance.b)), 0.0, 1.0);
+}
+
+/// Reflectance for light from everywhere, roughly: what the roulette before the first scattering, and the map
+/// of emission probabilities, go by. Positive wherever the surface reflects, as Bsdf::albedo() on the host is.
+/// Only a probability comes from it, so that its error is variance and no bias.
+/// The index of refraction is 1.5: sample points carry no other.
+vec3 first_reflectance(vec3 base_colour, float metallic, float roughness, int model) {
+    if (model == SURVIVAL_LAMBERT) return base_colour;
+    if (model == SURVIVAL_METALNESS_BLEND) return base_colour;  // (1 - metallic) c + metallic F, F >= c
+    vec3 f0 = mix(vec3(0.04), base_colour, metallic);
+    return (1.0 - f0) * (1.0 - metallic) * base_colour + f0;
+}
