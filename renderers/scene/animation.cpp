@@ -22,6 +22,13 @@ glm::vec4 cubic(const AnimationChannel& channel, std::size_t key, float t, float
            (t3 - t2) * in;
 }
 
+/// `time` taken back into the channel's own, where that begins again.
+float within(const AnimationChannel& channel, double time) {
+    const double first = channel.times.front(), length = channel.times.back() - first;
+    if (!channel.loop || !(length > 0)) return static_cast<float>(time);
+    return static_cast<float>(first + (time - first) - length * std::floor((time - first) / length));
+}
+
 /// The channel's value at `time`, clamped to the first and last key; rotations are not yet unit length.
 glm::vec4 sample(const AnimationChannel& channel, float time) {
     const bool is_cubic = channel.interpolation == Interpolation::cubic;
@@ -40,9 +47,9 @@ glm::vec4 sample(const AnimationChannel& channel, float time) {
         glm::slerp(glm::normalize(quaternion(value(key))), glm::normalize(quaternion(value(after))), t));
 }
 
-void apply(const AnimationChannel& channel, float time, Node& node) {
+void apply(const AnimationChannel& channel, double time, Node& node) {
     if (channel.times.empty()) return;
-    const auto value = sample(channel, time);
+    const auto value = sample(channel, within(channel, time));
     if (channel.path == AnimatedPath::translation) node.translation = glm::vec3(value);
     if (channel.path == AnimatedPath::scale) node.scale = glm::vec3(value);
     if (channel.path != AnimatedPath::rotation) return;
@@ -68,7 +75,7 @@ std::vector<glm::mat4> world_matrices(const Scene& scene, double time) {
         auto nodes = scene.nodes;
         std::vector<bool> moved(nodes.size(), false);
         for (const auto& channel : scene.animation) {
-            apply(channel, static_cast<float>(time), nodes[channel.node]);
+            apply(channel, time, nodes[channel.node]);
             moved[channel.node] = true;
         }
         for (std::size_t i = 0; i < nodes.size(); ++i)

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "renderers/core/error.h"
+#include "renderers/scene/part_motion.h"
 #include "renderers/scene/placement.h"
 
 namespace ir::scene {
@@ -95,6 +96,7 @@ class Composer {
     /// Returns what tells this part's content, transform and overrides from others.
     std::string add(const Part& part) {
         check_transform(part);
+        check_motion(part.motion, part.source);
         const auto loaded = load_(part.source);
         const bool is_first_use = sources_.insert(part.source).second;
         const int first_material = static_cast<int>(result_.materials.size());
@@ -159,8 +161,9 @@ class Composer {
         const int root = static_cast<int>(result_.nodes.size());
         Node top;
         top.name = part.source;
-        top.matrix = part.transform;
+        if (part.motion.keys.empty()) top.matrix = part.transform;
         result_.nodes.push_back(std::move(top));
+        for (auto& channel : channels_of(part.motion, root)) result_.animation.push_back(std::move(channel));
         for (auto node : loaded.nodes) {
             node.parent = node.parent < 0 ? root : node.parent + root + 1;
             for (int& mesh : node.meshes) mesh += first_mesh;
@@ -177,6 +180,8 @@ class Composer {
         for (auto light : loaded.lights) {
             if (light.node >= 0) {
                 light.node += first_node;
+            } else if (!part.motion.keys.empty()) {
+                light.node = first_node - 1;
             } else {
                 light = placed(light, part.transform);
                 light.size *= scale_of(part.transform);
@@ -195,11 +200,16 @@ class Composer {
 
     void add_cameras(const Part& part, const Scene& loaded, int first_node) {
         if (loaded.cameras.size() == 1 && is_made_up(loaded.cameras.front(), loaded)) return;
-        const auto matrices = world_matrices(result_, 0);
         for (auto camera : loaded.cameras) {
+            const bool is_carried = camera.node < 0 && !part.motion.keys.empty();
+            if (is_carried) {
+                camera.node = static_cast<int>(result_.nodes.size()) - first_node;
+                result_.nodes.push_back(node_of(camera));
+                result_.nodes.back().parent = first_node - 1;
+            }
             if (camera.node >= 0) {
                 camera.node += first_node;
-                camera = placed(camera, matrices[camera.node]);
+                camera = placed(camera, world_matrices(result_, 0)[camera.node]);
             } else {
                 camera = moved(camera, part.transform);
             }

@@ -22,11 +22,27 @@ struct MaterialOverride {
     bool operator==(const MaterialOverride&) const = default;
 };
 
+/// Where a part stands over time: T R S in place of its transform, linear between keys (rotations on the
+/// shortest arc), clamped at the ends.
+struct PartMotion {
+    struct Key {
+        float time = 0;  ///< seconds, ascending
+        glm::vec3 translation{0};
+        glm::quat rotation{1, 0, 0, 0};
+        glm::vec3 scale{1};
+        bool operator==(const Key&) const = default;
+    };
+    std::vector<Key> keys;
+    bool loop = false;
+    bool operator==(const PartMotion&) const = default;
+};
+
 /// A scene as a part of a composed one.
 struct Part {
     std::string source;                                      ///< as load_scene() takes it
     glm::mat4 transform{1};                                  ///< affine, of the whole part, metres
     std::map<std::string, MaterialOverride> materials = {};  ///< by the material's name
+    PartMotion motion = {};  ///< without keys the part stands still; else `transform` does not count
     bool operator==(const Part&) const = default;
 };
 
@@ -34,12 +50,14 @@ using SceneLoader = std::function<std::shared_ptr<const Scene>(const std::string
 
 /// Loads all parts and makes one scene of them. One part without transform and overrides is exactly
 /// load_scene(source). Otherwise:
-/// - above the nodes of each part stands one more, named after its source, with the part's transform;
+/// - above the nodes of each part stands one more, named after its source, with the part's transform or,
+///   where it moves, an animation of its own;
 /// - lights and cameras whose names are taken get new ones: "lamp (2)";
 /// - cameras that only frame a file without cameras give way to the other parts' cameras, or, where there
 ///   are none, to one that frames the whole;
 /// - the environment is that of the first part that has one;
-/// - a part's lights and cameras move with it; sizes of area lights and heights of orthographic cameras that
+/// - a part's lights and cameras move with it, lights of a part with a motion hang on its node; sizes of area
+/// lights and heights of orthographic cameras that
 ///   hang on no node scale by the cube root of the transform's volume;
 /// - an override that names no material of its part is a warning which lists the known names.
 /// Throws as load_scene(), and UsageError for values out of range and for transforms that are not affine.

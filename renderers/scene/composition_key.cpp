@@ -25,12 +25,24 @@ class KeyWriter {
             numbers("transmission", change.transmission);
             text_ << '}';
         }
+        if (!part.motion.keys.empty()) add(part.motion);
         text_ << ';';
     }
 
     std::string text() const { return text_.str(); }
 
   private:
+    void add(const PartMotion& motion) {
+        text_ << (motion.loop ? "[loop" : "[");
+        for (const auto& key : motion.keys) {
+            numbers(key.time);
+            numbers(key.translation);
+            const auto& q = key.rotation;
+            numbers(glm::vec4(q.x, q.y, q.z, q.w));
+            numbers(key.scale);
+        }
+        text_ << ']';
+    }
     void numbers(float number) { text_ << ' ' << number; }
     template <class Vector>
     void numbers(const Vector& vector) {

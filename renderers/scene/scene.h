@@ -102,6 +102,7 @@ struct AnimationChannel {
     Interpolation interpolation = Interpolation::linear;
     std::vector<float> times;       ///< seconds, ascending
     std::vector<glm::vec4> values;  ///< one per time; three (in-tangent, value, out-tangent) for cubic
+    bool loop = false;              ///< after its last key it begins again; else it stays there
 };
 
 enum class LightType { point, spot, directional, rectangle, disk };

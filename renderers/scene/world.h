@@ -42,6 +42,7 @@ struct World {
     std::vector<std::uint32_t> opacity_words;
     Bounds bounds;              ///< of all vertices of triangles
     std::vector<Light> lights;  ///< resolved to world space
+    bool lights_moved = false;  ///< whoever moves lights says whether they are others than a frame before
     std::vector<Camera> cameras;
     std::size_t triangles() const { return indices.size() / 3; }
 };

@@ -19,7 +19,9 @@ bool lights_may_move(const scene::Scene& scene) {
 
 bool stands_still(const graph::FrameInputs& inputs, Watched watched) {
     if (!same_view(inputs.view, inputs.previous_view)) return false;
-    if (watched == Watched::surfaces_and_lights && lights_may_move(*inputs.scene)) return false;
+    if (watched == Watched::surfaces_and_lights &&
+        (inputs.world->lights_moved || lights_may_move(*inputs.scene)))
+        return false;
     const auto& motion = inputs.world->motion;
     return std::all_of(motion.begin(), motion.end(), [](const auto& m) { return m == glm::mat4(1); });
 }
