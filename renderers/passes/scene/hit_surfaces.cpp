@@ -1,0 +1,61 @@
+#include "renderers/passes/scene/hit_surfaces.h"
+
+#include "renderers/passes/scene/texel_buffer.h"
+
+namespace ir::passes {
+namespace {
+
+using graph::FieldType;
+
+/// Four vec4 of hit_surface.glsl.
+struct HitVertex {
+    glm::vec3 position;
+    std::uint32_t colour;
+    glm::vec3 normal;
+    float unused;
+    glm::vec4 tangent;
+    glm::vec2 uv0, uv1;
+};
+static_assert(sizeof(HitVertex) == 64);
+
+void upload_vertices(const graph::PassContext& context, graph::BufferRef to) {
+    const auto& w = *context.inputs().world;
+    std::vector<HitVertex> vertices;
+    vertices.reserve(w.positions.size());
+    for (std::size_t i = 0; i < w.positions.size(); ++i)
+        vertices.push_back(
+            {w.positions[i], w.colours[i], w.normals[i], 0, w.tangents[i], w.uv0[i], w.uv1[i]});
+    context.upload(to, std::as_bytes(std::span(vertices)));
+}
+
+}  // namespace
+
+void HitSurfaces::bind(const graph::PassContext& context, int first) const {
+    for (const auto buffer : {vertices, texels, indices, triangle_materials, materials})
+        context.bind_buffer(first++, buffer);
+}
+
+HitSurfaces hit_surfaces(graph::GraphBuilder& builder, const SceneBuffers& scene) {
+    graph::BufferDesc desc;
+    desc.text = {.key = "scene.hit_vertices", .label = "Vertices, each in one piece"};
+    desc.fields = {{"position", FieldType::f32, 3}, {"colour", FieldType::u32},
+                   {"normal", FieldType::f32, 3},   {"unused"},
+                   {"tangent", FieldType::f32, 4},  {"uv0", FieldType::f32, 2},
+                   {"uv1", FieldType::f32, 2}};
+    desc.elements = builder.inputs().world->positions.size();
+    desc.fingerprint = builder.inputs().world_fingerprint;
+    HitSurfaces result;
+    result.vertices = builder.buffer(std::move(desc));
+    builder.pass("upload hit vertices")
+        .writes(result.vertices)
+        .execute([vertices = result.vertices](graph::PassContext& context) {
+            upload_vertices(context, vertices);
+        });
+    result.texels = texel_buffer(builder);
+    result.indices = scene.indices;
+    result.triangle_materials = scene.triangle_materials;
+    result.materials = scene.materials;
+    return result;
+}
+
+}  // namespace ir::passes

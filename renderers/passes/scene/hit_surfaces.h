@@ -1,0 +1,27 @@
+#pragma once
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/passes/scene/scene_buffers.h"
+
+namespace ir::passes {
+
+/// What shaders/passes/scene/hit_surface.glsl needs to look up the surface that a ray hit.
+struct HitSurfaces {
+    graph::BufferRef vertices;  ///< "scene.hit_vertices": all of a vertex in 64 bytes, as hits are all over
+    graph::BufferRef texels;    ///< texel_buffer
+    graph::BufferRef indices, triangle_materials, materials;  ///< the scene's
+
+    static constexpr int bindings = 5;
+
+    void read_by(graph::PassBuilder& pass) const {
+        pass.reads(vertices, texels, indices, triangle_materials, materials);
+    }
+    /// Binds to `first` and the four after it; a program that includes the file must define
+    /// HIT_SURFACE_BINDING as `first`.
+    void bind(const graph::PassContext& context, int first) const;
+};
+
+/// Declares "scene.hit_vertices" and "scene.texels" with the passes that upload them, once per world.
+HitSurfaces hit_surfaces(graph::GraphBuilder& builder, const SceneBuffers& scene);
+
+}  // namespace ir::passes
