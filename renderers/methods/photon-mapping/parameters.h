@@ -47,6 +47,7 @@ struct Parameters {
     float kernel_scale = 1;     ///< n_tile: photons that a kernel should hold, squared radius in proportion
     float radius_min = 0.002f;  ///< r_min and r_max as parts of the radius of the scene's bounds
     float radius_max = 0.05f;
+    float radius_texels = 0.71f;     ///< least s_l s_d, in texels of the splatting resolution
     float ray_length_floor = 0.1f;   ///< least s_l
     float ray_length_scale = 0.25f;  ///< l_max as part of the radius of the scene's bounds
     float normal_axis = 0.25f;       ///< s_n
