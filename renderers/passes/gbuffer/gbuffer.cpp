@@ -28,9 +28,12 @@ GBuffer declare_images(GraphBuilder& builder) {
     g.normal =
         declare(builder, Format::rgba16f,
                 {"gbuffer.normal", "Shading normal", "World space, turned to the viewer", Semantic::normal});
-    g.geometric_normal = declare(builder, Format::rgba32f,
-                                 {"gbuffer.geometric_normal", "Geometric normal",
-                                  "Of the triangle's plane, turned to the viewer", Semantic::normal});
+    g.geometric_normal =
+        declare(builder, Format::rgba32f,
+                {"gbuffer.geometric_normal", "Geometric normal",
+                 "Of the triangle's plane, turned to the viewer; w: distance of the point along the previous "
+                 "frame's view axis, m",
+                 Semantic::normal});
     g.albedo = declare(builder, Format::rgba16f,
                        {"gbuffer.albedo", "Base colour", "Linear; a: transmission", Semantic::albedo});
     g.material = declare(
@@ -113,6 +116,8 @@ void draw(const PassContext& p, const SceneBuffers& s, const GBuffer& g, const G
     program.use();
     program.set("clip_from_world", view.clip_from_world());
     program.set("previous_clip_from_world", p.inputs().previous_view.clip_from_world());
+    program.set("previous_depth_row",
+                -glm::vec4(glm::transpose(p.inputs().previous_view.view_from_world)[2]));
     program.set("eye_ws", view.eye_ws);
     program.set("view_axis_ws", -glm::vec3(glm::transpose(view.view_from_world)[2]));
     program.set("size_px", glm::vec2(view.width, view.height));

@@ -13,7 +13,8 @@ struct GBuffer {
     graph::ImageRef depth;     ///< "gbuffer.depth" depth32f, 0…1, background 1
     graph::ImageRef position;  ///< "gbuffer.position" rgba32f: xyz world space (m); w distance to the eye (m)
     graph::ImageRef normal;  ///< "gbuffer.normal" rgba16f: xyz shading normal, with normal maps if asked for
-    graph::ImageRef geometric_normal;  ///< "gbuffer.geometric_normal" rgba32f: xyz of the triangle's plane
+    graph::ImageRef geometric_normal;  ///< "gbuffer.geometric_normal" rgba32f: xyz of the triangle's plane; w
+                                       ///< where the point was along the previous view's axis, m
     graph::ImageRef albedo;            ///< "gbuffer.albedo" rgba16f: linear base colour; a: transmission
     graph::ImageRef
         material;  ///< "gbuffer.material" rgba16f: x metallic, y roughness, z unlit, w material index

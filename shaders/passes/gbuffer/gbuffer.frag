@@ -22,6 +22,7 @@ uniform int textures;     // bit i: the texture of unit i is there
 uniform vec3 eye_ws;
 uniform vec2 size_px;
 uniform mat4 previous_clip_from_world;
+uniform vec4 previous_depth_row;  // distance along the previous view's axis of a point in world space
 
 layout(location = 0) in vec3 normal_ws;
 layout(location = 1) in vec4 tangent_ws;
@@ -102,9 +103,12 @@ float transmission(Material material) {
     return result;
 }
 
+/// Where the point was in the previous frame.
+vec4 previous_position_ws(vec3 position_ws) { return scene_motion[instance] * vec4(position_ws, 1); }
+
 /// Pixels that the point moved since the previous frame; 0 where it was behind the camera.
 vec2 velocity_px(vec3 position_ws) {
-    vec4 before = previous_clip_from_world * (scene_motion[instance] * vec4(position_ws, 1));
+    vec4 before = previous_clip_from_world * previous_position_ws(position_ws);
     if (before.w <= 0.0) return vec2(0);
     vec2 before_px = (before.xy / before.w * vec2(0.5, -0.5) + 0.5) * size_px;
     return gl_FragCoord.xy - before_px;
@@ -120,7 +124,8 @@ void main() {
 
     out_position = vec4(position_ws, distance(position_ws, eye_ws));
     out_normal = vec4(shading_normal(material, geometric_normal_ws), 0);
-    out_geometric_normal = vec4(geometric_normal_ws, 0);
+    out_geometric_normal =
+        vec4(geometric_normal_ws, dot(previous_depth_row, previous_position_ws(position_ws)));
     out_albedo = vec4(base_colour(material).rgb, glass);
     out_material = vec4(metallic_roughness(material), unlit ? 1 : 0, material_index);
     out_emission = vec4(emission(material), 0);

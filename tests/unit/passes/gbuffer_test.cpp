@@ -49,7 +49,8 @@ TEST_F(GBufferTest, PositionIsWhereThePixelsRayMeetsThePlane) {
             EXPECT_NEAR(position.at(x, y, 3), t, 1e-4f);
             EXPECT_LT(glm::distance(rgb(normal, x, y), {0, 1, 0}), 1e-3f);
             EXPECT_LT(glm::distance(rgb(geometric, x, y), {0, 1, 0}), 1e-6f);
-            EXPECT_EQ(geometric.at(x, y, 3), 0);
+            const auto distance = -(shot.previous_view.view_from_world * glm::vec4(expected, 1)).z;
+            EXPECT_NEAR(geometric.at(x, y, 3), distance, 1e-4f);
             const auto clip = shot.view.clip_from_world() * glm::vec4(expected, 1);
             EXPECT_NEAR(depth.at(x, y), clip.z / clip.w, 1e-5f);
         }
@@ -263,6 +264,8 @@ TEST_F(GBufferTest, VelocityIsTheDifferenceOfProjections) {
         EXPECT_GT(glm::length(expected), 0.5f);
         EXPECT_NEAR(velocity.at(x, y, 0), expected.x, 1e-2f);
         EXPECT_NEAR(velocity.at(x, y, 1), expected.y, 1e-2f);
+        const auto before_vs = shot.previous_view.view_from_world * glm::vec4(before_ws, 1);
+        EXPECT_NEAR(read("gbuffer.geometric_normal").at(x, y, 3), -before_vs.z, 1e-4f);
     }
 }
 
