@@ -54,3 +54,28 @@ vec3 gltf_brdf(Surface surface, vec3 n, vec3 l, vec3 v) {
     float specular = ggx_distribution(n_dot_h, alpha) * smith_visibility(n_dot_l, n_dot_v, alpha);
     return diffuse + fresnel * specular;
 }
+
+/// Diffuse, whatever metallic and roughness say.
+vec3 lambert_brdf(Surface surface) { return surface.base_colour / PI; }
+
+/// Smith's masking of one direction over 2 n·v: G1 = 2 / (1 + √(1 + α² tan²θ)).  [Walter07 eq. 34]
+/// DEVIATION [Smal19 eq. 3.7]: θ is the angle to the macroscopic normal, not to the half vector, with which G
+/// would be no masking at all.
+float smith_masking_over_2_cosine(float n_dot_v, float alpha) {
+    float squared = alpha * alpha;
+    return 1.0 / (n_dot_v + sqrt(squared + (1.0 - squared) * n_dot_v * n_dot_v));
+}
+
+/// k f_Lambert + (1 - k) f_CookTorrance with k = 1 - metallic, and the base colour as reflectance.
+/// [Smal19 eqs. 3.4-3.8]
+vec3 metalness_blend_brdf(Surface surface, vec3 n, vec3 l, vec3 v) {
+    float n_dot_l = dot(n, l), n_dot_v = max(dot(n, v), 1e-4);
+    if (n_dot_l <= 0.0) return vec3(0);
+    vec3 h = normalize(l + v);
+    float n_dot_h = clamp(dot(n, h), 0.0, 1.0), v_dot_h = clamp(dot(v, h), 0.0, 1.0);
+    float alpha = max(surface.roughness * surface.roughness, MIN_ALPHA);
+    float specular = ggx_distribution(n_dot_h, alpha) * smith_masking_over_2_cosine(n_dot_l, alpha) *
+                     smith_masking_over_2_cosine(n_dot_v, alpha);
+    return (1.0 - surface.metallic) * lambert_brdf(surface) +
+           surface.metallic * schlick_fresnel(surface.base_colour, v_dot_h) * specular;
+}

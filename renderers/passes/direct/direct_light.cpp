@@ -16,7 +16,7 @@ struct Inputs {
     SceneBuffers scene;
     GBuffer gbuffer;
     ShadowMaps shadow;
-    int filter_radius;
+    DirectLightOptions options;
 };
 
 void note_skipped_lights(GraphBuilder& builder) {
@@ -54,10 +54,12 @@ void light(const PassContext& p, const Inputs& in, graph::ImageRef radiance) {
     const bool orthographic = view.clip_from_view[3][3] != 0;
     const auto axis = -glm::vec3(glm::transpose(view.view_from_world)[2]);
     p.bind_framebuffer({{radiance}});
-    const auto& program = p.program({{"lib/full_screen.vert", "passes/direct/direct_light.frag"}});
+    gl::ProgramSource source{{"lib/full_screen.vert", "passes/direct/direct_light.frag"}};
+    source.defines["MATERIALS"] = std::to_string(static_cast<int>(in.options.materials));
+    const auto& program = p.program(source);
     program.use();
     program.set("light_count", static_cast<int>(p.inputs().world->lights.size()));
-    program.set("shadow_filter_radius", in.filter_radius);
+    program.set("shadow_filter_radius", in.options.shadow_filter_radius);
     program.set("eye_ws", view.eye_ws);
     program.set("view_axis_ws", orthographic ? axis : glm::vec3(0));
     bind(p, in);
@@ -76,7 +78,7 @@ DirectLight direct_light(GraphBuilder& builder, const SceneBuffers& scene, const
                  Semantic::radiance, "W/(m² sr)",    {}};
     desc.format = gl::Format::rgba32f;
     const DirectLight result{builder.image(desc), shadow.maps};
-    const Inputs in{scene, gbuffer, shadow, options.shadow_filter_radius};
+    const Inputs in{scene, gbuffer, shadow, options};
     builder.pass("direct light")
         .reads(scene.materials, scene.lights, shadow.views, shadow.maps, gbuffer.position, gbuffer.normal,
                gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderers/core/transport.h"
 #include "renderers/graph/builder.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 
@@ -16,6 +17,7 @@ struct DirectLight {
 struct DirectLightOptions {
     int shadow_resolution = 1024;  ///< texels along each side of a layer
     int shadow_filter_radius = 0;  ///< averages (2 r + 1)² texels; 0: hard edges
+    Transport::Materials materials = Transport::Materials::gltf;
 };
 
 /// Declares the passes "shadow maps" and "direct light". Notes how many lights with extent are left out.

@@ -1,4 +1,9 @@
-// Direct light of every light without extent at the pixel's surface, reflected to the eye.
+// Direct light of every light without extent at the pixel's surface, reflected to the eye. MATERIALS: as
+// Transport::Materials counts.
+
+#ifndef MATERIALS
+#define MATERIALS 0
+#endif
 
 #define SHADOW_VIEWS 2
 #define SHADOW_MAPS 5
@@ -21,6 +26,16 @@ uniform vec3 view_axis_ws;  // of an orthographic view; 0 for a perspective one
 
 layout(location = 0) out vec4 radiance;
 
+vec3 brdf(Surface surface, vec3 n, vec3 l, vec3 v) {
+#if MATERIALS == 0
+    return gltf_brdf(surface, n, l, v);
+#elif MATERIALS == 1
+    return metalness_blend_brdf(surface, n, l, v);
+#else
+    return lambert_brdf(surface);
+#endif
+}
+
 vec3 reflected(Light light, Surface surface, vec3 position_ws, vec3 n, vec3 geometric_n, vec3 v) {
     Arrival light_in = arrival(light, position_ws);
     float cosine = dot(n, light_in.direction_ws);
@@ -28,7 +43,7 @@ vec3 reflected(Light light, Surface surface, vec3 position_ws, vec3 n, vec3 geom
         return vec3(0);
     float visible = shadow_visibility(light, position_ws, geometric_n, light_in.direction_ws, shadow_filter_radius);
     if (visible == 0.0) return vec3(0);
-    return gltf_brdf(surface, n, light_in.direction_ws, v) * light_in.irradiance * (cosine * visible);
+    return brdf(surface, n, light_in.direction_ws, v) * light_in.irradiance * (cosine * visible);
 }
 
 void main() {
