@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderers/core/method.h"
 #include "renderers/methods/photon-mapping/splatting.h"
 
 namespace ir::methods::photon_mapping {

@@ -1,0 +1,134 @@
+#include <optional>
+
+#include "renderers/methods/photon-mapping/filtering/stages.h"
+#include "renderers/passes/direct/direct_light.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+using Paths = Transport::Paths;
+
+const std::string folder = "methods/photon-mapping/filtering/";
+
+struct Inputs {
+    passes::SceneBuffers scene;
+    passes::GBuffer gbuffer;
+    Filtered filtered;
+    std::optional<passes::DirectLight> direct;
+    Parameters parameters;
+    bool has_indirect, has_emission;
+    glm::vec3 background{0};
+};
+
+graph::ImageRef declare_image(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format) {
+    graph::ImageDesc desc;
+    desc.text = std::move(text);
+    desc.format = format;
+    return builder.image(desc);
+}
+
+void declare_irradiance_reads(graph::PassBuilder& pass, const Inputs& in) {
+    pass.reads(in.filtered.irradiance, in.filtered.direction, in.gbuffer.normal, in.gbuffer.geometric_normal);
+}
+
+void bind_irradiance(const graph::PassContext& context, const gl::Program& program, const Inputs& in) {
+    context.bind_texture(0, in.filtered.irradiance);
+    context.bind_texture(1, in.filtered.direction);
+    context.bind_texture(2, in.gbuffer.normal);
+    program.set("stretch_max", in.parameters.stretch_max);
+    program.set("directional", in.parameters.directional ? 1 : 0);
+}
+
+/// The final irradiance, or what its directions say.
+void show(graph::GraphBuilder& builder, const Inputs& in, graph::ImageRef result, const std::string& name,
+          const std::string& define) {
+    auto pass = builder.pass(name);
+    declare_irradiance_reads(pass, in);
+    pass.writes(result);
+    execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
+        gl::ProgramSource source{{folder + "irradiance.comp"}};
+        if (!define.empty()) source.defines[define] = "1";
+        const auto& program = context.program(source);
+        program.use();
+        bind_irradiance(context, program, in);
+        context.bind_texture(3, in.gbuffer.geometric_normal);
+        context.bind_storage_image(0, result);
+        dispatch_rows(context, program, slice);
+    });
+}
+
+glm::vec3 seen_environment(graph::GraphBuilder& builder, const Parameters& parameters) {
+    if (parameters.transport.paths != Paths::full || !parameters.transport.environment_light) return {};
+    const auto& environment = builder.inputs().scene->environment;
+    if (!environment.map) return environment.constant;
+    builder.note("the environment map is not drawn behind the scene: only constant environments are");
+    return {};
+}
+
+void set_view(const gl::Program& program, const scene::View& view) {
+    const bool orthographic = view.clip_from_view[3][3] != 0;
+    const auto axis = -glm::vec3(glm::transpose(view.view_from_world)[2]);
+    program.set("eye_ws", view.eye_ws);
+    program.set("view_axis_ws", orthographic ? axis : glm::vec3(0));
+}
+
+gl::ProgramSource radiance_source(const Inputs& in) {
+    gl::ProgramSource source{{folder + "radiance.comp"}};
+    source.defines["MATERIALS"] = std::to_string(static_cast<int>(in.parameters.transport.materials));
+    if (in.has_indirect) source.defines["INDIRECT"] = "1";
+    if (in.direct) source.defines["DIRECT"] = "1";
+    if (in.has_emission) source.defines["EMISSION"] = "1";
+    return source;
+}
+
+void reflect(graph::GraphBuilder& builder, const Inputs& in) {
+    const auto result = declare_image(
+        builder, {"radiance", "Radiance", "Towards the eye", Semantic::radiance, "W/(m² sr)", {}},
+        gl::Format::rgba32f);
+    auto pass = builder.pass("radiance");
+    pass.reads(in.gbuffer.geometric_normal, in.gbuffer.albedo, in.gbuffer.material, in.gbuffer.position,
+               in.scene.materials);
+    if (in.has_indirect) declare_irradiance_reads(pass, in);
+    if (in.direct) pass.reads(in.direct->radiance);
+    if (in.has_emission) pass.reads(in.gbuffer.emission);
+    pass.writes(result);
+    execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
+        const auto& program = context.program(radiance_source(in));
+        program.use();
+        if (in.has_indirect) bind_irradiance(context, program, in);
+        context.bind_texture(3, in.gbuffer.geometric_normal);
+        context.bind_texture(4, in.gbuffer.albedo);
+        context.bind_texture(5, in.gbuffer.material);
+        context.bind_texture(6, in.gbuffer.position);
+        if (in.direct) context.bind_texture(7, in.direct->radiance);
+        if (in.has_emission) context.bind_texture(8, in.gbuffer.emission);
+        context.bind_buffer(0, in.scene.materials);
+        context.bind_storage_image(0, result);
+        set_view(program, context.inputs().view);
+        program.set("background", in.background);
+        dispatch_rows(context, program, slice);
+    });
+}
+
+}  // namespace
+
+void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::GBuffer& gbuffer,
+             const Filtered& filtered, const Parameters& parameters) {
+    const auto paths = parameters.transport.paths;
+    Inputs in{scene, gbuffer, filtered, {}, parameters, paths != Paths::direct, paths == Paths::full};
+    in.background = seen_environment(builder, parameters);
+    if (paths != Paths::indirect)
+        in.direct =
+            passes::direct_light(builder, scene, gbuffer, {.materials = parameters.transport.materials});
+    const auto irradiance = declare_image(
+        builder,
+        {"irradiance", "Irradiance", "On surfaces as they are shaded", Semantic::irradiance, "W/m²", {}},
+        gl::Format::rgba32f);
+    show(builder, in, irradiance, "irradiance", "");
+    const auto flicker = declare_image(
+        builder, {"history.flicker", "Spread of directions", "1 - |Σ w ω| / Σ w"}, gl::Format::r32f);
+    show(builder, in, flicker, "spread of directions", "FLICKER");
+    reflect(builder, in);
+}
+
+}  // namespace ir::methods::photon_mapping

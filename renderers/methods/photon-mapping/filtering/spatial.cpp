@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "renderers/methods/photon-mapping/filtering/stages.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+struct Step {
+    int index = 0;
+    bool is_first = true, is_last = true;
+    graph::ImageRef surfaces;
+    Signal from, to, sum;
+};
+
+struct View {
+    const char* key;
+    const char* label;
+    const char* doc;
+    const char* define;
+    bool has_input;  ///< layer 0 is what the transform starts from
+};
+constexpr std::array views{
+    View{"filter.scaling", "Scaling coefficients", "S_i; A: x of the direction", "SCALING", true},
+    View{"filter.detail", "Details", "D_i; A: x of the direction", "DETAIL", false},
+    View{"filter.clipped", "Clipped details", "D_i within ± CSB_i; A: x of the direction", "CLIPPED", false},
+    View{"filter.bound", "Bounds of details", "CSB_i; A: x of the direction", "BOUND", false}};
+
+/// Rows of groups that cover the view: those of a block of group_size · stride pixels take turns.
+std::int64_t covering_groups(int pixels, int stride) {
+    const int block = group_size * stride;
+    return std::int64_t{1} * (pixels + block - 1) / block * stride;
+}
+
+void run(const graph::PassContext& context, const Step& step, const Parameters& parameters,
+         gl::ProgramSource source, graph::Slice slice, const std::function<void(const gl::Program&)>& bind) {
+    const int stride = 1 << step.index;
+    source.files = {"methods/photon-mapping/filtering/a_trous.comp"};
+    if (parameters.filter_kernel == FilterKernel::b3_spline) source.defines["B3_SPLINE"] = "1";
+    const auto& program = context.program(source);
+    program.use();
+    set_edges(context, program, parameters);
+    program.set("pixel_stride", stride);
+    program.set("detail_clip", parameters.detail_clip);
+    program.set("first_row", static_cast<int>(slice.begin));
+    context.bind_texture(0, step.from.value);
+    context.bind_texture(1, step.from.direction);
+    context.bind_texture(2, step.surfaces);
+    bind(program);
+    program.dispatch(covering_groups(context.inputs().view.width, stride) * group_size,
+                     (slice.end - slice.begin) * group_size);
+}
+
+void declare_step(graph::GraphBuilder& builder, const Step& step, const Parameters& parameters) {
+    auto pass = builder.pass("à-trous " + std::to_string(step.index + 1));
+    pass.reads(step.from.value, step.from.direction, step.surfaces)
+        .writes(step.sum.value, step.sum.direction);
+    if (!step.is_last) pass.writes(step.to.value, step.to.direction);
+    gl::ProgramSource source;
+    if (step.is_first) source.defines["FIRST"] = "1";
+    if (step.is_last) source.defines["LAST"] = "1";
+    const auto rows = covering_groups(builder.inputs().view.height, 1 << step.index);
+    execute_by_rows(pass, rows, [=](graph::PassContext& context, graph::Slice slice) {
+        run(context, step, parameters, source, slice, [&](const gl::Program&) {
+            context.bind_storage_image(0, step.sum.value);
+            context.bind_storage_image(1, step.sum.direction);
+            if (step.is_last) return;
+            context.bind_storage_image(2, step.to.value);
+            context.bind_storage_image(3, step.to.direction);
+        });
+    });
+}
+
+void declare_view(graph::GraphBuilder& builder, const Step& step, const Parameters& parameters,
+                  const std::string& name, graph::ImageRef stack, int layer, const std::string& shown) {
+    auto pass = builder.pass(name + ' ' + std::to_string(layer));
+    pass.reads(step.from.value, step.from.direction, step.surfaces).writes(stack);
+    const auto rows = covering_groups(builder.inputs().view.height, 1 << step.index);
+    execute_by_rows(pass, rows, [=](graph::PassContext& context, graph::Slice slice) {
+        gl::ProgramSource source;
+        source.defines["VIEW"] = shown;
+        run(context, step, parameters, source, slice, [&](const gl::Program& program) {
+            context.bind_storage_image(0, stack);
+            program.set("layer", layer);
+        });
+    });
+}
+
+class LevelViews {
+  public:
+    LevelViews(graph::GraphBuilder& builder, const Parameters& parameters)
+        : builder_(builder), parameters_(parameters) {
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            graph::ImageDesc desc;
+            desc.text = {views[i].key, views[i].label, views[i].doc, Semantic::irradiance, "W/m²", {}};
+            desc.layers = parameters.filter_passes + (views[i].has_input ? 1 : 0);
+            if (desc.layers > 0) stacks_[i] = builder.image(desc);
+        }
+    }
+    /// Before the step overwrites what its predecessor left.
+    void show(const Step& step) {
+        for (std::size_t i = 0; i < views.size(); ++i)
+            declare_view(builder_, step, parameters_, views[i].key, stacks_[i],
+                         step.index + (views[i].has_input ? 1 : 0), views[i].define);
+    }
+    void show_input(const Step& step) {
+        declare_view(builder_, step, parameters_, views[0].key, stacks_[0], 0, "INPUT");
+    }
+
+  private:
+    graph::GraphBuilder& builder_;
+    const Parameters& parameters_;
+    std::array<graph::ImageRef, views.size()> stacks_;
+};
+
+}  // namespace
+
+Signal smooth(graph::GraphBuilder& builder, graph::ImageRef surfaces, const Signal& input,
+              const Parameters& parameters) {
+    const int passes = parameters.filter_passes;
+    LevelViews views(builder, parameters);
+    Step step;
+    step.surfaces = surfaces;
+    step.from = input;
+    views.show_input(step);
+    if (passes == 0) return input;
+    step.sum = declare_signal(builder, "filter.irradiance", "Filtered irradiance", "After all filters.");
+    std::array<Signal, 2> levels;
+    const char* const names[] = {"filter.odd_level", "filter.even_level"};
+    for (int i = 0; i < std::min(2, passes - 1); ++i)
+        levels[i] = declare_signal(builder, names[i], "Level of the transform", "Overwritten in turns.");
+    for (int i = 0; i < passes; ++i) {
+        step.index = i;
+        step.is_first = i == 0, step.is_last = i == passes - 1;
+        step.to = levels[i % 2];
+        views.show(step);
+        declare_step(builder, step, parameters);
+        step.from = step.to;
+    }
+    return step.sum;
+}
+
+}  // namespace ir::methods::photon_mapping

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+
+#include "renderers/gl/program.h"
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/photon-mapping/filtering.h"
+
+/// The steps of the filter.
+namespace ir::methods::photon_mapping {
+
+/// A picture of irradiance with the sum of directions that it comes from, as Splat.
+struct Signal {
+    graph::ImageRef value;      ///< rgba32f: E, W/m²; x of the direction
+    graph::ImageRef direction;  ///< rg32f: y and z of it
+};
+
+/// Extent of the work groups of all shaders of the filter, in both directions.
+constexpr int group_size = 16;
+
+Signal declare_signal(graph::GraphBuilder& builder, const std::string& key, const std::string& label,
+                      const std::string& doc);
+
+/// "filter.surfaces" rg32ui: normal and depth of each pixel, as filtering/surface.glsl packs them.
+graph::ImageRef pack_surfaces(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer);
+/// Uniforms of filtering/surface.glsl.
+void set_edges(const graph::PassContext& context, const gl::Program& program, const Parameters& parameters);
+
+/// "filter.temporal": the estimate at the view's resolution, and its average over frames.
+/// [Smal19 §6.2.1, §7.2]
+Signal accumulate(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, graph::ImageRef surfaces,
+                  const Splat& splat, const Parameters& parameters);
+
+/// "filter.irradiance" and "filter.direction": the à-trous transform with clipped details; `input` itself
+/// without passes. Declares the views of its levels, too.  [Smal19 §7.3]
+Signal smooth(graph::GraphBuilder& builder, graph::ImageRef surfaces, const Signal& input,
+              const Parameters& parameters);
+
+/// Declares "KEY" as a pass with slices of rows of work groups over an image of the view's size; `run` gets
+/// the rows, and dispatches `columns` × rows groups.
+template <class Run>
+void execute_by_rows(graph::PassBuilder& pass, std::int64_t rows, Run run) {
+    pass.execute_sliced(rows, std::move(run), std::max<std::int64_t>(1, rows / 8));
+}
+
+/// Rows of groups of the view.
+std::int64_t group_rows(const graph::GraphBuilder& builder);
+/// Dispatches those of a slice, over the width of the view; sets "first_row" in pixels.
+void dispatch_rows(const graph::PassContext& context, const gl::Program& program, graph::Slice slice);
+
+}  // namespace ir::methods::photon_mapping

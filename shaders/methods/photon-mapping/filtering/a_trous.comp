@@ -1,0 +1,170 @@
+// One level of the edge-avoiding à-trous transform: S_{i+1} from S_i, and the clipped detail between them.
+// VIEW: writes what it is called after (SCALING, DETAIL, CLIPPED, BOUND) into layer `layer` instead; INPUT is
+// S_i itself.  [Smal19 §7.3; Dammertz10; Schied17]
+//
+// A group takes pixels that are `stride` apart, so that the neighbours of all levels alike are 20 × 20 texels
+// of shared memory: 1.6 reads of each image a pixel instead of 25.
+layout(local_size_x = 16, local_size_y = 16) in;
+
+#include "methods/photon-mapping/filtering/surface.glsl"
+
+layout(binding = 0) uniform sampler2D value_image;      // E; x of the direction
+layout(binding = 1) uniform sampler2D direction_image;  // y and z of it
+layout(binding = 2) uniform usampler2D surfaces;
+
+#define INPUT 0
+#define SCALING 1
+#define DETAIL 2
+#define CLIPPED 3
+#define BOUND 4
+
+#ifdef VIEW
+layout(binding = 0, rgba32f) uniform writeonly image2DArray view;
+uniform int layer;
+#else
+layout(binding = 0, rgba32f) uniform image2D value_sum;  // Σ of clipped details; in the last pass the result
+layout(binding = 1, rg32f) uniform image2D direction_sum;
+#ifndef LAST
+layout(binding = 2, rgba32f) uniform writeonly image2D next_value;
+layout(binding = 3, rg32f) uniform writeonly image2D next_direction;
+#endif
+#endif
+
+uniform int pixel_stride, first_row;
+uniform float detail_clip;
+
+#ifdef B3_SPLINE
+const float KERNEL[3] = float[3](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
+#else
+const float KERNEL[3] = float[3](1.0 / 2.0, 1.0 / 4.0, 1.0 / 8.0);  // [Smal19 §7.3]; sums to 5/4
+#endif
+
+const int GROUP = 16, RADIUS = 2, SIDE = GROUP + 2 * RADIUS;
+shared vec4 tile_value[SIDE * SIDE];
+shared vec2 tile_direction[SIDE * SIDE];
+shared vec4 tile_surface[SIDE * SIDE];
+
+/// The pixel at the group's corner: groups of one block of GROUP·stride pixels take turns of its pixels.
+ivec2 group_corner() {
+    ivec2 group = ivec2(gl_WorkGroupID.xy) + ivec2(0, first_row);
+    return group / pixel_stride * (GROUP * pixel_stride) + group % pixel_stride;
+}
+
+void load_tile(ivec2 corner) {
+    ivec2 size = textureSize(surfaces, 0);
+    for (int i = int(gl_LocalInvocationIndex); i < SIDE * SIDE; i += GROUP * GROUP) {
+        ivec2 at = corner + (ivec2(i % SIDE, i / SIDE) - RADIUS) * pixel_stride;
+        tile_surface[i] = vec4(0, 0, 0, NO_SURFACE);
+        if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) continue;
+        FilterSurface s = unpacked_surface(texelFetch(surfaces, at, 0).xy);
+        tile_surface[i] = vec4(s.normal, s.depth);
+        tile_value[i] = texelFetch(value_image, at, 0);
+        tile_direction[i] = texelFetch(direction_image, at, 0).xy;
+    }
+}
+
+struct Level {
+    vec4 value_shift, value_bound;  // S_{i+1} - S_i, and CSB
+    vec2 direction_shift, direction_bound;
+};
+
+/// Moments about the centre's value, which are exact where the picture is constant: with C = S_i(q) - S_i(p),
+/// S_{i+1} - S_i = M1/w and σ² = M2/w - (M1/w)².  [Smal19 eqs. 7.5, 7.7]
+Level filtered(int centre, vec2 position_px) {
+    FilterSurface p = FilterSurface(tile_surface[centre].xyz, tile_surface[centre].w);
+    vec2 gradient = depth_gradient(p, position_px) * float(pixel_stride);
+    float total = KERNEL[0] * KERNEL[0];
+    vec4 m1 = vec4(0), m2 = vec4(0);
+    vec2 direction_m1 = vec2(0), direction_m2 = vec2(0);
+    for (int y = -RADIUS; y <= RADIUS; ++y)
+        for (int x = -RADIUS; x <= RADIUS; ++x) {
+            int i = centre + y * SIDE + x;
+            vec4 q = tile_surface[i];
+            if (i == centre || q.w == NO_SURFACE) continue;
+            float w = KERNEL[abs(x)] * KERNEL[abs(y)] * normal_weight(p.normal, q.xyz) *
+                      depth_weight(q.w - p.depth, abs(dot(gradient, vec2(x, y))), p.depth);
+            vec4 c = tile_value[i] - tile_value[centre];
+            vec2 d = tile_direction[i] - tile_direction[centre];
+            total += w;
+            m1 += w * c;
+            m2 += w * c * c;
+            direction_m1 += w * d;
+            direction_m2 += w * d * d;
+        }
+    m1 /= total;
+    direction_m1 /= total;
+    return Level(m1, detail_clip * sqrt(max(m2 / total - m1 * m1, vec4(0))), direction_m1,
+                 detail_clip * sqrt(max(direction_m2 / total - direction_m1 * direction_m1, vec2(0))));
+}
+
+#ifdef VIEW
+
+void store(ivec2 pixel, int centre, Level level) {
+#if VIEW == INPUT
+    vec4 shown = tile_value[centre];
+#elif VIEW == SCALING
+    vec4 shown = tile_value[centre] + level.value_shift;
+#elif VIEW == DETAIL
+    vec4 shown = -level.value_shift;
+#elif VIEW == CLIPPED
+    vec4 shown = clamp(-level.value_shift, -level.value_bound, level.value_bound);
+#else
+    vec4 shown = level.value_bound;
+#endif
+    imageStore(view, ivec3(pixel, layer), shown);
+}
+
+void store_nothing(ivec2 pixel) { imageStore(view, ivec3(pixel, layer), vec4(0)); }
+
+#else
+
+/// D_i = S_i - S_{i+1}, E = S_N + Σ clamp(D_i, -CSB_i, CSB_i).
+/// DEVIATION [Smal19 eqs. 7.6, 7.8]: the print subtracts the sum, and has the clamp's arguments in another
+/// order. With its sign even unclipped details do not give the input back.
+void store(ivec2 pixel, int centre, Level level) {
+    vec4 value = clamp(-level.value_shift, -level.value_bound, level.value_bound);
+    vec2 direction = clamp(-level.direction_shift, -level.direction_bound, level.direction_bound);
+#ifdef PRINTED_SIGN
+    value = -value;
+    direction = -direction;
+#endif
+#ifndef FIRST
+    value += imageLoad(value_sum, pixel);
+    direction += imageLoad(direction_sum, pixel).xy;
+#endif
+    vec4 next = tile_value[centre] + level.value_shift;
+    vec2 next_d = tile_direction[centre] + level.direction_shift;
+#ifdef LAST
+    value += next;
+    direction += next_d;
+#else
+    imageStore(next_value, pixel, next);
+    imageStore(next_direction, pixel, vec4(next_d, 0, 0));
+#endif
+    imageStore(value_sum, pixel, value);
+    imageStore(direction_sum, pixel, vec4(direction, 0, 0));
+}
+
+void store_nothing(ivec2 pixel) {
+    imageStore(value_sum, pixel, vec4(0));
+    imageStore(direction_sum, pixel, vec4(0));
+#ifndef LAST
+    imageStore(next_value, pixel, vec4(0));
+    imageStore(next_direction, pixel, vec4(0));
+#endif
+}
+
+#endif
+
+void main() {
+    ivec2 corner = group_corner(), local = ivec2(gl_LocalInvocationID.xy);
+    load_tile(corner);
+    barrier();
+    ivec2 pixel = corner + local * pixel_stride;
+    if (any(greaterThanEqual(pixel, textureSize(surfaces, 0)))) return;
+    int centre = (local.y + RADIUS) * SIDE + local.x + RADIUS;
+    if (tile_surface[centre].w == NO_SURFACE)
+        store_nothing(pixel);
+    else
+        store(pixel, centre, filtered(centre, vec2(pixel) + 0.5));
+}

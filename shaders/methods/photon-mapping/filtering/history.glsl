@@ -1,0 +1,57 @@
+// What the previous frame knows of a pixel's surface.
+
+layout(binding = 4) uniform sampler2D velocity_image;
+layout(binding = 5) uniform sampler2D geometric_normal_image;  // w: depth in the previous frame
+layout(binding = 6) uniform sampler2D previous_value;
+layout(binding = 7) uniform sampler2D previous_direction;
+layout(binding = 8) uniform usampler2D previous_surfaces;
+
+uniform float temporal_weight;
+uniform bool has_history;
+uniform vec3 previous_origin_dx, previous_origin_dy;
+uniform vec3 previous_direction_ws, previous_direction_dx, previous_direction_dy;
+
+struct History {
+    float weight;  // α; 0: there is nothing
+    Signal signal;
+};
+
+/// α = 0.95 w_z w_n  [Smal19 eq. 7.4], for each of the four texels of a bilinear look-up by itself, so that
+/// those of other surfaces stay out.
+/// DEVIATION [Smal19 §7.2]: a texel's depth is compared with that of the pixel's plane there, in the previous
+/// camera, and the tolerance is the gradient over one pixel, whatever the motion: with |p - q| of the print
+/// still pictures would accept rounding alone and fast ones would accept anything.
+History history_of(ivec2 pixel, FilterSurface p) {
+    History history = History(0.0, Signal(vec4(0), vec2(0)));
+    float z = texelFetch(geometric_normal_image, pixel, 0).w;
+    if (!has_history || z <= 0.0) return history;
+    vec2 q = vec2(pixel) + 0.5 - texelFetch(velocity_image, pixel, 0).xy;
+    vec2 gradient = depth_gradient(p.normal, z, previous_direction_ws + q.x * previous_direction_dx +
+                                                    q.y * previous_direction_dy,
+                                   previous_origin_dx, previous_origin_dy, previous_direction_dx,
+                                   previous_direction_dy);
+    // Rounded to 1/256, as texture filters do it, so that a velocity's rounding does not blur what stands.
+    vec2 place = round((q - 0.5) * 256.0) / 256.0;
+    vec2 base = floor(place), f = place - base;
+    ivec2 size = textureSize(previous_surfaces, 0);
+    for (int i = 0; i < 4; ++i) {
+        ivec2 corner = ivec2(i & 1, i >> 1);
+        vec2 share = mix(1.0 - f, f, vec2(corner));
+        ivec2 texel = ivec2(clamp(base, vec2(-2), vec2(size))) + corner;
+        if (share.x * share.y == 0.0 || any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size)))
+            continue;
+        FilterSurface s = unpacked_surface(texelFetch(previous_surfaces, texel, 0).xy);
+        if (!is_surface(s)) continue;
+        float plane_depth = z + dot(gradient, vec2(texel) + 0.5 - q);
+        float w = share.x * share.y * depth_weight(s.depth - plane_depth, length(gradient), z) *
+                  normal_weight(p.normal, s.normal);
+        history.signal.value += w * texelFetch(previous_value, texel, 0);
+        history.signal.direction += w * texelFetch(previous_direction, texel, 0).xy;
+        history.weight += w;
+    }
+    if (history.weight <= 0.0) return history;
+    history.signal.value /= history.weight;
+    history.signal.direction /= history.weight;
+    history.weight *= temporal_weight;
+    return history;
+}

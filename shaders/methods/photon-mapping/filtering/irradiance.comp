@@ -1,0 +1,23 @@
+// The final irradiance; with FLICKER how far apart the directions are from which it comes.
+layout(local_size_x = 16, local_size_y = 16) in;
+
+#include "methods/photon-mapping/filtering/directional.glsl"
+
+#ifdef FLICKER
+layout(binding = 0, r32f) uniform writeonly image2D result;
+#else
+layout(binding = 0, rgba32f) uniform writeonly image2D result;
+#endif
+uniform int first_row;
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, first_row);
+    if (any(greaterThanEqual(pixel, imageSize(result)))) return;
+#ifdef FLICKER
+    float weight = dot(texelFetch(value_image, pixel, 0).rgb, vec3(1));
+    float coherence = weight > 0.0 ? length(direction_sum(pixel)) / weight : 1.0;
+    imageStore(result, pixel, vec4(clamp(1.0 - coherence, 0.0, 1.0)));
+#else
+    imageStore(result, pixel, vec4(shaded_irradiance(pixel), 1));
+#endif
+}
