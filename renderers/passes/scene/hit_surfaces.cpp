@@ -28,6 +28,13 @@ void upload_vertices(const graph::PassContext& context, graph::BufferRef to) {
     context.upload(to, std::as_bytes(std::span(vertices)));
 }
 
+graph::BufferRef declared(const graph::GraphBuilder& builder, const std::string& key) {
+    const auto& buffers = builder.buffers();
+    for (std::size_t i = 0; i < buffers.size(); ++i)
+        if (buffers[i].text.key == key) return {static_cast<int>(i)};
+    return {};
+}
+
 }  // namespace
 
 void HitSurfaces::bind(const graph::PassContext& context, int first) const {
@@ -36,6 +43,10 @@ void HitSurfaces::bind(const graph::PassContext& context, int first) const {
 }
 
 HitSurfaces hit_surfaces(graph::GraphBuilder& builder, const SceneBuffers& scene) {
+    const auto known = declared(builder, "scene.hit_vertices");
+    if (known.index >= 0)
+        return {known, declared(builder, "scene.texels"), scene.indices, scene.triangle_materials,
+                scene.materials};
     graph::BufferDesc desc;
     desc.text = {.key = "scene.hit_vertices", .label = "Vertices, each in one piece"};
     desc.fields = {{"position", FieldType::f32, 3}, {"colour", FieldType::u32},

@@ -21,7 +21,8 @@ struct HitSurfaces {
     void bind(const graph::PassContext& context, int first) const;
 };
 
-/// Declares "scene.hit_vertices" and "scene.texels" with the passes that upload them, once per world.
+/// Declares "scene.hit_vertices" and "scene.texels" with the passes that upload them, once per
+/// world; or gives what the builder has already.
 HitSurfaces hit_surfaces(graph::GraphBuilder& builder, const SceneBuffers& scene);
 
 }  // namespace ir::passes

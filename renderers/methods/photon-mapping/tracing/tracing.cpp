@@ -1,0 +1,175 @@
+#include "renderers/methods/photon-mapping/tracing.h"
+
+#include <algorithm>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/photon-mapping/records.h"
+#include "renderers/methods/photon-mapping/tracing/wavefront.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+using graph::Field;
+using graph::FieldType;
+using graph::GraphBuilder;
+using graph::PassContext;
+using graph::Slice;
+
+const std::vector<Field> tally_fields{{"bounce", FieldType::u32}, {"rays", FieldType::u32},
+                                      {"missed", FieldType::u32}, {"stored", FieldType::u32},
+                                      {"culled", FieldType::u32}, {"absorbed", FieldType::u32},
+                                      {"cut", FieldType::u32},    {"power", FieldType::f32, 3}};
+
+const std::vector<Field> location_fields{{"position", FieldType::f32, 3},
+                                         {"normal", FieldType::f32, 3},
+                                         {"direction", FieldType::f32, 3},
+                                         {"power", FieldType::f32, 3},
+                                         {"ray_length"},
+                                         {"bounce", FieldType::u32},
+                                         {"light", FieldType::u32},
+                                         {"seed", FieldType::u32}};
+
+graph::BufferDesc described(const std::string& key) {
+    graph::BufferDesc desc;
+    for (const auto& output : tracing_outputs())
+        if (output.key == key) {
+            desc.text = {output.key, output.label, output.doc, output.semantic, output.unit};
+            desc.kind = output.kind;
+        }
+    return desc;
+}
+
+/// As many as memory is reserved for at first: the buffer grows.
+std::uint64_t reserved_photons(const SamplePoints& samples, const Parameters& parameters) {
+    return std::max<std::uint64_t>(
+        1, static_cast<std::uint64_t>(static_cast<double>(samples.paths) * parameters.reserve));
+}
+
+Photons declare_photons(GraphBuilder& builder, const SamplePoints& samples, const Parameters& parameters) {
+    Photons photons;
+    photons.power_unit = samples.power_unit;
+    photons.records =
+        builder.buffer({.text = {.key = "photons.records",
+                                 .label = "Photons",
+                                 .doc = "As they are splatted, 32 bytes each, by bounce and path."},
+                        .fields = photon_fields(),
+                        .elements = reserved_photons(samples, parameters),
+                        .growable = true,
+                        .lower = "photons"});
+    photons.count = builder.counter({.key = "photons.count",
+                                     .label = "Photons stored",
+                                     .doc = "On all bounces, without those that were culled.",
+                                     .growth_of = photons.records});
+    return photons;
+}
+
+void declare_tally(GraphBuilder& builder, const Wavefront& wavefront, float power_unit) {
+    auto desc = described("photons.tally");
+    desc.fields = tally_fields;
+    desc.elements = static_cast<std::uint64_t>(wavefront.rows());
+    const auto table = builder.buffer(std::move(desc));
+    const std::vector<graph::CounterRef> counters{
+        builder.counter({.key = "photons.rays", .label = "Rays of photons"}),
+        builder.counter({.key = "photons.missed", .label = "Photons that left the scene"}),
+        builder.counter({.key = "photons.culled", .label = "Photons culled"}),
+        builder.counter({.key = "photons.absorbed", .label = "Photons absorbed"}),
+        builder.counter({.key = "photons.cut",
+                         .label = "Photons cut",
+                         .doc = "Their paths met more mirrors than are followed."})};
+    auto pass = builder.pass("tally photons");
+    pass.reads(wavefront.sums()).writes(table);
+    for (const auto counter : counters) pass.counts(counter);
+    pass.execute([=, sums = wavefront.sums(), rows = wavefront.rows()](PassContext& context) {
+        const auto& program = context.program({{"methods/photon-mapping/tracing/tally.comp"}});
+        program.use();
+        context.bind_buffer(0, sums);
+        context.bind_buffer(1, table);
+        for (int i = 0; i < static_cast<int>(counters.size()); ++i)
+            context.bind_counter(2 + i, counters[static_cast<std::size_t>(i)]);
+        program.set("rows", static_cast<unsigned>(rows));
+        program.set("power_unit", power_unit);
+        program.dispatch(rows);
+    });
+}
+
+void locate(const PassContext& context, const Photons& photons, graph::BufferRef locations,
+            graph::CounterRef located, Slice slice) {
+    constexpr std::int64_t most_at_once = std::int64_t{1} << 21;
+    const auto& program = context.program({{"methods/photon-mapping/tracing/locations.comp"}});
+    program.use();
+    context.bind_buffer(0, photons.records);
+    context.bind_counter(1, photons.count);
+    context.bind_buffer(2, locations);
+    context.bind_counter(3, located);
+    program.set("capacity", static_cast<unsigned>(
+                                std::min(context.capacity(locations), context.capacity(photons.records))));
+    program.set("power_unit", photons.power_unit);
+    for (auto first = slice.begin; first < slice.end; first += most_at_once) {
+        const auto end = std::min(slice.end, first + most_at_once);
+        program.set("first", static_cast<unsigned>(first));
+        program.set("end", static_cast<unsigned>(end));
+        program.dispatch(end - first);
+    }
+}
+
+void declare_locations(GraphBuilder& builder, const Photons& photons, std::uint64_t most,
+                       std::uint64_t reserved) {
+    auto desc = described("photons.locations");
+    desc.fields = location_fields;
+    desc.elements = reserved;
+    desc.growable = true;
+    desc.lower = "photons";
+    const auto locations = builder.buffer(std::move(desc));
+    const auto located = builder.counter(
+        {.key = "photons.located", .label = "Photons shown in space", .growth_of = locations});
+    builder.pass("photon locations")
+        .reads(photons.records)
+        .writes(locations)
+        .counts(photons.count)
+        .counts(located)
+        .execute_sliced(
+            static_cast<std::int64_t>(most),
+            [=](PassContext& context, Slice slice) { locate(context, photons, locations, located, slice); },
+            4096);
+}
+
+}  // namespace
+
+Photons trace_photons(GraphBuilder& builder, const passes::SceneBuffers& scene, const SamplePoints& samples,
+                      const Parameters& parameters) {
+    const auto photons = declare_photons(builder, samples, parameters);
+    const Wavefront wavefront(builder, scene, samples, parameters);
+    wavefront.leave(builder);
+    for (int number = 1; number <= wavefront.surfaces(); ++number)
+        wavefront.advance(builder, number, photons);
+    declare_tally(builder, wavefront, samples.power_unit);
+    declare_locations(builder, photons, samples.paths * static_cast<std::uint64_t>(wavefront.surfaces()),
+                      reserved_photons(samples, parameters));
+    return photons;
+}
+
+std::vector<OutputDescription> tracing_outputs() {
+    return {
+        {.key = "photons.locations",
+         .label = "Photon locations",
+         .kind = OutputKind::point_set,
+         .unit = "m",
+         .doc =
+             "All photons that are stored. normal: shading normal on the side that was hit. direction: to "
+             "where the photon came from. power: W, red, green and blue. bounce: from 1. ray_length: metres "
+             "since the last scattering. light: number of the light source. seed: the low 20 bits of the "
+             "sample point's seed; photons of one seed share their path.",
+         .explains = true},
+        {.key = "photons.tally",
+         .label = "Photons by bounce",
+         .kind = OutputKind::table,
+         .doc =
+             "A row for the sample points (bounce 0) and one for each bounce. rays: photons that were "
+             "traced there; of the sample points, how many there are. missed: they left the scene or found "
+             "nothing within the maximum distance. stored and culled: where they hit. absorbed: not "
+             "scattered on there. cut: met more mirrors than are followed. power: W, of those stored and "
+             "culled; of the sample points, before the first scattering."},
+    };
+}
+
+}  // namespace ir::methods::photon_mapping

@@ -1,0 +1,234 @@
+// Scattering by opaque surfaces, with sampling: passes::Bsdf (renderers/passes/scattering/bsdf.h) for rays on the
+// device. Directions are unit vectors that point away from the surface; cosines are taken with the shading
+// normal; directions above one of the two normals and below the other do not count.
+
+#include "lib/brdf.glsl"
+#include "lib/spaces.glsl"
+
+// Models, in the order of Transport::Materials.
+const int SCATTERING_GLTF = 0;
+const int SCATTERING_METALNESS_BLEND = 1;
+const int SCATTERING_LAMBERT = 2;
+
+// How the microfacet lobe chooses its directions.
+const int MICROFACETS_VISIBLE_NORMALS = 0;  // [Heitz18]
+const int MICROFACETS_GGX = 1;              // [Walter07 eq. 35]; weights may exceed 1
+const int MICROFACETS_GGX_PRINTED = 2;      // the directions of the second with the weights of the first: wrong
+
+/// Below it a surface is a mirror.
+const float MIRROR_ALPHA = 1e-3;
+/// Least cosine to the viewer: shading normals may turn away from it.
+const float LEAST_VIEW_COSINE = 1e-4;
+
+struct Scatterer {
+    vec3 n, geometric_n;
+    vec3 diffuse;    // albedo of the Lambert part, without the interface above it
+    vec3 f0;
+    float specular;  // weight of the microfacets
+    float alpha;     // roughness²
+    bool is_layered; // the Lambert part lies below the microfacets, not beside them
+};
+
+Scatterer make_scatterer(vec3 n, vec3 geometric_n, vec3 base_colour, float metallic, float roughness,
+                         float ior, int model) {
+    Scatterer s = Scatterer(n, geometric_n, base_colour, vec3(0), 0.0, 1.0, false);
+    if (model == SCATTERING_LAMBERT) return s;
+    s.is_layered = model == SCATTERING_GLTF;
+    s.specular = s.is_layered ? 1.0 : metallic;
+    s.f0 = s.is_layered ? mix(vec3(dielectric_f0(ior)), base_colour, metallic) : base_colour;
+    s.diffuse = (1.0 - metallic) * base_colour;
+    s.alpha = roughness * roughness;
+    return s;
+}
+
+/// A direction that was chosen; all factors are included: f |cosθ| / pdf. Weight 0: the event carries no light.
+struct Scattered {
+    vec3 direction_ws;
+    vec3 weight;
+    bool is_specular;  // by a mirror, which does not count as a scattering
+};
+const Scattered NOT_SCATTERED = Scattered(vec3(0, 0, 1), vec3(0), false);
+
+float scattering_luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
+
+/// From the squared sine between normal and half vector: near the peak its cosine has lost the digits that
+/// count.  [Walter07 eq. 33]
+float ggx_by_sine(float squared_sine, float alpha) {
+    float squared = alpha * alpha;
+    float denominator = squared + (1.0 - squared) * squared_sine;
+    return squared / (PI * denominator * denominator);
+}
+
+#ifdef SMITH_PRINTED
+/// Test only: tan² of the angle to the microfacet's normal, as printed.  [Smal19 eq. 3.7]
+float smith_masking(float n_dot_v, float m_dot_v, float alpha) {
+    float squared_tan = (1.0 - m_dot_v * m_dot_v) / max(m_dot_v * m_dot_v, 1e-8);
+    return 2.0 / (1.0 + sqrt(1.0 + alpha * alpha * squared_tan));
+}
+#else
+/// Masking of one direction: 2 / (1 + √(1 + α² tan²θ)), θ to the macroscopic normal.  [Walter07 eq. 34]
+// DEVIATION [Smal19 eq. 3.7]: there tan² is of the angle to the microfacet's normal, which masks nothing
+// at grazing angles.
+float smith_masking(float n_dot_v, float m_dot_v, float alpha) {
+    float squared = alpha * alpha;
+    return 2.0 * n_dot_v / (n_dot_v + sqrt(squared + (1.0 - squared) * n_dot_v * n_dot_v));
+}
+#endif
+
+/// Height-correlated, or the product of two maskings.  [Heitz14 eq. 99; Smal19 eq. 3.6]
+float joint_masking(Scatterer s, float n_dot_l, float n_dot_v, float m_dot_v) {
+    if (s.is_layered) return 4.0 * n_dot_l * n_dot_v * smith_visibility(n_dot_l, n_dot_v, s.alpha);
+    return smith_masking(n_dot_l, m_dot_v, s.alpha) * smith_masking(n_dot_v, m_dot_v, s.alpha);
+}
+
+/// Cosine-distributed about z.  [Malley88]
+vec3 cosine_direction_ts(vec2 u) {
+    float radius = sqrt(u.x), phi = 2.0 * PI * u.y;
+    return vec3(radius * cos(phi), radius * sin(phi), sqrt(max(0.0, 1.0 - u.x)));
+}
+
+/// A GGX normal as often as `v` (above the surface) sees it, with density G1(v) D(h) max(0, v·h) / v.z.
+/// [Heitz18 listing 1]
+vec3 visible_normal_ts(vec3 v, float alpha, vec2 u) {
+    vec3 stretched = normalize(vec3(alpha * v.xy, v.z));
+    float squared = dot(stretched.xy, stretched.xy);
+    vec3 first = squared > 0.0 ? vec3(-stretched.y, stretched.x, 0.0) / sqrt(squared) : vec3(1, 0, 0);
+    vec3 second = cross(stretched, first);
+    float radius = sqrt(u.x), phi = 2.0 * PI * u.y;
+    float a = radius * cos(phi), side = 0.5 * (1.0 + stretched.z);
+    float b = (1.0 - side) * sqrt(max(0.0, 1.0 - a * a)) + side * radius * sin(phi);
+    vec3 h = a * first + b * second + sqrt(max(0.0, 1.0 - a * a - b * b)) * stretched;
+    return normalize(vec3(alpha * h.xy, max(0.0, h.z)));
+}
+
+/// A GGX normal with density D(h) h.z: θ = atan(α √u / √(1 - u)).  [Walter07 eq. 35; Smal19 §4.1]
+vec3 ggx_normal_ts(float alpha, vec2 u) {
+    float squared_tan = alpha * alpha * u.x / max(1.0 - u.x, 1e-7), phi = 2.0 * PI * u.y;
+    float z = inversesqrt(1.0 + squared_tan);
+    float radius = sqrt(squared_tan) * z;
+    return vec3(radius * cos(phi), radius * sin(phi), z);
+}
+
+/// A scatterer seen from one direction.
+struct SeenScatterer {
+    vec3 v;
+    vec3 raised;                 // v, above the shading normal's horizon
+    float n_dot_v;               // as rasterisation clamps it
+    float raised_cosine;         // n·raised
+    float specular_probability;  // among the two lobes, by luminance
+};
+
+/// What the interface leaves of the Lambert part.
+vec3 below_interface(Scatterer s, vec3 fresnel) { return s.is_layered ? (1.0 - fresnel) * s.diffuse : s.diffuse; }
+
+SeenScatterer seen_from(Scatterer s, vec3 v) {
+    SeenScatterer seen = SeenScatterer(v, v, dot(s.n, v), 0.0, 0.0);
+    if (seen.n_dot_v < LEAST_VIEW_COSINE) {
+        seen.raised = normalize(v + (LEAST_VIEW_COSINE - seen.n_dot_v) * s.n);
+        seen.n_dot_v = LEAST_VIEW_COSINE;
+    }
+    seen.raised_cosine = dot(s.n, seen.raised);
+    vec3 fresnel = schlick_fresnel(s.f0, seen.raised_cosine);
+    float specular = s.specular * scattering_luminance(fresnel);
+    float diffuse = scattering_luminance(below_interface(s, fresnel));
+    if (specular > 0.0) seen.specular_probability = specular / (specular + diffuse);
+    return seen;
+}
+
+/// D at a half vector.
+float distribution_at(Scatterer s, vec3 h) {
+    if (dot(s.n, h) <= 0.0) return ggx_by_sine(1.0, s.alpha);
+    vec3 sine = cross(s.n, h);
+    return ggx_by_sine(dot(sine, sine), s.alpha);
+}
+
+/// Density per solid angle with which the microfacet lobe chooses `l`.
+float microfacet_pdf(Scatterer s, SeenScatterer seen, vec3 l, int sampling) {
+    vec3 sum = seen.raised + l;
+    if (!(dot(s.n, sum) > 0.0)) return 0.0;
+    vec3 h = normalize(sum);
+    float v_dot_h = dot(seen.raised, h);
+    if (sampling == MICROFACETS_GGX)  // D(h) (n·h) / (4 v·h)
+        return distribution_at(s, h) * dot(s.n, h) / max(4.0 * v_dot_h, 1e-7);
+    // G1(v) D(h) / (4 n·v)  [Heitz18 eq. 17]
+    return smith_masking(seen.raised_cosine, v_dot_h, s.alpha) * distribution_at(s, h) / (4.0 * seen.raised_cosine);
+}
+
+/// f cosθ, `l` above both normals; without mirrors.
+vec3 scattering_value(Scatterer s, SeenScatterer seen, vec3 l, float n_dot_l) {
+    vec3 sum = l + seen.v;
+    float size = length(sum);
+    vec3 h = size > 0.0 ? sum / size : s.n;
+    vec3 fresnel = schlick_fresnel(s.f0, clamp(dot(seen.v, h), 0.0, 1.0));
+    vec3 f = below_interface(s, fresnel) / PI;
+    if (s.specular > 0.0 && s.alpha >= MIRROR_ALPHA)
+        f += s.specular * fresnel * distribution_at(s, h) *
+             joint_masking(s, n_dot_l, seen.n_dot_v, dot(seen.v, h)) / (4.0 * n_dot_l * seen.n_dot_v);
+    return f * n_dot_l;
+}
+
+float scattering_pdf(Scatterer s, SeenScatterer seen, vec3 l, float n_dot_l, int sampling) {
+    float pdf = (1.0 - seen.specular_probability) * n_dot_l / PI;
+    if (seen.specular_probability > 0.0 && s.alpha >= MIRROR_ALPHA)
+        pdf += seen.specular_probability * microfacet_pdf(s, seen, l, sampling);
+    return pdf;
+}
+
+bool is_above(Scatterer s, vec3 l) { return dot(s.n, l) > 0.0 && dot(s.geometric_n, l) > 0.0; }
+
+Scattered scattered_by_mirror(Scatterer s, SeenScatterer seen) {
+    vec3 l = 2.0 * seen.raised_cosine * s.n - seen.raised;
+    if (!is_above(s, l)) return NOT_SCATTERED;
+    vec3 fresnel = schlick_fresnel(s.f0, seen.raised_cosine);
+    return Scattered(l, s.specular * fresnel / seen.specular_probability, true);
+}
+
+/// The printed survival F G2 / G1 of a microfacet, over its lobe's probability.  [Smal19 §4.4.1]
+vec3 printed_weight(Scatterer s, SeenScatterer seen, vec3 l, float n_dot_l, bool is_microfacet) {
+    if (!is_microfacet) {
+        vec3 h = normalize(l + seen.raised);
+        vec3 fresnel = schlick_fresnel(s.f0, clamp(dot(seen.raised, h), 0.0, 1.0));
+        return below_interface(s, fresnel) / (1.0 - seen.specular_probability);
+    }
+    vec3 h = normalize(l + seen.raised);
+    float m_dot_v = dot(seen.raised, h);
+    vec3 fresnel = schlick_fresnel(s.f0, clamp(m_dot_v, 0.0, 1.0));
+    float masking = smith_masking(seen.raised_cosine, m_dot_v, s.alpha);
+    return s.specular * fresnel * joint_masking(s, n_dot_l, seen.raised_cosine, m_dot_v) / masking /
+           seen.specular_probability;
+}
+
+/// A direction for light that comes from (or is seen from) `v`. The lobe is chosen by luminance; the weight is
+/// that of all lobes over the density of all lobes. `lobe` and `u` uniform in [0, 1).
+/// DEVIATION [Smal19 §4.4]: the source does not say how lobes are chosen, nor divides by the probability.
+Scattered scatter(Scatterer s, vec3 v, float lobe, vec2 u, int sampling) {
+    SeenScatterer seen = seen_from(s, v);
+    bool is_microfacet = lobe < seen.specular_probability;
+    if (is_microfacet && s.alpha < MIRROR_ALPHA) return scattered_by_mirror(s, seen);
+    mat3 frame = frame_of(s.n);
+    vec3 l;
+    if (is_microfacet) {
+        vec3 h = sampling == MICROFACETS_VISIBLE_NORMALS ? visible_normal_ts(seen.raised * frame, s.alpha, u)
+                                                         : ggx_normal_ts(s.alpha, u);
+        h = frame * h;
+        l = normalize(2.0 * dot(seen.raised, h) * h - seen.raised);
+    } else {
+        l = normalize(frame * cosine_direction_ts(u));
+    }
+    if (!is_above(s, l)) return NOT_SCATTERED;
+    float n_dot_l = dot(s.n, l);
+    if (sampling == MICROFACETS_GGX_PRINTED)
+        return Scattered(l, printed_weight(s, seen, l, n_dot_l, is_microfacet), false);
+    float pdf = scattering_pdf(s, seen, l, n_dot_l, sampling);
+    if (!(pdf > 0.0)) return NOT_SCATTERED;
+    return Scattered(l, scattering_value(s, seen, l, n_dot_l) / pdf, false);
+}
+
+/// What a photon's weight is multiplied by so that it carries what a camera path along the same directions
+/// would: `l` towards where the photon came from, `o` where it goes; 1 without normal maps and interpolated
+/// normals. At most `most`, as it has no bound where light grazes the geometric surface.  [Veach97 eq. 5.19]
+float shading_normal_correction(vec3 n, vec3 geometric_n, vec3 l, vec3 o, float most) {
+    float arriving = abs(dot(n, l)), leaving = abs(dot(geometric_n, o));
+    float denominator = abs(dot(geometric_n, l)) * abs(dot(n, o));
+    return min(most, arriving * leaving / max(denominator, 1e-7));
+}

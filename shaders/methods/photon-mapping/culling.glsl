@@ -1,0 +1,29 @@
+// Photons that can not light any pixel of the picture.
+
+/// The camera, as photons are culled by it.
+struct CullingView {
+    mat4 sides;   // columns: planes through the picture's edges, unit normals inwards
+    vec4 eye_ws;  // w = 1; for parallel rays the direction towards the camera, w = 0
+    float reach;  // m: the longest half-axis that a kernel can have where it is not widened to texels
+    float texel_reach;  // the same of kernels that are: for each m of distance, or for parallel rays m
+};
+
+/// The longest half-axis of a kernel here, m.
+float reach_at(CullingView view, vec3 position_ws) {
+    float scale = view.eye_ws.w > 0.0 ? distance(view.eye_ws.xyz, position_ws) : 1.0;
+    return max(view.reach, scale * view.texel_reach);
+}
+
+/// Outside the frustum, widened by the reach of kernels.
+/// DEVIATION [Smal19 §4.3]: there photons count as points, which darkens the picture's edges.
+bool is_outside(CullingView view, vec3 position_ws) {
+    vec4 distances = vec4(position_ws, 1) * view.sides;
+    return min(min(distances.x, distances.y), min(distances.z, distances.w)) < -reach_at(view, position_ws);
+}
+
+/// Whether the photon's surface turns its back to the camera from everywhere within the kernel's reach: nothing
+/// that is seen continues the surface that it lies on.
+bool faces_away(CullingView view, vec3 position_ws, vec3 normal_ws) {
+    float facing = dot(normal_ws, view.eye_ws.xyz - view.eye_ws.w * position_ws);
+    return facing < -view.eye_ws.w * reach_at(view, position_ws);
+}

@@ -1,0 +1,124 @@
+// What rays hit: photons that are to be stored, and the next scattering.
+layout(local_size_x = 64) in;
+
+#define TALLY_BINDING 2
+#define HIT_SURFACE_BINDING 3
+#include "methods/photon-mapping/culling.glsl"
+#include "methods/photon-mapping/tracing/path.glsl"
+#include "methods/photon-mapping/tracing/tally.glsl"
+#include "passes/scene/hit_surface.glsl"
+
+layout(std430, binding = 8) readonly buffer Hits { RayHit hits[]; };
+layout(std430, binding = 9) writeonly buffer Landed { Photon landed[]; };
+layout(std430, binding = 10) writeonly buffer Flags { uint is_stored[]; };
+layout(std430, binding = 11) writeonly buffer Bases { uint bases[]; };
+layout(std430, binding = 12) readonly buffer StoredCount { uint stored_count; };
+
+uniform uint surface_number, last_surface;  // along the path, mirrors included; from 1
+uniform uint min_bounces, max_bounces, most_mirrors;
+uniform bool normal_maps;
+uniform bool culling;
+uniform mat4 frustum_sides;
+uniform vec4 eye_ws;
+uniform float kernel_reach, texel_reach;
+
+/// Where interpolated or mapped normals lean away, light at grazing angles would be multiplied without bound.
+const float MOST_CORRECTION = 8.0;
+
+Photon photon_at(HitSurface surface, Path path, Ray ray) {
+    bool normal_below, direction_below;
+    Photon photon;
+    photon.position_ws = surface.position_ws;
+    photon.power = packed_power(power_of(path));
+    photon.normal = packed_stereographic(surface.shading_normal_ws, normal_below);
+    photon.direction = packed_stereographic(-ray.direction_ws, direction_below);
+    photon.ray_length = path.way;
+    photon.bits = uint(normal_below) | uint(direction_below) << 1u | scatterings_of(path) << 2u |
+                  (path.bits >> 8u & 63u) << 6u | path.seed << 12u;
+    return photon;
+}
+
+void store(uint index, Photon photon) {
+    count_power(bounce_of(photon), unpacked_power(photon.power));
+    CullingView view = CullingView(frustum_sides, eye_ws, kernel_reach, texel_reach);
+    if (culling && (is_outside(view, photon.position_ws) ||
+                    faces_away(view, photon.position_ws, normal_of(photon)))) {
+        count(bounce_of(photon), TALLY_CULLED);
+        return;
+    }
+    count(bounce_of(photon), TALLY_STORED);
+    landed[index] = photon;
+    is_stored[index] = 1u;
+}
+
+/// Shading normals send some light from sample points into the surface that they lie on: its plane holds the
+/// ray's origin.
+bool is_own_surface(HitSurface surface, vec3 origin_ws) {
+    return surface_number == 1u && abs(dot(surface.geometric_normal_ws, origin_ws - surface.position_ws)) <
+                                       2.0 * offset_of_rays(origin_ws);
+}
+
+/// The part of the surface that is no glass.
+float opaque_part(HitSurface surface) {
+    if (surface.is_unlit) return 0.0;
+    return materials == SCATTERING_LAMBERT ? 1.0 : 1.0 - surface.transmission * (1.0 - surface.metallic);
+}
+
+Ray go_on(inout Path path, HitSurface surface, vec3 from_ws) {
+    uint bounce = scatterings_of(path);
+    Scatterer scatterer =
+        make_scatterer(surface.shading_normal_ws, surface.geometric_normal_ws, surface.base_colour,
+                       surface.metallic, surface.roughness, surface.ior, materials);
+    if (bounce >= max_bounces && scatterer.alpha >= MIRROR_ALPHA) return no_ray();
+    uvec4 words = random_words(path, surface_number, DIRECTION);
+    Scattered scattered =
+        scatter(scatterer, from_ws, unit_float(words.x), unit_float(words.yz), microfacet_sampling);
+    if (bounce >= max_bounces && !scattered.is_specular) return no_ray();
+    if (!scattered.is_specular)
+        scattered.weight *= shading_normal_correction(scatterer.n, scatterer.geometric_n, from_ws,
+                                                      scattered.direction_ws, MOST_CORRECTION);
+    scattered.weight *= opaque_part(surface);
+    if (!scatter_path(path, scattered, power_of(path), surface_number, unit_float(words.w))) {
+        count(bounce, TALLY_ABSORBED);
+        return no_ray();
+    }
+    if (surface_number == last_surface || mirrors_of(path) > most_mirrors) {
+        count(bounce, TALLY_CUT);
+        return no_ray();
+    }
+    vec3 origin_ws =
+        surface.position_ws + offset_of_rays(surface.position_ws) * surface.geometric_normal_ws;
+    return Ray(origin_ws, far_of(path), scattered.direction_ws, 0.0);
+}
+
+void land(uint index) {
+    is_stored[index] = 0u;
+    Ray ray = rays[index];
+    if (ray.far <= 0.0) return;
+    rays[index].far = 0.0;
+    Path path = paths[index];
+    uint bounce = scatterings_of(path);
+    count(bounce, TALLY_RAYS);
+    RayHit hit = hits[index];
+    if (!is_hit(hit)) {
+        count(bounce, TALLY_MISSED);
+        return;
+    }
+    HitSurface surface = hit_surface(hit.triangle, hit.u, hit.v, ray.direction_ws, normal_maps);
+    if (is_own_surface(surface, ray.origin_ws)) {
+        count(bounce, TALLY_ABSORBED);
+        return;
+    }
+    path.way += hit.distance;
+    if (bounce >= max(min_bounces, 1u)) store(index, photon_at(surface, path, ray));
+    rays[index] = go_on(path, surface, -ray.direction_ws);
+    paths[index] = path;
+}
+
+void main() {
+    begin_tally();
+    uint index = first_path + gl_GlobalInvocationID.x;
+    if (index == 0u) bases[surface_number] = stored_count;  // of the surfaces before
+    if (index < end_path) land(index);
+    end_tally();
+}

@@ -1,0 +1,31 @@
+// Photons with all that they have, unpacked for views.
+layout(local_size_x = 64) in;
+
+#include "methods/photon-mapping/records.glsl"
+
+struct Location {
+    float position[3], normal[3], direction[3], power[3];
+    float ray_length;
+    uint bounce, light, seed;
+};
+layout(std430, binding = 0) readonly buffer Records { Photon records[]; };
+layout(std430, binding = 1) readonly buffer RecordCount { uint record_count; };
+layout(std430, binding = 2) writeonly buffer Locations { Location locations[]; };
+layout(std430, binding = 3) buffer LocationCount { uint location_count; };
+
+uniform uint first, end, capacity;
+uniform float power_unit;
+
+float[3] floats(vec3 v) { return float[3](v.x, v.y, v.z); }
+
+void main() {
+    uint index = first + gl_GlobalInvocationID.x;
+    uint shown = min(record_count, end);
+    if (index == first) atomicMax(location_count, record_count);
+    if (index >= shown || index >= capacity) return;
+    Photon photon = records[index];
+    locations[index] =
+        Location(floats(photon.position_ws), floats(normal_of(photon)), floats(direction_of(photon)),
+                 floats(power_unit * unpacked_power(photon.power)), photon.ray_length, bounce_of(photon),
+                 light_of(photon), photon.bits >> 12u);
+}

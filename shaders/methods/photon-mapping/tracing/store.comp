@@ -1,0 +1,19 @@
+// Packs the photons of one surface along the paths behind those of the surfaces before, in the paths' order.
+layout(local_size_x = 64) in;
+
+#include "methods/photon-mapping/records.glsl"
+
+layout(std430, binding = 0) readonly buffer Landed { Photon landed[]; };
+layout(std430, binding = 1) readonly buffer Flags { uint is_stored[]; };
+layout(std430, binding = 2) readonly buffer Places { uint places[]; };
+layout(std430, binding = 3) readonly buffer Bases { uint bases[]; };
+layout(std430, binding = 4) writeonly buffer Records { Photon records[]; };
+
+uniform uint first_path, end_path, surface_number, capacity;
+
+void main() {
+    uint index = first_path + gl_GlobalInvocationID.x;
+    if (index >= end_path || is_stored[index] == 0u) return;
+    uint place = bases[surface_number] + places[index];
+    if (place < capacity) records[place] = landed[index];
+}

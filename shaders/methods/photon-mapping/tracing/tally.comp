@@ -1,0 +1,40 @@
+// The sums by bounce as a table, and over all bounces as counters.
+layout(local_size_x = 16) in;
+
+#include "methods/photon-mapping/tracing/tally.glsl"
+
+layout(std430, binding = 0) readonly buffer Sums { uint sums[]; };
+
+struct Row {
+    uint bounce, rays, missed, stored, culled, absorbed, cut;
+    float red, green, blue;  // W
+};
+layout(std430, binding = 1) writeonly buffer Table { Row table[]; };
+layout(std430, binding = 2) buffer RayCounter { uint ray_counter; };
+layout(std430, binding = 3) buffer MissedCounter { uint missed_counter; };
+layout(std430, binding = 4) buffer CulledCounter { uint culled_counter; };
+layout(std430, binding = 5) buffer AbsorbedCounter { uint absorbed_counter; };
+layout(std430, binding = 6) buffer CutCounter { uint cut_counter; };
+
+uniform uint rows;
+uniform float power_unit;
+
+float watts(uint first, uint channel) {
+    uint low = first + TALLY_POWER + 2u * channel;
+    return (float(sums[low + 1u]) * 4294967296.0 + float(sums[low])) / TALLY_POWER_SCALE * power_unit;
+}
+
+void main() {
+    uint bounce = gl_GlobalInvocationID.x;
+    if (bounce >= rows) return;
+    uint first = TALLY_WORDS * bounce;
+    Row row = Row(bounce, sums[first + TALLY_RAYS], sums[first + TALLY_MISSED], sums[first + TALLY_STORED],
+                  sums[first + TALLY_CULLED], sums[first + TALLY_ABSORBED], sums[first + TALLY_CUT],
+                  watts(first, 0u), watts(first, 1u), watts(first, 2u));
+    table[bounce] = row;
+    atomicAdd(missed_counter, row.missed);
+    atomicAdd(culled_counter, row.culled);
+    atomicAdd(absorbed_counter, row.absorbed);
+    atomicAdd(cut_counter, row.cut);
+    if (bounce > 0u) atomicAdd(ray_counter, row.rays);
+}
