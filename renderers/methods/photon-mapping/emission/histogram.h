@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ir::methods::photon_mapping {
+
+/// A cell of "emission.histogram": expected and found numbers of points. The last element is the sum, with x
+/// and y -1, χ² of all and its degrees of freedom.
+struct HistogramCell {
+    std::int32_t x, y;
+    float expected, found;
+    float chi_square;  ///< the cell's (found - expected)² / expected; 0 where nothing is expected
+    std::int32_t degrees;
+};
+static_assert(sizeof(HistogramCell) == 24);
+
+/// Cells a side.
+inline constexpr int histogram_cells = 16;
+
+/// `map`: the weights that points should follow, square, row 0 first; `texels`: x + resolution · y of each
+/// point. In χ² neighbouring cells that expect fewer than 5 points are pooled; what comes to where nothing is
+/// expected makes it infinite.
+std::vector<HistogramCell> histogram(std::span<const float> map, int resolution,
+                                     std::span<const std::uint32_t> texels);
+
+}  // namespace ir::methods::photon_mapping

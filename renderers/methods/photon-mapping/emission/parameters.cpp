@@ -1,0 +1,151 @@
+#include "renderers/methods/photon-mapping/parameters.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+const Condition with_rsm{"first_hit", {std::string("rsm")}};
+const Condition by_importance{"emission", {std::string("importance")}};
+
+void add_counts(ParameterTable<Parameters>& table) {
+    table.add(&Parameters::photons,
+              {.key = "photons",
+               .label = "Photons",
+               .doc = "Photons that all lights together emit in a frame, before any is absorbed.",
+               .citation = "Smal19 §4.2",
+               .hard = {1, 8'000'000},
+               .soft = {1000, 1'000'000},
+               .on_change = OnChange::reallocate});
+    table.include(&Parameters::transport,
+                  transport_parameters(
+                      {.paths = {"direct", "indirect", "full"},
+                       .keys = {"min_bounces", "max_bounces", "max_distance", "materials", "normal_maps"}}));
+}
+
+void add_rsm(ParameterTable<Parameters>& table) {
+    table
+        .add(&Parameters::first_hit,
+             {.key = "first_hit",
+              .label = "First hit",
+              .doc = "How the surfaces are found that the lights see, where photons start.",
+              .citation = "Smal19 §5",
+              .choices = {{"rsm", "Reflective shadow map",
+                           "What each light sees is drawn once; photons start at the middles of texels."},
+                          {"traced", "Traced",
+                           "A ray from the light for each point, evenly over its directions."}},
+              .on_change = OnChange::reallocate})
+        .add(&Parameters::rsm_resolution,
+             {.key = "rsm_resolution",
+              .label = "RSM resolution",
+              .doc = "Texels along each side of a reflective shadow map. A point light has six maps.",
+              .unit = "texels",
+              .citation = "Smal19 §5.1",
+              .choices = {{"64", "64", ""},
+                          {"128", "128", ""},
+                          {"256", "256", ""},
+                          {"512", "512", ""},
+                          {"1024", "1024", ""}},
+              .on_change = OnChange::reallocate,
+              .active_when = with_rsm})
+        .add(&Parameters::depth_prepass,
+             {.key = "depth_prepass",
+              .label = "Depth first",
+              .doc = "Draws a shadow map at the RSM's resolution first, so that only what the light sees is "
+                     "shaded.",
+              .citation = "Smal19 §5.1",
+              .effect = Effect::cost,
+              .on_change = OnChange::reallocate,
+              .active_when = with_rsm});
+}
+
+void add_emission(ParameterTable<Parameters>& table) {
+    table
+        .add(&Parameters::emission,
+             {.key = "emission",
+              .label = "Emission",
+              .doc = "Where in the maps the emission set's points go.",
+              .citation = "Smal19 §5.3",
+              .choices = {{"importance", "Importance",
+                           "Warped by the Haar pyramid of the map of emission probabilities."},
+                          {"uniform", "Uniform", "As they are: evenly over the map."}},
+              .active_when = with_rsm})
+        .add(&Parameters::photon_near,
+             {.key = "photon_near",
+              .label = "Photon near plane",
+              .doc = "Surfaces closer to the light than this start no photons; their light is missing. For "
+                     "directional lights from the near plane of the map.",
+              .unit = "m",
+              .citation = "Smal19 §5.2",
+              .hard = {0, 1e9},
+              .soft = {0, 2}})
+        .add(&Parameters::photon_far,
+             {.key = "photon_far",
+              .label = "Photon far plane",
+              .doc = "Surfaces farther from the light than this start no photons; their light is missing. 0 "
+                     "means that there is no limit.",
+              .unit = "m",
+              .citation = "Smal19 §5.2",
+              .hard = {0, 1e9},
+              .soft = {0, 10}})
+        .add(&Parameters::power_scaling,
+             {.key = "power_scaling",
+              .label = "Power scaling",
+              .doc = "How the power of a point makes up for where it was put.",
+              .citation = "Smal19 §5.3.3",
+              .choices = {{"exact", "Exact",
+                           "The flux through the texel over the expected number of points there: unbiased."},
+                          {"printed", "As printed",
+                           "(P0/P)(π/4) of the uniform power. Wrong: a cone keeps 0.617 of its flux, and its "
+                           "soft edge is lost."}},
+              .active_when = by_importance})
+        .add(&Parameters::budget,
+             {.key = "budget",
+              .label = "Budget",
+              .doc = "How the photons are divided among the lights and their maps.",
+              .citation = "Smal19 §4.2",
+              .choices = {{"intensity", "By intensity", "In proportion to the flux of each map."},
+                          {"probability", "By probability",
+                           "In proportion to flux times mean emission probability: little for maps that see "
+                           "little."}},
+              .active_when = with_rsm});
+}
+
+void add_sets(ParameterTable<Parameters>& table) {
+    table
+        .add(
+            &Parameters::strata,
+            {.key = "strata",
+             .label = "Strata",
+             .doc = "Frames after which the same photons come again. Each frame of the cycle has an emission "
+                    "set of its own; together they are one finer set. 1: the same photons in every frame.",
+             .unit = "frames",
+             .citation = "Smal19 §4.2",
+             .hard = {1, 512},
+             .soft = {1, 16}})
+        .add(&Parameters::photons_per_point,
+             {.key = "photons_per_point",
+              .label = "Photons a point",
+              .doc = "Photons that leave each sample point, on paths of their own; as many fewer points.",
+              .citation = "Smal19 §5",
+              .hard = {1, 64},
+              .soft = {1, 8},
+              .on_change = OnChange::reallocate})
+        .add(&Parameters::reserve,
+             {.key = "reserve",
+              .label = "Memory reserved",
+              .doc = "Part of the photons that memory is reserved for at first. It grows where more arrive.",
+              .hard = {0, 1},
+              .soft = {0.001, 1},
+              .effect = Effect::cost,
+              .on_change = OnChange::reallocate});
+}
+
+}  // namespace
+
+void add_emission_parameters(ParameterTable<Parameters>& table) {
+    add_counts(table);
+    add_rsm(table);
+    add_emission(table);
+    add_sets(table);
+}
+
+}  // namespace ir::methods::photon_mapping

@@ -1,0 +1,202 @@
+#include "renderers/methods/photon-mapping/emission/points.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderers/core/error.h"
+#include "renderers/methods/photon-mapping/emission/texts.h"
+#include "renderers/methods/photon-mapping/records.h"
+#include "renderers/passes/scan/scan.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+using graph::FieldType;
+using graph::PassContext;
+
+/// Points of the first slice of a pass.
+constexpr std::int64_t first_slice = 1 << 14;
+
+graph::BufferRef words(graph::GraphBuilder& builder, graph::ResourceText text, const std::string& field,
+                       std::uint64_t elements) {
+    return builder.buffer({.text = std::move(text),
+                           .fields = {{field, FieldType::u32}},
+                           .elements = std::max<std::uint64_t>(1, elements),
+                           .lower = "photons"});
+}
+
+void divide(const PassContext& p, const Sources& sources, const EmissionPoints& points,
+            const EmissionMaps* maps, graph::CounterRef without) {
+    p.upload(points.samples.sources, std::as_bytes(std::span(sources.elements)));
+    p.barrier();
+    gl::ProgramSource source{{"methods/photon-mapping/emission/budget.comp"},
+                             {{"BY_PROBABILITY", maps ? "1" : "0"}}};
+    const auto& program = p.program(source);
+    program.use();
+    p.bind_buffer(0, points.samples.sources);
+    p.bind_counter(1, without);
+    if (maps) {
+        p.bind_texture(0, maps->haar);
+        program.set("levels", maps->levels);
+    }
+    program.set("points", static_cast<unsigned>(points.count));
+    program.set("source_count", static_cast<unsigned>(sources.elements.size()));
+    program.dispatch(1);
+}
+
+/// What both steps over the points of an RSM bind.
+const gl::Program& use_maps(const PassContext& p, const char* file, const passes::SceneBuffers& scene,
+                            const Rsm& rsm, const EmissionMaps& maps, const Parameters& parameters,
+                            const Sources& sources, const EmissionPoints& points) {
+    gl::ProgramSource source{{file}};
+    const bool warps = parameters.emission == Emission::importance;
+    source.defines["WARPS"] = warps ? "1" : "0";
+    source.defines["PRINTED_POWER"] = warps && parameters.power_scaling == PowerScaling::printed ? "1" : "0";
+    const auto& program = p.program(source);
+    program.use();
+    bind_rsm(p, rsm, scene);
+    p.bind_buffer(2, points.samples.sources);
+    p.bind_buffer(3, points.candidates);
+    p.bind_texture(3, maps.probability);
+    p.bind_texture(4, maps.haar);
+    set_surface_rules(program, parameters);
+    set_emission_set(program, p.inputs(), sources, points, parameters);
+    return program;
+}
+
+void dispatch(const gl::Program& program, graph::Slice slice) {
+    program.set("first_item", static_cast<unsigned>(slice.begin));
+    program.set("end_item", static_cast<unsigned>(slice.end));
+    program.dispatch(slice.end - slice.begin);
+}
+
+}  // namespace
+
+EmissionPoints declare_points(graph::GraphBuilder& builder, const Sources& sources,
+                              const Parameters& parameters) {
+    static_assert(sizeof(SourceData) == 64, "equals its std430 twin");
+    EmissionPoints points;
+    if (!sources.elements.empty())
+        points.count =
+            static_cast<std::uint64_t>(std::max(1, parameters.photons / parameters.photons_per_point));
+    auto& samples = points.samples;
+    samples.photons_per_point = parameters.photons_per_point;
+    samples.paths = points.count * static_cast<std::uint64_t>(parameters.photons_per_point);
+    if (sources.flux > 0 && samples.paths > 0)
+        samples.power_unit = sources.flux / static_cast<float>(samples.paths);
+    const double reserved = std::ceil(static_cast<double>(parameters.reserve) * points.count);
+    samples.points =
+        builder.buffer({.text = text_of(point_outputs(), "photons.samples"),
+                        .kind = OutputKind::point_set,
+                        .fields = sample_point_fields(),
+                        .elements = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(reserved)),
+                        .growable = true,
+                        .lower = "photons"});
+    samples.count = builder.counter({.key = "photons.sample_count",
+                                     .label = "Sample points",
+                                     .doc = "Points of the emission sets that survive.",
+                                     .growth_of = samples.points});
+    samples.sources = builder.buffer({.text = text_of(point_outputs(), "photons.sources"),
+                                      .fields = source_fields(),
+                                      .elements = std::max<std::uint64_t>(1, sources.elements.size())});
+    points.candidates = words(builder,
+                              {.key = "emission.candidates",
+                               .label = "Emission points",
+                               .doc = "For each point of the emission sets where it came to: bits 0-9 texel "
+                                      "x, 10-19 texel y, 20-25 source, 26 set where it survives."},
+                              "place", points.count);
+    points.survivors = words(builder,
+                             {.key = "emission.survivors",
+                              .label = "Surviving points",
+                              .doc = "1 for each point of the emission sets that survives the roulette."},
+                             "survives", points.count);
+    return points;
+}
+
+void divide_points(graph::GraphBuilder& builder, const Sources& sources, const EmissionPoints& points,
+                   const EmissionMaps* maps, const Parameters& parameters) {
+    const auto without = builder.counter({.key = "emission.sources_without_points",
+                                          .label = "Lights without photons",
+                                          .doc = "Maps of lights that shine, but whose share is less than "
+                                                 "half a photon: their light is missing."});
+    const bool by_probability = maps && parameters.budget == Budget::probability;
+    auto pass = builder.pass("photon budget");
+    if (by_probability) pass.reads(maps->haar);
+    pass.writes(points.samples.sources).counts(without);
+    const auto used = by_probability ? std::optional(*maps) : std::nullopt;
+    pass.execute([=](PassContext& p) { divide(p, sources, points, used ? &*used : nullptr, without); });
+}
+
+void find_places(graph::GraphBuilder& builder, EmissionPoints& points) {
+    points.places = passes::exclusive_scan(builder, "emission.survivors", points.survivors, points.count,
+                                           points.samples.count);
+}
+
+void find_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Sources& sources,
+                 const Rsm& rsm, const EmissionMaps& maps, EmissionPoints& points,
+                 const Parameters& parameters) {
+    const auto reads = [&](graph::PassBuilder& pass) {
+        reads_rsm(pass, rsm, scene);
+        pass.reads(maps.probability, maps.haar, points.samples.sources);
+    };
+    const auto items = static_cast<std::int64_t>(points.count);
+    auto warp = builder.pass("emission points");
+    reads(warp);
+    warp.writes(points.candidates, points.survivors)
+        .execute_sliced(
+            items,
+            [=](PassContext& p, graph::Slice slice) {
+                const auto& program = use_maps(p, "methods/photon-mapping/emission/points.comp", scene, rsm,
+                                               maps, parameters, sources, points);
+                p.bind_buffer(4, points.survivors);
+                dispatch(program, slice);
+            },
+            first_slice);
+    find_places(builder, points);
+    auto pack = builder.pass("sample points");
+    reads(pack);
+    pack.reads(points.candidates, points.places)
+        .writes(points.samples.points)
+        .execute_sliced(
+            items,
+            [=](PassContext& p, graph::Slice slice) {
+                const auto& program = use_maps(p, "methods/photon-mapping/emission/samples.comp", scene, rsm,
+                                               maps, parameters, sources, points);
+                p.bind_buffer(4, points.places);
+                p.bind_buffer(5, points.samples.points);
+                program.set("capacity", static_cast<unsigned>(p.capacity(points.samples.points)));
+                program.set("power_unit", points.samples.power_unit);
+                program.set("photons_per_point", static_cast<float>(points.samples.photons_per_point));
+                dispatch(program, slice);
+            },
+            first_slice);
+}
+
+void set_emission_set(const gl::Program& program, const graph::FrameInputs& inputs, const Sources& sources,
+                      const EmissionPoints& points, const Parameters& parameters) {
+    const auto strata = static_cast<unsigned>(parameters.strata);
+    program.set("source_count", static_cast<unsigned>(sources.elements.size()));
+    program.set("all_points", static_cast<unsigned>(points.count));
+    program.set("strata", strata);
+    program.set("stratum", static_cast<unsigned>(inputs.frame) % strata);
+    program.set("seed_low", static_cast<unsigned>(inputs.seed));
+    program.set("seed_high", static_cast<unsigned>(inputs.seed >> 32));
+}
+
+std::vector<OutputDescription> point_outputs() {
+    return {{.key = "photons.samples",
+             .label = "Sample points",
+             .kind = OutputKind::point_set,
+             .semantic = Semantic::position,
+             .unit = "m",
+             .doc = "Where photons leave: points that survived the roulette at the first surface, in the "
+                    "order of their seeds. power: RGB9E5; normal: octahedral; surface: base colour and "
+                    "roughness; origin: texel x and y, layer, metalness; see records.h."},
+            {.key = "photons.sources",
+             .label = "Sources of photons",
+             .doc = "One element per layer of the RSM, or per light whose rays are traced: its place, "
+                    "direction, light, intensity, flux (W, mean of the channels), and which points of the "
+                    "emission set it has."}};
+}
+
+}  // namespace ir::methods::photon_mapping

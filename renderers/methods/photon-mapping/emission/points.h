@@ -1,0 +1,42 @@
+#pragma once
+
+#include "renderers/methods/photon-mapping/emission.h"
+#include "renderers/methods/photon-mapping/emission/probability.h"
+
+namespace ir::methods::photon_mapping {
+
+/// The points of a frame's emission sets, before and after those that do not survive are left out.
+struct EmissionPoints {
+    SamplePoints samples;
+    std::uint64_t count = 0;      ///< points of all sets of the frame
+    graph::BufferRef candidates;  ///< "emission.candidates": for each point bits 0-9 texel x, 10-19 texel y,
+                                  ///< 20-25 source, 26 set where it survives
+    graph::BufferRef survivors;   ///< "emission.survivors": 1 for each point that survives
+    graph::BufferRef places;      ///< in "photons.samples", found by find_places
+};
+
+/// Declares the buffers, for this many points as the parameters ask for; none without a source.
+EmissionPoints declare_points(graph::GraphBuilder& builder, const Sources& sources,
+                              const Parameters& parameters);
+
+/// The pass "photon budget": divides the points among the sources.  [Smal19 §5]
+/// `maps` is null where no probability map is, and intensities decide.
+void divide_points(graph::GraphBuilder& builder, const Sources& sources, const EmissionPoints& points,
+                   const EmissionMaps* maps, const Parameters& parameters);
+
+/// The passes "emission points", which warps them and plays roulette, and "sample points", which packs the
+/// survivors.  [Smal19 §5.3.2-5.3.3]
+void find_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Sources& sources,
+                 const Rsm& rsm, const EmissionMaps& maps, EmissionPoints& points,
+                 const Parameters& parameters);
+
+/// Declares the scan that packs survivors in the order of their seeds.
+void find_places(graph::GraphBuilder& builder, EmissionPoints& points);
+
+/// What emission_set.glsl's users ask for: seed, stratum, counts.
+void set_emission_set(const gl::Program& program, const graph::FrameInputs& inputs, const Sources& sources,
+                      const EmissionPoints& points, const Parameters& parameters);
+
+std::vector<OutputDescription> point_outputs();
+
+}  // namespace ir::methods::photon_mapping

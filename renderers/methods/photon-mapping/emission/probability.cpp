@@ -1,0 +1,133 @@
+#include "renderers/methods/photon-mapping/emission/probability.h"
+
+#include <bit>
+#include <sstream>
+
+#include "renderers/methods/photon-mapping/emission/texts.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+using graph::PassContext;
+
+/// Below this many texels a side all further levels are made in shared memory.
+constexpr int small_size = 32;
+constexpr int small_levels = 5;  ///< 2^5 = small_size
+
+void find_probabilities(const PassContext& p, const passes::SceneBuffers& scene, const Rsm& rsm,
+                        graph::ImageRef map, const Parameters& parameters, graph::Slice slice) {
+    const auto& program = p.program({{"methods/photon-mapping/emission/probability.comp"}});
+    program.use();
+    bind_rsm(p, rsm, scene);
+    p.bind_storage_image(0, map);
+    set_surface_rules(program, parameters);
+    program.set("first_layer", static_cast<int>(slice.begin));
+    program.set("layers_drawn", rsm.views_drawn);
+    program.dispatch(rsm.resolution, rsm.resolution, slice.end - slice.begin);
+}
+
+/// Level 0 comes from the map, each other one from the level below.
+void make_large_levels(const PassContext& p, const EmissionMaps& maps) {
+    const auto& program = p.program({{"methods/photon-mapping/emission/haar.comp"}});
+    program.use();
+    for (int level = 0; maps.resolution >> level > small_size; ++level) {
+        p.bind_texture(0, level == 0 ? maps.probability : maps.haar);
+        p.bind_storage_image(0, maps.haar, level);
+        program.set("level_below", std::max(0, level - 1));
+        program.set("size", maps.resolution >> (level + 1));
+        program.dispatch(maps.resolution >> (level + 1), maps.resolution >> (level + 1), maps.layers);
+        p.barrier();
+    }
+}
+
+void make_small_levels(const PassContext& p, const EmissionMaps& maps) {
+    const int first = std::max(0, maps.levels - small_levels);
+    const auto& program = p.program({{"methods/photon-mapping/emission/haar_small.comp"}});
+    program.use();
+    p.bind_texture(0, first == 0 ? maps.probability : maps.haar);
+    for (int i = 0; i < small_levels; ++i)
+        p.bind_storage_image(i, maps.haar, std::min(first + i, maps.levels - 1));
+    program.set("level_below", std::max(0, first - 1));
+    program.set("size_below", maps.resolution >> first);
+    const auto group = program.work_group_size();
+    program.dispatch(group.x, group.y, maps.layers);
+}
+
+}  // namespace
+
+EmissionMaps haar_pyramid(graph::GraphBuilder& builder, graph::ImageRef map, int resolution, int layers,
+                          const std::string& fingerprint) {
+    EmissionMaps maps;
+    maps.probability = map;
+    maps.resolution = resolution;
+    maps.levels = std::bit_width(static_cast<unsigned>(resolution)) - 1;
+    maps.layers = layers;
+    graph::ImageDesc desc;
+    desc.text = text_of(probability_outputs(), "emission.haar");
+    desc.format = gl::Format::rgba32f;
+    desc.extent = graph::Extent::fixed(resolution / 2, resolution / 2);
+    desc.levels = maps.levels;
+    desc.layers = layers;
+    desc.fingerprint = fingerprint;
+    maps.haar = builder.image(std::move(desc));
+    if (resolution > small_size)
+        builder.pass("Haar pyramid").reads(map).writes(maps.haar).execute([=](PassContext& p) {
+            make_large_levels(p, maps);
+        });
+    builder.pass("Haar pyramid, last levels").reads(map).writes(maps.haar).execute([=](PassContext& p) {
+        make_small_levels(p, maps);
+    });
+    return maps;
+}
+
+EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Rsm& rsm,
+                           const Parameters& parameters) {
+    std::ostringstream fingerprint;
+    fingerprint.precision(9);
+    if (!rsm.fingerprint.empty())
+        fingerprint << rsm.fingerprint << " model " << static_cast<int>(parameters.transport.materials)
+                    << " from " << parameters.photon_near << " to " << parameters.photon_far;
+    graph::ImageDesc desc;
+    desc.text = text_of(probability_outputs(), "emission.probability");
+    desc.format = gl::Format::r32f;
+    desc.extent = graph::Extent::fixed(rsm.resolution, rsm.resolution);
+    desc.layers = rsm.layers;
+    desc.fingerprint = fingerprint.str();
+    const auto map = builder.image(std::move(desc));
+    auto pass = builder.pass("emission probability");
+    reads_rsm(pass, rsm, scene);
+    pass.writes(map).execute_sliced(
+        rsm.layers,
+        [=](PassContext& p, graph::Slice slice) {
+            find_probabilities(p, scene, rsm, map, parameters, slice);
+        },
+        1);
+    return haar_pyramid(builder, map, rsm.resolution, rsm.layers, fingerprint.str());
+}
+
+void set_surface_rules(const gl::Program& program, const Parameters& parameters) {
+    program.set("materials_model", static_cast<int>(parameters.transport.materials));
+    program.set("photon_near", parameters.photon_near);
+    program.set("photon_far", parameters.photon_far);
+}
+
+std::vector<OutputDescription> probability_outputs() {
+    return {
+        {.key = "emission.probability",
+         .label = "Emission probability",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::probability,
+         .doc = "Probability that a photon survives its first surface, times the light's fall-off and the "
+                "texel's extent relative to the map's middle; 0 outside the photon planes and where "
+                "nothing is. Not normalised.",
+         .active_when = from_rsm()},
+        {.key = "emission.haar",
+         .label = "Haar pyramid",
+         .kind = OutputKind::pyramid,
+         .doc = "Haar transform of the emission probability. Each texel stands for a quad of the level "
+                "below (of the map, at level 0): r the mean; g left minus right, b upper minus lower, "
+                "a the diagonals, each a quarter of the difference. The last level is the map's mean.",
+         .active_when = from_rsm()}};
+}
+
+}  // namespace ir::methods::photon_mapping

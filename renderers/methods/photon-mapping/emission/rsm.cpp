@@ -1,0 +1,222 @@
+#include "renderers/methods/photon-mapping/emission/rsm.h"
+
+#include <algorithm>
+
+#include "renderers/methods/photon-mapping/emission/texts.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+using graph::PassContext;
+using graph::Slice;
+using passes::SceneBuffers;
+
+/// As far as shaders care: the transport's lambert makes everything opaque.
+struct Drawing {
+    SceneBuffers scene;
+    Rsm rsm;
+    std::vector<passes::ShadowViewData> views;
+    bool lambert, normal_maps, depth_prepass;
+};
+
+graph::ImageRef declare(graph::GraphBuilder& builder, const Rsm& rsm, graph::ResourceText text,
+                        gl::Format format) {
+    graph::ImageDesc desc;
+    desc.text = std::move(text);
+    desc.format = format;
+    desc.extent = graph::Extent::fixed(rsm.resolution, rsm.resolution);
+    desc.layers = rsm.layers;
+    desc.fingerprint = rsm.fingerprint;
+    return builder.image(std::move(desc));
+}
+
+void bind_scene(const PassContext& p, const SceneBuffers& s) {
+    const graph::BufferRef buffers[] = {s.positions, s.normals, s.tangents, s.uv0,           s.uv1,
+                                        s.colours,   s.indices, s.opacity,  s.opacity_words, s.materials};
+    int binding = 0;
+    for (const auto buffer : buffers) p.bind_buffer(binding++, buffer);
+}
+
+void reads_scene(graph::PassBuilder& pass, const SceneBuffers& s) {
+    pass.reads(s.positions, s.normals, s.tangents, s.uv0, s.uv1, s.colours, s.indices, s.opacity,
+               s.opacity_words, s.materials);
+}
+
+/// Binds the textures that the material has to units 0, 1, …; a bit for each.
+int bind_textures(const PassContext& p, const SceneBuffers& s, const scene::Material& material) {
+    const scene::TextureSlot* slots[] = {&material.base_colour_texture, &material.metallic_roughness_texture,
+                                         &material.normal_texture, &material.transmission_texture};
+    int unit = 0, bound = 0;
+    for (const auto* slot : slots) {
+        if (slot->texture >= 0) {
+            const auto index = static_cast<std::size_t>(slot->texture);
+            p.bind_texture(unit, s.textures.at(index), p.inputs().scene->textures.at(index).sampler);
+            bound |= 1 << unit;
+        }
+        ++unit;
+    }
+    return bound;
+}
+
+void set_view(const gl::Program& program, const passes::ShadowViewData& view, int resolution) {
+    program.use();
+    program.set("clip_from_world", view.clip_from_world);
+    program.set("view_origin_ws", view.origin);
+    program.set("view_right_ws", view.right);
+    program.set("view_up_ws", view.up);
+    program.set("view_forward_ws", view.forward);
+    program.set("perspective", view.perspective);
+    program.set("far", view.far);
+    program.set("resolution", static_cast<float>(resolution));
+}
+
+void draw_ranges(const PassContext& p, const Drawing& d, const gl::Program& program, bool with_textures) {
+    for (const auto& range : p.inputs().world->ranges) {
+        const auto& material = p.inputs().scene->materials.at(static_cast<std::size_t>(range.material));
+        program.set("material_index", range.material);
+        if (with_textures) program.set("textures", bind_textures(p, d.scene, material));
+        p.api().DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first_triangle),
+                           static_cast<GLsizei>(3 * range.triangle_count));
+    }
+}
+
+void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, Slice slice) {
+    bind_scene(p, d.scene);
+    p.bind_empty_vertex_array();
+    p.api().Enable(GL_DEPTH_TEST);
+    for (auto layer = slice.begin; layer < slice.end; ++layer) {
+        const PassContext::Attachment depth{target, static_cast<int>(layer)};
+        p.bind_framebuffer({}, &depth);
+        const float far = 1;
+        p.api().ClearBufferfv(GL_DEPTH, 0, &far);
+        if (static_cast<std::size_t>(layer) >= d.views.size()) continue;
+        const auto& program = p.program(
+            {{"methods/photon-mapping/emission/rsm.vert", "methods/photon-mapping/emission/rsm_depth.frag"}});
+        set_view(program, d.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
+        draw_ranges(p, d, program, false);
+    }
+    p.api().Disable(GL_DEPTH_TEST);
+}
+
+void draw_surfaces(const PassContext& p, const Drawing& d, graph::ImageRef prepass, Slice slice) {
+    if (slice.first) p.upload(d.rsm.views, std::as_bytes(std::span(d.views)));
+    bind_scene(p, d.scene);
+    p.bind_empty_vertex_array();
+    p.api().Enable(GL_DEPTH_TEST);
+    for (auto layer = slice.begin; layer < slice.end; ++layer) {
+        const int index = static_cast<int>(layer);
+        const PassContext::Attachment depth{d.rsm.depth, index};
+        p.bind_framebuffer({{d.rsm.albedo_roughness, index}, {d.rsm.normal_metalness, index}}, &depth);
+        const float zero[4] = {0, 0, 0, 0}, far = 1;
+        for (int i = 0; i < 2; ++i) p.api().ClearBufferfv(GL_COLOR, i, zero);
+        p.api().ClearBufferfv(GL_DEPTH, 0, &far);
+        if (static_cast<std::size_t>(layer) >= d.views.size()) continue;
+        gl::ProgramSource source{
+            {"methods/photon-mapping/emission/rsm.vert", "methods/photon-mapping/emission/rsm.frag"}};
+        if (d.depth_prepass) {
+            source.defines["DEPTH_PREPASS"] = "1";
+            p.bind_texture(4, prepass);
+        }
+        const auto& program = p.program(source);
+        set_view(program, d.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
+        program.set("normal_maps", d.normal_maps ? 1 : 0);
+        program.set("opaque_only", d.lambert ? 1 : 0);
+        if (d.depth_prepass) program.set("layer", index);
+        draw_ranges(p, d, program, true);
+    }
+    p.api().Disable(GL_DEPTH_TEST);
+}
+
+/// The option's own depth, so that the RSM's can be tested against it while it is written.
+graph::ImageRef draw_depth_first(graph::GraphBuilder& builder, const Drawing& drawing) {
+    const auto target = declare(builder, drawing.rsm,
+                                {.key = "rsm.depth_prepass",
+                                 .label = "RSM: depth drawn first",
+                                 .doc = "The shadow map at the RSM's resolution; what lies behind it is not "
+                                        "shaded.",
+                                 .semantic = Semantic::depth},
+                                gl::Format::depth32f);
+    auto pass = builder.pass("RSM depth");
+    reads_scene(pass, drawing.scene);
+    pass.writes(target).execute_sliced(
+        drawing.rsm.layers, [=](PassContext& p, Slice slice) { draw_depth(p, drawing, target, slice); }, 1);
+    return target;
+}
+
+}  // namespace
+
+Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const Sources& sources,
+             const Parameters& parameters) {
+    static_assert(sizeof(passes::ShadowViewData) == 128, "equals its std430 twin");
+    const bool lambert = parameters.transport.materials == Transport::Materials::lambert;
+    Rsm rsm;
+    rsm.resolution = texels(parameters.rsm_resolution);
+    rsm.views_drawn = static_cast<int>(sources.views.size());
+    rsm.layers = std::max(1, rsm.views_drawn);
+    const auto& world = builder.inputs().world_fingerprint;
+    if (!world.empty())
+        rsm.fingerprint = world + " at " + std::to_string(rsm.resolution) + (lambert ? " opaque" : "") +
+                          (parameters.transport.normal_maps ? " mapped" : "");
+    const auto text = [](const char* key) { return text_of(rsm_outputs(), key); };
+    rsm.albedo_roughness = declare(builder, rsm, text("rsm.albedo_roughness"), gl::Format::rgba8);
+    rsm.normal_metalness = declare(builder, rsm, text("rsm.normal_metalness"), gl::Format::rgba16f);
+    rsm.depth = declare(builder, rsm, text("rsm.depth"), gl::Format::depth32f);
+    graph::BufferDesc views;
+    views.text = {"rsm.views", "Views of the RSM"};
+    views.fields = passes::shadow_view_fields();
+    views.elements = static_cast<std::uint64_t>(rsm.layers);
+    views.fingerprint = rsm.fingerprint;
+    rsm.views = builder.buffer(views);
+
+    const Drawing drawing{
+        scene, rsm, sources.views, lambert, parameters.transport.normal_maps, parameters.depth_prepass};
+    graph::ImageRef prepass;
+    if (drawing.depth_prepass) prepass = draw_depth_first(builder, drawing);
+    auto pass = builder.pass("RSM");
+    reads_scene(pass, scene);
+    for (const auto texture : scene.textures) pass.reads(texture);
+    if (drawing.depth_prepass) pass.reads(prepass);
+    pass.writes(rsm.albedo_roughness, rsm.normal_metalness, rsm.depth, rsm.views)
+        .execute_sliced(
+            rsm.layers, [=](PassContext& p, Slice slice) { draw_surfaces(p, drawing, prepass, slice); }, 1);
+    return rsm;
+}
+
+void reads_rsm(graph::PassBuilder& pass, const Rsm& rsm, const SceneBuffers& scene) {
+    pass.reads(rsm.views, scene.lights, rsm.albedo_roughness, rsm.normal_metalness, rsm.depth);
+}
+
+void bind_rsm(const PassContext& context, const Rsm& rsm, const SceneBuffers& scene) {
+    context.bind_buffer(0, rsm.views);
+    context.bind_buffer(1, scene.lights);
+    context.bind_texture(0, rsm.albedo_roughness);
+    context.bind_texture(1, rsm.normal_metalness);
+    context.bind_texture(2, rsm.depth);
+}
+
+std::vector<OutputDescription> rsm_outputs() {
+    const std::string layers = " One layer per spot or directional light, six per point light.";
+    return {
+        {.key = "rsm.albedo_roughness",
+         .label = "RSM: base colour",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::albedo,
+         .doc = "What the light sees: linear base colour; a: roughness. 0 where there is nothing." + layers,
+         .active_when = from_rsm()},
+        {.key = "rsm.normal_metalness",
+         .label = "RSM: normal",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::normal,
+         .doc = "Shading normal in world space, on the light's side; a: 1 + metalness, negative where "
+                "nothing is scattered (glass, unlit surfaces), 0 where there is nothing." +
+                layers,
+         .active_when = from_rsm()},
+        {.key = "rsm.depth",
+         .label = "RSM: depth",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::depth,
+         .doc = "Depth along the map's axis over its far distance." + layers,
+         .active_when = from_rsm()}};
+}
+
+}  // namespace ir::methods::photon_mapping

@@ -1,0 +1,159 @@
+#include "renderers/methods/photon-mapping/emission/sources.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "renderers/passes/lights/punctual.h"
+#include "renderers/passes/scene/light_data.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+using passes::ShadowViewData;
+
+bool is_punctual(const scene::Light& light) {
+    return passes::shadow_layers(light) > 0;
+}
+
+float mean(glm::vec3 rgb) {
+    return (rgb.r + rgb.g + rgb.b) / 3;
+}
+
+/// ∫ profile dω over a face of a cube of maps, in sr, by the midpoints of 64 × 64 texels.
+float solid_angle_of_face(const scene::Light& light, const ShadowViewData& view) {
+    constexpr int texels = 64;
+    double sum = 0;
+    for (int y = 0; y < texels; ++y)
+        for (int x = 0; x < texels; ++x) {
+            const glm::vec2 ndc = (glm::vec2(x, y) + 0.5f) * (2.0f / texels) - 1.0f;
+            const auto direction = view.forward + ndc.x * view.right + ndc.y * view.up;
+            const float squared = glm::dot(direction, direction), size = std::sqrt(squared);
+            const float cosine = glm::dot(direction, light.direction) / size;
+            const float profile =
+                light.type == scene::LightType::spot
+                    ? passes::spot_profile(cosine, std::cos(light.inner_angle), std::cos(light.outer_angle))
+                    : 1;
+            sum += profile / (squared * size);
+        }
+    return static_cast<float>(sum * 4 / (texels * texels));
+}
+
+/// What the layer's intensity is multiplied by for its flux: sr, or m² of a directional light.
+float extent_of_layer(const scene::Light& light, const ShadowViewData& view) {
+    if (view.perspective == 0) return 4 * glm::length(view.right) * glm::length(view.up);
+    if (light.type == scene::LightType::point) return 4 * std::numbers::pi_v<float> / 6;
+    return passes::shadow_layers(light) == 1 ? passes::punctual_solid_angle(light)
+                                             : solid_angle_of_face(light, view);
+}
+
+SourceData source_of(const scene::Light& light, int index, float extent) {
+    SourceData source;
+    source.origin_ws = light.position;
+    source.perspective = light.type == scene::LightType::directional ? 0 : 1;
+    source.direction_ws = light.direction;
+    source.light = static_cast<std::uint32_t>(index);
+    source.intensity = light.colour * light.intensity;
+    source.flux = mean(source.intensity) * extent;
+    return source;
+}
+
+/// The middle of a directional light's map, wherever its photons are found.
+glm::vec3 near_plane_of(const scene::World& world, int light) {
+    for (const auto& view : passes::shadow_views(world, 64))
+        if (view.light == light) return view.origin;
+    return world.bounds.centre();
+}
+
+void count_others(Sources& sources, const scene::Scene& scene, const scene::World& world) {
+    for (const auto& light : world.lights) sources.areas += !is_punctual(light);
+    for (const auto& range : world.ranges) {
+        const auto& emission = scene.materials.at(static_cast<std::size_t>(range.material)).emission;
+        if (std::max({emission.r, emission.g, emission.b}) > 0)
+            sources.emissive_triangles += static_cast<int>(range.triangle_count);
+    }
+    const auto& environment = scene.environment;
+    sources.has_environment = environment.map != nullptr || environment.constant != glm::vec3(0);
+    for (const auto& source : sources.elements) sources.flux += source.flux;
+}
+
+std::string counted(int count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::vector<graph::Field> source_fields() {
+    using graph::FieldType;
+    return {{"origin", FieldType::f32, 3},    {"perspective"},
+            {"direction", FieldType::f32, 3}, {"light", FieldType::u32},
+            {"intensity", FieldType::f32, 3}, {"flux"},
+            {"first_point", FieldType::u32},  {"points", FieldType::u32},
+            {"unused", FieldType::u32, 2}};
+}
+
+std::vector<std::string> Sources::notes() const {
+    std::vector<std::string> result;
+    std::string missing;
+    const auto add = [&](const std::string& part) { missing += (missing.empty() ? "" : ", ") + part; };
+    if (areas > 0) add(counted(areas, "rectangle or disk light"));
+    if (emissive_triangles > 0) add(counted(emissive_triangles, "emissive triangle"));
+    if (has_environment) add("the environment");
+    if (elements.empty()) result.push_back("no point, spot or directional light: there are no photons");
+    if (!missing.empty())
+        result.push_back("photons come from point, spot and directional lights only; none from " + missing);
+    if (beyond > 0)
+        result.push_back("photons come from the first " + std::to_string(most_sources) + " maps of lights; " +
+                         counted(beyond, "light") + " beyond emit none");
+    return result;
+}
+
+Sources layers_of_lights(const scene::Scene& scene, const scene::World& world, int resolution) {
+    Sources sources;
+    int layers = 0, light_beyond = -1;
+    for (const auto& view : passes::shadow_views(world, resolution)) {
+        const auto& light = world.lights[static_cast<std::size_t>(view.light)];
+        // a light has all of its layers or none
+        const bool is_first = sources.views.empty() || sources.views.back().light != view.light;
+        if (is_first && view.light != light_beyond) {
+            layers += passes::shadow_layers(light);
+            if (layers > most_sources) {
+                light_beyond = view.light;
+                layers -= passes::shadow_layers(light);
+                ++sources.beyond;
+            }
+        }
+        if (view.light == light_beyond) continue;
+        sources.views.push_back(view);
+        auto source = source_of(light, view.light, extent_of_layer(light, view));
+        if (view.perspective == 0) source.origin_ws = view.origin;
+        if (light.type == scene::LightType::point) source.direction_ws = view.forward;
+        sources.elements.push_back(source);
+    }
+    count_others(sources, scene, world);
+    return sources;
+}
+
+Sources traced_lights(const scene::Scene& scene, const scene::World& world) {
+    Sources sources;
+    const float radius = world.bounds.radius();
+    for (int i = 0; i < static_cast<int>(world.lights.size()); ++i) {
+        const auto& light = world.lights[static_cast<std::size_t>(i)];
+        if (!is_punctual(light)) continue;
+        if (sources.elements.size() == most_sources) {
+            ++sources.beyond;
+            continue;
+        }
+        const bool is_sun = light.type == scene::LightType::directional;
+        const float extent =
+            is_sun ? std::numbers::pi_v<float> * radius * radius : passes::punctual_solid_angle(light);
+        auto source = source_of(light, i, extent);
+        if (is_sun) source.origin_ws = near_plane_of(world, i);
+        sources.elements.push_back(source);
+    }
+    count_others(sources, scene, world);
+    return sources;
+}
+
+}  // namespace ir::methods::photon_mapping

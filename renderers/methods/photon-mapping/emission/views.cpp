@@ -1,0 +1,216 @@
+#include "renderers/methods/photon-mapping/emission/views.h"
+
+#include <algorithm>
+
+#include "renderers/methods/photon-mapping/emission/histogram.h"
+#include "renderers/methods/photon-mapping/emission/texts.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+using graph::FieldType;
+using graph::PassContext;
+
+/// Elements of "emission.samples"; beyond, every n-th point is shown.
+constexpr std::uint64_t most_elements = 1 << 20;
+/// Points that are shown where no light is: the set as it would be.
+constexpr std::uint64_t points_without_light = 256;
+/// Texels a side of "emission.points" at least, so that points stay apart.
+constexpr int least_picture = 256;
+
+/// What is shown of the points on their way.
+struct Shown {
+    int source = 0;  ///< or Inspection::all
+    int first_step = 0, steps = 1;
+    std::uint64_t points = 0;  ///< of the frame, or of the set without light
+    std::uint64_t stride = 1;  ///< odd: every other point of a radical inverse has one half
+};
+
+Shown shown_points(const Inspection& inspection, const Sources& sources, const EmissionMaps& maps,
+                   const EmissionPoints& points, bool all_steps) {
+    Shown shown;
+    const int last = std::max(0, static_cast<int>(sources.elements.size()) - 1);
+    shown.source = inspection.item(source_selector);
+    if (shown.source != Inspection::all) shown.source = std::clamp(shown.source, 0, last);
+    const int step = inspection.item(warp_selector), count = 2 * maps.levels + 1;
+    const bool all = all_steps || step == Inspection::all;
+    shown.first_step = all ? 0 : std::clamp(step, 0, count - 1);
+    shown.steps = all ? count : 1;
+    shown.points = points.count > 0 ? points.count : points_without_light;
+    if (!all_steps)
+        while (shown.points / shown.stride * static_cast<std::uint64_t>(shown.steps) > most_elements)
+            shown.stride += 2;
+    return shown;
+}
+
+const gl::Program& use(const PassContext& p, const char* file, const Sources& sources,
+                       const EmissionMaps& maps, const EmissionPoints& points, const Parameters& parameters,
+                       const Shown& shown) {
+    gl::ProgramSource source{{file}};
+    source.defines["WARPS"] = parameters.emission == Emission::importance ? "1" : "0";
+    const auto& program = p.program(source);
+    program.use();
+    p.bind_buffer(0, points.samples.sources);
+    p.bind_buffer(1, points.candidates);
+    p.bind_texture(0, maps.probability);
+    p.bind_texture(1, maps.haar);
+    set_emission_set(program, p.inputs(), sources, points, parameters);
+    program.set("shown_source", shown.source);
+    program.set("first_step", shown.first_step);
+    program.set("step_count", shown.steps);
+    program.set("points_without_light", static_cast<unsigned>(points_without_light));
+    return program;
+}
+
+void show_samples(graph::GraphBuilder& builder, const Sources& sources, const EmissionMaps& maps,
+                  const EmissionPoints& points, const Parameters& parameters) {
+    const auto shown = shown_points(builder.inputs().inspection, sources, maps, points, false);
+    const auto steps = static_cast<std::uint64_t>(shown.steps);
+    const auto elements = (shown.points + shown.stride - 1) / shown.stride * steps;
+    const auto buffer = builder.buffer({.text = text_of(view_outputs(), "emission.samples"),
+                                        .kind = OutputKind::point_set,
+                                        .fields = {{"position", FieldType::f32, 3},
+                                                   {source_selector, FieldType::u32},
+                                                   {warp_selector, FieldType::u32},
+                                                   {"point", FieldType::u32},
+                                                   {"survives", FieldType::u32},
+                                                   {"probability", FieldType::f32}},
+                                        .elements = elements,
+                                        .growable = true});
+    const auto count = builder.counter(
+        {.key = "emission.samples_shown", .label = "Emission points shown", .growth_of = buffer});
+    builder.pass("show emission points")
+        .reads(points.samples.sources, points.candidates, maps.probability, maps.haar)
+        .writes(buffer)
+        .counts(count)
+        // Only a pass that runs knows that points are wanted; the builder outlives its passes.
+        .execute([=, &builder](PassContext& p) {
+            if (shown.stride > 1)
+                builder.note("of the emission points shown, one in " + std::to_string(shown.stride) +
+                             " is, so that at most a million result");
+            const auto& program = use(p, "methods/photon-mapping/emission/show_samples.comp", sources, maps,
+                                      points, parameters, shown);
+            p.bind_buffer(2, buffer);
+            p.bind_counter(3, count);
+            program.set("stride", static_cast<unsigned>(shown.stride));
+            program.set("capacity", static_cast<unsigned>(p.capacity(buffer)));
+            program.dispatch(static_cast<std::int64_t>(shown.points));
+        });
+}
+
+void show_picture(graph::GraphBuilder& builder, const Sources& sources, const EmissionMaps& maps,
+                  const EmissionPoints& points, const Parameters& parameters) {
+    auto shown = shown_points(builder.inputs().inspection, sources, maps, points, true);
+    shown.source = std::max(0, shown.source);
+    const int size = std::max(least_picture, maps.resolution);
+    graph::ImageDesc desc;
+    desc.text = text_of(view_outputs(), "emission.points");
+    desc.format = gl::Format::rgba16f;
+    desc.extent = graph::Extent::fixed(size, size);
+    desc.layers = shown.steps;
+    const auto image = builder.image(std::move(desc));
+    builder.pass("draw emission points")
+        .reads(points.samples.sources, points.candidates, maps.probability, maps.haar)
+        .writes(image)
+        .execute([=](PassContext& p) {
+            const auto& map = use(p, "methods/photon-mapping/emission/show_map.comp", sources, maps, points,
+                                  parameters, shown);
+            p.bind_storage_image(0, image);
+            map.dispatch(size, size, shown.steps);
+            p.barrier();
+            const auto& dots = use(p, "methods/photon-mapping/emission/show_points.comp", sources, maps,
+                                   points, parameters, shown);
+            p.bind_storage_image(0, image);
+            dots.dispatch(static_cast<std::int64_t>(shown.points));
+        });
+}
+
+/// Texels of a source's points.
+std::vector<std::uint32_t> texels_of(std::span<const std::uint32_t> candidates, int source, int resolution) {
+    std::vector<std::uint32_t> texels;
+    for (const auto word : candidates)
+        if ((word >> 20 & 63) == static_cast<std::uint32_t>(source))
+            texels.push_back((word & 1023) + static_cast<std::uint32_t>(resolution) * (word >> 10 & 1023));
+    return texels;
+}
+
+void show_histogram(graph::GraphBuilder& builder, const Sources& sources, const EmissionMaps& maps,
+                    const EmissionPoints& points, const Parameters& parameters) {
+    const auto shown = shown_points(builder.inputs().inspection, sources, maps, points, false);
+    const int source = std::max(0, shown.source);
+    const auto table = builder.buffer({.text = text_of(view_outputs(), "emission.histogram"),
+                                       .fields = {{"x", FieldType::i32},
+                                                  {"y", FieldType::i32},
+                                                  {"expected"},
+                                                  {"found"},
+                                                  {"chi_square"},
+                                                  {"degrees", FieldType::i32}},
+                                       .elements = histogram_cells * histogram_cells + 1});
+    const bool warps = parameters.emission == Emission::importance;
+    builder.pass("emission histogram", graph::Queue::cpu)
+        .reads(maps.probability, points.candidates)
+        .writes(table)
+        .execute([=](PassContext& p) {
+            const auto all = p.elements<const std::uint32_t>(points.candidates);
+            const auto used = all.first(std::min<std::size_t>(all.size(), points.count));
+            const auto texels = texels_of(used, source, maps.resolution);
+            const auto drawn = p.pixels<const float>(maps.probability, source);
+            const std::vector<float> map = warps ? std::vector<float>(drawn.begin(), drawn.end())
+                                                 : std::vector<float>(drawn.size(), 1.0f);
+            const auto cells = histogram(map, maps.resolution, texels);
+            std::ranges::copy(cells, p.elements<HistogramCell>(table).begin());
+        });
+}
+
+}  // namespace
+
+void show_emission(graph::GraphBuilder& builder, const Sources& sources, const EmissionMaps& maps,
+                   const EmissionPoints& points, const Parameters& parameters) {
+    show_samples(builder, sources, maps, points, parameters);
+    show_picture(builder, sources, maps, points, parameters);
+    show_histogram(builder, sources, maps, points, parameters);
+}
+
+std::vector<OutputDescription> view_outputs() {
+    return {
+        {.key = "emission.samples",
+         .label = "Warping of points",
+         .kind = OutputKind::point_set,
+         .semantic = Semantic::position,
+         .doc = "The emission set of the map chosen in the unit square, upright, before (warp 0) and after "
+                "each step of warping: horizontally (odd) and vertically (even) in turns, from the whole map "
+                "to texels. All steps stand side by side, maps below each other. survives: 1 where a photon "
+                "leaves. probability: of the texel that the point comes to.",
+         .explains = true,
+         .active_when = from_rsm()},
+        {.key = "emission.points",
+         .label = "Points over the map",
+         .kind = OutputKind::stack,
+         .doc = "The map chosen, as coarse as each step of warping sees it, with the points of the emission "
+                "set: orange where a photon leaves, blue where the roulette ends it. Layer 0: before "
+                "warping; then horizontally and vertically in turns.",
+         .explains = true,
+         .active_when = from_rsm()},
+        {.key = "emission.histogram",
+         .label = "Points against the map",
+         .doc = "In 16 x 16 cells of the map chosen the number of points that its emission probabilities "
+                "expect, and that were found. The last row (x and y are -1) is the sum: all points, chi "
+                "square with cells below 5 expected points pooled, and its degrees of freedom. A "
+                "low-discrepancy set stays far below them.",
+         .explains = true,
+         .active_when = from_rsm()}};
+}
+
+std::vector<SelectorDescription> emission_selectors() {
+    return {{.key = source_selector,
+             .label = "Map of a light",
+             .doc = "The layer of the reflective shadow map whose emission points are shown.",
+             .count = std::to_string(most_sources)},
+            {.key = warp_selector,
+             .label = "Step of warping",
+             .doc = "0: the emission set as it is; then horizontally and vertically in turns, from the whole "
+                    "map to its texels.",
+             .count = "21"}};
+}
+
+}  // namespace ir::methods::photon_mapping

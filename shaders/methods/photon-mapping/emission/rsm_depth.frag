@@ -1,0 +1,8 @@
+// The shadow map at the RSM's resolution.  [Smal19 §5.1]
+
+#include "methods/photon-mapping/emission/rsm_texel.glsl"
+
+void main() {
+    if (!texel_is_covered()) discard;
+    gl_FragDepth = texel_depth();
+}

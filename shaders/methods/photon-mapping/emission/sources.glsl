@@ -1,0 +1,30 @@
+// Which source a point of the frame's emission sets belongs to, and its place in the unit square. Before
+// including, declare records.glsl's `Source sources[]`.
+
+#include "methods/photon-mapping/emission/emission_set.glsl"
+
+uniform uint source_count, all_points, strata, stratum, seed_low, seed_high;
+
+uint source_of_item(uint item) {
+    uint source = 0u;
+    while (source + 1u < source_count && item >= sources[source].first_point + sources[source].points) ++source;
+    return source;
+}
+
+EmissionSet emission_set_of(uint source) {
+    return EmissionSet(sources[source].points, stratum, strata,
+                       emission_shift(source, uvec2(seed_low, seed_high)));
+}
+
+/// Index in the emission set of all sources and the whole cycle.
+uint seed_of_item(uint item) { return stratum * all_points + item; }
+
+float roulette_of_item(uint item) {
+    return unit_float(pcg4d(uvec4(seed_of_item(item), seed_low, seed_high, EMISSION_ROULETTE)).x);
+}
+
+const uint CANDIDATE_SURVIVES = 1u << 26u;
+
+uint packed_candidate(uvec2 texel, uint source, bool survives) {
+    return texel.x | texel.y << 10u | source << 20u | (survives ? CANDIDATE_SURVIVES : 0u);
+}
