@@ -1,0 +1,162 @@
+#include "renderers/methods/photon-mapping/splatting/draw_kernels.h"
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/photon-mapping/splatting/icosahedron.h"
+#include "renderers/methods/photon-mapping/splatting/splat_view.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+using graph::Field;
+using graph::FieldType;
+
+bool is_flat(const Kernels& kernels) {
+    return kernels.parameters.inside_test == InsideTest::linear_depth;
+}
+
+constexpr unsigned corners_of_square = 4, corners_of_icosahedron = 60;
+
+graph::BufferRef declare_command(graph::GraphBuilder& builder, const std::string& key) {
+    return builder.buffer({.text = {.key = key,
+                                    .label = "Command of the draw",
+                                    .doc = "Vertices and instances of the last slice drawn."},
+                           .fields = {{"vertices", FieldType::u32},
+                                      {"instances", FieldType::u32},
+                                      {"first_vertex", FieldType::u32},
+                                      {"base_vertex", FieldType::u32},
+                                      {"base_instance", FieldType::u32}},
+                           .elements = 1});
+}
+
+void write_command(const graph::PassContext& p, const Kernels& kernels, graph::BufferRef command,
+                   PhotonRange range) {
+    const auto& program = p.program({{"methods/photon-mapping/splatting/draw.comp"}});
+    program.use();
+    p.bind_buffer(1, kernels.photons.stored);
+    p.bind_buffer(2, command);
+    program.set("first", static_cast<unsigned>(range.first));
+    program.set("end", static_cast<unsigned>(range.end));
+    program.set("vertices_of_kernel", is_flat(kernels) ? corners_of_square : corners_of_icosahedron);
+    program.dispatch(1);
+    p.barrier();
+}
+
+void bind_targets(const graph::PassContext& p, const Kernels& kernels, const KernelPass& pass) {
+    std::vector<graph::PassContext::Attachment> colours;
+    for (const auto target : pass.targets) colours.push_back({target});
+    const graph::PassContext::Attachment stencil{kernels.surfaces.stencil};
+    p.bind_framebuffer(colours, pass.depth_test ? &stencil : nullptr);
+}
+
+/// Sums, in the order of the buffer; larger depths are closer. The offset keeps rounded corners of an
+/// icosahedron from falling behind the surface that it encloses.
+void set_state(const gl::Api& gl, const Kernels& kernels, const KernelPass& pass) {
+    gl.Enable(GL_BLEND);
+    gl.BlendEquation(GL_FUNC_ADD);
+    gl.BlendFunc(GL_ONE, GL_ONE);
+    gl.Enable(GL_DEPTH_CLAMP);
+    if (!is_flat(kernels)) gl.Enable(GL_CULL_FACE);
+    if (!pass.depth_test) return;
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_GREATER);
+    gl.DepthMask(GL_FALSE);
+    gl.Enable(GL_POLYGON_OFFSET_FILL);
+    gl.PolygonOffset(0.05f, 8);
+}
+
+void draw(const graph::PassContext& p, const Kernels& kernels, graph::BufferRef command) {
+    const auto& gl = p.api();
+    p.bind_empty_vertex_array();
+    gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, p.buffer(command));
+    if (is_flat(kernels)) {
+        gl.DrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr);
+    } else {
+        gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, p.buffer(kernels.corners));
+        gl.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
+        gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);  // part of the vertex array, which others use
+    }
+    gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
+void run(const graph::PassContext& p, graph::Slice slice, const Kernels& kernels, const KernelPass& pass,
+         graph::BufferRef command) {
+    if (slice.first)
+        for (const auto target : pass.targets) p.clear(target);
+    const auto range = photons_of(p, kernels.photons, slice);
+    if (range.first == range.end) return;
+    write_command(p, kernels, command, range);
+    bind_targets(p, kernels, pass);
+    gl::ProgramSource source{
+        {"methods/photon-mapping/splatting/splat.vert", "methods/photon-mapping/splatting/splat.frag"}};
+    source.defines = kernel_defines(kernels);
+    source.defines.insert(pass.defines.begin(), pass.defines.end());
+    const auto& program = p.program(source);
+    program.use();
+    bind_kernels(p, program, kernels);
+    p.bind_buffer(2, kernels.vertices);
+    program.set("first", static_cast<unsigned>(range.first));
+    set_state(p.api(), kernels, pass);
+    draw(p, kernels, command);
+    p.api().Disable(GL_BLEND);
+}
+
+}  // namespace
+
+Kernels declare_kernels(graph::GraphBuilder& builder, const StoredPhotons& photons, graph::ImageRef tiles,
+                        const SplatSurfaces& surfaces, const Parameters& parameters) {
+    Kernels kernels{photons, tiles, surfaces, {}, {}, parameters};
+    const auto solid = icosahedron();
+    kernels.vertices = builder.buffer({.text = {.key = "splat.icosahedron.vertices",
+                                                .label = "Vertices of the icosahedron",
+                                                .doc = "On the unit sphere."},
+                                       .kind = OutputKind::point_set,
+                                       .fields = {{"position", FieldType::f32, 3}},
+                                       .elements = solid.vertices.size(),
+                                       .fingerprint = "1"});
+    kernels.corners = builder.buffer({.text = {.key = "splat.icosahedron.corners",
+                                               .label = "Faces of the icosahedron",
+                                               .doc = "Three vertices each."},
+                                      .fields = {{"vertex", FieldType::u32}},
+                                      .elements = solid.corners.size(),
+                                      .fingerprint = "1"});
+    builder.pass("upload icosahedron")
+        .writes(kernels.vertices, kernels.corners)
+        .execute([=](graph::PassContext& p) {
+            p.upload(kernels.vertices, std::as_bytes(std::span(solid.vertices)));
+            p.upload(kernels.corners, std::as_bytes(std::span(solid.corners)));
+        });
+    return kernels;
+}
+
+std::map<std::string, std::string> kernel_defines(const Kernels& kernels) {
+    std::map<std::string, std::string> defines;
+    if (is_flat(kernels)) defines["LINEAR_DEPTH"] = "1";
+    if (kernels.surfaces.divisor > 1) defines["LOW_RESOLUTION"] = "1";
+    return defines;
+}
+
+void bind_kernels(const graph::PassContext& context, const gl::Program& program, const Kernels& kernels) {
+    set_kernel(program, context.inputs(), kernels.parameters, kernels.photons.power_unit);
+    passes::set_pixel_rays(program, context.inputs().view);
+    context.bind_buffer(0, kernels.photons.records);
+    context.bind_buffer(1, kernels.photons.stored);
+    context.bind_texture(0, kernels.tiles);
+    context.bind_texture(1, kernels.surfaces.surfaces);
+}
+
+void draw_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass) {
+    const auto command = declare_command(builder, pass.command_key);
+    auto declared = builder.pass(pass.name);
+    declared
+        .reads(kernels.photons.records, kernels.photons.stored, kernels.tiles, kernels.vertices,
+               kernels.corners, kernels.surfaces.surfaces)
+        .writes(command);
+    for (const auto target : pass.targets) declared.writes(target);
+    if (pass.depth_test) declared.writes(kernels.surfaces.stencil);
+    declared.execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+        run(p, slice, kernels, pass, command);
+    });
+}
+
+}  // namespace ir::methods::photon_mapping

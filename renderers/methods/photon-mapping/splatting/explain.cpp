@@ -1,0 +1,172 @@
+#include "renderers/methods/photon-mapping/splatting/explain.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/photon-mapping/splatting/outputs.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+using graph::Field;
+using graph::FieldType;
+
+/// Kernels that cover a texel are expected to be no more than this at first.
+constexpr std::uint64_t expected_photons = 1024;
+
+/// As struct Found of explain.comp.
+struct FoundPhoton {
+    std::array<float, 3> centre, axis_u, axis_v, axis_w, contribution, power;
+    std::uint32_t bounce, light;
+    float distance, radius;
+    std::uint32_t photon;
+};
+static_assert(sizeof(FoundPhoton) == 23 * 4);
+
+std::vector<Field> photon_fields_explained() {
+    return {{"centre", FieldType::f32, 3}, {"axis_u", FieldType::f32, 3},       {"axis_v", FieldType::f32, 3},
+            {"axis_w", FieldType::f32, 3}, {"contribution", FieldType::f32, 3}, {"power", FieldType::f32, 3},
+            {"bounce", FieldType::u32},    {"light", FieldType::u32},           {"distance", FieldType::f32},
+            {"radius", FieldType::f32},    {"photon", FieldType::u32}};
+}
+
+/// As the buffer Head of explain.comp.
+struct Head {
+    std::uint32_t found, has_surface;
+    std::array<float, 3> texel_value;
+};
+
+struct Sum {
+    std::uint32_t texel_x, texel_y, photons;
+    std::array<float, 3> gathered, pixel, difference;
+};
+
+struct Explanation {
+    graph::BufferRef found, head, photons, sum;
+    graph::CounterRef found_count, photon_count, sum_count;
+};
+
+Explanation declare(graph::GraphBuilder& builder) {
+    Explanation e;
+    e.found = builder.buffer({.text = {.key = "splat.explain.found",
+                                       .label = "Photons that light the pixel, as found",
+                                       .doc = "In no order."},
+                              .fields = photon_fields_explained(),
+                              .elements = expected_photons,
+                              .growable = true});
+    e.head = builder.buffer({.text = {.key = "splat.explain.head",
+                                      .label = "Pixel that is explained",
+                                      .doc = "How many photons were found, and the texel's value."},
+                             .fields = {{"found", FieldType::u32},
+                                        {"has_surface", FieldType::u32},
+                                        {"texel_value", FieldType::f32, 3}},
+                             .elements = 1,
+                             .cleared = true});
+    e.photons = builder.buffer({.text = text_of_output("splat.explain.photons"),
+                                .kind = OutputKind::glyphs,
+                                .fields = photon_fields_explained(),
+                                .elements = expected_photons,
+                                .growable = true});
+    e.sum = builder.buffer({.text = text_of_output("splat.explain.sum"),
+                            .fields = {{"texel_x", FieldType::u32},
+                                       {"texel_y", FieldType::u32},
+                                       {"photons", FieldType::u32},
+                                       {"gathered", FieldType::f32, 3},
+                                       {"pixel", FieldType::f32, 3},
+                                       {"difference", FieldType::f32, 3}},
+                            .elements = 1,
+                            .growable = true});
+    e.found_count = builder.counter(
+        {.key = "splat.explain.found_count", .label = "Photons found for the pixel", .growth_of = e.found});
+    e.photon_count = builder.counter({.key = "splat.explain.photon_count",
+                                      .label = "Photons that light the pixel",
+                                      .growth_of = e.photons});
+    e.sum_count = builder.counter({.key = "splat.explain.sum_count",
+                                   .label = "Pixels explained",
+                                   .doc = "0 while no pixel is picked, and where it shows no surface.",
+                                   .growth_of = e.sum});
+    return e;
+}
+
+glm::ivec2 picked_texel(const graph::FrameInputs& inputs, int divisor) {
+    const auto& picked = inputs.inspection;
+    const bool inside = picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
+    return inside ? glm::ivec2(picked.x, picked.y) / divisor : glm::ivec2(-1);
+}
+
+void gather(const graph::PassContext& p, graph::Slice slice, const Kernels& kernels,
+            graph::ImageRef irradiance, const Explanation& e) {
+    gl::ProgramSource source{{"methods/photon-mapping/splatting/explain.comp"}};
+    source.defines = kernel_defines(kernels);
+    const auto& program = p.program(source);
+    program.use();
+    bind_kernels(p, program, kernels);
+    p.bind_texture(2, irradiance);
+    p.bind_buffer(2, e.found);
+    p.bind_buffer(3, e.head);
+    p.bind_counter(4, e.found_count);
+    program.set("picked_texel", picked_texel(p.inputs(), kernels.surfaces.divisor));
+    dispatch_photons(p, program, kernels.photons, slice);
+}
+
+/// The largest contribution first, equal ones in the order of the photons.
+bool comes_before(const FoundPhoton& a, const FoundPhoton& b) {
+    const auto total = [](const FoundPhoton& p) {
+        return double(p.contribution[0]) + p.contribution[1] + p.contribution[2];
+    };
+    return total(a) != total(b) ? total(a) > total(b) : a.photon < b.photon;
+}
+
+Sum sum_of(std::span<const FoundPhoton> photons, const Head& head, glm::ivec2 texel) {
+    Sum sum{};
+    sum.texel_x = static_cast<std::uint32_t>(texel.x);
+    sum.texel_y = static_cast<std::uint32_t>(texel.y);
+    sum.photons = static_cast<std::uint32_t>(photons.size());
+    for (std::size_t c = 0; c < 3; ++c) {
+        double gathered = 0;
+        for (const auto& photon : photons) gathered += photon.contribution[c];
+        sum.gathered[c] = static_cast<float>(gathered);
+        sum.pixel[c] = head.texel_value[c];
+        sum.difference[c] = static_cast<float>(head.texel_value[c] - gathered);
+    }
+    return sum;
+}
+
+void sort_and_sum(const graph::PassContext& p, const Kernels& kernels, const Explanation& e) {
+    const auto& head = p.elements<Head>(e.head)[0];
+    if (!head.has_surface) return;
+    const auto found = p.elements<FoundPhoton>(e.found);
+    const auto there = found.first(std::min<std::size_t>(found.size(), head.found));
+    std::vector<FoundPhoton> sorted(there.begin(), there.end());
+    std::sort(sorted.begin(), sorted.end(), comes_before);
+    const auto photons = p.elements<FoundPhoton>(e.photons);
+    std::copy_n(sorted.begin(), std::min(sorted.size(), photons.size()), photons.begin());
+    p.add(e.photon_count, head.found);
+    const auto sums = p.elements<Sum>(e.sum);
+    if (!sums.empty()) sums[0] = sum_of(sorted, head, picked_texel(p.inputs(), kernels.surfaces.divisor));
+    p.add(e.sum_count, 1);
+}
+
+}  // namespace
+
+void explain_pixel(graph::GraphBuilder& builder, const Kernels& kernels, graph::ImageRef irradiance) {
+    const auto e = declare(builder);
+    builder.pass("explain photons of the pixel")
+        .reads(kernels.photons.records, kernels.photons.stored, kernels.tiles, kernels.surfaces.surfaces,
+               irradiance)
+        .writes(e.found, e.head)
+        .counts(e.found_count)
+        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+            gather(p, slice, kernels, irradiance, e);
+        });
+    builder.pass("sort photons of the pixel", graph::Queue::cpu)
+        .reads(e.found, e.head)
+        .writes(e.photons, e.sum)
+        .counts(e.photon_count)
+        .counts(e.sum_count)
+        .execute([=](graph::PassContext& p) { sort_and_sum(p, kernels, e); });
+}
+
+}  // namespace ir::methods::photon_mapping

@@ -1,0 +1,65 @@
+#include "renderers/methods/photon-mapping/splatting/outputs.h"
+
+#include <stdexcept>
+
+namespace ir::methods::photon_mapping {
+
+std::vector<OutputDescription> splatting_outputs() {
+    return {
+        {.key = "splat.irradiance",
+         .label = "Unfiltered irradiance",
+         .semantic = Semantic::irradiance,
+         .unit = "W/m²",
+         .doc =
+             "Sum of all kernels over the texel, at the splatting resolution. A: x of the sum of directions "
+             "to the light, each weighted by R + G + B of what it adds."},
+        {.key = "splat.direction",
+         .label = "Direction of the light, y and z",
+         .doc = "y and z of the sum of directions whose x stands in the irradiance, world space."},
+        {.key = "splat.depth",
+         .label = "Depth at the splatting resolution",
+         .semantic = Semantic::depth,
+         .unit = "m",
+         .doc = "Distance along the view axis of the closest pixel of the texel; infinite: background."},
+        {.key = "splat.tiles",
+         .label = "Photons by tile",
+         .semantic = Semantic::count,
+         .doc = "Photons within each tile of the picture that face the viewer, hidden ones too: what the "
+                "kernels' size comes from."},
+        {.key = "splat.count",
+         .label = "Kernels per texel",
+         .semantic = Semantic::count,
+         .doc = "How many photons add to the texel."},
+        {.key = "photons.overlay",
+         .label = "Photons over the picture",
+         .semantic = Semantic::albedo,
+         .doc = "A dot for each photon that is seen, over the scene in grey: red, green and blue for the "
+                "bounces 1, 2 and 3, then yellow, magenta, cyan, orange and white."},
+        {.key = "splat.explain.photons",
+         .label = "Photons that light the pixel",
+         .kind = OutputKind::glyphs,
+         .unit = "m",
+         .doc = "The kernels that cover the picked pixel's texel, the largest contribution first. "
+                "contribution: RGB, W/m², to the unfiltered irradiance. power: W. distance: from the surface "
+                "to the photon, m. radius: of the kernel across the light, m. photon: its place in the "
+                "photon buffer. Empty while no pixel is picked, and where none is lit.",
+         .explains = true},
+        {.key = "splat.explain.sum",
+         .label = "Sum of the photons against the pixel",
+         .kind = OutputKind::table,
+         .unit = "W/m²",
+         .doc = "gathered: the sum of what the photons above contribute, found by a search through the whole "
+                "photon buffer; pixel: the texel's unfiltered irradiance; difference: pixel less gathered, "
+                "which is rounding: some millionths of it in single precision, up to a half thousandth for "
+                "each kernel in half precision. Empty while no pixel is picked.",
+         .explains = true},
+    };
+}
+
+graph::ResourceText text_of_output(const std::string& key) {
+    for (const auto& output : splatting_outputs())
+        if (output.key == key) return {output.key, output.label, output.doc, output.semantic, output.unit};
+    throw std::logic_error("no output " + key);
+}
+
+}  // namespace ir::methods::photon_mapping

@@ -1,0 +1,128 @@
+#include "renderers/methods/photon-mapping/parameters.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+void add_targets(ParameterTable<Parameters>& table) {
+    table
+        .add(&Parameters::splat_resolution,
+             {.key = "splat_resolution",
+              .label = "Splatting resolution",
+              .doc = "Resolution at which kernels are added up; what comes after it works at the view's.",
+              .citation = "Smal19 §6.2.1",
+              .choices = {{"full", "Full", "A texel for each pixel."},
+                          {"half", "Half", "A texel for 2 × 2 pixels, as published."},
+                          {"quarter", "Quarter", "A texel for 4 × 4 pixels."}},
+              .on_change = OnChange::reallocate})
+        .add(&Parameters::inside_test,
+             {.key = "inside_test",
+              .label = "Inside test",
+              .doc = "Which surfaces a kernel lights.",
+              .citation = "Smal19 §6.2",
+              .choices =
+                  {{"ellipsoid", "Ellipsoid", "Those within the tri-axial ellipsoid."},
+                   {"linear-depth", "Linear depth",
+                    "Those near the kernel's plane along the view axis, seen through its ellipse. Draws 2 "
+                    "triangles a photon in place of 20, but loses surfaces that bend away."}}})
+        .add(&Parameters::precision,
+             {.key = "precision",
+              .label = "Precision",
+              .doc = "Of the sums of irradiance and direction.",
+              .citation = "Smal19 §6.2",
+              .choices = {{"half-float", "Half float", "16 bits a number, as published: 12 bytes a texel."},
+                          {"single-float", "Single float", "32 bits a number: 24 bytes a texel."}},
+              .on_change = OnChange::reallocate});
+}
+
+void add_size(ParameterTable<Parameters>& table) {
+    table
+        .add(&Parameters::tile_size,
+             {.key = "tile_size",
+              .label = "Tile size",
+              .doc = "Side of the tiles whose photons are counted to estimate their density.",
+              .unit = "texels",
+              .citation = "Smal19 §6.1.1",
+              .hard = {1, 1024},
+              .soft = {4, 64},
+              .on_change = OnChange::reallocate})
+        .add(&Parameters::kernel_scale,
+             {.key = "kernel_scale",
+              .label = "Photons in a kernel",
+              .doc =
+                  "How many photons a kernel should hold by the density of its tile, n_tile; radii grow with "
+                  "its root. More is smoother and slower, with more bias.",
+              .citation = "Smal19 eq. 6.2",
+              .hard = {1e-3, 1e4},
+              .soft = {0.25, 16}})
+        .add(&Parameters::radius_min,
+             {.key = "radius_min",
+              .label = "Least radius",
+              .doc = "Bound of the radius that comes from the density, as part of the radius of the scene's "
+                     "bounds. Not printed; the default is 1/500.",
+              .citation = "Smal19 eq. 6.2",
+              .hard = {0, 1},
+              .soft = {0, 0.1}})
+        .add(&Parameters::radius_max,
+             {.key = "radius_max",
+              .label = "Largest radius",
+              .doc = "Bound of the radius that comes from the density, as part of the radius of the scene's "
+                     "bounds. Not printed; the default is 1/20.",
+              .citation = "Smal19 eq. 6.2",
+              .hard = {0, 10},
+              .soft = {0.002, 0.2}})
+        .add(&Parameters::radius_texels,
+             {.key = "radius_texels",
+              .label = "Least radius, texels",
+              .doc = "Kernels are no smaller than this many texels of the splatting resolution, where a "
+                     "texel faces the viewer. √½ lets each be seen by a texel; 0, as published, lets "
+                     "small kernels fall between texels or flash on one.",
+              .unit = "texels",
+              .hard = {0, 100},
+              .soft = {0, 4}});
+}
+
+void add_shape(ParameterTable<Parameters>& table) {
+    table
+        .add(&Parameters::ray_length_floor,
+             {.key = "ray_length_floor",
+              .label = "Least scale of short rays",
+              .doc = "Lower bound of the factor l / l_max by which photons at the end of short rays have "
+                     "smaller kernels.",
+              .citation = "Smal19 app. C",
+              .hard = {1e-3, 1},
+              .soft = {0.02, 1}})
+        .add(&Parameters::ray_length_scale,
+             {.key = "ray_length_scale",
+              .label = "Length of full scale",
+              .doc =
+                  "l_max: kernels at the end of rays of this length and longer have their full size; as part "
+                  "of the radius of the scene's bounds.",
+              .citation = "Smal19 eq. 6.1",
+              .hard = {1e-4, 100},
+              .soft = {0.02, 2}})
+        .add(&Parameters::normal_axis,
+             {.key = "normal_axis",
+              .label = "Thickness",
+              .doc = "s_n: thickness of the kernel along the normal, against its radius. Thin kernels do not "
+                     "light surfaces behind a corner, but leave holes where a surface bends.",
+              .citation = "Smal19 §6.1.2",
+              .hard = {1e-3, 10},
+              .soft = {0.05, 1}})
+        .add(&Parameters::stretch_max,
+             {.key = "stretch_max",
+              .label = "Largest stretch",
+              .doc = "s_max: how far kernels of light at grazing incidence are stretched along it at most.",
+              .citation = "Smal19 eq. 6.3",
+              .hard = {1, 100},
+              .soft = {1, 10}});
+}
+
+}  // namespace
+
+void add_splatting_parameters(ParameterTable<Parameters>& table) {
+    add_targets(table);
+    add_size(table);
+    add_shape(table);
+}
+
+}  // namespace ir::methods::photon_mapping

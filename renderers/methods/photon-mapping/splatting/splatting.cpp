@@ -1,0 +1,54 @@
+#include "renderers/methods/photon-mapping/splatting.h"
+
+#include "renderers/methods/photon-mapping/splatting/explain.h"
+#include "renderers/methods/photon-mapping/splatting/outputs.h"
+#include "renderers/methods/photon-mapping/splatting/overlay.h"
+#include "renderers/methods/photon-mapping/splatting/splat_view.h"
+#include "renderers/methods/photon-mapping/splatting/tiles.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl::Format format,
+                        int divisor) {
+    graph::ImageDesc desc;
+    desc.text = text_of_output(key);
+    desc.format = format;
+    desc.extent = graph::Extent::view(1.0f / static_cast<float>(divisor));
+    return builder.image(std::move(desc));
+}
+
+}  // namespace
+
+Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
+                    const Parameters& parameters) {
+    const int divisor = divisor_of(parameters.splat_resolution);
+    const bool half = parameters.precision == Precision::half_float;
+    const auto stored = stored_photons(builder, photons);
+    const auto tiles = count_tiles(builder, stored, parameters);
+    const auto surfaces = splat_surfaces(builder, gbuffer, divisor);
+    const auto kernels = declare_kernels(builder, stored, tiles, surfaces, parameters);
+
+    Splat splat;
+    splat.divisor = divisor;
+    splat.depth = surfaces.depth;
+    splat.irradiance =
+        declare(builder, "splat.irradiance", half ? gl::Format::rgba16f : gl::Format::rgba32f, divisor);
+    splat.direction =
+        declare(builder, "splat.direction", half ? gl::Format::rg16f : gl::Format::rg32f, divisor);
+    draw_kernels(builder, kernels,
+                 {.name = "splat photons",
+                  .command_key = "splat.command",
+                  .targets = {splat.irradiance, splat.direction}});
+    draw_kernels(builder, kernels,
+                 {.name = "count kernels",
+                  .command_key = "splat.count_command",
+                  .targets = {declare(builder, "splat.count", gl::Format::r32f, divisor)},
+                  .defines = {{"COUNT", "1"}},
+                  .depth_test = false});
+    draw_overlay(builder, gbuffer, stored);
+    explain_pixel(builder, kernels, splat.irradiance);
+    return splat;
+}
+
+}  // namespace ir::methods::photon_mapping

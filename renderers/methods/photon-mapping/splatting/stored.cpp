@@ -1,0 +1,48 @@
+#include "renderers/methods/photon-mapping/splatting/stored.h"
+
+namespace ir::methods::photon_mapping {
+
+StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photons) {
+    StoredPhotons result;
+    result.records = photons.records;
+    result.power_unit = photons.power_unit;
+    result.stored =
+        builder.buffer({.text = {.key = "splat.stored",
+                                 .label = "Photons to splat",
+                                 .doc = "Those stored, as far as the buffer reaches; passes read it on the "
+                                        "device.",
+                                 .semantic = Semantic::count},
+                        .fields = {{"photons", graph::FieldType::u32}},
+                        .elements = 1});
+    builder.pass("count photons")
+        .reads(photons.records)
+        .writes(result.stored)
+        .counts(photons.count)
+        .execute([=](graph::PassContext& p) {
+            const auto& program = p.program({{"methods/photon-mapping/splatting/stored.comp"}});
+            program.use();
+            p.bind_buffer(1, result.stored);
+            p.bind_counter(2, photons.count);
+            program.set("capacity", static_cast<unsigned>(p.capacity(photons.records)));
+            program.dispatch(1);
+        });
+    return result;
+}
+
+PhotonRange photons_of(const graph::PassContext& context, const StoredPhotons& photons, graph::Slice slice) {
+    const auto capacity = context.capacity(photons.records);
+    const auto at = [&](std::int64_t part) {
+        return capacity * static_cast<std::uint64_t>(part) / static_cast<std::uint64_t>(photon_parts);
+    };
+    return {at(slice.begin), at(slice.end)};
+}
+
+void dispatch_photons(const graph::PassContext& context, const gl::Program& program,
+                      const StoredPhotons& photons, graph::Slice slice) {
+    const auto range = photons_of(context, photons, slice);
+    program.set("first", static_cast<unsigned>(range.first));
+    program.set("end", static_cast<unsigned>(range.end));
+    program.dispatch(static_cast<std::int64_t>(range.end - range.first));
+}
+
+}  // namespace ir::methods::photon_mapping

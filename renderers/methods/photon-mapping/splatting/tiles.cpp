@@ -1,0 +1,36 @@
+#include "renderers/methods/photon-mapping/splatting/tiles.h"
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/photon-mapping/splatting/outputs.h"
+#include "renderers/methods/photon-mapping/splatting/splat_view.h"
+
+namespace ir::methods::photon_mapping {
+
+graph::ImageRef count_tiles(graph::GraphBuilder& builder, const StoredPhotons& photons,
+                            const Parameters& parameters) {
+    const int divisor = divisor_of(parameters.splat_resolution);
+    const auto tiles = (texels_of(builder.inputs().view, divisor) + parameters.tile_size - 1) /
+                       glm::ivec2(parameters.tile_size);
+    graph::ImageDesc desc;
+    desc.text = text_of_output("splat.tiles");
+    desc.format = gl::Format::r32ui;
+    desc.extent = graph::Extent::fixed(tiles.x, tiles.y);
+    const auto image = builder.image(desc);
+    builder.pass("count photons of tiles")
+        .reads(photons.records, photons.stored)
+        .writes(image)
+        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+            if (slice.first) p.clear(image);
+            const auto& program = p.program({{"methods/photon-mapping/splatting/tiles.comp"}});
+            program.use();
+            set_splat_view(program, p.inputs(), divisor);
+            program.set("tile_size", parameters.tile_size);
+            p.bind_buffer(0, photons.records);
+            p.bind_buffer(1, photons.stored);
+            p.bind_storage_image(0, image);
+            dispatch_photons(p, program, photons, slice);
+        });
+    return image;
+}
+
+}  // namespace ir::methods::photon_mapping

@@ -1,0 +1,68 @@
+// Gathers one texel over all photons: what a splat adds up, found the other way round.
+#include "methods/photon-mapping/splatting/photon_kernel.glsl"
+#include "methods/photon-mapping/splatting/inside.glsl"
+
+layout(local_size_x = 256) in;
+
+/// As fields of "splat.explain.found".
+struct Found {
+    float centre[3], axis_u[3], axis_v[3], axis_w[3], contribution[3], power[3];
+    uint bounce, light;
+    float distance_m, radius;
+    uint photon;
+};
+layout(std430, binding = 2) writeonly buffer FoundPhotons { Found found[]; };
+layout(std430, binding = 3) buffer Head {
+    uint found_count, has_surface;
+    float texel_value[3];
+};
+layout(std430, binding = 4) buffer FoundCount { uint asked; };
+
+layout(binding = 2) uniform sampler2D irradiance;
+
+uniform uint first, end;
+uniform ivec2 picked_texel;  // negative: none
+
+float[3] components(vec3 v) { return float[3](v.x, v.y, v.z); }
+
+/// As distance to the texel's surface, the farthest of them at lower resolutions.
+float distance_of(Kernel k) {
+    vec2 middle_px = (vec2(picked_texel) + 0.5) * float(divisor), depths = texelFetch(surfaces, picked_texel, 0).xy;
+#ifdef LOW_RESOLUTION
+    float depth = depths.y;
+#else
+    float depth = depths.x;
+#endif
+    return distance(k.centre_ws, pixel_ray_origin(middle_px) + depth * pixel_ray_direction(middle_px));
+}
+
+void write(uint place, uint i, Photon photon, Kernel k) {
+    found[place].centre = components(k.centre_ws);
+    found[place].axis_u = components(k.axes.x * k.u_ws);
+    found[place].axis_v = components(k.axes.y * k.t_ws);
+    found[place].axis_w = components(k.axes.z * k.n_ws);
+    found[place].contribution = components(k.irradiance);
+    found[place].power = components(unpacked_power(photon.power) * power_unit);
+    found[place].bounce = bounce_of(photon);
+    found[place].light = light_of(photon);
+    found[place].distance_m = distance_of(k);
+    found[place].radius = k.radius;
+    found[place].photon = i;
+}
+
+void main() {
+    if (picked_texel.x < 0 || isinf(texelFetch(surfaces, picked_texel, 0).x)) return;
+    uint i = first + gl_GlobalInvocationID.x;
+    if (i == 0u) {
+        has_surface = 1u;
+        texel_value = components(texelFetch(irradiance, picked_texel, 0).rgb);
+    }
+    if (i >= min(end, stored)) return;
+    Photon photon = photons[i];
+    if (!is_splatted(photon)) return;
+    Kernel k = kernel_of(photon);
+    if (!covers_texel(k.centre_ws, k.n_ws, k.u_ws, k.t_ws, k.axes, picked_texel)) return;
+    atomicAdd(asked, 1u);
+    uint place = atomicAdd(found_count, 1u);
+    if (place < uint(found.length())) write(place, i, photon, k);
+}

@@ -1,0 +1,24 @@
+// Photons over a grey picture of the scene, coloured by bounce.  [Smal19 fig. 8.1a]
+layout(binding = 0) uniform usampler2D dots;
+layout(binding = 1) uniform sampler2D albedo;
+layout(binding = 2) uniform sampler2D normals;
+
+uniform vec3 view_axis_ws;
+
+layout(location = 0) out vec4 out_colour;
+
+/// Red, green and blue for the first three bounces, as published; then yellow, magenta, cyan, orange, white.
+const vec3 bounce_colours[8] = vec3[8](vec3(1, 0.05, 0.05), vec3(0.05, 1, 0.05), vec3(0.1, 0.2, 1), vec3(1, 0.9, 0.05),
+                                       vec3(1, 0.1, 1), vec3(0.05, 1, 1), vec3(1, 0.4, 0.02), vec3(1));
+
+float grey(ivec2 pixel) {
+    float luminance = dot(texelFetch(albedo, pixel, 0).rgb, vec3(0.2126, 0.7152, 0.0722));
+    float facing = abs(dot(texelFetch(normals, pixel, 0).xyz, view_axis_ws));
+    return 0.25 * luminance * (0.3 + 0.7 * facing);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    uint bounce = texelFetch(dots, pixel, 0).r & 15u;
+    out_colour = vec4(bounce > 0u ? bounce_colours[(bounce - 1u) % 8u] : vec3(grey(pixel)), 1);
+}

@@ -1,0 +1,34 @@
+// Marks the pixels where photons lie. Of several the same one wins on every device: the largest of numbers drawn
+// from their index, so that no bounce hides another.
+#include "methods/photon-mapping/records.glsl"
+#include "methods/photon-mapping/splatting/splat_view.glsl"
+#include "lib/random.glsl"
+
+layout(local_size_x = 256) in;
+layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
+layout(std430, binding = 1) readonly buffer Stored { uint stored; };
+layout(r32ui, binding = 0) uniform uimage2D dots;
+layout(binding = 0) uniform sampler2D positions;
+
+uniform uint first, end;
+uniform int dot_size;  // pixels
+
+/// Depths of dots and surfaces agree but for the surface's slope within a pixel.
+const float depth_tolerance = 0.01;
+
+bool is_seen(vec3 position_ws) {
+    if (!in_picture(position_ws)) return false;
+    vec4 surface = texelFetch(positions, ivec2(texel_at(position_ws)), 0);
+    return surface.w == 0.0 || view_depth(position_ws) <= (1.0 + depth_tolerance) * view_depth(surface.xyz);
+}
+
+void main() {
+    uint i = first + gl_GlobalInvocationID.x;
+    if (i >= min(end, stored)) return;
+    Photon photon = photons[i];
+    if (!faces_viewer(photon.position_ws, normal_of(photon)) || !is_seen(photon.position_ws)) return;
+    uint key = pcg(i) << 4u | bounce_of(photon);
+    ivec2 corner = ivec2(texel_at(photon.position_ws)) - (dot_size - 1) / 2;
+    for (int y = 0; y < dot_size; ++y)
+        for (int x = 0; x < dot_size; ++x) imageAtomicMax(dots, corner + ivec2(x, y), key);
+}

@@ -1,0 +1,185 @@
+#pragma once
+
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/photon-mapping/records.h"
+#include "renderers/methods/photon-mapping/splatting.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
+#include "tests/unit/passes/pass_fixture.h"
+#include "tests/unit/passes/small_world.h"
+
+namespace ir::test {
+
+namespace pm = methods::photon_mapping;
+
+/// A photon as one would say it; power in W.
+struct SomePhoton {
+    glm::vec3 position_ws{0}, power{1}, normal{0, 0, 1}, direction{0, 0, 1};
+    float ray_length = 1000;
+    int bounce = 1, light = 0;
+};
+
+inline pm::Photon packed(const SomePhoton& photon, float power_unit) {
+    const auto normal = pm::packed_stereographic(photon.normal);
+    const auto direction = pm::packed_stereographic(photon.direction);
+    pm::Photon result{};
+    result.position_ws = photon.position_ws;
+    result.power = pm::packed_power(photon.power / power_unit);
+    result.normal = normal.xy;
+    result.direction = direction.xy;
+    result.ray_length = photon.ray_length;
+    result.bits = (normal.below ? 1u : 0u) | (direction.below ? 2u : 0u) |
+                  static_cast<std::uint32_t>(photon.bounce) << 2 |
+                  static_cast<std::uint32_t>(photon.light) << 6;
+    return result;
+}
+
+/// What a run differs in.
+struct SplatRun {
+    std::vector<SomePhoton> photons;
+    pm::Parameters parameters;
+    float power_unit = 1;
+    std::uint64_t capacity = 0;   ///< 0: as many as there are photons
+    std::uint32_t uncounted = 0;  ///< added to the counter: photons that found no place
+    std::vector<std::string> wanted = {"splat.*", "photons.*", "gbuffer.*", "valid"};
+    Inspection inspection = {};
+    double initial_capacity = 1;
+};
+
+/// As in struct FoundPhoton of the method.
+struct ExplainedPhoton {
+    glm::vec3 centre, axis_u, axis_v, axis_w, contribution, power;
+    std::uint32_t bounce, light;
+    float distance, radius;
+    std::uint32_t photon;
+};
+
+struct ExplainedSum {
+    std::uint32_t texel_x, texel_y, photons;
+    glm::vec3 gathered, pixel, difference;
+};
+
+class SplatTest : public PassTest {
+  protected:
+    /// Declares photons with these contents.
+    static pm::Photons upload(graph::GraphBuilder& builder, const SplatRun& run) {
+        std::vector<pm::Photon> records;
+        for (const auto& photon : run.photons) records.push_back(packed(photon, run.power_unit));
+        pm::Photons photons;
+        photons.power_unit = run.power_unit;
+        photons.records = builder.buffer(
+            {.text = {.key = "photons.records", .label = "Photons"},
+             .kind = OutputKind::point_set,
+             .fields = pm::photon_fields(),
+             .elements = run.capacity ? run.capacity : std::max<std::size_t>(1, records.size())});
+        photons.count = builder.counter({.key = "photons.count", .label = "Photons"});
+        builder.pass("upload photons")
+            .writes(photons.records)
+            .counts(photons.count)
+            .execute([=, uncounted = run.uncounted](graph::PassContext& p) {
+                const auto there = std::min<std::size_t>(records.size(), p.capacity(photons.records));
+                p.upload(photons.records, std::as_bytes(std::span(records).first(there)));
+                const auto count = static_cast<std::uint32_t>(records.size()) + uncounted;
+                p.bind_counter(0, photons.count);
+                GLint64 start = 0;
+                p.api().GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, 0, &start);
+                p.api().BufferSubData(GL_SHADER_STORAGE_BUFFER, start, sizeof count, &count);
+            });
+        return photons;
+    }
+
+    graph::Method method(const SplatRun& run) const {
+        graph::Method method;
+        method.description.id = "test";
+        method.description.outputs = pm::splatting_outputs();
+        method.setup = [run](graph::GraphBuilder& builder, const Settings&) {
+            const auto gbuffer = passes::gbuffer(builder, passes::upload_scene(builder));
+            pm::splat_photons(builder, gbuffer, upload(builder, run), run.parameters);
+        };
+        return method;
+    }
+
+    FrameReport splat(const Shot& shot, const SplatRun& run) {
+        graph::FrameOptions options;
+        options.wanted = run.wanted;
+        options.initial_capacity = run.initial_capacity;
+        auto inputs = shot.inputs();
+        inputs.inspection = run.inspection;
+        const auto report = graph().run(method(run), {}, inputs, options);
+        for (const auto& message : report.messages)
+            EXPECT_NE(message.severity, Severity::error) << message.text;
+        return report;
+    }
+
+    template <class T>
+    std::vector<T> explained(const std::string& key) const {
+        const auto device = graph().device_buffer(key);
+        const auto bytes = graph().read_buffer(key);
+        if (!device || !bytes) throw std::runtime_error("no buffer " + key);
+        std::vector<T> elements(device->elements);
+        std::memcpy(elements.data(), bytes->data(), sizeof(T) * elements.size());
+        return elements;
+    }
+    std::vector<ExplainedPhoton> explained_photons() const {
+        return explained<ExplainedPhoton>("splat.explain.photons");
+    }
+    ExplainedSum explained_sum() const { return explained<ExplainedSum>("splat.explain.sum").at(0); }
+
+    const graph::Graph& graph() const { return const_cast<SplatTest*>(this)->PassTest::graph(); }
+    graph::Graph& graph() { return PassTest::graph(); }
+
+    /// Σ E dA over the plane, W; areas are those at the texels' middles.
+    glm::dvec3 flux(const Shot& shot, glm::vec3 plane_normal, int divisor) const {
+        const auto irradiance = read("splat.irradiance");
+        const auto depth = read(divisor == 1 ? "splat.depth" : "splat.surfaces");
+        const auto rays = passes::pixel_rays(shot.view);
+        const bool orthographic = shot.view.clip_from_view[3][3] == 1;
+        glm::dvec3 sum(0);
+        for (int y = 0; y < irradiance.height; ++y)
+            for (int x = 0; x < irradiance.width; ++x) {
+                const auto px = float(divisor) * glm::vec2(x + 0.5f, y + 0.5f);
+                const auto direction = rays.direction + px.x * rays.direction_dx + px.y * rays.direction_dy;
+                const auto step_x = orthographic ? rays.origin_dx : rays.direction_dx;
+                const auto step_y = orthographic ? rays.origin_dy : rays.direction_dy;
+                const double a = double(glm::length(step_x)) * glm::length(step_y) * divisor * divisor;
+                const double z = orthographic ? 1 : depth.at(x, y);
+                const double area = a * z * z / std::abs(glm::dot(plane_normal, direction));
+                if (std::isfinite(depth.at(x, y))) sum += area * glm::dvec3(rgb(irradiance, x, y));
+            }
+        return sum;
+    }
+};
+
+inline scene::Camera camera_at(glm::vec3 eye, glm::vec3 target, bool orthographic = false) {
+    scene::Camera camera;
+    camera.eye = eye;
+    camera.target = target;
+    camera.up = std::abs(glm::normalize(target - eye).y) > 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+    camera.orthographic = orthographic;
+    camera.height = 4;
+    return camera;
+}
+
+/// A square of 20 m around the origin in z = 0.
+inline scene::Scene wide_square() {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 0, 1}, 10);
+    return small.scene();
+}
+
+inline scene::Camera looking_at(glm::vec3 eye, glm::vec3 target) {
+    return camera_at(eye, target);
+}
+
+/// Kernels of this radius (m) everywhere, whatever the density.
+inline pm::Parameters with_radius(const Shot& shot, float radius) {
+    pm::Parameters parameters;
+    parameters.radius_min = parameters.radius_max = radius / shot.world.bounds.radius();
+    parameters.radius_texels = 0;
+    return parameters;
+}
+
+}  // namespace ir::test

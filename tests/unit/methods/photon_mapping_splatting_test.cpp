@@ -1,0 +1,112 @@
+// A photon's power arrives, whatever the resolution, the inside test, the precision and the view.
+#include "renderers/methods/photon-mapping/splatting/draw_kernels.h"
+#include "renderers/methods/photon-mapping/splatting/splat_view.h"
+#include "renderers/methods/photon-mapping/splatting/tiles.h"
+#include "tests/unit/methods/photon_mapping_splatting_fixture.h"
+
+namespace ir::test {
+namespace {
+
+using pm::InsideTest;
+using pm::Precision;
+using pm::SplatResolution;
+
+constexpr int size = 128;
+
+/// Photons around the origin of the plane z = 0, from all directions above.
+std::vector<SomePhoton> scattered(int count, float extent, unsigned seed = 5) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> place(-extent, extent);
+    std::vector<SomePhoton> photons;
+    for (int i = 0; i < count; ++i) {
+        auto direction = random_direction(random);
+        direction.z = std::abs(direction.z) + 0.1f;
+        photons.push_back({.position_ws = {place(random), place(random), 0},
+                           .power = {1, 0.5f, 0.25f},
+                           .direction = glm::normalize(direction)});
+    }
+    return photons;
+}
+
+struct View {
+    const char* name;
+    glm::vec3 eye;
+    bool orthographic = false;
+};
+const View views[] = {{"facing", {0, 0, 5}},
+                      {"oblique", {4.2f, 0.6f, 2.6f}},
+                      {"parallel", {0.5f, 0.3f, 5}, true},
+                      {"oblique, parallel", {-3, 2, 3}, true}};
+
+class SplattedFlux : public SplatTest,
+                     public testing::WithParamInterface<std::tuple<SplatResolution, InsideTest, Precision>> {
+};
+
+std::string flux_name(const testing::TestParamInfo<SplattedFlux::ParamType>& info) {
+    const char* resolutions[] = {"full", "half", "quarter"};
+    const auto [resolution, test, precision] = info.param;
+    return std::string(resolutions[static_cast<int>(resolution)]) +
+           (test == InsideTest::ellipsoid ? "_ellipsoid" : "_linear") +
+           (precision == Precision::half_float ? "_16" : "_32");
+}
+INSTANTIATE_TEST_SUITE_P(, SplattedFlux,
+                         testing::Combine(testing::Values(SplatResolution::full, SplatResolution::half,
+                                                          SplatResolution::quarter),
+                                          testing::Values(InsideTest::ellipsoid, InsideTest::linear_depth),
+                                          testing::Values(Precision::half_float, Precision::single_float)),
+                         flux_name);
+
+/// 64 kernels of 12 pixels' radius: what their borders gain and lose at the texels' grid averages to less
+/// than the tolerance.
+TEST_P(SplattedFlux, IsThePhotonsPower) {
+    const auto [resolution, test, precision] = GetParam();
+    for (const auto& view : views) {
+        const Shot shot(wide_square(), camera_at(view.eye, {0, 0, 0}, view.orthographic), size, size);
+        SplatRun run{scattered(64, 0.6f), with_radius(shot, 0.4f)};
+        run.parameters.splat_resolution = resolution;
+        run.parameters.inside_test = test;
+        run.parameters.precision = precision;
+        run.wanted = {"splat.irradiance", "splat.depth", "splat.surfaces"};
+        splat(shot, run);
+        const auto sum = flux(shot, {0, 0, 1}, pm::divisor_of(resolution));
+        RecordProperty(view.name, std::to_string(sum.r / 64));
+        if (std::getenv("SHOW")) printf("%s %f\n", view.name, sum.r / 64);
+        EXPECT_NEAR(sum.r / 64, 1, 0.02) << view.name;
+        EXPECT_NEAR(sum.g / sum.r, 0.5, 2e-3) << view.name;
+        EXPECT_NEAR(sum.b / sum.r, 0.25, 2e-3) << view.name;
+    }
+}
+
+using Splatting = SplatTest;
+
+/// The mutant of the flux: vertices on the ellipsoid, as described.
+TEST_F(Splatting, AnIcosahedronWithinTheKernelLosesAQuarterOfTheFlux) {
+    const Shot shot(wide_square(), camera_at({0, 0, 5}, {0, 0, 0}), size, size);
+    const SplatRun run{scattered(64, 0.6f), with_radius(shot, 0.4f)};
+    for (const bool mutant : {false, true}) {
+        PassTest::run(shot, [&](graph::GraphBuilder& builder) {
+            const auto gbuffer = passes::gbuffer(builder, passes::upload_scene(builder));
+            const auto photons = pm::stored_photons(builder, upload(builder, run));
+            const auto kernels =
+                pm::declare_kernels(builder, photons, pm::count_tiles(builder, photons, run.parameters),
+                                    pm::splat_surfaces(builder, gbuffer, 1), run.parameters);
+            graph::ImageDesc desc;
+            desc.text = {.key = "splat.irradiance", .label = "E"};
+            const auto irradiance = builder.image(desc);
+            desc.text = {.key = "splat.direction", .label = "d"};
+            const auto direction = builder.image(desc);
+            pm::KernelPass pass{"draw", "draw.command", {irradiance, direction}, {}};
+            if (mutant) pass.defines["ICOSAHEDRON_SCALE"] = "1.0";
+            pm::draw_kernels(builder, kernels, pass);
+        });
+        const auto sum = flux(shot, {0, 0, 1}, 1);
+        if (std::getenv("SHOW")) printf("mutant %d %f\n", mutant, sum.r / 64);
+        if (mutant)
+            EXPECT_NEAR(sum.r / 64, 0.76, 0.06);
+        else
+            EXPECT_NEAR(sum.r / 64, 1, 0.02);
+    }
+}
+
+}  // namespace
+}  // namespace ir::test
