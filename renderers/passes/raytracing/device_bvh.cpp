@@ -1,0 +1,103 @@
+#include "renderers/passes/raytracing/device_bvh.h"
+
+#include "renderers/graph/pass_context.h"
+
+namespace ir::passes {
+namespace {
+
+using graph::FieldType;
+
+graph::BufferRef declare(graph::GraphBuilder& builder, graph::ResourceText text,
+                         std::vector<graph::Field> fields, std::uint64_t elements) {
+    return builder.buffer({.text = std::move(text),
+                           .fields = std::move(fields),
+                           .elements = elements,
+                           .fingerprint = builder.inputs().world_fingerprint});
+}
+
+graph::BufferRef declare_nodes(graph::GraphBuilder& builder, std::uint64_t triangles) {
+    return declare(builder,
+                   {.key = "scene.bvh",
+                    .label = "Nodes of the BVH",
+                    .doc = "Bounds of the two children of each node. A child is the number of a node, or a "
+                           "leaf: highest bit set, then 3 bits of how many triangles, 28 of the first one.",
+                    .unit = "m"},
+                   {{"left_min", FieldType::f32, 3},
+                    {"left", FieldType::u32},
+                    {"left_max", FieldType::f32, 3},
+                    {"right", FieldType::u32},
+                    {"right_min", FieldType::f32, 3},
+                    {"depth", FieldType::u32},
+                    {"right_max", FieldType::f32, 3},
+                    {"parent", FieldType::u32}},
+                   std::max<std::uint64_t>(1, triangles));
+}
+
+graph::BufferRef declare_triangles(graph::GraphBuilder& builder, std::uint64_t triangles) {
+    return declare(builder,
+                   {.key = "scene.bvh.triangles",
+                    .label = "Triangles of the BVH",
+                    .doc = "Corners in the order of the leaves, number of the triangle in the scene, and 1 + "
+                           "number of its mask (0: opaque).",
+                    .unit = "m"},
+                   {{"a", FieldType::f32, 3},
+                    {"triangle", FieldType::u32},
+                    {"b", FieldType::f32, 3},
+                    {"mask", FieldType::u32},
+                    {"c", FieldType::f32, 3},
+                    {"unused", FieldType::u32}},
+                   triangles);
+}
+
+graph::BufferRef declare_masks(graph::GraphBuilder& builder, std::uint64_t masked) {
+    return declare(builder,
+                   {.key = "scene.bvh.masks",
+                    .label = "Masked triangles of the BVH",
+                    .doc = "Texture coordinates of the corners, and the material whose alpha mask is asked."},
+                   {{"uv", FieldType::f32, 6}, {"material", FieldType::u32}, {"unused", FieldType::u32}},
+                   masked);
+}
+
+/// The buffers of an earlier call for the same frame.
+int find_buffer(const graph::GraphBuilder& builder, const std::string& key) {
+    const auto& buffers = builder.buffers();
+    for (std::size_t i = 0; i < buffers.size(); ++i)
+        if (buffers[i].text.key == key) return static_cast<int>(i);
+    return -1;
+}
+
+template <class T>
+void fill(const graph::PassContext& context, graph::BufferRef ref, const std::vector<T>& data) {
+    std::copy(data.begin(), data.end(), context.elements<T>(ref).begin());
+}
+
+void build(const graph::PassContext& context, const DeviceBvh& bvh) {
+    const auto& inputs = context.inputs();
+    const auto data = build_device_bvh(*inputs.scene, *inputs.world, inputs.threads);
+    fill(context, bvh.nodes, data.nodes);
+    fill(context, bvh.triangles, data.triangles);
+    fill(context, bvh.masks, data.masks);
+    if (data.left_out > 0)
+        context.warn("ray tracing: " + std::to_string(data.left_out) +
+                     " triangles have corners that are not finite or beyond 1e18 m; no ray hits them");
+}
+
+}  // namespace
+
+DeviceBvh device_bvh(graph::GraphBuilder& builder) {
+    if (find_buffer(builder, "scene.bvh") >= 0)
+        return {{find_buffer(builder, "scene.bvh")},
+                {find_buffer(builder, "scene.bvh.triangles")},
+                {find_buffer(builder, "scene.bvh.masks")}};
+    const auto& world = *builder.inputs().world;
+    DeviceBvh result;
+    result.nodes = declare_nodes(builder, world.triangles());
+    result.triangles = declare_triangles(builder, world.triangles());
+    result.masks = declare_masks(builder, world.triangles() - world.opaque_triangles);
+    builder.pass("device BVH", graph::Queue::cpu)
+        .writes(result.nodes, result.triangles, result.masks)
+        .execute([result](graph::PassContext& context) { build(context, result); });
+    return result;
+}
+
+}  // namespace ir::passes

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "renderers/graph/builder.h"
+#include "renderers/scene/world.h"
+
+namespace ir::passes {
+
+/// What a node's word says of a child: an inner node's index, or with `bvh_leaf` set a leaf's number of
+/// triangles (bits 28-30) and the index of the first one in the BVH's order (bits 0-27).
+constexpr std::uint32_t bvh_leaf = 0x80000000u, bvh_no_child = bvh_leaf;
+constexpr std::uint32_t bvh_leaf_size = 4;
+constexpr std::uint64_t bvh_most_triangles = 1u << 28;
+/// Inner nodes on the longest way from the root. A traversal's stack needs no more room.
+constexpr int bvh_most_depth = 64;
+
+/// 64 bytes: both children with their bounds, so that a ray loads one line of a cache to choose.
+struct BvhNode {
+    glm::vec3 left_min_ws;
+    std::uint32_t left;
+    glm::vec3 left_max_ws;
+    std::uint32_t right;
+    glm::vec3 right_min_ws;
+    std::uint32_t depth;  ///< 0: root, which is node 0
+    glm::vec3 right_max_ws;
+    std::uint32_t parent;
+};
+
+/// 48 bytes, in the order of the leaves: no index has to be followed to reach the corners.
+struct BvhTriangle {
+    glm::vec3 a_ws;
+    std::uint32_t triangle;  ///< of World::indices
+    glm::vec3 b_ws;
+    std::uint32_t mask;  ///< 1 + index into the masks; 0: opaque
+    glm::vec3 c_ws;
+    std::uint32_t unused;
+};
+
+/// 32 bytes: where a masked triangle looks up its alpha mask.
+struct BvhMask {
+    glm::vec2 uv[3];  ///< of the base colour, after its transform
+    std::uint32_t material;
+    std::uint32_t unused;
+};
+
+/// A binary BVH over a world's triangles, and what it says on paper.
+struct DeviceBvhData {
+    std::vector<BvhNode> nodes;  ///< depth first; never empty
+    std::vector<BvhTriangle> triangles;
+    std::vector<BvhMask> masks;
+    int depth = 0;             ///< inner nodes on the longest way from the root
+    std::size_t left_out = 0;  ///< triangles whose corners are not finite, or beyond 1e18 m
+};
+
+/// Built by Embree's builder with the surface area heuristic, `threads` threads (0: all); the same bits for
+/// any number of them. Throws Error where Embree fails, e.g. for want of memory, and beyond 2^28 triangles.
+DeviceBvhData build_device_bvh(const scene::Scene& scene, const scene::World& world, int threads = 0);
+
+struct DeviceBvh {
+    graph::BufferRef nodes, triangles, masks;  ///< "scene.bvh", "scene.bvh.triangles", "scene.bvh.masks"
+};
+
+/// Declares the pass "device BVH" (cpu), kept while the world stays the same; what it has declared where it
+/// is called again.
+DeviceBvh device_bvh(graph::GraphBuilder& builder);
+
+}  // namespace ir::passes

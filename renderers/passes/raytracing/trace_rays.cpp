@@ -1,0 +1,149 @@
+#include "renderers/passes/raytracing/trace_rays.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/raytracing/device_bvh.h"
+
+namespace ir::passes {
+namespace {
+
+static_assert(sizeof(RayRecord) == 32 && sizeof(RayHitRecord) == 16, "structs equal their std430 twins");
+
+constexpr std::int64_t lanes = 16;
+
+/// The same as in trace.comp: neither NaN nor infinite.
+bool is_ray(const RayRecord& ray) {
+    const auto sum = ray.origin_ws + ray.direction_ws;
+    return ray.far > 0 && std::isfinite(sum.x) && std::isfinite(sum.y) && std::isfinite(sum.z);
+}
+
+/// The object that the method or an earlier pass has declared, or a new one.
+graph::ObjectRef bvh_of(graph::GraphBuilder& builder) {
+    const auto& objects = builder.objects();
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (objects[i].text.key == "raytracing.bvh") return {static_cast<int>(i)};
+    return bvh(builder);
+}
+
+/// Traces up to sixteen rays.
+void trace_packet(const Bvh& bvh, std::span<const RayRecord> rays, std::span<RayHitRecord> hits) {
+    Bvh::Packet16 packet;
+    for (std::size_t i = 0; i < lanes; ++i) {
+        const bool active = i < rays.size() && is_ray(rays[i]);
+        const auto ray = active ? rays[i] : RayRecord{{0, 0, 0}, 1, {0, 0, 1}, 0};
+        packet.active[i] = active ? -1 : 0;
+        packet.ox[i] = ray.origin_ws.x, packet.oy[i] = ray.origin_ws.y, packet.oz[i] = ray.origin_ws.z;
+        packet.dx[i] = ray.direction_ws.x, packet.dy[i] = ray.direction_ws.y;
+        packet.dz[i] = ray.direction_ws.z;
+        packet.near[i] = 0, packet.far[i] = ray.far;
+    }
+    Hit found[lanes];
+    bvh.closest_hits16(packet, false, found);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        hits[i] = {found[i].distance, found[i].triangle, found[i].u, found[i].v};
+}
+
+void trace_packets(const graph::PassContext& context, graph::ObjectRef bvh, const RayBuffers& buffers,
+                   graph::Slice slice) {
+    const auto rays = context.elements<const RayRecord>(buffers.rays);
+    const auto hits = context.elements<RayHitRecord>(buffers.hits);
+    const auto scene = context.object<Bvh>(bvh);
+    const int threads = context.inputs().threads;
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t packet) {
+            const auto first = static_cast<std::size_t>(packet * lanes);
+            const auto count = std::min<std::size_t>(lanes, buffers.capacity - first);
+            trace_packet(*scene, rays.subspan(first, count), hits.subspan(first, count));
+        });
+    });
+}
+
+void trace_with_embree(graph::GraphBuilder& builder, const std::string& name, const RayBuffers& buffers) {
+    const auto scene = bvh_of(builder);
+    const auto packets = (static_cast<std::int64_t>(buffers.capacity) + lanes - 1) / lanes;
+    builder.pass(name, graph::Queue::cpu)
+        .reads(scene, buffers.rays)
+        .writes(buffers.hits)
+        .execute_sliced(packets, [=](graph::PassContext& context, graph::Slice slice) {
+            trace_packets(context, scene, buffers, slice);
+        });
+}
+
+/// So that every device takes a part of the rays in one dispatch of groups of 64.
+constexpr std::int64_t rays_of_dispatch = 64 * 65535;
+
+void trace_on_device(graph::GraphBuilder& builder, const std::string& name, const SceneBuffers& scene,
+                     const RayBuffers& buffers) {
+    const auto bvh = device_bvh(builder);
+    const auto unfinished = builder.counter(
+        {.key = "raytracing.unfinished",
+         .label = "Unfinished rays",
+         .doc = "Rays that met more nodes than a traversal may visit; their hit may not be the first one."});
+    builder.pass(name)
+        .reads(buffers.rays, bvh.nodes, bvh.triangles, bvh.masks, scene.opacity, scene.opacity_words)
+        .writes(buffers.hits)
+        .counts(unfinished)
+        .execute_sliced(static_cast<std::int64_t>(buffers.capacity), [=](graph::PassContext& context,
+                                                                         graph::Slice slice) {
+            const graph::BufferRef bound[] = {buffers.rays, buffers.hits,  bvh.nodes,          bvh.triangles,
+                                              bvh.masks,    scene.opacity, scene.opacity_words};
+            for (int i = 0; i < 7; ++i) context.bind_buffer(i, bound[i]);
+            context.bind_counter(7, unfinished);
+            const auto& program = context.program({{"passes/raytracing/trace.comp"}});
+            program.use();
+            for (auto first = slice.begin; first < slice.end; first += rays_of_dispatch) {
+                const auto end = std::min(slice.end, first + rays_of_dispatch);
+                program.set("first_ray", static_cast<unsigned>(first));
+                program.set("end_ray", static_cast<unsigned>(end));
+                program.dispatch(end - first);
+            }
+        });
+}
+
+}  // namespace
+
+RayBuffers declare_rays(graph::GraphBuilder& builder, const std::string& key, std::uint64_t rays) {
+    using graph::FieldType;
+    RayBuffers result;
+    result.capacity = rays;
+    result.rays = builder.buffer({.text = {.key = key + ".rays",
+                                           .label = "Rays",
+                                           .doc = "Rays that were traced last: origin, unit direction and "
+                                                  "largest distance; 0: no ray.",
+                                           .semantic = Semantic::position,
+                                           .unit = "m"},
+                                  .fields = {{"origin", FieldType::f32, 3},
+                                             {"far", FieldType::f32},
+                                             {"direction", FieldType::f32, 3},
+                                             {"unused", FieldType::f32}},
+                                  .elements = rays});
+    result.hits = builder.buffer({.text = {.key = key + ".hits",
+                                           .label = "Hits of rays",
+                                           .doc = "First hit of each ray: distance (infinite: none), "
+                                                  "triangle, weights of its second and third corner.",
+                                           .semantic = Semantic::depth,
+                                           .unit = "m"},
+                                  .fields = {{"distance", FieldType::f32},
+                                             {"triangle", FieldType::u32},
+                                             {"u", FieldType::f32},
+                                             {"v", FieldType::f32}},
+                                  .elements = rays});
+    return result;
+}
+
+void trace_rays(graph::GraphBuilder& builder, const std::string& name, const SceneBuffers& scene,
+                Tracer tracer, const RayBuffers& buffers) {
+    if (tracer == Tracer::compute)
+        trace_on_device(builder, name, scene, buffers);
+    else
+        trace_with_embree(builder, name, buffers);
+}
+
+}  // namespace ir::passes

@@ -1,0 +1,23 @@
+// Rays and their first hits, as renderers/passes/raytracing/trace_rays.h describes them. Every ray of the
+// buffer is traced that has far > 0. Declare the buffers where they are used:
+//
+//   layout(std430, binding = N) buffer Rays { Ray rays[]; };
+
+struct Ray {
+    vec3 origin_ws;
+    float far;  // hits beyond are none; <= 0: no ray
+    vec3 direction_ws;  // of unit length
+    float unused;
+};
+
+struct RayHit {
+    float distance;  // infinite: nothing is hit
+    uint triangle;
+    float u, v;  // weights of the triangle's second and third corner
+};
+
+const float RAY_INFINITY = uintBitsToFloat(0x7f800000u);
+
+Ray no_ray() { return Ray(vec3(0), 0.0, vec3(0, 0, 1), 0.0); }
+RayHit no_hit() { return RayHit(RAY_INFINITY, 0u, 0.0, 0.0); }
+bool is_hit(RayHit hit) { return hit.distance < RAY_INFINITY; }

@@ -1,0 +1,27 @@
+// The first hits of the rays of a buffer. One invocation: one ray.
+layout(local_size_x = 64) in;
+#define BVH_NODES 2
+#define BVH_TRIANGLES 3
+#define BVH_MASKS 4
+#define COVERAGE_OPACITY 5
+#define COVERAGE_OPACITY_WORDS 6
+#include "passes/raytracing/bvh.glsl"
+
+layout(std430, binding = 0) readonly buffer Rays { Ray rays[]; };
+layout(std430, binding = 1) writeonly buffer Hits { RayHit hits[]; };
+layout(std430, binding = 7) buffer Unfinished { uint unfinished; };
+
+uniform uint first_ray, end_ray;
+
+bool is_finite(vec3 v) { return !any(isnan(v)) && !any(isinf(v)); }
+
+void main() {
+    uint i = first_ray + gl_GlobalInvocationID.x;
+    if (i >= end_ray) return;
+    Ray ray = rays[i];
+    RayHit hit = no_hit();
+    // The sum is finite where both are.
+    if (ray.far > 0.0 && is_finite(ray.origin_ws + ray.direction_ws))
+        if (!find_first_hit(ray, hit)) atomicAdd(unfinished, 1u);
+    hits[i] = hit;
+}
