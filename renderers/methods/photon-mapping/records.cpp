@@ -1,0 +1,69 @@
+#include "renderers/methods/photon-mapping/records.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+using graph::FieldType;
+
+/// Of RGB9E5.  [OpenGL 4.5 §8.25]
+constexpr int mantissa_bits = 9, exponent_bias = 15;
+constexpr float largest_power = 65408;
+constexpr std::uint32_t mantissa_mask = (1u << mantissa_bits) - 1;
+
+float representable(float power) {
+    return power > 0 ? std::min(power, largest_power) : 0.0f;  // NaN is not above 0
+}
+
+/// In units of 2^(shared_exponent - 24).
+std::uint32_t mantissa(float power, int shared_exponent) {
+    const float scaled = std::ldexp(power, mantissa_bits + exponent_bias - shared_exponent);
+    return static_cast<std::uint32_t>(std::nearbyint(scaled));
+}
+
+}  // namespace
+
+std::vector<graph::Field> sample_point_fields() {
+    return {{"position", FieldType::f32, 3}, {"power", FieldType::u32},  {"normal", FieldType::u32},
+            {"surface", FieldType::u32},     {"origin", FieldType::u32}, {"seed", FieldType::u32}};
+}
+
+std::vector<graph::Field> photon_fields() {
+    return {{"position", FieldType::f32, 3}, {"power", FieldType::u32},      {"normal", FieldType::u32},
+            {"direction", FieldType::u32},   {"ray_length", FieldType::f32}, {"bits", FieldType::u32}};
+}
+
+std::uint32_t packed_power(glm::vec3 power) {
+    const glm::vec3 c(representable(power.r), representable(power.g), representable(power.b));
+    const float largest = std::max({c.r, c.g, c.b});
+    if (largest <= 0) return 0;
+    int exponent = 0;
+    std::frexp(largest, &exponent);  // largest = m 2^exponent, m in [1/2, 1)
+    int shared_exponent = std::max(-exponent_bias - 1, exponent - 1) + exponent_bias + 1;
+    if (mantissa(largest, shared_exponent) > mantissa_mask) ++shared_exponent;
+    return mantissa(c.r, shared_exponent) | mantissa(c.g, shared_exponent) << mantissa_bits |
+           mantissa(c.b, shared_exponent) << 2 * mantissa_bits |
+           static_cast<std::uint32_t>(shared_exponent) << 3 * mantissa_bits;
+}
+
+glm::vec3 unpacked_power(std::uint32_t bits) {
+    const auto channel = [&](int i) { return static_cast<float>(bits >> i * mantissa_bits & mantissa_mask); };
+    const int shared_exponent = static_cast<int>(bits >> 3 * mantissa_bits);
+    const float unit = std::ldexp(1.0f, shared_exponent - mantissa_bits - exponent_bias);
+    return unit * glm::vec3(channel(0), channel(1), channel(2));
+}
+
+StereographicDirection packed_stereographic(glm::vec3 unit) {
+    return {glm::packHalf2x16(glm::vec2(unit) / (1 + std::abs(unit.z))), unit.z < 0};
+}
+
+glm::vec3 unpacked_stereographic(std::uint32_t xy, bool below) {
+    const auto p = glm::unpackHalf2x16(xy);
+    const float d = glm::dot(p, p);
+    return glm::vec3(2.0f * p, below ? d - 1 : 1 - d) / (1 + d);
+}
+
+}  // namespace ir::methods::photon_mapping
