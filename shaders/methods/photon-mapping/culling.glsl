@@ -21,9 +21,9 @@ bool is_outside(CullingView view, vec3 position_ws) {
     return min(min(distances.x, distances.y), min(distances.z, distances.w)) < -reach_at(view, position_ws);
 }
 
-/// Whether the photon's surface turns its back to the camera from everywhere within the kernel's reach: nothing
-/// that is seen continues the surface that it lies on.
+/// Whether the photon lies on a side of its surface that the camera does not see: such photons are never
+/// splatted. A little less is culled, so that rounding does not decide.
 bool faces_away(CullingView view, vec3 position_ws, vec3 normal_ws) {
-    float facing = dot(normal_ws, view.eye_ws.xyz - view.eye_ws.w * position_ws);
-    return facing < -view.eye_ws.w * reach_at(view, position_ws);
+    vec3 to_eye = view.eye_ws.xyz - view.eye_ws.w * position_ws;
+    return dot(normal_ws, to_eye) < -1e-5 * length(to_eye);
 }

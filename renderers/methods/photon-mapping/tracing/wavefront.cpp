@@ -74,10 +74,12 @@ CullingView culling_view(const scene::View& view, const Parameters& parameters, 
     const auto backwards = glm::vec3(glm::transpose(view.view_from_world)[2]);
     result.eye_ws = is_perspective ? glm::vec4(view.eye_ws, 1) : glm::vec4(backwards, 0);
     const float longest = std::max({1.0f, parameters.stretch_max, parameters.normal_axis});
-    result.reach = longest * parameters.radius_max * scene_radius * std::sqrt(parameters.kernel_scale);
+    const float radius = std::max(parameters.radius_min, parameters.radius_max) * scene_radius;
+    result.reach = longest * radius * std::sqrt(parameters.kernel_scale);
     const auto divisor = static_cast<float>(1 << index_of(parameters.splat_resolution));
     const float texel = divisor * 2 / (std::abs(view.clip_from_view[1][1]) * static_cast<float>(view.height));
-    result.texel_reach = longest * parameters.radius_texels * texel;
+    // at the right and lower edge a texel may end outside of the picture
+    result.texel_reach = longest * std::max(1.0f, parameters.radius_texels) * texel;
     return result;
 }
 

@@ -1,0 +1,192 @@
+#pragma once
+
+#include <cstring>
+#include <random>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/photon-mapping/records.h"
+#include "renderers/methods/photon-mapping/tracing.h"
+#include "renderers/passes/surface/triangle_plane.h"
+#include "tests/unit/passes/pass_fixture.h"
+#include "tests/unit/passes/small_world.h"
+
+namespace ir::test {
+
+using methods::photon_mapping::MicrofacetSampling;
+using methods::photon_mapping::Parameters;
+using methods::photon_mapping::Photon;
+using methods::photon_mapping::Roulette;
+using methods::photon_mapping::SamplePoint;
+
+/// struct Source of records.glsl.
+struct TestSource {
+    glm::vec3 origin_ws{0};
+    float perspective = 1;
+    glm::vec3 direction_ws{0, -1, 0};
+    std::uint32_t light = 0;
+    glm::vec3 intensity{1};
+    float flux = 1;
+    std::uint32_t first_point = 0, points = 0, unused[2] = {};
+};
+static_assert(sizeof(TestSource) == 64);
+
+/// A row of "photons.tally".
+struct TallyRow {
+    std::uint32_t bounce, rays, missed, stored, culled, absorbed, cut;
+    glm::vec3 power;
+};
+static_assert(sizeof(TallyRow) == 40);
+
+/// What a sample point is made of.
+struct FirstHit {
+    glm::vec3 position_ws, normal_ws, base_colour{1};
+    float roughness = 1, metallic = 0;
+    glm::vec3 power{1};
+};
+
+inline std::uint32_t octahedral(glm::vec3 n) {
+    glm::vec2 p = glm::vec2(n) / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+    if (n.z < 0) {
+        const glm::vec2 folded = 1.0f - glm::abs(glm::vec2(p.y, p.x));
+        p = {p.x >= 0 ? folded.x : -folded.x, p.y >= 0 ? folded.y : -folded.y};
+    }
+    const auto bits = [](float x) {
+        return static_cast<std::uint32_t>(static_cast<std::uint16_t>(std::lround(x * 32767)));
+    };
+    return bits(p.x) | bits(p.y) << 16;
+}
+
+inline SamplePoint sample_point(const FirstHit& hit, std::uint32_t seed) {
+    SamplePoint point{};
+    point.position_ws = hit.position_ws;
+    point.power = methods::photon_mapping::packed_power(hit.power);
+    point.normal = octahedral(hit.normal_ws);
+    const auto byte = [](float x) { return static_cast<std::uint32_t>(std::lround(x * 255)); };
+    point.surface = byte(hit.base_colour.r) | byte(hit.base_colour.g) << 8 | byte(hit.base_colour.b) << 16 |
+                    byte(hit.roughness) << 24;
+    point.origin = static_cast<std::uint32_t>(std::lround(hit.metallic * 63)) << 26;
+    point.seed = seed;
+    return point;
+}
+
+/// With a normal for each triangle, so that shading normals are geometric ones.
+inline scene::Scene flat_shaded(scene::Scene scene) {
+    for (auto& mesh : scene.meshes) {
+        auto flat = mesh;
+        flat.positions.clear(), flat.normals.clear(), flat.uv0.clear(), flat.indices.clear();
+        flat.tangents.clear(), flat.uv1.clear(), flat.colours.clear();
+        for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+            const auto* corner = &mesh.indices[i - i % 3];
+            flat.positions.push_back(mesh.positions[mesh.indices[i]]);
+            flat.normals.push_back(passes::triangle_normal(
+                mesh.positions[corner[0]], mesh.positions[corner[1]], mesh.positions[corner[2]]));
+            flat.uv0.emplace_back(0, 0);
+            flat.indices.push_back(static_cast<std::uint32_t>(i));
+        }
+        mesh = std::move(flat);
+    }
+    return scene;
+}
+
+/// Points on the triangles of a world, each with the power 1 and seeds from 0.
+inline std::vector<SamplePoint> random_points(const scene::World& world, int count, const FirstHit& material,
+                                              unsigned seed = 5) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> unit(0, 1);
+    std::vector<SamplePoint> points;
+    for (int i = 0; i < count; ++i) {
+        const auto triangle = random() % world.triangles();
+        glm::vec3 corners[3];
+        for (std::size_t j = 0; j < 3; ++j) corners[j] = world.positions[world.indices[3 * triangle + j]];
+        float u = unit(random), v = unit(random);
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        auto hit = material;
+        hit.position_ws = corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]);
+        hit.normal_ws = passes::triangle_normal(corners[0], corners[1], corners[2]);
+        points.push_back(sample_point(hit, static_cast<std::uint32_t>(i)));
+    }
+    return points;
+}
+
+/// Traces photons from points that no emission has made.
+class TracingTest : public PassTest {
+  protected:
+    struct Outcome {
+        std::vector<TallyRow> tally;
+        std::vector<Photon> photons;
+        FrameReport report;
+
+        std::uint32_t stored() const {
+            std::uint32_t sum = 0;
+            for (const auto& row : tally) sum += row.stored;
+            return sum;
+        }
+    };
+
+    Outcome trace(const Shot& shot, const std::vector<SamplePoint>& points, const Parameters& parameters,
+                  const TestSource& source = {}) {
+        return trace(shot.inputs(), points, parameters, source);
+    }
+    Outcome trace(const graph::FrameInputs& inputs, const std::vector<SamplePoint>& points,
+                  const Parameters& parameters, const TestSource& source = {}) {
+        Outcome outcome;
+        outcome.report = run(inputs, [&](graph::GraphBuilder& builder) {
+            const auto scene = passes::upload_scene(builder);
+            const auto samples = upload(builder, points, source, parameters);
+            methods::photon_mapping::trace_photons(builder, scene, samples, parameters);
+        });
+        outcome.tally = elements<TallyRow>("photons.tally");
+        outcome.photons = elements<Photon>("photons.records");
+        outcome.photons.resize(std::min<std::size_t>(outcome.photons.size(), outcome.stored()));
+        return outcome;
+    }
+    template <class T>
+    std::vector<T> elements(const std::string& key) {
+        const auto bytes = graph().read_buffer(key).value();
+        std::vector<T> result(bytes.size() / sizeof(T));
+        std::memcpy(result.data(), bytes.data(), result.size() * sizeof(T));
+        return result;
+    }
+
+    /// Closed, lambertian, all bounces stored.
+    static Parameters plain(int max_bounces) {
+        Parameters parameters;
+        parameters.transport.materials = Transport::Materials::lambert;
+        parameters.transport.max_bounces = max_bounces;
+        parameters.culling = false;
+        return parameters;
+    }
+
+  private:
+    static methods::photon_mapping::SamplePoints upload(graph::GraphBuilder& builder,
+                                                        const std::vector<SamplePoint>& points,
+                                                        const TestSource& source,
+                                                        const Parameters& parameters) {
+        methods::photon_mapping::SamplePoints samples;
+        samples.points = builder.buffer({.text = {.key = "photons.samples", .label = "Sample points"},
+                                         .fields = methods::photon_mapping::sample_point_fields(),
+                                         .elements = points.size()});
+        samples.sources = builder.buffer({.text = {.key = "photons.sources", .label = "Sources"},
+                                          .fields = {{"word", graph::FieldType::u32, 16}},
+                                          .elements = 1});
+        samples.count = builder.counter({.key = "photons.sample_count", .label = "Sample points"});
+        samples.photons_per_point = parameters.photons_per_point;
+        samples.power_unit = 2;
+        samples.paths = points.size() * static_cast<std::uint64_t>(parameters.photons_per_point);
+        builder.pass("upload samples")
+            .writes(samples.points, samples.sources)
+            .counts(samples.count)
+            .execute([=](graph::PassContext& context) {
+                context.upload(samples.points, std::as_bytes(std::span(points)));
+                context.upload(samples.sources, std::as_bytes(std::span(&source, 1)));
+                context.bind_counter(0, samples.count);
+                const auto& program = context.program({{SOURCE_ROOT "/tests/data/shaders/set_count.comp"}});
+                program.use();
+                program.set("amount", static_cast<unsigned>(points.size()));
+                program.dispatch(1);
+            });
+        return samples;
+    }
+};
+
+}  // namespace ir::test

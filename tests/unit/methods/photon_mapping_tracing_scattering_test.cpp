@@ -1,0 +1,208 @@
+#include <cmath>
+#include <cstring>
+
+#include "renderers/graph/pass_context.h"
+#include "tests/unit/passes/bsdf_fixture.h"
+#include "tests/unit/passes/pass_fixture.h"
+
+namespace ir::test {
+namespace {
+
+constexpr int draws = 20000;
+enum Sampling { visible_normals, ggx, ggx_printed };
+
+struct Draw {
+    glm::vec3 direction, weight;
+    std::uint32_t is_specular, unused;
+};
+static_assert(sizeof(Draw) == 32);
+
+struct Case {
+    Materials model;
+    float roughness, metallic, cosine;
+    friend std::ostream& operator<<(std::ostream& to, const Case& c) {
+        return to << "model " << static_cast<int>(c.model) << " roughness " << c.roughness << " metallic "
+                  << c.metallic << " cosine " << c.cosine;
+    }
+    Patch patch() const {
+        Patch result(model);
+        result.surface.roughness = roughness;
+        result.surface.metallic = metallic;
+        return result;
+    }
+};
+
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    for (const auto model : {Materials::gltf, Materials::metalness_blend, Materials::lambert})
+        for (const float roughness : {0.2f, 0.7f})
+            for (const float metallic : {0.0f, 0.5f, 1.0f})
+                for (const float cosine : {0.2f, 0.9f}) all.push_back({model, roughness, metallic, cosine});
+    return all;
+}
+
+/// shaders/lib/scattering.glsl against passes::Bsdf.
+class ScatteringOnDevice : public PassTest {
+  protected:
+    std::vector<Draw> scatter(const Patch& patch, glm::vec3 seen, Sampling sampling,
+                              const std::map<std::string, std::string>& defines = {}) {
+        static const Shot shot("builtin:corner", "", 8, 6);
+        run(shot, [&](graph::GraphBuilder& builder) {
+            graph::BufferDesc desc;
+            desc.text = {.key = "test.draws", .label = "Draws"};
+            desc.fields = {{"word", graph::FieldType::u32, 8}};
+            desc.elements = draws;
+            const auto buffer = builder.buffer(std::move(desc));
+            builder.pass("scatter").writes(buffer).execute([=](graph::PassContext& context) {
+                context.bind_buffer(0, buffer);
+                gl::ProgramSource source{{SOURCE_ROOT "/tests/data/shaders/scatter.comp"}};
+                source.defines = defines;
+                const auto& program = context.program(source);
+                program.use();
+                program.set("first", 0u);
+                program.set("end", static_cast<unsigned>(draws));
+                program.set("model", static_cast<int>(patch.model));
+                program.set("sampling", static_cast<int>(sampling));
+                program.set("normal", patch.surface.shading_normal_ws);
+                program.set("geometric_normal", patch.surface.geometric_normal_ws);
+                program.set("base_colour", patch.surface.base_colour);
+                program.set("seen", seen);
+                program.set("metallic", patch.surface.metallic);
+                program.set("roughness", patch.surface.roughness);
+                program.dispatch(draws);
+            });
+        });
+        const auto bytes = graph().read_buffer("test.draws").value();
+        std::vector<Draw> result(draws);
+        std::memcpy(result.data(), bytes.data(), bytes.size());
+        return result;
+    }
+};
+
+struct Estimate {
+    double mean, error;
+};
+Estimate mean_weight(const std::vector<Draw>& all) {
+    double sum = 0, squares = 0;
+    for (const auto& draw : all) {
+        const double w = mean(draw.weight);
+        sum += w / draws, squares += w * w / draws;
+    }
+    return {sum, std::sqrt(std::max(0.0, squares - sum * sum) / draws)};
+}
+
+/// n = 20,000 draws; alpha = 1e-4 over 72 comparisons (z = 4.9), and the quadrature's error.
+bool agrees(const Estimate& found, double expected) {
+    return std::abs(found.mean - expected) < 4.9 * found.error + 1e-3;
+}
+
+TEST_F(ScatteringOnDevice, KeepsTheDirectionalAlbedo) {
+    for (const auto& c : cases()) {
+        const auto patch = c.patch();
+        const auto seen = patch.direction(c.cosine);
+        const double expected = directional_albedo(patch, seen);
+        for (const auto sampling : {visible_normals, ggx}) {
+            const auto found = mean_weight(scatter(patch, seen, sampling));
+            EXPECT_TRUE(agrees(found, expected)) << c << " sampling " << sampling << ": " << found.mean
+                                                 << " ± " << found.error << " instead of " << expected;
+        }
+    }
+}
+
+TEST_F(ScatteringOnDevice, RejectsThePrintedSurvivalOfPlainGgx) {
+    for (const float roughness : {0.3f, 0.7f}) {
+        const auto patch = Case{Materials::metalness_blend, roughness, 1, 0.2f}.patch();
+        const auto seen = patch.direction(0.2f);
+        EXPECT_FALSE(agrees(mean_weight(scatter(patch, seen, ggx_printed)), directional_albedo(patch, seen)))
+            << roughness;
+    }
+}
+
+TEST_F(ScatteringOnDevice, RejectsThePrintedAngleOfSmithsMasking) {
+    // eq. 3.7 with tan² of the angle to the microfacet's normal; PM-1's erratum
+    const auto patch = Case{Materials::metalness_blend, 0.7f, 1, 0.2f}.patch();
+    const auto seen = patch.direction(0.2f);
+    const double expected = directional_albedo(patch, seen);
+    EXPECT_TRUE(agrees(mean_weight(scatter(patch, seen, ggx)), expected));
+    EXPECT_FALSE(agrees(mean_weight(scatter(patch, seen, ggx, {{"SMITH_PRINTED", "1"}})), expected));
+}
+
+TEST_F(ScatteringOnDevice, WeighsVisibleNormalsAsTheHostDoes) {
+    for (const auto& c : cases()) {
+        const auto patch = c.patch();
+        const auto bsdf = patch.bsdf();
+        const auto seen = patch.direction(c.cosine);
+        int compared = 0;
+        for (const auto& draw : scatter(patch, seen, visible_normals)) {
+            if (draw.weight == glm::vec3(0)) continue;
+            const auto [value, pdf] = bsdf.evaluate_with_pdf(seen, draw.direction);
+            const auto expected = value / pdf;
+            ASSERT_LT(glm::distance(draw.weight, expected), 2e-3f * glm::length(expected) + 1e-5f) << c;
+            ++compared;
+        }
+        EXPECT_GT(compared, draws / 4) << c;
+    }
+}
+
+/// Cells of equal solid angle about the shading normal; the last one: nothing leaves.
+constexpr int rows = 8, columns = 8;
+std::size_t cell(const Patch& patch, glm::vec3 direction) {
+    const auto d = direction * patch.frame();
+    const int row = std::clamp(static_cast<int>(d.z * rows), 0, rows - 1);
+    const float turn = std::atan2(d.y, d.x) / glm::two_pi<float>() + 0.5f;
+    return static_cast<std::size_t>(row * columns +
+                                    std::clamp(static_cast<int>(turn * columns), 0, columns - 1));
+}
+
+/// Two-sample χ² less its limit at alpha = 1e-4 over 36 comparisons (4.5 standard deviations).
+/// [Wilson-Hilferty]
+double excess(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    int freedom = -1;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a[i] + b[i] < 20) continue;
+        sum += (a[i] - b[i]) * (a[i] - b[i]) / (a[i] + b[i]);
+        ++freedom;
+    }
+    const double k = std::max(1, freedom), s = 2 / (9 * k), x = 1 - s + 4.5 * std::sqrt(s);
+    return sum - k * x * x * x;
+}
+
+TEST_F(ScatteringOnDevice, ChoosesDirectionsAsTheHostDoes) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> unit(0, 1);
+    int rejected = 0;
+    for (const auto& c : cases()) {
+        const auto patch = c.patch();
+        const auto bsdf = patch.bsdf();
+        const auto seen = patch.direction(c.cosine);
+        std::vector<double> host(rows * columns + 1), device(host), plain(host);
+        for (int i = 0; i < draws; ++i) {
+            const float lobe = unit(random), x = unit(random);
+            const auto s = bsdf.sample(seen, lobe, {x, unit(random)});
+            ++host[s ? cell(patch, s->wi) : host.size() - 1];
+        }
+        const auto add = [&](std::vector<double>& to, Sampling sampling) {
+            for (const auto& d : scatter(patch, seen, sampling))
+                ++to[d.weight != glm::vec3(0) ? cell(patch, d.direction) : to.size() - 1];
+        };
+        add(device, visible_normals);
+        add(plain, ggx);
+        EXPECT_LT(excess(host, device), 0) << c;
+        rejected += c.metallic == 1 && c.model != Materials::lambert && excess(host, plain) > 0;
+    }
+    EXPECT_GE(rejected, 6) << "of 8 metals: plain GGX sampling has other directions";
+}
+
+TEST_F(ScatteringOnDevice, ReflectsInOneDirectionWhereTheSurfaceIsAMirror) {
+    const auto patch = Case{Materials::gltf, 0.02f, 1, 0.5f}.patch();
+    const auto seen = patch.direction(0.5f);
+    const auto n = patch.surface.shading_normal_ws;
+    for (const auto& draw : scatter(patch, seen, visible_normals)) {
+        ASSERT_EQ(draw.is_specular, 1u);
+        ASSERT_LT(glm::distance(draw.direction, 2 * glm::dot(n, seen) * n - seen), 1e-5f);
+    }
+}
+
+}  // namespace
+}  // namespace ir::test
