@@ -124,10 +124,6 @@ void store_nothing(ivec2 pixel) { imageStore(view, ivec3(pixel, layer), vec4(0))
 void store(ivec2 pixel, int centre, Level level) {
     vec4 value = clamp(-level.value_shift, -level.value_bound, level.value_bound);
     vec2 direction = clamp(-level.direction_shift, -level.direction_bound, level.direction_bound);
-#ifdef PRINTED_SIGN
-    value = -value;
-    direction = -direction;
-#endif
 #ifndef FIRST
     value += imageLoad(value_sum, pixel);
     direction += imageLoad(direction_sum, pixel).xy;
