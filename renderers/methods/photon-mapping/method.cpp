@@ -1,0 +1,52 @@
+// Real-time photon mapping: photons start where lights shine first, on points that are drawn from the
+// reflective shadow maps by hierarchical warping, bounce through the scene, and are splatted as ellipsoids
+// onto the G-buffer; a temporal and an edge-avoiding à-trous filter with clipped details take the noise away.
+// [Smal19]
+#include "renderers/graph/method.h"
+
+#include "renderers/methods/photon-mapping/filtering.h"
+
+namespace ir::methods::photon_mapping {
+namespace {
+
+std::vector<OutputDescription> outputs() {
+    std::vector<OutputDescription> all;
+    for (auto part : {filtering_outputs(), splatting_outputs(), tracing_outputs(), emission_outputs()})
+        for (auto& output : part) all.push_back(std::move(output));
+    return all;
+}
+
+MethodDescription description() {
+    MethodDescription d;
+    d.id = "photon-mapping";
+    d.title = "Real-time photon mapping";
+    d.summary =
+        "Draws photons from reflective shadow maps by importance, traces them for some bounces, splats them "
+        "as ellipsoids onto what the camera sees, and filters over time and space with details clipped by "
+        "their variance. Nothing is precomputed. Errors come from noise (photons), from the kernels' width, "
+        "from the filters, and from receivers being taken as diffuse.";
+    d.papers = {"Smal19", "Clarberg05", "Dammertz10", "Heitz18"};
+    d.outputs = outputs();
+    d.selectors = emission_selectors();
+    d.stages = filtering_stages();
+    return d;
+}
+
+void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
+    const auto scene = passes::upload_scene(builder);
+    const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
+    const auto samples = emit(builder, scene, parameters);
+    const auto photons = trace_photons(builder, scene, samples, parameters);
+    const auto splat = splat_photons(builder, gbuffer, photons, parameters);
+    const auto filtered = filter_irradiance(builder, gbuffer, splat, parameters);
+    compose(builder, scene, gbuffer, filtered, parameters);
+}
+
+}  // namespace
+
+const graph::Method& method() {
+    static const auto instance = graph::make_method<Parameters>(description(), parameter_table(), setup);
+    return instance;
+}
+
+}  // namespace ir::methods::photon_mapping
