@@ -4,7 +4,6 @@
 /// edges slips through, all at corners.
 const float TRIANGLE_SLACK = 1.1920929e-7;
 
-
 vec3 exact_cross(vec3 a, vec3 b) {
     precise vec3 c = a.yzx * b.zxy - a.zxy * b.yzx;
     return c;
