@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "renderers/graph/pass_context.h"
@@ -25,48 +26,31 @@ struct FoundPhoton {
 };
 static_assert(sizeof(FoundPhoton) == 23 * 4);
 
-std::vector<Field> photon_fields_explained() {
+std::vector<Field> explained_photon_fields() {
     return {{"centre", FieldType::f32, 3}, {"axis_u", FieldType::f32, 3},       {"axis_v", FieldType::f32, 3},
             {"axis_w", FieldType::f32, 3}, {"contribution", FieldType::f32, 3}, {"power", FieldType::f32, 3},
             {"bounce", FieldType::u32},    {"light", FieldType::u32},           {"distance", FieldType::f32},
             {"radius", FieldType::f32},    {"photon", FieldType::u32}};
 }
 
-/// As the buffer Head of explain.comp.
-struct Head {
-    std::uint32_t found, has_surface;
-    std::array<float, 3> texel_value;
-};
-
+/// As the buffer PixelSum of explain.comp, which writes photons and pixel.
 struct Sum {
     std::uint32_t texel_x, texel_y, photons;
     std::array<float, 3> gathered, pixel, difference;
 };
 
+/// Both are first what the device found, and then what the host made of it: buffers of their own in between
+/// would be kept where their keys are asked for, and the explanation of another pixel would find them done.
 struct Explanation {
-    graph::BufferRef found, head, photons, sum;
-    graph::CounterRef found_count, photon_count, sum_count;
+    graph::BufferRef photons, sum;
+    graph::CounterRef photon_count, sum_count;
 };
 
 Explanation declare(graph::GraphBuilder& builder) {
     Explanation e;
-    e.found = builder.buffer({.text = {.key = "splat.explain.found",
-                                       .label = "Photons that light the pixel, as found",
-                                       .doc = "In no order."},
-                              .fields = photon_fields_explained(),
-                              .elements = expected_photons,
-                              .growable = true});
-    e.head = builder.buffer({.text = {.key = "splat.explain.head",
-                                      .label = "Pixel that is explained",
-                                      .doc = "How many photons were found, and the texel's value."},
-                             .fields = {{"found", FieldType::u32},
-                                        {"has_surface", FieldType::u32},
-                                        {"texel_value", FieldType::f32, 3}},
-                             .elements = 1,
-                             .cleared = true});
     e.photons = builder.buffer({.text = text_of_output("splat.explain.photons"),
                                 .kind = OutputKind::glyphs,
-                                .fields = photon_fields_explained(),
+                                .fields = explained_photon_fields(),
                                 .elements = expected_photons,
                                 .growable = true});
     e.sum = builder.buffer({.text = text_of_output("splat.explain.sum"),
@@ -77,9 +61,8 @@ Explanation declare(graph::GraphBuilder& builder) {
                                        {"pixel", FieldType::f32, 3},
                                        {"difference", FieldType::f32, 3}},
                             .elements = 1,
-                            .growable = true});
-    e.found_count = builder.counter(
-        {.key = "splat.explain.found_count", .label = "Photons found for the pixel", .growth_of = e.found});
+                            .growable = true,
+                            .cleared = true});
     e.photon_count = builder.counter({.key = "splat.explain.photon_count",
                                       .label = "Photons that light the pixel",
                                       .growth_of = e.photons});
@@ -104,9 +87,10 @@ void gather(const graph::PassContext& p, graph::Slice slice, const Kernels& kern
     program.use();
     bind_kernels(p, program, kernels);
     p.bind_texture(2, irradiance);
-    p.bind_buffer(2, e.found);
-    p.bind_buffer(3, e.head);
-    p.bind_counter(4, e.found_count);
+    p.bind_buffer(2, e.photons);
+    p.bind_buffer(3, e.sum);
+    p.bind_counter(4, e.photon_count);
+    p.bind_counter(5, e.sum_count);
     program.set("picked_texel", picked_texel(p.inputs(), kernels.surfaces.divisor));
     dispatch_photons(p, program, kernels.photons, slice);
 }
@@ -119,34 +103,25 @@ bool comes_before(const FoundPhoton& a, const FoundPhoton& b) {
     return total(a) != total(b) ? total(a) > total(b) : a.photon < b.photon;
 }
 
-Sum sum_of(std::span<const FoundPhoton> photons, const Head& head, glm::ivec2 texel) {
-    Sum sum{};
-    sum.texel_x = static_cast<std::uint32_t>(texel.x);
-    sum.texel_y = static_cast<std::uint32_t>(texel.y);
-    sum.photons = static_cast<std::uint32_t>(photons.size());
+void add_up(std::span<const FoundPhoton> photons, Sum& sum) {
     for (std::size_t c = 0; c < 3; ++c) {
         double gathered = 0;
         for (const auto& photon : photons) gathered += photon.contribution[c];
         sum.gathered[c] = static_cast<float>(gathered);
-        sum.pixel[c] = head.texel_value[c];
-        sum.difference[c] = static_cast<float>(head.texel_value[c] - gathered);
+        sum.difference[c] = static_cast<float>(sum.pixel[c] - gathered);
     }
-    return sum;
 }
 
-void sort_and_sum(const graph::PassContext& p, const Kernels& kernels, const Explanation& e) {
-    const auto& head = p.elements<Head>(e.head)[0];
-    if (!head.has_surface) return;
-    const auto found = p.elements<FoundPhoton>(e.found);
-    const auto there = found.first(std::min<std::size_t>(found.size(), head.found));
-    std::vector<FoundPhoton> sorted(there.begin(), there.end());
-    std::sort(sorted.begin(), sorted.end(), comes_before);
-    const auto photons = p.elements<FoundPhoton>(e.photons);
-    std::copy_n(sorted.begin(), std::min(sorted.size(), photons.size()), photons.begin());
-    p.add(e.photon_count, head.found);
+void sort_and_add_up(const graph::PassContext& p, const Kernels& kernels, const Explanation& e) {
     const auto sums = p.elements<Sum>(e.sum);
-    if (!sums.empty()) sums[0] = sum_of(sorted, head, picked_texel(p.inputs(), kernels.surfaces.divisor));
-    p.add(e.sum_count, 1);
+    const auto photons = p.elements<FoundPhoton>(e.photons);
+    if (sums.empty()) return;
+    const auto found = photons.first(std::min<std::size_t>(photons.size(), sums[0].photons));
+    std::sort(found.begin(), found.end(), comes_before);
+    const auto texel = picked_texel(p.inputs(), kernels.surfaces.divisor);
+    sums[0].texel_x = static_cast<std::uint32_t>(texel.x);
+    sums[0].texel_y = static_cast<std::uint32_t>(texel.y);
+    add_up(found, sums[0]);
 }
 
 }  // namespace
@@ -156,17 +131,16 @@ void explain_pixel(graph::GraphBuilder& builder, const Kernels& kernels, graph::
     builder.pass("explain photons of the pixel")
         .reads(kernels.photons.records, kernels.photons.stored, kernels.tiles, kernels.surfaces.surfaces,
                irradiance)
-        .writes(e.found, e.head)
-        .counts(e.found_count)
+        .writes(e.photons, e.sum)
+        .counts(e.photon_count)
+        .counts(e.sum_count)
         .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
             gather(p, slice, kernels, irradiance, e);
         });
     builder.pass("sort photons of the pixel", graph::Queue::cpu)
-        .reads(e.found, e.head)
+        .reads(e.photons, e.sum)
         .writes(e.photons, e.sum)
-        .counts(e.photon_count)
-        .counts(e.sum_count)
-        .execute([=](graph::PassContext& p) { sort_and_sum(p, kernels, e); });
+        .execute([=](graph::PassContext& p) { sort_and_add_up(p, kernels, e); });
 }
 
 }  // namespace ir::methods::photon_mapping

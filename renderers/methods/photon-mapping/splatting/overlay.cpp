@@ -9,8 +9,8 @@
 namespace ir::methods::photon_mapping {
 namespace {
 
-/// Rows of a picture in which a dot is one pixel.
-constexpr int rows_of_a_dot = 360;
+/// Rows of a picture for each pixel of a dot's side, and the least side: single pixels are overlooked.
+constexpr int rows_of_a_dot = 360, least_dot = 2;
 
 void mark_dots(const graph::PassContext& p, graph::Slice slice, const passes::GBuffer& gbuffer,
                const StoredPhotons& photons, graph::ImageRef dots) {
@@ -18,7 +18,7 @@ void mark_dots(const graph::PassContext& p, graph::Slice slice, const passes::GB
     const auto& program = p.program({{"methods/photon-mapping/splatting/overlay_dots.comp"}});
     program.use();
     set_splat_view(program, p.inputs(), 1);
-    program.set("dot_size", std::max(1, p.inputs().view.height / rows_of_a_dot));
+    program.set("dot_size", std::max(least_dot, p.inputs().view.height / rows_of_a_dot));
     p.bind_buffer(0, photons.records);
     p.bind_buffer(1, photons.stored);
     p.bind_texture(0, gbuffer.position);

@@ -4,7 +4,7 @@
 
 layout(local_size_x = 256) in;
 
-/// As fields of "splat.explain.found".
+/// As fields of "splat.explain.photons".
 struct Found {
     float centre[3], axis_u[3], axis_v[3], axis_w[3], contribution[3], power[3];
     uint bounce, light;
@@ -12,11 +12,13 @@ struct Found {
     uint photon;
 };
 layout(std430, binding = 2) writeonly buffer FoundPhotons { Found found[]; };
-layout(std430, binding = 3) buffer Head {
-    uint found_count, has_surface;
-    float texel_value[3];
+/// As fields of "splat.explain.sum"; the host adds up, in double precision and in one order.
+layout(std430, binding = 3) buffer PixelSum {
+    uint texel_x, texel_y, found_count;
+    float gathered[3], texel_value[3], difference[3];
 };
-layout(std430, binding = 4) buffer FoundCount { uint asked; };
+layout(std430, binding = 4) buffer PhotonCount { uint photon_count; };
+layout(std430, binding = 5) buffer SumCount { uint sum_count; };
 
 layout(binding = 2) uniform sampler2D irradiance;
 
@@ -54,7 +56,7 @@ void main() {
     if (picked_texel.x < 0 || isinf(texelFetch(surfaces, picked_texel, 0).x)) return;
     uint i = first + gl_GlobalInvocationID.x;
     if (i == 0u) {
-        has_surface = 1u;
+        atomicAdd(sum_count, 1u);
         texel_value = components(texelFetch(irradiance, picked_texel, 0).rgb);
     }
     if (i >= min(end, stored)) return;
@@ -62,7 +64,7 @@ void main() {
     if (!is_splatted(photon)) return;
     Kernel k = kernel_of(photon);
     if (!covers_texel(k.centre_ws, k.n_ws, k.u_ws, k.t_ws, k.axes, picked_texel)) return;
-    atomicAdd(asked, 1u);
+    atomicAdd(photon_count, 1u);
     uint place = atomicAdd(found_count, 1u);
     if (place < uint(found.length())) write(place, i, photon, k);
 }

@@ -14,7 +14,7 @@ const vec3 bounce_colours[8] = vec3[8](vec3(1, 0.05, 0.05), vec3(0.05, 1, 0.05),
 float grey(ivec2 pixel) {
     float luminance = dot(texelFetch(albedo, pixel, 0).rgb, vec3(0.2126, 0.7152, 0.0722));
     float facing = abs(dot(texelFetch(normals, pixel, 0).xyz, view_axis_ws));
-    return 0.25 * luminance * (0.3 + 0.7 * facing);
+    return 0.12 * luminance * (0.3 + 0.7 * facing);
 }
 
 void main() {

@@ -1,0 +1,183 @@
+// The shape of kernels against closed forms, by what explains a pixel; the counts of tiles.
+#include "renderers/methods/photon-mapping/splatting/splat_view.h"
+#include "tests/unit/methods/photon_mapping_splatting_fixture.h"
+
+namespace ir::test {
+namespace {
+
+constexpr int size = 64;
+constexpr double pi = 3.14159265358979323846;
+
+class SplattingKernel : public SplatTest {
+  protected:
+    /// Height of the eye, and what it sees of the plane z = 0.
+    static constexpr float distance = 5;
+    static double width(float height) { return 2 * height * std::tan(0.785398 / 2); }
+
+    Shot shot_{wide_square(), camera_at({0, 0, distance}, {0, 0, 0}), size, size};
+    const float radius_ = shot_.world.bounds.radius();
+
+    /// The kernel over the picture's middle, where the photon lies.
+    ExplainedPhoton kernel(const pm::Parameters& parameters, const SomePhoton& photon, int copies = 1) {
+        SplatRun run{std::vector<SomePhoton>(static_cast<std::size_t>(copies), photon), parameters};
+        run.inspection = {size / 2, size / 2, {}};
+        splat(shot_, run);
+        const auto photons = explained_photons();
+        EXPECT_EQ(photons.size(), static_cast<std::size_t>(copies));
+        return photons.empty() ? ExplainedPhoton{} : photons[0];
+    }
+
+    /// Of a tile, faced.
+    double tile_area(const pm::Parameters& parameters) const {
+        const double side = width(distance) * parameters.tile_size / size;
+        return side * side;
+    }
+    static pm::Parameters unbounded() {
+        pm::Parameters parameters;
+        parameters.radius_min = 0;
+        parameters.radius_max = 10;
+        parameters.radius_texels = 0;
+        return parameters;
+    }
+    /// In the tile right below the middle; s_l is 1.
+    static SomePhoton middle() { return {.position_ws = {0.01f, -0.01f, 0}, .power = {2, 1, 0.5f}}; }
+};
+
+TEST_F(SplattingKernel, RadiusFollowsTheTilesDensity) {
+    for (const int count : {1, 4, 25}) {
+        const auto k = kernel(unbounded(), middle(), count);
+        const double r = std::sqrt(tile_area(unbounded()) / (pi * count));
+        EXPECT_NEAR(k.radius, r, 1e-4 * r) << count;
+        EXPECT_NEAR(glm::length(k.axis_u), r, 2e-3 * r);
+        EXPECT_NEAR(glm::length(k.axis_v), r, 2e-3 * r);
+        EXPECT_NEAR(glm::length(k.axis_w), 0.25 * r, 1e-3 * r);
+        EXPECT_NEAR(k.contribution.r, 2 / (pi * r * r), 2e-3 * 2 / (pi * r * r));
+        const double without_the_4 = 0.5 * r, printed_n_tile = 1;
+        EXPECT_GT(std::abs(k.radius - without_the_4 * printed_n_tile), 0.3 * r);
+    }
+}
+
+TEST_F(SplattingKernel, RadiusGrowsWithTheRootOfThePhotonsAskedFor) {
+    auto parameters = unbounded();
+    const auto one = kernel(parameters, middle());
+    parameters.kernel_scale = 9;
+    const auto nine = kernel(parameters, middle());
+    EXPECT_NEAR(nine.radius, 3 * one.radius, 1e-4 * nine.radius);
+}
+
+TEST_F(SplattingKernel, RadiusIsBounded) {
+    auto parameters = unbounded();
+    parameters.radius_min = 0.1f;
+    EXPECT_NEAR(kernel(parameters, middle(), 100).radius, 0.1 * radius_, 1e-4 * radius_);
+    parameters = unbounded();
+    parameters.radius_max = 0.01f;
+    EXPECT_NEAR(kernel(parameters, middle()).radius, 0.01 * radius_, 1e-5 * radius_);
+    parameters.kernel_scale = 4;  // after the bounds
+    EXPECT_NEAR(kernel(parameters, middle()).radius, 0.02 * radius_, 1e-5 * radius_);
+    parameters.radius_min = 0.5f;  // contradicting bounds: the least counts
+    EXPECT_NEAR(kernel(parameters, middle()).radius, radius_, 1e-4 * radius_);
+}
+
+TEST_F(SplattingKernel, ShortRaysHaveSmallKernelsDownToTheFloor) {
+    const auto parameters = unbounded();
+    const float l_max = parameters.ray_length_scale * radius_;
+    const double full = kernel(parameters, middle()).radius;
+    for (const auto& [part, expected] :
+         {std::pair{2.0f, 1.0}, {0.5f, 0.5}, {0.1f, 0.1}, {0.01f, 0.1}, {0.0f, 0.1}}) {
+        auto photon = middle();
+        photon.position_ws = {0.02f, -0.02f, 0};
+        auto enlarged = parameters;
+        enlarged.kernel_scale = 100;  // so that the smallest still covers the pixel
+        photon.ray_length = part * l_max;
+        EXPECT_NEAR(kernel(enlarged, photon).radius, 10 * expected * full, 1e-3 * full) << part;
+    }
+}
+
+TEST_F(SplattingKernel, KernelsAreNoSmallerThanTexels) {
+    auto parameters = unbounded();
+    parameters.radius_max = 1e-4f;
+    parameters.radius_texels = 1.5f;
+    EXPECT_NEAR(kernel(parameters, middle()).radius, 1.5 * width(distance) / size, 1e-5);
+    parameters.splat_resolution = pm::SplatResolution::quarter;
+    auto photon = middle();
+    EXPECT_NEAR(kernel(parameters, photon).radius, 4 * 1.5 * width(distance) / size, 1e-4);
+}
+
+TEST_F(SplattingKernel, LightFromTheSideStretchesUpToALimit) {
+    for (const float cosine : {1.0f, 0.8f, 0.5f, 0.1f, 0.0f}) {
+        auto photon = middle();
+        photon.direction =
+            glm::vec3(0.6f * std::sqrt(1 - cosine * cosine), -0.8f * std::sqrt(1 - cosine * cosine), cosine);
+        const auto k = kernel(unbounded(), photon);
+        const double s_u = std::min(cosine > 0 ? 1.0 / cosine : 1e9, 3.0);
+        EXPECT_NEAR(glm::length(k.axis_u) / k.radius, s_u, 0.01 * s_u) << cosine;
+        EXPECT_NEAR(glm::length(k.axis_v) / k.radius, 1, 1e-3);
+        EXPECT_NEAR(k.contribution.g * pi * s_u * k.radius * k.radius, 1, 0.01) << "E = Φ / (π ‖u‖ ‖t‖)";
+        EXPECT_NEAR(glm::dot(k.axis_u, k.axis_v), 0, 1e-4);
+        EXPECT_NEAR(glm::dot(k.axis_u, k.axis_w), 0, 1e-4);
+        EXPECT_NEAR(std::abs(k.axis_u.z), 0, 2e-3 * k.radius);
+        if (cosine < 0.9f) {
+            EXPECT_NEAR(glm::dot(glm::normalize(k.axis_u), glm::vec3(0.6f, -0.8f, 0)), 1, 1e-3);
+        }
+    }
+}
+
+TEST_F(SplattingKernel, ParallelViewsHaveTilesOfOneSize) {
+    for (const float z : {0.0f, 2.0f}) {
+        shot_ = Shot(wide_square(), camera_at({0, 0, distance}, {0, 0, 0}, true), size, size);
+        auto photon = middle();
+        photon.position_ws.z = z;
+        auto parameters = unbounded();
+        parameters.normal_axis = 10;  // reaches down to the plane
+        const double tile = 4.0 * parameters.tile_size / size;
+        EXPECT_NEAR(kernel(parameters, photon).radius, tile / std::sqrt(pi), 1e-4) << z;
+    }
+}
+
+/// The tile that a point is in, on the host.
+glm::ivec2 tile_of(const Shot& shot, glm::vec3 position_ws, int pixels) {
+    const auto clip = shot.view.clip_from_world() * glm::vec4(position_ws, 1);
+    const glm::vec2 px((clip.x / clip.w * 0.5f + 0.5f) * float(shot.view.width),
+                       (0.5f - clip.y / clip.w * 0.5f) * float(shot.view.height));
+    return glm::ivec2(px / float(pixels));
+}
+
+TEST_F(SplattingKernel, TilesCountThePhotonsThatFaceTheViewer) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> place(-3, 3);
+    for (const int divisor : {1, 2, 4}) {
+        shot_ = Shot(wide_square(), camera_at({1, 2, distance}, {0, 0, 0}), 72, 56);
+        SplatRun run;
+        run.parameters.splat_resolution = static_cast<pm::SplatResolution>(divisor / 2);
+        run.parameters.tile_size = 5;
+        std::map<std::pair<int, int>, int> expected;
+        int inside = 0;
+        for (int i = 0; i < 3000; ++i) {
+            SomePhoton photon{.position_ws = {place(random), place(random), 0}};
+            if (i % 5 == 0) photon.normal.z = -1;
+            if (i % 7 == 0) photon.position_ws.z = 20;  // behind the camera
+            run.photons.push_back(photon);
+            if (i % 5 == 0 || i % 7 == 0) continue;
+            const auto clip = shot_.view.clip_from_world() * glm::vec4(photon.position_ws, 1);
+            if (std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w) continue;
+            const auto tile = tile_of(shot_, photon.position_ws, 5 * divisor);
+            ++expected[{tile.x, tile.y}];
+            ++inside;
+        }
+        splat(shot_, run);
+        const auto tiles = read("splat.tiles");
+        ASSERT_EQ(tiles.width, (72 + 5 * divisor - 1) / (5 * divisor));
+        int sum = 0, different = 0;
+        for (int y = 0; y < tiles.height; ++y)
+            for (int x = 0; x < tiles.width; ++x) {
+                sum += static_cast<int>(tiles.at(x, y));
+                different += std::abs(static_cast<int>(tiles.at(x, y)) - expected[{x, y}]);
+            }
+        EXPECT_NEAR(sum, inside, 2);
+        EXPECT_LE(different, 8) << "a photon on a border may be rounded to either side";
+        EXPECT_GT(inside, 800);
+    }
+}
+
+}  // namespace
+}  // namespace ir::test
