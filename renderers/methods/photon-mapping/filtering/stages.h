@@ -36,8 +36,7 @@ Signal accumulate(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, 
 Signal smooth(graph::GraphBuilder& builder, graph::ImageRef surfaces, const Signal& input,
               const Parameters& parameters);
 
-/// Declares "KEY" as a pass with slices of rows of work groups over an image of the view's size; `run` gets
-/// the rows, and dispatches `columns` × rows groups.
+/// Runs the pass in slices of rows of work groups.
 template <class Run>
 void execute_by_rows(graph::PassBuilder& pass, std::int64_t rows, Run run) {
     pass.execute_sliced(rows, std::move(run), std::max<std::int64_t>(1, rows / 8));

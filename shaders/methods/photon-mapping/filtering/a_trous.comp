@@ -4,6 +4,7 @@
 //
 // A group takes pixels that are `stride` apart, so that the neighbours of all levels alike are 20 × 20 texels
 // of shared memory: 1.6 reads of each image a pixel instead of 25.
+// A software rasteriser gains nothing by it: 3.1 to 5.8 s a pass at 1920 × 1080 with it, 3.3 to 3.8 s without.
 layout(local_size_x = 16, local_size_y = 16) in;
 
 #include "methods/photon-mapping/filtering/surface.glsl"

@@ -24,8 +24,8 @@ layout(binding = 3) uniform sampler2D splat_depth;
 /// Bilinear; texels count less the farther their depth lies from the pixel's, beyond what a surface gains
 /// within the two texels that the nearest pixel of a texel may be away. Where no texel is near, the nearest
 /// in depth.
-/// DEVIATION [Smal19 §7.2]: the print is bilinear alone. Light then leaks over edges, half of it into the
-/// first pixel behind a step (measured in the tests); on planes both are equal.
+/// DEVIATION [Smal19 §7.2]: the print is bilinear alone. Light then leaks over edges, a quarter of it
+/// into the first pixel behind a step at half resolution, 3/8 at quarter; on planes both are equal.
 Signal unfiltered(ivec2 pixel, FilterSurface p) {
     ivec2 size = textureSize(splat_depth, 0);
     vec2 gradient = depth_gradient(p, vec2(pixel) + 0.5);
