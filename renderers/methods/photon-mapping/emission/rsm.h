@@ -14,11 +14,11 @@ struct Rsm {
     graph::ImageRef albedo_roughness;  ///< "rsm.albedo_roughness" rgba8: linear base colour, roughness
     graph::ImageRef normal_metalness;  ///< "rsm.normal_metalness" rgba16f: shading normal on the light's
                                        ///< side; w: 1 + metalness, negative where nothing is scattered
-    graph::ImageRef depth;           ///< "rsm.depth" depth32f: as "shadow.maps"
-    graph::BufferRef views;          ///< "rsm.views": a ShadowViewData for each layer
-    int resolution = 0, layers = 0;  ///< without lights one empty layer
-    int views_drawn = 0;             ///< layers that have a view
-    std::string fingerprint;         ///< of the contents
+    graph::ImageRef depth;             ///< "rsm.depth" depth32f: as "shadow.maps"
+    graph::BufferRef views;            ///< "rsm.views": a ShadowViewData for each layer
+    int resolution = 0, layers = 0;    ///< without lights one empty layer
+    int views_drawn = 0;               ///< layers that have a view
+    std::string fingerprint;           ///< of the contents
 };
 
 /// Declares the pass "RSM" (and "RSM depth"), which draw only when world, resolution or materials change.

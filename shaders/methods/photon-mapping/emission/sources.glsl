@@ -5,9 +5,11 @@
 
 uniform uint source_count, all_points, strata, stratum, seed_low, seed_high;
 
+/// The same number of turns for all items: llvmpipe (Mesa 22.3) gave neighbours of a source's first point wrong
+/// results after a search that ended when it had found.
 uint source_of_item(uint item) {
     uint source = 0u;
-    while (source + 1u < source_count && item >= sources[source].first_point + sources[source].points) ++source;
+    for (uint i = 1u; i < source_count; ++i) source += item >= sources[i].first_point ? 1u : 0u;
     return source;
 }
 
