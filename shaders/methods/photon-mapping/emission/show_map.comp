@@ -13,7 +13,7 @@ void main() {
     uvec2 cell = uvec2(place.xy) * (1u << uint((place.z + 1) / 2)) / uint(size);
     float value = scaling_at(cell, shown_source, level);
     float mean = mean_probability(shown_source, levels);
-    // half of white at four times the mean, below which most of a map lies
-    float grey = mean > 0.0 ? min(0.5, 0.125 * value / mean) : 0.0;
+    // dark enough for the points in front; a quarter of white at four times the mean
+    float grey = mean > 0.0 ? min(0.25, 0.0625 * value / mean) : 0.0;
     imageStore(picture, place, vec4(vec3(grey), 1));
 }
