@@ -13,7 +13,8 @@ float ray_length_scale(float ray_length, float largest_length, float least) {
 
 /// a_view: what the camera sees of a tile, faced at this depth. c_tile is the tile's share of the picture
 /// times 4 tan(α_x/2) tan(α_y/2), or of the height times the width of a parallel view.
-/// DEVIATION [Smal19 §6.1.1]: the print lacks the 4: the frustum's half-extents are z tan(α/2).
+/// DEVIATION [Smal19 §6.1.1]: the print lacks the 4, with which the frustum's half-extents z tan(α/2) become
+/// extents: its radii are half as long.
 float tile_area(float depth, float c_tile, bool perspective) {
     return perspective ? depth * depth * c_tile : c_tile;
 }
@@ -59,9 +60,9 @@ float kernel_plane_depth(vec3 to_centre, vec3 n, vec3 ray_direction) {
 
 /// The plane's point lies in the ellipse, and the surface within the kernel's half-thickness of it along the
 /// view axis.
-/// DEVIATION [Smal19 §6.2, appendix C]: the listing has no ellipse, but all that the icosahedron covers, 121 %
-/// of A where it encloses the kernel and 76 % where its vertices lie on it; and one thickness for all kernels,
-/// which is not printed.
+/// DEVIATION [Smal19 §6.2, appendix C]: the listing has no ellipse, but all that the icosahedron covers, in the
+/// mean over directions 121 % of A where it encloses the kernel and 76 % where its vertices lie on it; and one
+/// thickness for all kernels, which is not printed.
 bool inside_kernel_plane(vec2 plane_point_ks, float plane_depth, float surface_depth, float half_thickness) {
     return dot(plane_point_ks, plane_point_ks) <= 1.0 && abs(surface_depth - plane_depth) <= half_thickness;
 }
