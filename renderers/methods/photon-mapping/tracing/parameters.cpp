@@ -1,6 +1,11 @@
 #include "renderers/methods/photon-mapping/parameters.h"
 
 namespace ir::methods::photon_mapping {
+namespace {
+
+const Condition has_microfacets{"materials", {std::string("gltf"), std::string("metalness-blend")}};
+
+}  // namespace
 
 void add_tracing_parameters(ParameterTable<Parameters>& table) {
     table
@@ -36,7 +41,7 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
                           {"ggx-printed", "GGX, as printed",
                            "Wrong: all normals of the distribution with the survival that belongs to visible "
                            "ones. Glossy surfaces reflect too much or too little."}},
-              .active_when = {"materials", {std::string("gltf"), std::string("metalness-blend")}}})
+              .active_when = has_microfacets})
         .add(&Parameters::culling,
              {.key = "culling",
               .label = "Culling",
