@@ -4,6 +4,7 @@
 // [Smal19]
 #include "renderers/graph/method.h"
 
+#include "renderers/methods/photon-mapping/benchmark.h"
 #include "renderers/methods/photon-mapping/filtering.h"
 
 namespace ir::methods::photon_mapping {
@@ -45,7 +46,11 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
 }  // namespace
 
 const graph::Method& method() {
-    static const auto instance = graph::make_method<Parameters>(description(), parameter_table(), setup);
+    static const auto instance = [] {
+        auto made = graph::make_method<Parameters>(description(), parameter_table(), setup);
+        made.benchmarks = benchmarks();
+        return made;
+    }();
     return instance;
 }
 
