@@ -302,6 +302,20 @@ TEST_F(EmissionBudgetTest, WithoutLightsThereAreNoPhotonsAndANote) {
     }
 }
 
+TEST_F(EmissionBudgetTest, LightThatMeetsNothingOrIsOffLeavesNoPoints) {
+    auto away = spot(10, 20), off = lamp();
+    away.direction = {0, 1, 0};
+    off.intensity = 0;
+    for (const auto& light : {away, off})
+        for (const auto budget : {pm::Budget::intensity, pm::Budget::probability}) {
+            auto parameters = quick();
+            parameters.budget = budget;
+            emit(room({light}), parameters);
+            EXPECT_EQ(count(), 0u);
+            EXPECT_TRUE(std::isfinite(elements<pm::HistogramCell>("emission.histogram").back().chi_square));
+        }
+}
+
 TEST_F(EmissionBudgetTest, RefusesWhatItCannotDo) {
     auto parameters = quick();
     parameters.transport.max_bounces = 9;

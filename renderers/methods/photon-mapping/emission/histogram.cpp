@@ -60,7 +60,7 @@ std::vector<HistogramCell> histogram(std::span<const float> map, int resolution,
     }
     chi_square.close();
     cells.push_back({-1, -1, static_cast<float>(sum > 0 ? points : 0), static_cast<float>(points),
-                     static_cast<float>(chi_square.sum), std::max(0, chi_square.bins - 1)});
+                     static_cast<float>(sum > 0 ? chi_square.sum : 0), std::max(0, chi_square.bins - 1)});
     return cells;
 }
 

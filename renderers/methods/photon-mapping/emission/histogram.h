@@ -21,7 +21,7 @@ inline constexpr int histogram_cells = 16;
 
 /// `map`: the weights that points should follow, square, row 0 first; `texels`: x + resolution · y of each
 /// point. In χ² neighbouring cells that expect fewer than 5 points are pooled; what comes to where nothing is
-/// expected makes it infinite.
+/// expected makes it infinite, but for an empty map, which expects nothing anywhere.
 std::vector<HistogramCell> histogram(std::span<const float> map, int resolution,
                                      std::span<const std::uint32_t> texels);
 

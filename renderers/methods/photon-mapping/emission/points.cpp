@@ -76,15 +76,14 @@ EmissionPoints declare_points(graph::GraphBuilder& builder, const Sources& sourc
                               const Parameters& parameters) {
     static_assert(sizeof(SourceData) == 64, "equals its std430 twin");
     EmissionPoints points;
-    if (!sources.elements.empty())
-        points.count =
-            static_cast<std::uint64_t>(std::max(1, parameters.photons / parameters.photons_per_point));
+    const auto asked =
+        static_cast<std::uint64_t>(std::max(1, parameters.photons / parameters.photons_per_point));
+    if (sources.flux > 0) points.count = asked;
     auto& samples = points.samples;
     samples.photons_per_point = parameters.photons_per_point;
     samples.paths = points.count * static_cast<std::uint64_t>(parameters.photons_per_point);
-    if (sources.flux > 0 && samples.paths > 0)
-        samples.power_unit = sources.flux / static_cast<float>(samples.paths);
-    const double reserved = std::ceil(static_cast<double>(parameters.reserve) * points.count);
+    if (samples.paths > 0) samples.power_unit = sources.flux / static_cast<float>(samples.paths);
+    const double reserved = std::ceil(static_cast<double>(parameters.reserve) * static_cast<double>(asked));
     samples.points =
         builder.buffer({.text = text_of(point_outputs(), "photons.samples"),
                         .kind = OutputKind::point_set,

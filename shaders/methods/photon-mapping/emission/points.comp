@@ -18,6 +18,11 @@ void main() {
     uint item = first_item + gl_GlobalInvocationID.x;
     if (item >= end_item) return;
     uint source = source_of_item(item);
+    if (sources[source].points == 0u) {  // all maps are empty
+        candidates[item] = packed_candidate(uvec2(0), source, false);
+        survivors[item] = 0u;
+        return;
+    }
     vec2 point = emission_point(emission_set_of(source), item - sources[source].first_point);
     int resolution = textureSize(probability_map, 0).x, levels = findMSB(resolution);
 #if WARPS
