@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 
 #include "app/gui/camera_pose.h"
 #include "app/gui/workspace.h"
@@ -79,8 +80,9 @@ std::vector<widgets::SpaceSelector> Workspace::selectors(const std::string& owne
     for (const auto& each : method->selectors) {
         const auto count = values.find(each.count);
         const auto* items = count == values.end() ? nullptr : std::get_if<std::int64_t>(&count->second);
-        list.push_back(
-            {each.key, each.label, each.doc, items ? int(*items) : 1, inspection(owner).item(each.key)});
+        // a parameter's value, or the number itself
+        const int number = items ? int(*items) : std::max(1, std::atoi(each.count.c_str()));
+        list.push_back({each.key, each.label, each.doc, number, inspection(owner).item(each.key)});
     }
     return list;
 }

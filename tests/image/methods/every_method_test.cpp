@@ -1,4 +1,5 @@
 // What every method owes, tested from its description alone.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -116,6 +117,7 @@ std::size_t count_not_finite(const std::vector<std::byte>& bytes, const std::vec
 
 TEST_P(EveryMethod, ExplanationsAreFiniteAndLeaveTheResultAlone) {
     for (const auto& selector : description().selectors) {
+        if (std::ranges::all_of(selector.count, [](char c) { return c >= '0' && c <= '9'; })) continue;
         const auto* count = find(description().parameters, selector.count);
         ASSERT_NE(count, nullptr) << selector.key;
         EXPECT_EQ(count->type, ParameterType::integer) << selector.key;
