@@ -70,11 +70,13 @@ class SplatTest : public PassTest {
         for (const auto& photon : run.photons) records.push_back(packed(photon, run.power_unit));
         pm::Photons photons;
         photons.power_unit = run.power_unit;
-        photons.records = builder.buffer(
-            {.text = {.key = "photons.records", .label = "Photons"},
-             .kind = OutputKind::point_set,
-             .fields = pm::photon_fields(),
-             .elements = run.capacity ? run.capacity : std::max<std::size_t>(1, records.size())});
+        graph::BufferDesc desc;
+        desc.text.key = "photons.records";
+        desc.text.label = "Photons";
+        desc.kind = OutputKind::point_set;
+        desc.fields = pm::photon_fields();
+        desc.elements = run.capacity ? run.capacity : std::max<std::size_t>(1, records.size());
+        photons.records = builder.buffer(std::move(desc));
         photons.count = builder.counter({.key = "photons.count", .label = "Photons"});
         builder.pass("upload photons")
             .writes(photons.records)
@@ -168,10 +170,6 @@ inline scene::Scene wide_square() {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 0, 1}, 10);
     return small.scene();
-}
-
-inline scene::Camera looking_at(glm::vec3 eye, glm::vec3 target) {
-    return camera_at(eye, target);
 }
 
 /// Kernels of this radius (m) everywhere, whatever the density.

@@ -6,14 +6,14 @@ StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photon
     StoredPhotons result;
     result.records = photons.records;
     result.power_unit = photons.power_unit;
-    result.stored =
-        builder.buffer({.text = {.key = "splat.stored",
-                                 .label = "Photons to splat",
-                                 .doc = "Those stored, as far as the buffer reaches; passes read it on the "
-                                        "device.",
-                                 .semantic = Semantic::count},
-                        .fields = {{"photons", graph::FieldType::u32}},
-                        .elements = 1});
+    graph::BufferDesc desc;
+    desc.text.key = "splat.stored";
+    desc.text.label = "Photons to splat";
+    desc.text.doc = "Those stored, as far as the buffer reaches; passes read it on the device.";
+    desc.text.semantic = Semantic::count;
+    desc.fields = {{"photons", graph::FieldType::u32}};
+    desc.elements = 1;
+    result.stored = builder.buffer(std::move(desc));
     builder.pass("count photons")
         .reads(photons.records)
         .writes(result.stored)
