@@ -111,6 +111,8 @@ TEST_F(PhotonPaths, AreTheSameForBothTracersButForFewAtEdges) {
         const auto seed_a = a.bits >> 12, seed_b = b.bits >> 12;
         i += seed_a <= seed_b, j += seed_b <= seed_a;
     }
+    RecordProperty("photons", std::to_string(more));
+    RecordProperty("other", std::to_string(more - same));
     EXPECT_GE(static_cast<double>(same), 0.999 * static_cast<double>(more)) << "of " << more;
 }
 
