@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "projects/motion.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
 #include "projects/text.h"
@@ -79,6 +80,42 @@ class Checker {
             say(Severity::note, where + "its kept result is stale; render it again");
     }
 
+    void check(const Motion& motion) {
+        const std::string who = "motion '" + motion.id + "'";
+        const Motion* counts = nullptr;
+        switch (motion.kind) {
+            case Motion::Kind::camera:
+                refer(who, "camera", project_.cameras, motion.camera);
+                counts = motion_of_camera(project_, motion.camera);
+                break;
+            case Motion::Kind::light: {
+                refer(who, "set of lights", project_.lights, motion.lights, scene_lights);
+                const auto* set = find_item(project_.lights, motion.lights);
+                const bool is_numbered = set && !set->use_scene_lights;
+                if (is_numbered && (!motion.light_name.empty() ||
+                                    static_cast<std::size_t>(motion.light) >= set->lights.size()))
+                    say(Severity::warning,
+                        who + ": there is no such light in '" + set->id + "'; choose another");
+                if (!is_numbered && motion.light_name.empty())
+                    say(Severity::warning, who + ": a light of the scene's file moves by its name; give one");
+                counts = motion.light_name.empty()
+                             ? motion_of_light(project_, motion.lights, motion.light)
+                             : motion_of_light(project_, motion.lights, motion.light_name);
+                break;
+            }
+            case Motion::Kind::part: {
+                refer(who, "scene", project_.scenes, motion.scene);
+                const auto* scene = find_item(project_.scenes, motion.scene);
+                if (scene && static_cast<std::size_t>(motion.part) >= scene->parts.size())
+                    say(Severity::warning,
+                        who + ": there is no such part in '" + scene->id + "'; choose another");
+                counts = motion_of_part(project_, motion.scene, motion.part);
+            }
+        }
+        if (counts && counts != &motion && !motion.keys.empty())
+            say(Severity::warning, who + ": does not count, because '" + counts->id + "' moves the same");
+    }
+
     template <class List>
     void refer(const std::string& who, const char* word, const List& list, const std::string& id,
                const std::string& none = "") {
@@ -100,8 +137,7 @@ class Checker {
             refer(who, "set of lights", project_.lights, e.lights, scene_lights);
             refer(who, "experiment", project_.experiments, e.reference);
         }
-        for (const auto& motion : project_.motion)
-            refer("motion '" + motion.id + "'", "camera", project_.cameras, motion.camera);
+        for (const auto& motion : project_.motion) check(motion);
         for (const auto& sweep : project_.sweeps)
             refer("sweep '" + sweep.id + "'", "experiment", project_.experiments, sweep.experiment);
         for (const auto& c : project_.comparisons)

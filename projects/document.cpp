@@ -4,29 +4,6 @@
 #include <cctype>
 
 namespace ir::projects {
-namespace {
-
-glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double t) {
-    return a + t * (b - a);
-}
-
-Motion::Key pose_at(const std::vector<Motion::Key>& keys, double time) {
-    if (time <= keys.front().time) return keys.front();
-    if (time >= keys.back().time) return keys.back();
-    const auto after = std::upper_bound(keys.begin(), keys.end(), time,
-                                        [](double t, const Motion::Key& key) { return t < key.time; });
-    const auto& before = *std::prev(after);
-    const double t = (time - before.time) / (after->time - before.time);
-    Motion::Key pose;
-    pose.time = time;
-    pose.eye = mixed(before.eye, after->eye, t);
-    pose.target = mixed(before.target, after->target, t);
-    pose.up = mixed(before.up, after->up, t);
-    return pose;
-}
-
-}  // namespace
-
 Experiment effective(const Experiment& experiment) {
     Experiment result = experiment;
     result.presets.clear();
@@ -37,19 +14,6 @@ Experiment effective(const Experiment& experiment) {
     if (preset.size) result.size = *preset.size;
     if (preset.frames) result.frames = *preset.frames;
     for (const auto& [key, value] : preset.values) result.values[key] = value;
-    return result;
-}
-
-Camera camera_at(const Project& project, const Camera& camera, double time) {
-    Camera result = camera;
-    if (!camera.scene_camera.empty()) return result;
-    for (const auto& motion : project.motion) {
-        if (motion.camera != camera.id || motion.keys.empty()) continue;
-        const auto pose = pose_at(motion.keys, time);
-        result.eye = pose.eye;
-        result.target = pose.target;
-        result.up = pose.up;
-    }
     return result;
 }
 

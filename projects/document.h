@@ -18,7 +18,7 @@
 /// the keys that this build does not know in `extra`, and writes them back.
 namespace ir::projects {
 
-inline constexpr int schema_version = 3;
+inline constexpr int schema_version = 4;
 /// Id that stands for the scene's own lights and environment wherever a set of lights is asked for.
 inline constexpr const char* scene_lights = "scene";
 
@@ -72,17 +72,33 @@ struct LightSet {
     bool operator==(const LightSet&) const = default;
 };
 
-/// Poses of a camera over time, linearly interpolated, clamped at the ends.
+/// What a camera, a light or a part of a scene does over time. Linear between keys, rotations and directions
+/// along the shortest arc; before the first key and after the last it stays, or begins again. Where several
+/// move the same thing the last one counts.
 struct Motion {
+    enum class Kind { camera, light, part };
+    /// Only what `kind` has of it is written.
     struct Key {
-        double time = 0;  ///< seconds, ascending
-        glm::dvec3 eye{0, 0, 5}, target{0}, up{0, 1, 0};
+        double time = 0;                                   ///< seconds, ascending
+        glm::dvec3 eye{0, 0, 5}, target{0}, up{0, 1, 0};   ///< of a camera
+        std::optional<glm::dvec3> position = {};                ///< of a light; what is absent is as in its set
+        std::optional<glm::dvec3> look_at = {}, direction = {};      ///< … at most one; written "target", "direction"
+        double intensity = 1;                              ///< … factor on its strength, at least 0
+        glm::dvec3 translation{0}, rotation{0}, scale{1};  ///< of a part, in place of its transform: metres;
+                                                           ///< degrees about x, then y, then z
         Json extra = Json::object();
         bool operator==(const Key&) const = default;
     };
     std::string id, name;
     std::string camera;  ///< id of the camera that moves
     std::vector<Key> keys;
+    Kind kind = Kind::camera;
+    std::string lights = {};      ///< id of the set whose light moves, or "scene"
+    int light = 0;                ///< which of the set
+    std::string light_name = {};  ///< not empty: a light of the scene's file in its place
+    std::string scene = {};       ///< id of the scene whose part moves
+    int part = 0;                 ///< which of it
+    bool loop = false;
     Json extra = Json::object();
     bool operator==(const Motion&) const = default;
 };
@@ -197,9 +213,6 @@ auto find_item(List& list, const std::string& id) -> decltype(list.data()) {
 
 /// The experiment as it runs: the active preset's overrides applied, presets dropped.
 Experiment effective(const Experiment& experiment);
-
-/// The camera with its motion applied at `time` (seconds). Cameras of the scene's file come back as they are.
-Camera camera_at(const Project& project, const Camera& camera, double time);
 
 /// Whether `id` may name an item.
 bool is_valid_id(const std::string& id);

@@ -26,6 +26,10 @@ std::string write_project(const Project& project);
 
 Json to_json(const Project& project);
 Json to_json(const LightSpec& light);
+/// What of it moves, without the ids of what is moved: its keys, and whether it begins again.
+Json motion_inputs(const Motion& motion);
+/// The values of a key alone.
+Json key_inputs(const Motion::Key& key, Motion::Kind kind);
 
 /// JSON pointers of all kept keys that this build does not know, values of known methods included.
 std::vector<std::string> unknown_keys(const Project& project, const Registry& registry);

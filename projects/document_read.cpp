@@ -3,6 +3,7 @@
 
 #include "projects/document_json.h"
 #include "projects/migrations.h"
+#include "projects/motion_read.h"
 #include "projects/object_reader.h"
 #include "projects/text.h"
 #include "projects/value_reader.h"
@@ -158,25 +159,6 @@ LightSet read_light_set(ObjectReader& reader) {
     return set;
 }
 
-Motion read_motion(ObjectReader& reader) {
-    Motion motion;
-    read_head(reader, motion);
-    motion.camera = reader.text("camera");
-    reader.each("keys", [&](const Json& json, const std::string& pointer) {
-        ObjectReader inner(json, reader.file(), pointer);
-        Motion::Key key;
-        key.time = inner.number("time", key.time);
-        key.eye = inner.vec3("eye", key.eye);
-        key.target = inner.vec3("target", key.target);
-        key.up = inner.vec3("up", key.up);
-        key.extra = inner.rest();
-        if (!motion.keys.empty() && !(key.time > motion.keys.back().time))
-            inner.fail("time", "must be later than that of the key before");
-        motion.keys.push_back(std::move(key));
-    });
-    return motion;
-}
-
 ForeignImage read_image(ObjectReader& reader) {
     ForeignImage image;
     read_head(reader, image);
@@ -269,7 +251,12 @@ ReadProject read_project(const std::string& text, const std::string& file, const
     project.scenes = read_list<Scene>(reader, "scenes", read_scene);
     project.cameras = read_list<Camera>(reader, "cameras", read_camera);
     project.lights = read_list<LightSet>(reader, "lights", read_light_set);
-    project.motion = read_list<Motion>(reader, "motion", read_motion);
+    project.motion = read_list<Motion>(reader, "motion", [](ObjectReader& inner) {
+        Motion motion;
+        read_head(inner, motion);
+        read_motion(inner, motion);
+        return motion;
+    });
     project.images = read_list<ForeignImage>(reader, "images", read_image);
     project.experiments = read_list<Experiment>(reader, "experiments", [&](ObjectReader& inner) {
         return read_experiment(inner, registry, result.messages);

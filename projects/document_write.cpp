@@ -1,4 +1,5 @@
 #include "projects/document_json.h"
+#include "projects/motion.h"
 #include "renderers/core/transport.h"
 
 namespace ir::projects {
@@ -90,15 +91,44 @@ Json write_light_set(const LightSet& set) {
     return with_extra(json, set.extra);
 }
 
+Json write_key(const Motion::Key& key, Motion::Kind kind) {
+    Json json = Json::object({{"time", key.time}});
+    switch (kind) {
+        case Motion::Kind::camera:
+            json["eye"] = array(key.eye);
+            json["target"] = array(key.target);
+            json["up"] = array(key.up);
+            break;
+        case Motion::Kind::light:
+            if (key.position) json["position"] = array(*key.position);
+            if (key.look_at) json["target"] = array(*key.look_at);
+            if (key.direction) json["direction"] = array(*key.direction);
+            json["intensity"] = key.intensity;
+            break;
+        case Motion::Kind::part:
+            json["translation"] = array(key.translation);
+            json["rotation"] = array(key.rotation);
+            json["scale"] = array(key.scale);
+    }
+    return with_extra(json, key.extra);
+}
+
 Json write_motion(const Motion& motion) {
-    Json json = Json::object({{"id", motion.id}, {"name", motion.name}, {"camera", motion.camera}});
-    json["keys"] = list(motion.keys, [](const Motion::Key& key) {
-        Json pose = Json::object({{"time", key.time}});
-        pose["eye"] = array(key.eye);
-        pose["target"] = array(key.target);
-        pose["up"] = array(key.up);
-        return with_extra(pose, key.extra);
-    });
+    Json json = Json::object({{"id", motion.id}, {"name", motion.name}, {"moves", to_string(motion.kind)}});
+    switch (motion.kind) {
+        case Motion::Kind::camera:
+            json["camera"] = motion.camera;
+            break;
+        case Motion::Kind::light:
+            json["lights"] = motion.lights;
+            json["light"] = motion.light_name.empty() ? Json(motion.light) : Json(motion.light_name);
+            break;
+        case Motion::Kind::part:
+            json["scene"] = motion.scene;
+            json["part"] = motion.part;
+    }
+    if (motion.loop) json["loop"] = true;
+    json["keys"] = list(motion.keys, [&](const Motion::Key& key) { return write_key(key, motion.kind); });
     return with_extra(json, motion.extra);
 }
 
@@ -192,6 +222,24 @@ Json to_json(const LightSpec& light) {
     }
     if (light.type == LightSpec::Type::rect || light.type == LightSpec::Type::disk)
         json["size"] = array(light.size);
+    return json;
+}
+
+Json key_inputs(const Motion::Key& key, Motion::Kind kind) {
+    auto values = key;
+    values.extra = Json::object();
+    auto json = write_key(values, kind);
+    json.erase("time");
+    return json;
+}
+
+Json motion_inputs(const Motion& motion) {
+    Json json = Json::object({{"loop", motion.loop}});
+    json["keys"] = list(motion.keys, [&](const Motion::Key& key) {
+        auto values = key_inputs(key, motion.kind);
+        values["time"] = key.time;
+        return values;
+    });
     return json;
 }
 

@@ -22,19 +22,24 @@ void collect(std::vector<std::string>& users, const Project& project, Refers ref
 std::vector<std::string> users_of(const Project& project, const Scene& scene) {
     std::vector<std::string> users;
     collect<Experiment>(users, project, [&](const auto& e) { return e.scene == scene.id; });
+    collect<Motion>(users, project,
+                    [&](const auto& m) { return m.kind == Motion::Kind::part && m.scene == scene.id; });
     return users;
 }
 
 std::vector<std::string> users_of(const Project& project, const Camera& camera) {
     std::vector<std::string> users;
     collect<Experiment>(users, project, [&](const auto& e) { return e.camera == camera.id; });
-    collect<Motion>(users, project, [&](const auto& m) { return m.camera == camera.id; });
+    collect<Motion>(users, project,
+                    [&](const auto& m) { return m.kind == Motion::Kind::camera && m.camera == camera.id; });
     return users;
 }
 
 std::vector<std::string> users_of(const Project& project, const LightSet& set) {
     std::vector<std::string> users;
     collect<Experiment>(users, project, [&](const auto& e) { return e.lights == set.id; });
+    collect<Motion>(users, project,
+                    [&](const auto& m) { return m.kind == Motion::Kind::light && m.lights == set.id; });
     return users;
 }
 

@@ -63,20 +63,6 @@ Settings matched_values(const Settings& transport, const MethodDescription& refe
     return values;
 }
 
-/// Whether the pose of an experiment's camera, which is that of its time in all frames, would be another.
-bool camera_moves(const Project& project, const Experiment& run, double time) {
-    const auto* camera = find_item(project.cameras, run.camera);
-    if (!camera || !camera->scene_camera.empty()) return false;
-    return camera_at(project, *camera, run.time) != camera_at(project, *camera, time);
-}
-
-/// Of the truth of an experiment, which it is judged by.
-double judged_time(const Project& project, const Experiment& experiment, const Registry& registry) {
-    const auto run = effective(experiment);
-    const double last = last_time(experiment, registry);
-    return camera_moves(project, run, last) ? run.time : last;
-}
-
 /// What makes it the truth that it is, whatever its noise.
 Json truth_of(const Project& project, const Experiment& experiment, const Registry& registry) {
     auto inputs = state_inputs(project, experiment, registry);
@@ -104,12 +90,14 @@ std::string shown(const Value& value) {
 std::string mismatch(const Project& project, const Experiment& experiment, const Experiment& truth,
                      const Registry& registry) {
     std::vector<std::string> found;
-    const auto mine = picture_inputs(project, experiment, registry);
-    const auto its = picture_inputs(project, truth, registry);
+    const double seconds = last_time(experiment, registry), truth_seconds = last_time(truth, registry);
+    const auto mine = moment_inputs(project, experiment, seconds);
+    const auto its = moment_inputs(project, truth, truth_seconds);
     for (const char* key : {"scene", "camera", "lights", "environment", "size"})
         if (mine.at(key) != its.at(key)) found.push_back(key);
-    const double seconds = judged_time(project, experiment, registry),
-                 truth_seconds = last_time(truth, registry);
+    if (mine.contains("light_motion") != its.contains("light_motion") ||
+        (mine.contains("light_motion") && mine.at("light_motion") != its.at("light_motion")))
+        found.push_back("motions of lights");
     if (std::abs(seconds - truth_seconds) > same_moment)
         found.push_back("time (" + shown(seconds) + " s after its last frame, the reference has " +
                         shown(truth_seconds) + " s)");
@@ -159,7 +147,7 @@ Experiment matching_reference(const Project& project, const Experiment& experime
     auto truth = edits::new_experiment(project, registry, reference.id, name, run.scene, run.camera);
     truth.lights = run.lights;
     truth.size = run.size;
-    truth.time = judged_time(project, experiment, registry);
+    truth.time = last_time(experiment, registry);
     truth.frames = computed.frames;
     truth.values = computed.values;
     return truth;

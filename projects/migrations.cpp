@@ -98,6 +98,22 @@ void project_2_to_3(Json& project) {
     replace_member(project, "plots", key, *found);
 }
 
+/// Schema 3 knew motions of cameras alone; "moves" and "loop" were somebody's own keys.
+void motion_3_to_4(Json& motion) {
+    for (const char* key : {"moves", "loop"}) {
+        const auto found = motion.find(key);
+        if (found == motion.end()) continue;
+        std::string kept = std::string(key) + "_of_schema_3";
+        while (motion.contains(kept)) kept += '_';
+        replace_member(motion, key, kept, *found);
+    }
+    motion["moves"] = "camera";
+}
+
+void project_3_to_4(Json& project) {
+    for_each_object(project, "motion", motion_3_to_4);
+}
+
 int schema_of(const Json& project, const std::string& file) {
     const auto found = project.find("schema");
     if (found == project.end() || !found->is_number_integer())
@@ -120,6 +136,7 @@ const std::vector<Migration>& migrations() {
          "transport values are a group",
          project_1_to_2},
         {2, "projects have plots of the error", project_2_to_3},
+        {3, "motions say what they move: cameras, lights or parts of scenes", project_3_to_4},
     };
     return steps;
 }

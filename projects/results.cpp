@@ -4,6 +4,8 @@
 
 #include "projects/document_json.h"
 #include "projects/hash.h"
+#include "projects/motion.h"
+#include "projects/samples.h"
 #include "projects/scene_files.h"
 #include "projects/text.h"
 
@@ -17,13 +19,30 @@ Json content_of(const std::string& source, const std::string& content_hash) {
     return content_hash.empty() ? Json("source " + source) : Json(content_hash);
 }
 
-Json scene_inputs(const Project& project, const std::string& id) {
+/// What a picture sees: one moment, or how things move from there on.
+struct Sight {
+    double time = 0;     ///< seconds
+    bool lasts = false;  ///< several frames of different moments
+};
+
+/// A motion as far as a picture depends on it, beside what it gives at the sight's time.
+void put_motion(Json& inputs, const Motion* motion, const Sight& sight) {
+    if (!motion || !sight.lasts || !is_moving(*motion)) return;
+    inputs["motion"] = motion_inputs(*motion);
+}
+
+Json scene_inputs(const Project& project, const std::string& id, const Sight& sight) {
     const auto* scene = find_item(project.scenes, id);
     if (!scene) return "missing " + id;
     Json parts = Json::array();
     for (const auto& part : scene->parts) {
         Json json = Json::object({{"content", content_of(part.source, part.content_hash)}});
-        if (part.transform) json["transform"] = *part.transform;
+        const auto* motion = motion_of_part(project, id, static_cast<int>(parts.size()));
+        if (motion)
+            json["transform"] = transform_of(key_at(*motion, sight.time));
+        else if (part.transform)
+            json["transform"] = *part.transform;
+        put_motion(json, motion, sight);
         for (const auto& [name, change] : part.materials)
             if (auto members = to_json(change); !members.empty())
                 json["materials"][name] = std::move(members);
@@ -36,12 +55,12 @@ Json vector_of(const glm::dvec3& v) {
     return Json::array({v.x, v.y, v.z});
 }
 
-Json camera_inputs(const Project& project, const Experiment& experiment) {
+Json camera_inputs(const Project& project, const Experiment& experiment, const Sight& sight) {
     if (experiment.camera.empty()) return "first of the scene";
     const auto* camera = find_item(project.cameras, experiment.camera);
     if (!camera) return "missing " + experiment.camera;
     if (!camera->scene_camera.empty()) return Json::object({{"scene_camera", camera->scene_camera}});
-    const auto pose = camera_at(project, *camera, experiment.time);
+    const auto pose = camera_at(project, *camera, sight.time);
     Json json = Json::object({{"eye", vector_of(pose.eye)}});
     json["target"] = vector_of(pose.target);
     json["up"] = vector_of(pose.up);
@@ -49,6 +68,7 @@ Json camera_inputs(const Project& project, const Experiment& experiment) {
         json["height"] = pose.height;
     else
         json["fov_y_degrees"] = pose.fov_y_degrees;
+    put_motion(json, motion_of_camera(project, camera->id), sight);
     return json;
 }
 
@@ -64,15 +84,32 @@ Json environment_inputs(const Environment& environment) {
     return nullptr;
 }
 
-void put_lighting(Json& inputs, const Project& project, const std::string& id) {
+/// Motions of lights that the scene's file has, by their names.
+void put_scene_lights(Json& inputs, const Project& project, const std::string& id, const Sight& sight) {
+    for (const auto& motion : project.motion) {
+        const auto& name = motion.light_name;
+        if (motion_of_light(project, id, name) != &motion) continue;
+        auto& json = inputs["light_motion"][name] = Json::object();
+        json["at"] = key_inputs(key_at(motion, sight.time), motion.kind);
+        put_motion(json, &motion, sight);
+    }
+}
+
+void put_lighting(Json& inputs, const Project& project, const std::string& id, const Sight& sight) {
     const auto* set = find_item(project.lights, id);
+    if (id == scene_lights || (set && set->use_scene_lights)) put_scene_lights(inputs, project, id, sight);
     if (id == scene_lights || !set) {
         inputs["lights"] = set || id == scene_lights ? id : "missing " + id;
         inputs["environment"] = "scene";
         return;
     }
     inputs["lights"] = set->use_scene_lights ? Json(scene_lights) : Json::array();
-    for (const auto& light : set->lights) inputs["lights"].push_back(to_json(light));
+    for (std::size_t i = 0; i < set->lights.size(); ++i) {
+        const auto* motion = motion_of_light(project, id, static_cast<int>(i));
+        auto json = to_json(motion ? light_at(set->lights[i], key_at(*motion, sight.time)) : set->lights[i]);
+        put_motion(json, motion, sight);
+        inputs["lights"].push_back(std::move(json));
+    }
     inputs["environment"] = environment_inputs(set->environment);
 }
 
@@ -112,13 +149,25 @@ void compare(const std::string& path, const Json& before, const Json& now, std::
         if (!before.contains(it.key())) out.push_back(inner(it.key()) + ": nothing → " + shown(*it));
 }
 
+Json sight_inputs(const Project& project, const Experiment& run, const Sight& sight) {
+    Json inputs = Json::object({{"scene", scene_inputs(project, run.scene, sight)}});
+    inputs["camera"] = camera_inputs(project, run, sight);
+    put_lighting(inputs, project, run.lights, sight);
+    return inputs;
+}
+
 }  // namespace
+
+Json moment_inputs(const Project& project, const Experiment& experiment, double time) {
+    const Experiment run = effective(experiment);
+    auto inputs = sight_inputs(project, run, {time, false});
+    inputs["size"] = Json::array({run.size.x, run.size.y});
+    return inputs;
+}
 
 Json picture_inputs(const Project& project, const Experiment& experiment, const Registry& registry) {
     const Experiment run = effective(experiment);
-    Json inputs = Json::object({{"scene", scene_inputs(project, run.scene)}});
-    inputs["camera"] = camera_inputs(project, run);
-    put_lighting(inputs, project, run.lights);
+    auto inputs = sight_inputs(project, run, {run.time, last_time(run, registry) > run.time});
     put_method(inputs, run, registry);
     inputs["size"] = Json::array({run.size.x, run.size.y});
     inputs["seed"] = run.seed;

@@ -29,6 +29,34 @@ bool is_finite(const Settings& values) {
     return true;
 }
 
+bool is_finite(const std::optional<glm::dvec3>& v) {
+    return !v || is_finite(*v);
+}
+
+bool is_finite(const Motion::Key& key) {
+    return std::isfinite(key.time) && is_finite(key.eye) && is_finite(key.target) && is_finite(key.up) &&
+           is_finite(key.position) && is_finite(key.look_at) && is_finite(key.direction) &&
+           std::isfinite(key.intensity) && is_finite(key.translation) && is_finite(key.rotation) &&
+           is_finite(key.scale);
+}
+
+/// Keys between which a light cannot be told from interpolation are refused.
+void validate_light_key(const std::vector<Motion::Key>& keys, std::size_t i, const std::string& where) {
+    const auto& key = keys[i];
+    refuse_unless(key.intensity >= 0, where + "a light's intensity must not be negative");
+    refuse_unless(!(key.look_at && key.direction), where + "a key has a target or a direction, not both");
+    refuse_unless(!key.direction || *key.direction != glm::dvec3(0), where + "a direction must not be 0,0,0");
+    if (i == 0) return;
+    const auto& before = keys[i - 1];
+    refuse_unless(key.position.has_value() == before.position.has_value() &&
+                      key.look_at.has_value() == before.look_at.has_value() &&
+                      key.direction.has_value() == before.direction.has_value(),
+                  where + "all its keys must give the same of position, target and direction");
+    if (!key.direction) return;
+    refuse_unless(glm::dot(glm::normalize(*key.direction), glm::normalize(*before.direction)) > -1 + 1e-9,
+                  where + "two successive directions are opposite; give a key between them");
+}
+
 }  // namespace
 
 void validate(const Scene& scene) {
@@ -75,13 +103,16 @@ void validate(const LightSet& lights) {
 void validate(const Motion& motion) {
     check_id(motion.id, "motion");
     const std::string where = "motion '" + motion.id + "': ";
+    refuse_unless(motion.light >= 0 && motion.part >= 0, where + "counts lights and parts from 0");
     for (std::size_t i = 0; i < motion.keys.size(); ++i) {
         const auto& key = motion.keys[i];
-        refuse_unless(
-            std::isfinite(key.time) && is_finite(key.eye) && is_finite(key.target) && is_finite(key.up),
-            where + "its keys must hold finite numbers");
+        refuse_unless(is_finite(key), where + "its keys must hold finite numbers");
         refuse_unless(i == 0 || key.time > motion.keys[i - 1].time,
                       where + "the times of its keys must ascend");
+        if (motion.kind == Motion::Kind::light) validate_light_key(motion.keys, i, where);
+        if (motion.kind == Motion::Kind::part)
+            refuse_unless(key.scale.x != 0 && key.scale.y != 0 && key.scale.z != 0,
+                          where + "a part cannot be scaled by 0");
     }
 }
 

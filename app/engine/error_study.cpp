@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "app/engine/from_project.h"
 #include "app/engine/study_plan.h"
 #include "app/engine/study_reference.h"
+#include "projects/samples.h"
 #include "projects/scene_files.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
@@ -156,6 +158,7 @@ class Study {
         const auto experiment = from_project(project_, first.run, folder_);
         Execution execution(machine_, experiment);
         warm_up(execution, experiment, planned.experiment);
+        find_moments(execution, planned);
         int last = 1;
         for (const auto& point : planned.points)
             if (point.problem.empty()) last = std::max(last, point.frames);
@@ -178,8 +181,38 @@ class Study {
         }
     }
 
+    /// Where something moves, frames are of different moments, and each is judged by the reference of its
+    /// own.
+    void find_moments(const Execution& execution, const PlannedRun& planned) {
+        const auto* reference = find_item(project_.experiments, plot_.reference);
+        if (!reference || !execution.is_moving()) return;
+        for (const auto& point : planned.points) {
+            if (!point.problem.empty()) continue;
+            auto run = point.run;
+            run.frames = point.frames;
+            const double time = projects::last_time(run, registry());
+            if (same_moment(time, projects::last_time(*reference, registry())) ||
+                moments_.count(micros(time)))
+                continue;
+            auto then = project_;
+            find_item(then.experiments, plot_.reference)->time = time;
+            moments_[micros(time)] = study_reference(machine_, then, plot_.reference, folder_, options_);
+            if (moments_.size() == 1)
+                study_.notes.push_back(
+                    "the scene moves: every number of frames is judged by the reference of its own moment");
+        }
+    }
+
+    static std::int64_t micros(double seconds) { return std::llround(1e6 * seconds); }
+    static bool same_moment(double a, double b) { return micros(a) == micros(b); }
+    const StudyReference& reference_of(const Execution& execution) const {
+        const auto found = moments_.find(micros(execution.time()));
+        return execution.is_moving() && found != moments_.end() ? found->second : reference_;
+    }
+
     void measure(Execution& execution, const FrameReport& report, ErrorPoint& point) {
         machine_.context().make_current();
+        const auto& reference = reference_of(execution);
         const auto image = execution.main_result();
         const auto valid = execution.graph().read_image("valid").value_or(Image());
         point.memory_bytes = report.memory_bytes;
@@ -188,9 +221,9 @@ class Study {
             check();
             try {
                 const auto result = compute_metrics(
-                    image, reference_.image, {name},
+                    image, reference.image, {name},
                     {.valid_image = valid.empty() ? nullptr : &valid,
-                     .valid_reference = reference_.valid.empty() ? nullptr : &reference_.valid});
+                     .valid_reference = reference.valid.empty() ? nullptr : &reference.valid});
                 point.errors[name] = result.values.at(name);
                 point.pixels = result.pixels;
                 point.skipped = result.skipped;
@@ -208,6 +241,7 @@ class Study {
     const StudyCallbacks& callbacks_;
     graph::FrameOptions options_;
     StudyReference reference_;
+    std::map<std::int64_t, StudyReference> moments_;  ///< of other moments, by microseconds
     ErrorStudy study_;
     std::size_t points_ = 0;
     double width_ = 1, told_fraction_ = 0;

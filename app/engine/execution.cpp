@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "app/engine/moving.h"
 #include "projects/samples.h"
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
@@ -90,9 +91,14 @@ void Execution::load() {
     settings_ = std::move(settings);
     scene_ = std::move(loaded);
     inputs_ = {};  // they point into the old scene
-    world_time_ = std::nan("");
+    forget_frames();
+}
+
+void Execution::forget_frames() {
+    world_time_ = lights_time_ = std::nan("");
+    time_ = experiment_.time;
     previous_view_.reset();
-    frame_ = 0;
+    frame_ = first_frame_ = 0;
     samples_ = 0;
     shown_ = is_extended_ = false;
     origins_.clear();
@@ -108,6 +114,8 @@ bool Execution::update(Experiment experiment) {
     bool changed = reload || experiment.width != old.width || experiment.height != old.height ||
                    experiment.seed != old.seed || experiment.time != old.time ||
                    experiment.camera_name != old.camera_name || !same_camera(experiment.camera, old.camera) ||
+                   experiment.camera_motion != old.camera_motion ||
+                   experiment.light_motions != old.light_motions ||
                    (experiment.frames < frame_ && !accumulates());
     if (!changed) {
         const auto after = completed(method_->description.parameters, experiment.settings);
@@ -133,34 +141,53 @@ bool Execution::update(Experiment experiment) {
     return changed;
 }
 
-void Execution::restart() {
-    frame_ = 0;
-    samples_ = 0;
-    shown_ = is_extended_ = false;
-    origins_.clear();
-    previous_view_.reset();
-    world_time_ = std::nan("");
+void Execution::restart(int first) {
+    forget_frames();
     graph_->reset_history();
+    if (projects::accumulates(method_->description)) return;
+    first_frame_ = first;
+    set_samples(static_cast<std::uint64_t>(first));
+    time_ = experiment_.time + first * seconds_per_frame();
+}
+
+bool Execution::is_moving() const {
+    return scene_->is_animated() || engine::is_moving(experiment_);
+}
+
+double Execution::seconds_per_frame() const {
+    // What adds up over frames is a picture of one moment.
+    return projects::accumulates(method_->description) ? 0 : projects::frame_seconds;
 }
 
 scene::Camera Execution::camera() const {
-    if (experiment_.camera) return *experiment_.camera;
+    if (experiment_.camera) return camera_at(experiment_, time_);
     for (const auto& camera : world_.cameras)
         if (camera.name == experiment_.camera_name) return camera;
     return world_.cameras.empty() ? scene::framing_camera(world_.bounds) : world_.cameras.front();
 }
 
-FrameReport Execution::run_frame(const graph::FrameOptions& options) {
-    machine_.context().make_current();
-    // What adds up over frames is a picture of one moment.
-    const double step = projects::accumulates(method_->description) ? 0 : projects::frame_seconds;
-    const double time = experiment_.time + frame_ * step;
+/// The world at `time`, and how it has moved since the frame before.
+void Execution::move_world(double time) {
+    const double before = frame_ > first_frame_ ? time - seconds_per_frame() : time;
     const double world_time = scene_->is_animated() ? time : 0;
     if (world_time != world_time_) {
-        const double previous = frame_ > 0 && scene_->is_animated() ? time - step : world_time;
-        world_ = scene::flatten(*scene_, world_time, previous);
+        world_previous_ = scene_->is_animated() ? before : world_time;
+        world_ = scene::flatten(*scene_, world_time, world_previous_);
         world_time_ = world_time;
+        own_lights_ = world_.lights;
+        lights_time_ = std::nan("");
     }
+    if (time == lights_time_) return;
+    lights_time_ = time;
+    world_.lights = lights_at(experiment_, own_lights_, time);
+    const auto previous = lights_at(experiment_, own_lights_, before);
+    world_.lights_moved = !std::equal(previous.begin(), previous.end(), world_.lights.begin(), same_light);
+}
+
+FrameReport Execution::run_frame(const graph::FrameOptions& options) {
+    machine_.context().make_current();
+    time_ = experiment_.time + frame_ * seconds_per_frame();
+    move_world(time_);
     auto& inputs = inputs_;
     inputs.scene = scene_.get();
     inputs.world = &world_;
@@ -168,8 +195,8 @@ FrameReport Execution::run_frame(const graph::FrameOptions& options) {
     inputs.view = scene::make_view(camera(), experiment_.width, experiment_.height, world_.bounds);
     inputs.previous_view = previous_view_.value_or(inputs.view);
     inputs.seed = experiment_.seed;
-    inputs.frame = frame_;
-    inputs.time = time;
+    inputs.frame = frame_ - first_frame_;
+    inputs.time = time_;
     inputs.threads = machine_.options().threads;
     inputs.inspection = inspection_;
     inputs.sample_limit = sample_limit();
@@ -191,6 +218,7 @@ bool Execution::explain(const graph::FrameOptions& options) {
 std::string Execution::world_fingerprint() const {
     std::ostringstream text;
     text << std::hexfloat << scene_->content_hash << '@' << world_time_;
+    if (world_previous_ != world_time_) text << '<' << world_previous_;
     const auto add = [&](auto... numbers) { ((text << ' ' << numbers), ...); };
     const auto& environment = scene_->environment;
     add(environment.constant.x, environment.constant.y, environment.constant.z, environment.map.get());

@@ -82,8 +82,15 @@ class Execution {
     /// What the next frame, or explain(), explains.
     void inspect(Inspection inspection) { inspection_ = std::move(inspection); }
 
-    /// Back to an empty history; buffers stay.
-    void restart();
+    /// Back to an empty history; buffers stay. The next frame is number `first`, at its time; what
+    /// accumulates always begins with the first.
+    void restart(int first = 0);
+    /// With which frame the history began.
+    int first_frame() const { return first_frame_; }
+    /// Whether frames of other times show something else: camera, lights, or what the scene animates.
+    bool is_moving() const;
+    /// Seconds at which the last frame saw the scene; before the first that of the experiment.
+    double time() const { return time_; }
     /// The next frames go on from a stored history as if it had been that of their previous frame, and add
     /// what the experiment asks for beyond it; where that is nothing, one frame only shows it. Throws Error
     /// where it is the state of another picture, the method does not accumulate, or the scene moves.
@@ -130,6 +137,9 @@ class Execution {
 
   private:
     void load();
+    void forget_frames();
+    double seconds_per_frame() const;
+    void move_world(double time);
     std::string world_fingerprint() const;
     bool accumulates() const;
     std::uint64_t samples_per_frame() const;
@@ -141,13 +151,15 @@ class Execution {
     const graph::Method* method_ = nullptr;
     std::shared_ptr<const scene::Scene> scene_;
     scene::World world_;
-    double world_time_ = -1;
+    double world_time_ = -1, world_previous_ = -1, lights_time_ = -1;
+    std::vector<scene::Light> own_lights_;  ///< of the world, without the experiment's motions
+    double time_ = 0;
     std::unique_ptr<graph::Graph> graph_;
     std::optional<scene::View> previous_view_;
     Settings settings_;
     Inspection inspection_;
     graph::FrameInputs inputs_;
-    int frame_ = 0;
+    int frame_ = 0, first_frame_ = 0;
     std::uint64_t samples_ = 0;
     bool shown_ = false;        ///< the contents are those of the history
     bool is_extended_ = false;  ///< since the history was empty or restored

@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "app/engine/execution.h"
+#include "app/engine/moving.h"
 #include "app/engine/version.h"
 #include "projects/hash.h"
 #include "projects/samples.h"
@@ -69,6 +70,7 @@ std::string state_fingerprint(const Experiment& experiment, const std::string& s
     exact.add(experiment.camera.has_value());
     if (experiment.camera) add(exact, *experiment.camera);
     exact.add(experiment.width, experiment.height, experiment.seed, experiment.time);
+    if (const auto motion = motion_text(experiment); !motion.empty()) exact.add_text(motion);
     return exact.hash();
 }
 

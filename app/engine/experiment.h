@@ -6,11 +6,21 @@
 #include <string>
 #include <vector>
 
+#include "projects/document.h"
 #include "renderers/core/value.h"
 #include "renderers/scene/compose.h"
 #include "renderers/scene/scene.h"
 
 namespace ir::engine {
+
+/// A light that moves: one of Experiment::lights, or the scene's with a name.
+struct LightMotion {
+    std::size_t light = 0;
+    std::string name;          ///< not empty: of the scene's light
+    projects::LightSpec spec;  ///< of one of Experiment::lights, as it is without its motion
+    projects::Motion motion;   ///< with keys
+    bool operator==(const LightMotion&) const = default;
+};
 
 /// Everything that one picture depends on, resolved: what the command line and the project document both
 /// become.
@@ -23,6 +33,9 @@ struct Experiment {
     std::optional<scene::Camera> camera;
     std::vector<scene::Light> lights;  ///< replace the scene's when `replace_lights`
     bool replace_lights = false;
+    /// How things move from `time` on, where `camera` and `lights` stand then; parts have their own.
+    std::optional<projects::Motion> camera_motion;
+    std::vector<LightMotion> light_motions;
     std::optional<scene::Environment> environment;
     int width = 800, height = 600;
     std::uint64_t seed = 0;

@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "app/engine/execution.h"
+#include "projects/motion.h"
+#include "projects/samples.h"
 #include "projects/scene_files.h"
 #include "projects/settings.h"
 #include "renderers/core/error.h"
@@ -47,17 +49,42 @@ scene::MaterialOverride to_scene_override(const projects::MaterialOverride& chan
     return result;
 }
 
-scene::Part to_scene_part(const projects::ScenePart& part, const std::filesystem::path& folder) {
+glm::mat4 matrix_of(const std::array<double, 16>& numbers) {
+    glm::mat4 matrix;
+    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = static_cast<float>(numbers[std::size_t(i)]);
+    return matrix;
+}
+
+scene::PartMotion to_part_motion(const projects::Motion& motion) {
+    scene::PartMotion result;
+    result.loop = motion.loop;
+    for (const auto& key : motion.keys)
+        result.keys.push_back({static_cast<float>(key.time), key.translation,
+                               glm::quat(projects::rotation_of(key.rotation)), key.scale});
+    return result;
+}
+
+scene::Part to_scene_part(const projects::ScenePart& part, const projects::Motion* motion,
+                          const std::filesystem::path& folder) {
     scene::Part result;
     result.source = projects::loadable_source(part.source, folder);
-    if (part.transform)
-        for (int i = 0; i < 16; ++i)
-            result.transform[i / 4][i % 4] = static_cast<float>((*part.transform)[i]);
+    if (motion && projects::is_moving(*motion))
+        result.motion = to_part_motion(*motion);
+    else if (motion)
+        result.transform = matrix_of(projects::transform_of(motion->keys.front()));
+    else if (part.transform)
+        result.transform = matrix_of(*part.transform);
     for (const auto& [name, change] : part.materials) result.materials[name] = to_scene_override(change);
     return result;
 }
 
-void set_camera(Experiment& result, const projects::Project& project, const std::string& id) {
+/// The motion as a picture of one moment needs it.
+projects::Motion frozen(projects::Motion motion, double time) {
+    motion.keys = {projects::key_at(motion, time)};
+    return motion;
+}
+
+void set_camera(Experiment& result, const projects::Project& project, const std::string& id, bool lasts) {
     if (id.empty()) return;
     const auto* item = projects::find_item(project.cameras, id);
     if (!item) throw Error("experiment uses camera '" + id + "', which the project does not have");
@@ -75,18 +102,41 @@ void set_camera(Experiment& result, const projects::Project& project, const std:
     camera.orthographic = posed.orthographic;
     camera.height = static_cast<float>(posed.height);
     result.camera = camera;
+    const auto* motion = projects::motion_of_camera(project, id);
+    if (lasts && motion && projects::is_moving(*motion)) result.camera_motion = *motion;
+}
+
+void add_light(Experiment& result, const projects::Motion* motion, const projects::LightSpec& spec,
+               const std::string& name, bool lasts) {
+    if (motion && lasts && projects::is_moving(*motion))
+        result.light_motions.push_back({result.lights.size(), "", spec, *motion});
+    const auto now = motion ? projects::light_at(spec, projects::key_at(*motion, result.time)) : spec;
+    result.lights.push_back(to_scene_light(now, name));
+}
+
+/// Lights of the scene's file have nothing but their names here.
+void move_scene_lights(Experiment& result, const projects::Project& project, const std::string& id,
+                       bool lasts) {
+    for (const auto& motion : project.motion)
+        if (projects::motion_of_light(project, id, motion.light_name) == &motion)
+            result.light_motions.push_back(
+                {0, motion.light_name, {}, lasts ? motion : frozen(motion, result.time)});
 }
 
 void set_lights(Experiment& result, const projects::Project& project, const std::string& id,
-                const std::filesystem::path& folder) {
-    if (id == projects::scene_lights) return;
+                const std::filesystem::path& folder, bool lasts) {
+    if (id == projects::scene_lights) return move_scene_lights(result, project, id, lasts);
     const auto* set = projects::find_item(project.lights, id);
     if (!set) throw Error("experiment uses lights '" + id + "', which the project does not have");
     if (!set->use_scene_lights) {
         result.replace_lights = true;
-        for (const auto& spec : set->lights)
-            result.lights.push_back(
-                to_scene_light(spec, set->name + " " + std::to_string(result.lights.size() + 1)));
+        for (const auto& spec : set->lights) {
+            const auto number = result.lights.size();
+            add_light(result, projects::motion_of_light(project, id, static_cast<int>(number)), spec,
+                      set->name + " " + std::to_string(number + 1), lasts);
+        }
+    } else {
+        move_scene_lights(result, project, id, lasts);
     }
     using Kind = projects::Environment::Kind;
     const auto& environment = set->environment;
@@ -122,7 +172,11 @@ Experiment from_project(const projects::Project& project, const projects::Experi
         throw Error("experiment '" + chosen.id + "' uses scene '" + experiment.scene +
                     "', which the project does not have");
     Experiment result;
-    for (const auto& part : scene->parts) result.parts.push_back(to_scene_part(part, folder));
+    for (const auto& part : scene->parts) {
+        const auto number = static_cast<int>(result.parts.size());
+        const auto* motion = projects::motion_of_part(project, scene->id, number);
+        result.parts.push_back(to_scene_part(part, motion, folder));
+    }
     result.scene = scene::composition_name(result.parts);
     result.method = experiment.method;
     const auto* method = registry().find(experiment.method);
@@ -133,8 +187,10 @@ Experiment from_project(const projects::Project& project, const projects::Experi
     result.seed = experiment.seed;
     result.frames = experiment.frames;
     result.time = experiment.time;
-    set_camera(result, project, experiment.camera);
-    set_lights(result, project, experiment.lights, folder);
+    // What adds up over frames is a picture of one moment, in which camera and lights stand still.
+    const bool lasts = !method || !projects::accumulates(*method);
+    set_camera(result, project, experiment.camera, lasts);
+    set_lights(result, project, experiment.lights, folder, lasts);
     return result;
 }
 

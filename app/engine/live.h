@@ -36,6 +36,9 @@ struct LiveRequest {
     Inspection inspection;
     bool thumbnails = false;  ///< also send a small image of each image resource
     std::uint64_t memory_budget = 0;
+    /// Where a history is lost (something else is computed, a parameter changed), only so many of the last
+    /// frames are run again, the first of them with an empty history; 0: all, as the picture is defined.
+    int frames_again = 0;
     /// Stored history to begin with (state_file.h); empty, absent or of something else: from nothing.
     std::string state_file = {};
 };
@@ -53,6 +56,9 @@ struct LiveResult {
     std::string tag;
     std::uint64_t serial = 0;  ///< of the request
     int frame = 0, frames = 1;
+    int history = 0;               ///< frames since the history was empty, this one included
+    double time = 0;               ///< seconds at which the frame saw the scene
+    double scene_end = 0;          ///< seconds, of what the scene animates; 0: it stands still
     std::map<Part, Image> images;  ///< by the parts asked for; absent: not available
     std::map<std::string, BufferContents> buffers;
     Image valid;                              ///< 1 channel, may be empty

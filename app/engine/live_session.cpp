@@ -127,12 +127,20 @@ void LiveSession::run_frame(Entry& entry, const LiveRequest& request, const Step
     entry.rebuild = entry.rebuild && !entry.report.complete;
 }
 
+/// With which frame a history that was lost begins again.
+int LiveSession::first_frame(const LiveRequest& request) {
+    return request.frames_again > 0 ? std::max(0, request.experiment.frames - request.frames_again) : 0;
+}
+
 void LiveSession::update(Entry& entry, const LiveRequest& request) {
     if (!entry.execution) {
         entry.execution = std::make_unique<Execution>(machine_, request.experiment);
-    } else if (entry.execution->update(request.experiment)) {
+        entry.execution->restart(first_frame(request));
+    } else if (entry.execution->update(request.experiment) ||
+               (request.frames_again == 0 && entry.execution->first_frame() > 0)) {
         entry.wanted.clear();  // what nobody looks at any more is not computed again
         entry.begins = true;
+        entry.execution->restart(first_frame(request));
     }
     entry.execution->inspect(request.inspection);
     // Explanations are computed only while they are asked for.
@@ -162,7 +170,7 @@ void LiveSession::begin(Entry& entry, const LiveRequest& request) {
 }
 
 void LiveSession::restart(Entry& entry, const LiveRequest& request) {
-    entry.execution->restart();
+    entry.execution->restart(first_frame(request));
     entry.begins = true;
     begin(entry, request);
 }
@@ -172,7 +180,7 @@ LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial
     update(entry, request);
     begin(entry, request);
     auto& execution = *entry.execution;
-    const bool lacking = execution.committed_frames() > 0 && lacks(entry, request);
+    const bool lacking = execution.committed_frames() > execution.first_frame() && lacks(entry, request);
     if (!execution.is_done()) {
         // What accumulates has to start with the others.
         if (lacking) restart(entry, request);
@@ -187,6 +195,9 @@ LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial
     result.serial = serial;
     result.frames = request.experiment.frames;
     result.frame = std::min(execution.committed_frames(), request.experiment.frames);
+    result.history = execution.committed_frames() - execution.first_frame();
+    result.time = execution.time();
+    result.scene_end = execution.scene().duration();
     result.finished = execution.is_done();
     result.inspection = request.inspection;
     result.report = entry.report;

@@ -64,6 +64,7 @@ class LiveSession {
     static bool lacks(const Entry& entry, const LiveRequest& request);
     static bool is_explained(const Entry& entry, const LiveRequest& request);
     void update(Entry& entry, const LiveRequest& request);
+    static int first_frame(const LiveRequest& request);
     static void begin(Entry& entry, const LiveRequest& request);
     static void restart(Entry& entry, const LiveRequest& request);
     static graph::FrameOptions frame_options(const Entry& entry, const LiveRequest& request,

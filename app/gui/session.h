@@ -72,6 +72,8 @@ class Session : public QObject {
     /// The scene's cameras in world space, for experiments that use one of them.
     void set_scene_cameras(std::vector<scene::Camera> cameras) { scene_cameras_ = std::move(cameras); }
     std::optional<widgets::CameraPose> camera_pose() const;
+    /// Where the timeline stands, seconds; absent: at the experiment's own time.
+    void set_shown_time(std::optional<double> time) { shown_time_ = time; }
     /// While a gesture lasts: the pose of an experiment that it moves.
     std::optional<widgets::CameraPose> moved_pose(const std::string& experiment) const;
     /// Moves an experiment, and others together with it.
@@ -120,6 +122,7 @@ class Session : public QObject {
     std::vector<scene::Camera> scene_cameras_;
     std::optional<widgets::CameraPose> moved_pose_;
     std::vector<std::string> moved_;  ///< experiments that the gesture moves
+    std::optional<double> shown_time_;
     projects::Json memory_ = projects::Json::object();
     projects::Json saved_memory_;  ///< as it is on disk
     std::filesystem::path unsaved_folder_;

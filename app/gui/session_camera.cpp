@@ -3,6 +3,7 @@
 
 #include "app/gui/camera_pose.h"
 #include "app/gui/session.h"
+#include "projects/motion.h"
 
 namespace ir::gui {
 namespace {
@@ -24,9 +25,7 @@ projects::Camera posed(projects::Camera camera, const widgets::CameraPose& pose)
 
 /// Whether the pose can be changed in place: a pose of its own that no motion overrides.
 bool is_movable(const projects::Project& project, const projects::Camera* camera) {
-    return camera && camera->scene_camera.empty() &&
-           std::none_of(project.motion.begin(), project.motion.end(),
-                        [&](const auto& motion) { return motion.camera == camera->id; });
+    return camera && camera->scene_camera.empty() && !projects::motion_of_camera(project, camera->id);
 }
 
 /// A camera with the pose, named "View 2" and so on.
@@ -77,7 +76,7 @@ std::optional<widgets::CameraPose> Session::camera_pose() const {
     if (const auto moved = moved_pose(chosen->id)) return moved;
     const auto* camera = projects::find_item(document().cameras, chosen->camera);
     if (camera && camera->scene_camera.empty())
-        return pose_of(projects::camera_at(document(), *camera, chosen->time));
+        return pose_of(projects::camera_at(document(), *camera, shown_time_.value_or(chosen->time)));
     if (camera)
         for (const auto& each : scene_cameras_)
             if (each.name == camera->scene_camera) return pose_of(each);

@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include "app/engine/moving.h"
+
 namespace ir::gui {
 namespace {
 
@@ -31,6 +33,7 @@ std::string signature(const engine::Experiment& e) {
     for (const auto& light : e.lights) write_light(out, light);
     if (e.environment) out << "environment " << e.environment->constant << e.environment->map.get() << '\n';
     out << e.width << 'x' << e.height << ' ' << e.seed << ' ' << e.frames << ' ' << e.time;
+    out << '\n' << engine::motion_text(e);
     return out.str();
 }
 

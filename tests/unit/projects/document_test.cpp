@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "projects/motion.h"
 #include "projects/settings.h"
 #include "renderers/core/error.h"
 #include "tests/unit/projects/sample.h"
@@ -37,8 +38,8 @@ TEST(Document, RoundTripIsStableToTheByte) {
     EXPECT_TRUE(back.messages.empty());
 }
 
-TEST(Document, MatchesTheFrozenFileOfSchema3) {
-    const auto text = testing::read_text(TEST_DATA "/projects/schema-3.json");
+TEST(Document, MatchesTheFrozenFileOfSchema4) {
+    const auto text = testing::read_text(TEST_DATA "/projects/schema-4.json");
     EXPECT_EQ(write_project(read(text).project), text);
     EXPECT_EQ(read(text).project, sample_project());
 }

@@ -82,7 +82,8 @@ void add_item_makers(std::map<std::string, Maker>& m) {
         s.environment.constant = glm::dvec3(real(r));
     });
     m["change_motion"] = changer(&Project::motion, edits::change_motion, [](Motion& motion, Random& r) {
-        motion.keys.push_back(Motion::Key{});
+        motion.keys.push_back(motion.keys.back());
+        motion.keys.back().eye.x += 1;
         motion.keys.back().time = motion.keys[motion.keys.size() - 2].time + real(r);
     });
     m["change_image"] = changer(&Project::images, edits::change_image,

@@ -57,9 +57,31 @@ TEST(Migrations, FrozenFileOfSchema2Opens) {
     EXPECT_EQ(old.schema_in_file, 2);
     auto expected = testing::sample_project();
     expected.plots.clear();
+    expected.motion.resize(1);
+    EXPECT_EQ(old.project, expected);
+    ASSERT_EQ(old.messages.size(), 2u);
+    EXPECT_EQ(old.messages[0].text, "upgraded from schema 2 to 3: projects have plots of the error");
+}
+
+TEST(Migrations, FrozenFileOfSchema3Opens) {
+    const auto old = read(testing::read_text(TEST_DATA "/projects/schema-3.json"));
+    EXPECT_EQ(old.schema_in_file, 3);
+    auto expected = testing::sample_project();
+    expected.motion.resize(1);
     EXPECT_EQ(old.project, expected);
     ASSERT_EQ(old.messages.size(), 1u);
-    EXPECT_EQ(old.messages[0].text, "upgraded from schema 2 to 3: projects have plots of the error");
+    EXPECT_EQ(old.messages[0].text,
+              "upgraded from schema 3 to 4: motions say what they move: cameras, lights or parts of scenes");
+}
+
+TEST(Migrations, WhatSchema3KeptInMotionsIsStillKept) {
+    const auto old = read(
+        R"({"schema": 3, "motion": [{"id": "m", "camera": "c", "moves": 1, "loop": "x", "part": 5, "keys": []}]})");
+    const Motion& motion = old.project.motion.at(0);
+    EXPECT_EQ(motion.kind, Motion::Kind::camera);
+    EXPECT_EQ(motion.camera, "c");
+    EXPECT_FALSE(motion.loop);
+    EXPECT_EQ(motion.extra, Json::object({{"moves_of_schema_3", 1}, {"loop_of_schema_3", "x"}, {"part", 5}}));
 }
 
 TEST(Migrations, WhatSchema2KeptAsPlotsIsStillKept) {
@@ -81,7 +103,7 @@ TEST(Migrations, UpgradedTextIsStableAndNotes) {
 
 TEST(Migrations, WrongSchemasAreRefused) {
     for (const char* text : {"{}", R"({"schema": "2"})", R"({"schema": 0})", R"({"schema": -1})",
-                             R"({"schema": 4})", R"({"schema": 1.5})", R"({"schema": 18446744073709551615})"})
+                             R"({"schema": 5})", R"({"schema": 1.5})", R"({"schema": 18446744073709551615})"})
         EXPECT_THROW(read(text), InputError) << text;
 }
 

@@ -42,6 +42,15 @@ TEST(ResultKey, ChangesWithEveryDependency) {
         {"eye", [](Project& p) { p.motion[0].keys[0].eye.x += 1; }},
         {"target", [](Project& p) { p.motion[0].keys[1].target.y += 1; }},
         {"up", [](Project& p) { p.motion[0].keys[1].up.x += 1; }},
+        {"position of a light", [](Project& p) { p.motion[1].keys[0].position->x += 1; }},
+        {"target of a light", [](Project& p) { p.motion[1].keys[0].look_at->x += 1; }},
+        {"intensity of a light", [](Project& p) { p.motion[1].keys[0].intensity = 2; }},
+        {"key after the last frame", [](Project& p) { p.motion[1].keys[2].intensity = 2; }},
+        {"loop", [](Project& p) { p.motion[1].loop = false; }},
+        {"translation of a part", [](Project& p) { p.motion[2].keys[1].translation.y = 1; }},
+        {"rotation of a part", [](Project& p) { p.motion[2].keys[1].rotation.y = 80; }},
+        {"scale of a part", [](Project& p) { p.motion[2].keys[1].scale.z = 2; }},
+        {"fewer motions", [](Project& p) { p.motion.pop_back(); }},
         {"field of view", [](Project& p) { p.cameras[0].fov_y_degrees = 41; }},
         {"projection", [](Project& p) { p.cameras[0].orthographic = true; }},
         {"camera of the scene", [](Project& p) { p.experiments[0].camera = "inside"; }},
@@ -91,6 +100,14 @@ TEST(ResultKey, ChangesWithNothingElse) {
          }},
         {"height of a perspective camera", [](Project& p) { p.cameras[0].height = 3; }},
         {"a pose that motion replaces", [](Project& p) { p.cameras[0].eye.x = 9; }},
+        {"motions of something else",
+         [](Project& p) {
+             p.motion.push_back(p.motion[1]);
+             p.motion.back().lights = "own";
+             p.motion.push_back(p.motion[2]);
+             p.motion.back().scene = "room";
+         }},
+        {"names of motions", [](Project& p) { p.motion[1].id = p.motion[1].name = "other"; }},
         {"unknown keys",
          [](Project& p) {
              p.scenes[0].parts[1].materials["gold"].extra["x"] = 1;

@@ -112,6 +112,34 @@ LightSet evening() {
     return set;
 }
 
+Motion swinging_spot() {
+    Motion motion{"spot", "The spot swings", "", {}};
+    motion.kind = Motion::Kind::light;
+    motion.lights = "evening";
+    motion.light = 1;
+    motion.loop = true;
+    motion.keys.resize(3);
+    for (int i = 0; i < 3; ++i) {
+        motion.keys[std::size_t(i)].time = 0.25 + i;
+        motion.keys[std::size_t(i)].position = {i, 3, 0};
+        motion.keys[std::size_t(i)].look_at = {0, 0, i};
+        motion.keys[std::size_t(i)].intensity = 1.0 / (1 << i);
+    }
+    return motion;
+}
+
+Motion sliding_church() {
+    Motion motion{"slide", "The church slides", "", {}};
+    motion.kind = Motion::Kind::part;
+    motion.scene = "church";
+    motion.keys.resize(2);
+    motion.keys[1].time = 4;
+    motion.keys[1].translation = {1, 0, 2};
+    motion.keys[1].rotation = {0, 90, 0};
+    motion.keys[1].scale = {1, 2, 1};
+    return motion;
+}
+
 }  // namespace
 
 const Registry& registry() {
@@ -143,6 +171,8 @@ Project sample_project() {
     own.environment = {Environment::Kind::map, {}, "sky.exr", "00ff"};
     project.lights.push_back(own);
     project.motion = {{"walk", "Walk", "orbit", {{0, {1, 2, 3}, {0, 1, 0}}, {2, {3, 2, 1}, {0, 1, 0}}}}};
+    project.motion.push_back(swinging_spot());
+    project.motion.push_back(sliding_church());
     project.images = {{"photo", "Photograph", "photo.exr", "", "from the archive"}};
     project.experiments = {fog_experiment(), plain_experiment()};
     Comparison both, real;

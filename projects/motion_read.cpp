@@ -1,0 +1,81 @@
+#include "projects/motion_read.h"
+
+#include "projects/motion.h"
+#include "projects/text.h"
+#include "projects/validate.h"
+#include "renderers/core/error.h"
+
+namespace ir::projects {
+namespace {
+
+Motion::Kind read_kind(ObjectReader& reader) {
+    const auto name = reader.text("moves", to_string(Motion::Kind::camera));
+    for (const auto kind : {Motion::Kind::camera, Motion::Kind::light, Motion::Kind::part})
+        if (to_string(kind) == name) return kind;
+    reader.fail("moves", "'" + printable(name, 60) + "' cannot move; give camera, light or part");
+}
+
+void read_target(ObjectReader& reader, Motion& motion) {
+    constexpr int most = 1'000'000;
+    switch (motion.kind) {
+        case Motion::Kind::camera:
+            motion.camera = reader.text("camera");
+            return;
+        case Motion::Kind::light:
+            motion.lights = reader.text("lights");
+            if (const auto* light = reader.take("light"); light && light->is_string())
+                motion.light_name = light->get<std::string>();
+            else
+                motion.light = static_cast<int>(reader.integer("light", 0, 0, most));
+            return;
+        case Motion::Kind::part:
+            motion.scene = reader.text("scene");
+            motion.part = static_cast<int>(reader.integer("part", 0, 0, most));
+    }
+}
+
+Motion::Key read_key(ObjectReader& reader, Motion::Kind kind) {
+    Motion::Key key;
+    key.time = reader.number("time", key.time);
+    switch (kind) {
+        case Motion::Kind::camera:
+            key.eye = reader.vec3("eye", key.eye);
+            key.target = reader.vec3("target", key.target);
+            key.up = reader.vec3("up", key.up);
+            break;
+        case Motion::Kind::light:
+            key.position = reader.optional_vec3("position");
+            key.look_at = reader.optional_vec3("target");
+            key.direction = reader.optional_vec3("direction");
+            key.intensity = reader.number("intensity", key.intensity, 0);
+            break;
+        case Motion::Kind::part:
+            key.translation = reader.vec3("translation", key.translation);
+            key.rotation = reader.vec3("rotation", key.rotation);
+            key.scale = reader.vec3("scale", key.scale);
+    }
+    key.extra = reader.rest();
+    return key;
+}
+
+}  // namespace
+
+void read_motion(ObjectReader& reader, Motion& motion) {
+    motion.kind = read_kind(reader);
+    read_target(reader, motion);
+    motion.loop = reader.flag("loop", false);
+    reader.each("keys", [&](const Json& json, const std::string& pointer) {
+        ObjectReader inner(json, reader.file(), pointer);
+        auto key = read_key(inner, motion.kind);
+        if (!motion.keys.empty() && !(key.time > motion.keys.back().time))
+            inner.fail("time", "must be later than that of the key before");
+        motion.keys.push_back(std::move(key));
+    });
+    try {
+        validate(motion);
+    } catch (const UsageError& error) {
+        throw InputError(reader.file(), reader.pointer(), error.what());
+    }
+}
+
+}  // namespace ir::projects
