@@ -7,6 +7,8 @@
 #include "app/gui/camera_pose.h"
 #include "app/gui/signature.h"
 #include "projects/check.h"
+#include "projects/motion.h"
+#include "projects/samples.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
 
@@ -18,6 +20,7 @@ constexpr double least_known = 0.03;
 
 engine::Experiment with_pose(engine::Experiment experiment, const widgets::CameraPose& pose) {
     experiment.camera = camera_of(pose);
+    experiment.camera_motion.reset();
     return experiment;
 }
 
@@ -57,6 +60,55 @@ LivePictures::LivePictures(Session& session, Renderer& renderer, ImageLoader& im
     connect(&kept_, &KeptResults::changed, this, qOverload<>(&LivePictures::update));
 }
 
+double Moment::time() const {
+    return start + (frames - 1) * projects::frame_seconds;
+}
+
+void LivePictures::set_moment(std::optional<Moment> moment) {
+    if (moment == moment_) return;
+    moment_ = moment;
+    session_.set_shown_time(moment ? std::optional(moment->time()) : std::nullopt);
+    update();
+}
+
+double LivePictures::moves_until(const std::string& id) const {
+    const auto* chosen = session_.experiment(id);
+    if (!chosen) return 0;
+    const auto* entry = find(id);
+    double end = entry ? entry->scene_end : 0;
+    for (const auto* motion : projects::motions_of(session_.document(), projects::effective(*chosen)))
+        if (projects::is_moving(*motion)) end = std::max(end, motion->keys.back().time);
+    return end;
+}
+
+bool LivePictures::is_moving(const std::string& id) const {
+    return moves_until(id) > 0;
+}
+
+std::vector<std::string> LivePictures::moving() const {
+    std::vector<std::string> ids;
+    for (const auto& [id, entry] : entries_)
+        if (is_moving(id)) ids.push_back(id);
+    return ids;
+}
+
+/// What adds up over frames shows the moment itself: one frame of it while time passes, all of them after.
+projects::Experiment LivePictures::at_moment(const projects::Experiment& chosen, int& frames_again) const {
+    frames_again = 0;
+    if (!moment_ || !is_moving(chosen.id)) return chosen;
+    auto shown = projects::effective(chosen);
+    const auto* method = session_.registry().find(shown.method);
+    if (method && projects::accumulates(*method)) {
+        shown.time = moment_->time();
+        if (moment_->plays) shown.frames = 1;
+        return shown;
+    }
+    frames_again = shown.frames;
+    shown.time = moment_->start;
+    shown.frames = moment_->frames;
+    return shown;
+}
+
 void LivePictures::set_wants(std::map<std::string, Want> wants) {
     for (auto it = entries_.begin(); it != entries_.end();) {
         if (wants.count(it->first)) {
@@ -89,7 +141,7 @@ void LivePictures::update(const std::string& id, Entry& entry) {
         const auto reason = projects::why_not_runnable(session_.document(), *chosen, session_.registry(),
                                                        session_.open_project().folder());
         if (!reason.empty()) throw Error(reason);
-        entry.experiment = resolved(*chosen);
+        entry.experiment = resolved(at_moment(*chosen, entry.frames_again));
         if (!entry.experiment) return set_state(id, entry, State::rendering);
         // Stored histories are found once the index of a project that was just opened is read.
         if (!kept_.is_known() && entry.signature.empty()) return set_state(id, entry, State::rendering);
@@ -111,7 +163,8 @@ void LivePictures::follow_camera() {
 void LivePictures::send_if_changed(const std::string& id, Entry& entry) {
     const auto pose = session_.moved_pose(id);
     const auto wanted = pose ? with_pose(*entry.experiment, *pose) : *entry.experiment;
-    const auto text = signature(wanted) + "\n" + text_of(entry.want);
+    const auto again = " again " + std::to_string(entry.frames_again);
+    const auto text = signature(wanted) + again + "\n" + text_of(entry.want);
     if (text == entry.signature) return;
     entry.signature = text;
     send(id, entry, wanted);
@@ -148,8 +201,10 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     request.inspection = entry.want.inspection;
     request.thumbnails = entry.want.thumbnails;
     // Under a camera that is being moved there is another picture than the stored one.
+    request.frames_again = entry.frames_again;
     const auto* chosen = session_.moved_pose(id) ? nullptr : session_.experiment(id);
-    if (chosen) request.state_file = kept_.state_file(*chosen);
+    int ignored = 0;
+    if (chosen) request.state_file = kept_.state_file(at_moment(*chosen, ignored));
     entry.serial = renderer_.request(std::move(request));
     if (entry.first_serial == 0) entry.first_serial = entry.serial;
     entry.sent[entry.serial] = signature(experiment);
@@ -174,6 +229,9 @@ void LivePictures::on_result(std::shared_ptr<const engine::LiveResult> result) {
     const auto id = found->first;
     if (entry.first_serial == 0 || result->serial < entry.first_serial) return;
     entry.result = result;
+    // The scene may turn out to move once it is loaded, and is then to be at the moment.
+    const bool moves_after_all =
+        std::exchange(entry.scene_end, result->scene_end) != result->scene_end && moment_;
     entry.sent.erase(entry.sent.begin(), entry.sent.lower_bound(result->serial));
     if (const auto sent = entry.sent.find(result->serial); sent != entry.sent.end())
         entry.computed_from = sent->second;
@@ -184,6 +242,7 @@ void LivePictures::on_result(std::shared_ptr<const engine::LiveResult> result) {
         emit message(each);
     }
     emit picture_arrived(id);
+    if (const auto now = entries_.find(id); moves_after_all && now != entries_.end()) update(id, now->second);
     // Whoever heard of the picture may want something else by now.
     if (const auto now = entries_.find(id);
         done && now != entries_.end() && now->second.result == result && now->second.serial == result->serial)
@@ -206,8 +265,7 @@ void LivePictures::on_progress(const std::string& tag, const std::string& what, 
     if (found == entries_.end() || found->second.state != State::rendering) return;
     auto& entry = found->second;
     const auto* result = entry.result && entry.result->serial == entry.serial ? entry.result.get() : nullptr;
-    const auto* chosen = session_.experiment(tag);
-    const int frames = chosen ? std::max(1, projects::effective(*chosen).frames) : 1;
+    const int frames = entry.experiment ? std::max(1, entry.experiment->frames) : 1;
     entry.fraction = ((result ? result->frame : 0) + fraction) / frames;
     entry.doing = what;
     emit progressed(tag);

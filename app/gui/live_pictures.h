@@ -24,6 +24,15 @@ struct Want {
     bool operator==(const Want&) const = default;
 };
 
+/// A moment that the timeline shows in place of the experiments' own times.
+struct Moment {
+    double start = 0;    ///< seconds, of the frame with which the history began
+    int frames = 1;      ///< that have followed each other since, the one that is shown included
+    bool plays = false;  ///< another frame follows soon
+    double time() const;
+    bool operator==(const Moment&) const = default;
+};
+
 /// The pictures of the experiments that are looked at: turns the document and what is wanted into requests,
 /// of which the newest wins, and keeps the newest answers.
 class LivePictures : public QObject {
@@ -36,6 +45,17 @@ class LivePictures : public QObject {
 
     /// By experiment id. Experiments that nobody wants any more are released.
     void set_wants(std::map<std::string, Want> wants);
+
+    /// Of all experiments in which something moves; the others, and without a moment all, have their own
+    /// time.
+    void set_moment(std::optional<Moment> moment);
+    const std::optional<Moment>& moment() const { return moment_; }
+    /// Whether something moves in an experiment, as far as is known.
+    bool is_moving(const std::string& id) const;
+    /// Until when, seconds; 0: nothing moves.
+    double moves_until(const std::string& id) const;
+    /// Experiments that are wanted and move.
+    std::vector<std::string> moving() const;
 
     State state(const std::string& id) const;
     const std::string& text(const std::string& id) const;                           ///< why blocked or failed
@@ -72,7 +92,9 @@ class LivePictures : public QObject {
         std::uint64_t serial = 0;
         std::uint64_t first_serial = 0;      ///< answers to older requests are of another life of the tag
         std::uint64_t cancelled_serial = 0;  ///< of the request that was given up
-        std::optional<engine::Experiment> experiment;  ///< as the document has it
+        std::optional<engine::Experiment> experiment;  ///< as the document has it, at the moment
+        int frames_again = 0;                          ///< LiveRequest::frames_again
+        double scene_end = 0;                          ///< of what its scene animates; 0: not known
         double fraction = 0;
         QElapsedTimer since;
         std::shared_ptr<const engine::LiveResult> result;
@@ -81,6 +103,7 @@ class LivePictures : public QObject {
     void follow_camera();
     void send_if_changed(const std::string& id, Entry& entry);
     std::optional<engine::Experiment> resolved(const projects::Experiment& chosen);
+    projects::Experiment at_moment(const projects::Experiment& chosen, int& frames_again) const;
     void send(const std::string& id, Entry& entry, const engine::Experiment& experiment);
     void set_state(const std::string& id, Entry& entry, State state, const std::string& text = {});
     void on_result(std::shared_ptr<const engine::LiveResult> result);
@@ -93,6 +116,7 @@ class LivePictures : public QObject {
     ImageLoader& images_;
     const KeptResults& kept_;
     std::map<std::string, Entry> entries_;
+    std::optional<Moment> moment_;
     std::string no_device_;  ///< why nothing can be rendered
 };
 

@@ -16,6 +16,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       session_(registry),
       kept_(session_),
       live_(session_, renderer, images_, kept_),
+      playback_(session_, live_),
       scenes_(renderer),
       workspace_(session_, live_, renderer, images_, kept_, options.surface),
       inspector_(session_, live_, renderer, workspace_),
@@ -34,6 +35,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
     make_export_actions();
     make_edit_actions();
     make_result_actions();
+    make_timeline_actions();
     make_view_actions();
     make_display_actions();
     make_arrangement_actions();
@@ -48,6 +50,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
     connect_views();
     connect_results();
     connect_plots();
+    connect_timeline();
     restore_window();
     update_document();
 }
@@ -58,7 +61,8 @@ MainWindow::~MainWindow() {
          {static_cast<QObject*>(&session_), static_cast<QObject*>(&renderer_), static_cast<QObject*>(&live_),
           static_cast<QObject*>(&workspace_), static_cast<QObject*>(&inspector_),
           static_cast<QObject*>(&kept_), static_cast<QObject*>(results_), static_cast<QObject*>(plots_),
-          static_cast<QObject*>(&metrics_), static_cast<QObject*>(&scenes_)})
+          static_cast<QObject*>(&metrics_), static_cast<QObject*>(&scenes_),
+          static_cast<QObject*>(&playback_)})
         part->disconnect(this);
 }
 

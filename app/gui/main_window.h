@@ -15,6 +15,7 @@
 #include "app/gui/results_dock.h"
 #include "app/gui/scene_shelf.h"
 #include "app/gui/status_line.h"
+#include "app/gui/timeline_dock.h"
 #include "app/gui/workspace.h"
 #include "widgets/inspect/display_panel.h"
 #include "widgets/panels/banner.h"
@@ -30,7 +31,7 @@ class QStackedWidget;
 namespace ir::gui {
 
 /// Bumped when docks are added or renamed, so that a remembered arrangement of other docks is not applied.
-inline constexpr int dock_version = 5;
+inline constexpr int dock_version = 6;
 
 /// The window: menus, docks and the views in their middle. It joins parts that know nothing of each other and
 /// decides nothing about pictures or documents.
@@ -54,6 +55,8 @@ class MainWindow : public QMainWindow {
     DocumentDock& document() { return *document_; }
     ResultsDock& results() { return *results_; }
     PlotsDock& plots() { return *plots_; }
+    Playback& playback() { return playback_; }
+    TimelineDock& timeline() { return *timeline_; }
     References& references() { return references_; }
     KeptResults& kept() { return kept_; }
     Exports& exports() { return exports_; }
@@ -131,6 +134,10 @@ class MainWindow : public QMainWindow {
     // window_plots.cpp
     void connect_plots();
 
+    // window_timeline.cpp
+    void make_timeline_actions();
+    void connect_timeline();
+
     // window_files.cpp
     bool run_file_step(const std::function<void()>& work, const QString& what);
     bool save();
@@ -176,6 +183,7 @@ class MainWindow : public QMainWindow {
     ImageLoader images_;
     KeptResults kept_;
     LivePictures live_;
+    Playback playback_;
     SceneShelf scenes_;
     Workspace workspace_;
     PixelInspector inspector_;
@@ -193,6 +201,7 @@ class MainWindow : public QMainWindow {
     DocumentDock* document_ = nullptr;
     ResultsDock* results_ = nullptr;
     PlotsDock* plots_ = nullptr;
+    TimelineDock* timeline_ = nullptr;
     widgets::DisplayPanel* display_ = nullptr;
     widgets::RowsPanel *scene_tree_ = nullptr, *buffers_ = nullptr, *timings_ = nullptr, *counters_ = nullptr;
     widgets::MessagesPanel* messages_ = nullptr;

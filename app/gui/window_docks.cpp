@@ -25,12 +25,13 @@ const QList<Layout>& layouts() {
     static const QList<Layout> all = {
         {"default",
          {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "metrics",
-          "timings", "messages", "results", "plots"}},
+          "timings", "messages", "results", "plots", "timeline"}},
         {"picture", {}},
         {"parameters", {"parameters"}},
         {"compare", {"display", "metrics"}},
         {"results", {"results"}},
         {"plots", {"plots"}},
+        {"timeline", {"timeline"}},
         {"inspect", {"display", "inspector", "buffers", "explain"}},
         {"project", {"project"}},
         {"scene", {"parameters", "scene"}},
@@ -171,6 +172,8 @@ void MainWindow::make_docks() {
     plots->setWidget(plots_);
     plots->setWidgetResizable(true);
     add_dock("plots", tr("Plots"), plots, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
+    timeline_ = new TimelineDock(session_, live_, playback_);
+    add_dock("timeline", tr("Timeline"), timeline_, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
 }
 
 /// Panels behind tabs and closed ones ask for nothing.
@@ -221,6 +224,7 @@ void MainWindow::restore_default_layout() {
     addDockWidget(Qt::BottomDockWidgetArea, dock("messages"));
     tabifyDockWidget(dock("messages"), dock("results"));
     tabifyDockWidget(dock("results"), dock("plots"));
+    tabifyDockWidget(dock("plots"), dock("timeline"));
     for (auto* each : docks_of(this)) each->show();
     for (const char* front : {"parameters", "display", "buffers", "messages"}) dock(front)->raise();
     resizeDocks({dock("parameters"), dock("buffers")}, {350, 400}, Qt::Horizontal);

@@ -34,6 +34,7 @@ void MainWindow::connect_session() {
         inspector_.load(session_.memory());
         metrics_.load(session_.memory());
         plots_->load(session_.memory());
+        playback_.load(session_.memory());
         update_project_banners();
     });
     connect(&session_, &Session::document_changed, this, &MainWindow::update_document);

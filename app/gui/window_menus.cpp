@@ -63,7 +63,8 @@ void MainWindow::make_menus() {
     fill(compare, {"mode-single", "mode-side-by-side", "mode-wipe", "mode-flip", "mode-difference",
                    "mode-stages", "", "swap", "link", "", "comparison-add"});
     auto* render = menuBar()->addMenu(tr("&Render"));
-    fill(render, {"cancel", "rerun", "shaders", "", "match", "keep"});
+    fill(render,
+         {"cancel", "rerun", "shaders", "", "play", "step-forward", "step-back", "", "match", "keep"});
     render->setToolTipsVisible(true);
     auto* window = menuBar()->addMenu(tr("&Window"));
     fill(window, {"views-1", "views-2", "views-2-stacked", "views-3", "views-4", "", "view-open",

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
 #include "projects/edit_kinds.h"
 #include "renderers/core/error.h"
 #include "widgets/document/makers.h"
@@ -34,24 +38,59 @@ void erase(std::vector<T>& list, std::size_t index) {
     list.erase(list.begin() + std::ptrdiff_t(index));
 }
 
+/// The edit, and motions of things that stand elsewhere in their list after `work`, as one step.
+template <class Work>
+EditPtr with_motions(const Project& project, EditPtr edit, std::size_t count, std::size_t index,
+                     int projects::Motion::*member, const std::function<bool(const projects::Motion&)>& moves,
+                     Work work) {
+    std::vector<int> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    work(order, index);
+    std::vector<EditPtr> steps;
+    for (auto motion : project.motion) {
+        if (!moves(motion) || std::size_t(motion.*member) >= count) continue;
+        const auto place = std::find(order.begin(), order.end(), motion.*member);
+        if (place == order.end())
+            throw UsageError("it is moved by motion '" + projects::printable(motion.name, 40) +
+                             "'; change or remove that first");
+        if (place - order.begin() == motion.*member) continue;
+        motion.*member = int(place - order.begin());
+        steps.push_back(projects::edits::replace(project, motion, "", ""));
+    }
+    if (steps.empty()) return edit;
+    const auto label = edit->label();
+    steps.insert(steps.begin(), std::move(edit));
+    return edits::group(label, std::move(steps));
+}
+
 /// Changes the parts of a scene as one step.
 template <class Work>
 EditPtr with_parts(const Project& project, const ItemRef& item, const std::string& label, Work work) {
     Scene scene = edits::item_of<Scene>(project, item.id.toStdString());
-    work(scene.parts, checked_index(item.index, scene.parts.size(), "part"));
-    return replaced(project, scene, label);
+    const auto count = scene.parts.size(), index = checked_index(item.index, count, "part");
+    work(scene.parts, index);
+    const auto moves = [&](const projects::Motion& motion) {
+        return motion.kind == projects::Motion::Kind::part && motion.scene == scene.id;
+    };
+    return with_motions(project, replaced(project, scene, label), count, index, &projects::Motion::part,
+                        moves, work);
 }
 
 /// Changes the lights of a set as one step; unknown keys go along with their light.
 template <class Work>
 EditPtr with_lights(const Project& project, const ItemRef& item, const std::string& label, Work work) {
     LightSet set = edits::item_of<LightSet>(project, item.id.toStdString());
-    const auto index = checked_index(item.index, set.lights.size(), "light");
+    const auto count = set.lights.size(), index = checked_index(item.index, count, "light");
     set.light_extras.resize(set.lights.size(), projects::Json::object());
     work(set.lights, index);
     work(set.light_extras, index);
     while (!set.light_extras.empty() && set.light_extras.back().empty()) set.light_extras.pop_back();
-    return replaced(project, set, label);
+    const auto moves = [&](const projects::Motion& motion) {
+        return motion.kind == projects::Motion::Kind::light && motion.lights == set.id &&
+               motion.light_name.empty();
+    };
+    return with_motions(project, replaced(project, set, label), count, index, &projects::Motion::light, moves,
+                        work);
 }
 
 /// Calls `work` with the type of the item's list; parts, lights and the project have none.

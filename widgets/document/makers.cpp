@@ -5,6 +5,7 @@
 #include "projects/validate.h"
 #include "renderers/core/error.h"
 #include "widgets/document/field_edit.h"
+#include "widgets/document/motion_target.h"
 #include "widgets/document/replaced.h"
 
 namespace ir::widgets::makers {
@@ -153,6 +154,38 @@ EditMaker add_motion(const std::string& camera) {
         projects::Motion motion;
         motion.camera = found->id;
         motion.keys.push_back({0, found->eye, found->target, found->up});
+        return added(project, motion, "", "Motion");
+    };
+}
+
+EditMaker add_light_motion(const std::string& set, int light) {
+    return [=](const Project& project) {
+        const auto has_lights = [&](const LightSet& each) {
+            return !each.lights.empty() && (set.empty() || each.id == set);
+        };
+        const auto found = std::find_if(project.lights.begin(), project.lights.end(), has_lights);
+        if (found == project.lights.end())
+            throw UsageError("a motion of a light needs a set of lights with a light; add one first");
+        projects::Motion motion;
+        motion.kind = projects::Motion::Kind::light;
+        motion.lights = found->id;
+        motion.light = std::clamp(light, 0, int(found->lights.size()) - 1);
+        motion.keys = {key_at_rest(motion, project)};
+        return added(project, motion, "", "Motion");
+    };
+}
+
+EditMaker add_part_motion(const std::string& scene, int part) {
+    return [=](const Project& project) {
+        const auto fits = [&](const Scene& each) { return scene.empty() || each.id == scene; };
+        const auto found = std::find_if(project.scenes.begin(), project.scenes.end(), fits);
+        if (found == project.scenes.end())
+            throw UsageError("a motion of a scene's file needs a scene; add one first");
+        projects::Motion motion;
+        motion.kind = projects::Motion::Kind::part;
+        motion.scene = found->id;
+        motion.part = std::clamp(part, 0, int(found->parts.size()) - 1);
+        motion.keys = {key_at_rest(motion, project)};
         return added(project, motion, "", "Motion");
     };
 }

@@ -25,6 +25,9 @@ EditMaker set_environment_map(const std::string& set, const std::string& source)
 EditMaker add_comparison(const std::string& a = {}, const std::string& b = {});
 /// Of the camera, or of the first with a pose of its own; one key where it stands.
 EditMaker add_motion(const std::string& camera = {});
+/// Of a light of a set, or of the first of all; of a file of a scene, likewise. One key where it stands.
+EditMaker add_light_motion(const std::string& set = {}, int light = 0);
+EditMaker add_part_motion(const std::string& scene = {}, int part = 0);
 /// Of the experiment, or of the first; no axes yet.
 EditMaker add_sweep(const std::string& experiment = {});
 /// Of the experiment, or of the first that has a reference, against its reference; over frames.

@@ -7,6 +7,7 @@
 #include "renderers/core/error.h"
 #include "widgets/document/field_edit.h"
 #include "widgets/document/fields.h"
+#include "widgets/document/motion_target.h"
 #include "widgets/document/options.h"
 #include "widgets/document/ordered_list.h"
 #include "widgets/parameters/row_state.h"
@@ -22,16 +23,44 @@ std::vector<double> numbers(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
+QString text_of(const glm::dvec3& v) {
+    return QStringLiteral("%1, %2, %3").arg(number_text(v.x), number_text(v.y), number_text(v.z));
+}
+
+QString line_of(const Motion::Key& key, Motion::Kind kind) {
+    const auto time = number_text(key.time);
+    if (kind == Motion::Kind::camera) return MotionEditor::tr("%1 s: eye %2").arg(time, text_of(key.eye));
+    if (kind == Motion::Kind::part)
+        return MotionEditor::tr("%1 s: at %2").arg(time, text_of(key.translation));
+    const auto strength = MotionEditor::tr("intensity × %1").arg(number_text(key.intensity));
+    if (!key.position) return MotionEditor::tr("%1 s: %2").arg(time, strength);
+    return MotionEditor::tr("%1 s: at %2, %3").arg(time, text_of(*key.position), strength);
+}
+
 }  // namespace
 
 MotionEditor::MotionEditor(QWidget* parent) : ItemForm(parent) {
     auto* grid = make_form_section(tr("Motion"), this);
     name_ = name_row(grid, ItemKind::motion, tr("What the motion is called"));
-    camera_ = new ChoiceField("motion-camera", this);
-    row(grid, tr("Camera"), camera_, tr("The camera that moves; it needs a pose of its own"));
-    connect(camera_, &ChoiceField::chosen, this, [this](const QString& id) {
+    moves_ = new ChoiceField("motion-moves", this);
+    row(grid, tr("Moves"), moves_,
+        tr("A camera with a pose of its own, a light of a set, or a file of a scene. Another kind of thing "
+           "gets "
+           "one new key"));
+    connect(moves_, &ChoiceField::chosen, this, [this](const QString& id) {
+        const std::string motion_id = id_;
+        emit edit_wanted([motion_id, id](const projects::Project& project) {
+            const auto make = field_edit<Motion>(
+                motion_id, "what moves", [&](Motion& motion) { set_target(motion, id, project); }, false);
+            return make(project);
+        });
+    });
+    loop_ = new ChoiceField("motion-loop", this);
+    row(grid, tr("At the end"), loop_, tr("What happens after the last key"));
+    connect(loop_, &ChoiceField::chosen, this, [this](const QString& id) {
         emit edit_wanted(field_edit<Motion>(
-            id_, "camera", [id = id.toStdString()](Motion& motion) { motion.camera = id; }, false));
+            id_, "loop", [loops = id == QLatin1String("loop")](Motion& motion) { motion.loop = loops; },
+            false));
     });
     make_keys(make_form_section(tr("Keys"), this));
 }
@@ -45,9 +74,10 @@ void MotionEditor::make_keys(QGridLayout* grid) {
         show_key();
     });
     connect(list_, &OrderedList::add_wanted, this, [this] {
-        Key key = motion_.keys.empty() ? Key() : motion_.keys.back();
+        Key key = motion_.keys.empty() ? rest_ : motion_.keys.back();
         key.extra = projects::Json::object();
-        if (const auto pose = view_pose_ ? view_pose_() : std::nullopt) {
+        const auto pose = view_pose_ && motion_.kind == Motion::Kind::camera ? view_pose_() : std::nullopt;
+        if (pose) {
             key.eye = pose->eye;
             key.target = pose->target;
             key.up = pose->up;
@@ -69,24 +99,98 @@ void MotionEditor::make_keys(QGridLayout* grid) {
             false));
     });
     time_ = make_number("key-time", -1e6, 1e6, QStringLiteral("s"), this);
-    row(grid, tr("Time"), time_, tr("Seconds; between two keys the pose is interpolated linearly"));
+    row(grid, tr("Time"), time_, tr("Seconds; between two keys all is interpolated linearly"));
     connect(time_, &NumberField::chosen, this,
             [this](double value) { change_key("time", [value](Key& key) { key.time = value; }); });
-    eye_ =
-        vector_row(grid, "key-eye", tr("Eye"), tr("Where the camera is then: x, y, z in metres"), &Key::eye);
-    target_ = vector_row(grid, "key-target", tr("Target"), tr("What it looks at then: x, y, z in metres"),
-                         &Key::target);
-    up_ = vector_row(grid, "key-up", tr("Up"), tr("Direction that is up in the picture then"), &Key::up);
+    make_camera_rows(grid);
+    make_light_rows(grid);
+    make_part_rows(grid);
+}
+
+void MotionEditor::make_camera_rows(QGridLayout* grid) {
+    const auto add = [&](const char* name, const QString& label, const QString& tip,
+                         glm::dvec3 Key::*member) {
+        auto* field = vector_row(grid, name, label, tip, [member](Key& key) { return &(key.*member); });
+        rows_.back().kind = Motion::Kind::camera;
+        return field;
+    };
+    add("key-eye", tr("Eye"), tr("Where the camera is then: x, y, z in metres"), &Key::eye);
+    add("key-target", tr("Target"), tr("What it looks at then: x, y, z in metres"), &Key::target);
+    add("key-up", tr("Up"), tr("Direction that is up in the picture then"), &Key::up);
+}
+
+void MotionEditor::make_light_rows(QGridLayout* grid) {
+    given_ = new ChoiceField("key-given", this);
+    auto* label =
+        row(grid, tr("Keys give"), given_, tr("What of the light changes; all else is as in its set"));
+    rows_.push_back({Motion::Kind::light, label, given_, {}});
+    connect(given_, &ChoiceField::chosen, this, &MotionEditor::choose_given);
+    const auto add = [&](const char* name, const QString& text, const QString& tip,
+                         std::optional<glm::dvec3> Key::*member) {
+        vector_row(grid, name, text, tip,
+                   [member](Key& key) { return key.*member ? &*(key.*member) : nullptr; });
+        rows_.back().kind = Motion::Kind::light;
+    };
+    add("key-position", tr("Position"), tr("Where the light is then: x, y, z in metres"), &Key::position);
+    add("key-look-at", tr("Looks at"), tr("The point that it looks at then: x, y, z in metres"),
+        &Key::look_at);
+    add("key-direction", tr("Direction"), tr("Along which it shines then; turned at a constant speed"),
+        &Key::direction);
+    intensity_ = make_number("key-intensity", 0, 1e9, QString(), this);
+    label =
+        row(grid, tr("Intensity"), intensity_, tr("Factor on the light's strength then; 1 is as in its set"));
+    rows_.push_back({Motion::Kind::light, label, intensity_, {}});
+    connect(intensity_, &NumberField::chosen, this,
+            [this](double value) { change_key("intensity", [value](Key& key) { key.intensity = value; }); });
+}
+
+void MotionEditor::make_part_rows(QGridLayout* grid) {
+    const auto add = [&](const char* name, const QString& label, const QString& tip,
+                         glm::dvec3 Key::*member) {
+        vector_row(grid, name, label, tip, [member](Key& key) { return &(key.*member); });
+        rows_.back().kind = Motion::Kind::part;
+    };
+    add("key-translation", tr("Position"), tr("Where the file's origin is then: x, y, z in metres"),
+        &Key::translation);
+    add("key-rotation", tr("Rotation"),
+        tr("Degrees about x, then y, then z; between two keys it turns the shorter way"), &Key::rotation);
+    add("key-scale", tr("Scale"), tr("Along its own x, y and z; the motion takes the place of its transform"),
+        &Key::scale);
 }
 
 VectorField* MotionEditor::vector_row(QGridLayout* grid, const char* name, const QString& label,
-                                      const QString& tip, glm::dvec3 Key::*member) {
+                                      const QString& tip, const Place& place) {
     auto* field = new VectorField(name, xyz, this);
-    row(grid, label, field, tip);
-    connect(field, &VectorField::chosen, this, [this, label, member](int index, double value) {
-        change_key(label.toLower().toStdString(), [=](Key& key) { (key.*member)[index] = value; });
+    auto* text = row(grid, label, field, tip);
+    rows_.push_back({Motion::Kind::camera, text, field, place});
+    connect(field, &VectorField::chosen, this, [this, label, place](int index, double value) {
+        change_key(label.toLower().toStdString(), [=](Key& key) {
+            if (auto* vector = place(key)) (*vector)[index] = value;
+        });
     });
     return field;
+}
+
+/// All keys give the same; what is new in them is as where the light stands.
+void MotionEditor::choose_given(const QString& given) {
+    const auto words = given.split(QLatin1Char('+'));
+    const bool position = words.contains(QLatin1String("position")),
+               target = words.contains(QLatin1String("target")),
+               direction = words.contains(QLatin1String("direction"));
+    emit edit_wanted(field_edit<Motion>(
+        id_, "what its keys give",
+        [=, rest = rest_](Motion& motion) {
+            for (auto& key : motion.keys) {
+                const auto set = [](auto& member, bool on, const glm::dvec3& first) {
+                    if (!on) member.reset();
+                    if (on && !member) member = first;
+                };
+                set(key.position, position, rest.position.value_or(glm::dvec3(0)));
+                set(key.look_at, target, rest.look_at.value_or(glm::dvec3(0)));
+                set(key.direction, direction, rest.direction.value_or(glm::dvec3(0, -1, 0)));
+            }
+        },
+        false));
 }
 
 void MotionEditor::change_key(const std::string& field, const std::function<void(Key&)>& change) {
@@ -113,16 +217,39 @@ void MotionEditor::add_key(const Key& key, double time) {
         false));
 }
 
+void MotionEditor::show_rows() {
+    Key key = motion_.keys.empty() ? rest_ : motion_.keys.front();
+    for (const auto& each : rows_) {
+        const bool shown = each.kind == motion_.kind && (!each.place || each.place(key));
+        each.label->setVisible(shown);
+        each.control->setVisible(shown);
+    }
+    QStringList given;
+    if (key.position) given << QStringLiteral("position");
+    if (key.look_at) given << QStringLiteral("target");
+    if (key.direction) given << QStringLiteral("direction");
+    given_->show_options({{QStringLiteral("position"), tr("Position"), {}},
+                          {QStringLiteral("position+target"), tr("Position and what it looks at"), {}},
+                          {QStringLiteral("position+direction"), tr("Position and direction"), {}},
+                          {QStringLiteral("target"), tr("What it looks at"), {}},
+                          {QStringLiteral("direction"), tr("Direction"), {}},
+                          {QString(), tr("Intensity alone"), {}}},
+                         given.join(QLatin1Char('+')));
+}
+
 void MotionEditor::show_key() {
     const bool is_there = chosen_ >= 0 && std::size_t(chosen_) < motion_.keys.size();
-    if (!is_there && time_->isEnabled())
-        for (QWidget* control : std::initializer_list<QWidget*>{time_, eye_, target_, up_})
-            set_usable(control, tr("There is no key yet; add one above."));
-    const Key key = is_there ? motion_.keys[std::size_t(chosen_)] : Key();
+    if (!is_there && time_->isEnabled()) {
+        const QString why = tr("There is no key yet; add one above.");
+        set_usable(time_, why);
+        for (const auto& each : rows_) set_usable(each.control, why);
+    }
+    Key key = is_there ? motion_.keys[std::size_t(chosen_)] : Key();
     time_->show_value(key.time);
-    eye_->show_values(numbers(key.eye));
-    target_->show_values(numbers(key.target));
-    up_->show_values(numbers(key.up));
+    intensity_->show_value(key.intensity);
+    for (const auto& each : rows_)
+        if (const auto* vector = each.place ? each.place(key) : nullptr)
+            static_cast<VectorField*>(each.control)->show_values(numbers(*vector));
 }
 
 void MotionEditor::show_item(const ShownProject& shown, const ItemRef& item) {
@@ -134,12 +261,19 @@ void MotionEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     set_controls_usable(why_not);
     list_->set_usable(why_not);
     name_->show_text(QString::fromStdString(motion_.name));
-    camera_->show_options(named_options(shown.project.cameras), QString::fromStdString(motion_.camera));
+    moves_->show_options(motion_targets(shown.project), target_id(motion_));
+    loop_->show_options({{QStringLiteral("stay"), tr("It stays there"), {}},
+                         {QStringLiteral("loop"), tr("It begins again"), {}}},
+                        motion_.loop ? QStringLiteral("loop") : QStringLiteral("stay"));
+    try {
+        rest_ = key_at_rest(motion_, shown.project);
+    } catch (const UsageError&) {
+        rest_ = {};  // what it moves is gone; the list above says so
+    }
+    show_rows();
     std::vector<OrderedList::Line> lines;
     for (const auto& key : motion_.keys) {
-        const QString text = tr("%1 s: eye %2, %3, %4")
-                                 .arg(number_text(key.time), number_text(key.eye.x), number_text(key.eye.y),
-                                      number_text(key.eye.z));
+        const QString text = line_of(key, motion_.kind);
         lines.push_back({text, text});
     }
     chosen_ = std::clamp(chosen_, 0, std::max(0, int(lines.size()) - 1));

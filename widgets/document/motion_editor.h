@@ -9,7 +9,7 @@ class NumberField;
 class OrderedList;
 class VectorField;
 
-/// Poses of a camera over time, key by key.
+/// What a camera, a light or a part of a scene does over time, key by key.
 class MotionEditor : public ItemForm {
     Q_OBJECT
   public:
@@ -21,21 +21,34 @@ class MotionEditor : public ItemForm {
   private:
     using Key = projects::Motion::Key;
     void make_keys(QGridLayout* grid);
+    void make_camera_rows(QGridLayout* grid);
+    void make_light_rows(QGridLayout* grid);
+    void make_part_rows(QGridLayout* grid);
+    using Place = std::function<glm::dvec3*(Key&)>;  ///< null: the key has no such value
     VectorField* vector_row(QGridLayout* grid, const char* name, const QString& label, const QString& tip,
-                            glm::dvec3 Key::*member);
+                            const Place& place);
+    void choose_given(const QString& given);
+    void show_rows();
     void change_key(const std::string& field, const std::function<void(Key&)>& change);
     void add_key(const Key& key, double time);
     void show_key();
 
     TextField* name_;
-    ChoiceField* camera_;
+    ChoiceField *moves_, *given_, *loop_;
     OrderedList* list_;
-    NumberField* time_;
-    VectorField *eye_, *target_, *up_;
+    NumberField *time_, *intensity_;
+    struct Row {
+        projects::Motion::Kind kind;
+        QLabel* label;
+        QWidget* control;
+        Place place;  ///< of vectors
+    };
+    std::vector<Row> rows_;
     std::function<std::optional<CameraPose>()> view_pose_;
     ItemRef shown_item_;
     int chosen_ = 0;
     projects::Motion motion_;
+    Key rest_;  ///< where the thing stands without its motion
 };
 
 }  // namespace ir::widgets

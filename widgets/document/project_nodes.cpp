@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "widgets/document/motion_target.h"
 #include "widgets/parameters/row_state.h"
 
 namespace ir::widgets {
@@ -138,9 +139,9 @@ void add_motions(Node& root, const Project& project) {
     Node& group = add_group(root, ItemKind::motion, tr("Motions"), project.motion.size(), {});
     for (const auto& motion : project.motion)
         add_child(group, made(ItemKind::motion, q(motion.id), q(motion.name),
-                              tr("%1 · %2").arg(name_in(project.cameras, motion.camera),
+                              tr("%1 · %2").arg(target_name(project, motion),
                                                 counted(motion.keys.size(), "1 key", "%1 keys")),
-                              "motion", tr("Poses of a camera over time")));
+                              "motion", tr("What a camera, a light or a file of a scene does over time")));
 }
 
 void add_experiments(Node& root, const Project& project, const Registry& registry) {

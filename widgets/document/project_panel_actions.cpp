@@ -151,6 +151,11 @@ void ProjectPanel::fill_add_menu() {
     };
     entry(ItemKind::motion, tr("Motion of a camera"), "motion",
           [=, this] { edit(makers::add_motion(chosen(ItemKind::camera)), true); });
+    const int index = std::max(0, selected().index);
+    entry(ItemKind::motion, tr("Motion of a light"), "motion",
+          [=, this] { edit(makers::add_light_motion(chosen(ItemKind::light_set), index), true); });
+    entry(ItemKind::motion, tr("Motion of a file of a scene"), "motion",
+          [=, this] { edit(makers::add_part_motion(chosen(ItemKind::scene), index), true); });
     entry(ItemKind::sweep, tr("Sweep"), "sweep",
           [=, this] { edit(makers::add_sweep(chosen(ItemKind::experiment)), true); });
     entry(ItemKind::plot, tr("Plot of the error"), "plot",

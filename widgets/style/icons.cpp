@@ -65,6 +65,14 @@ constexpr Drawing drawings[] = {
     {"plot",
      "<path d='M2 1.5v12.5h12.5'/><path d='M4 4c1.5 5 4 7 9 7.5'/><circle cx='4' cy='4' r='.9'/>"
      "<circle cx='6.6' cy='8.6' r='.9'/><circle cx='12.5' cy='11.4' r='.9'/>"},
+    {"play", "<path d='M4 2.5l9 5.5-9 5.5z' fill='#808080'/>"},
+    {"pause", "<path d='M4.5 3v10 M11.5 3v10' stroke-width='2.6'/>"},
+    {"step-back", "<path d='M12 3L6 8l6 5z M3.8 3v10'/>"},
+    {"step-forward", "<path d='M4 3l6 5-6 5z M12.2 3v10'/>"},
+    {"to-start", "<path d='M8.5 3.5L4.5 8l4 4.5 M13 3.5L9 8l4 4.5 M2 3v10'/>"},
+    {"loop",
+     "<path d='M2.5 8.5v-1a3 3 0 0 1 3-3h7 M10 2l2.5 2.5L10 7 M13.5 7.5v1a3 3 0 0 1-3 3h-7 M6 14l-2.5-2.5L6 "
+     "9'/>"},
     {"up", "<path d='M8 13V3 M4 7l4-4 4 4'/>"},
     {"down", "<path d='M8 3v10 M4 9l4 4 4-4'/>"},
     {"rename", "<path d='M2 14l.8-3.5L10.5 2.8l2.7 2.7L5.5 13.2z M9 4.3l2.7 2.7'/>"},

@@ -131,5 +131,49 @@ TEST_F(SeriesTest, AMotionNeedsACameraWithAPose) {
     EXPECT_TRUE(message.contains("pose of its own")) << message.toStdString();
 }
 
+TEST_F(SeriesTest, ALightMovesByKeysThatGiveWhatIsChosen) {
+    const auto before = project;
+    emit panel->edit_wanted(makers::add_light_motion());
+    ASSERT_EQ(project.motion.size(), 2u);
+    const auto& light = project.motion[1];
+    ASSERT_EQ(light.kind, projects::Motion::Kind::light);
+    const auto& set = *projects::find_item(project.lights, light.lights);
+    EXPECT_EQ(light.keys[0].position.value_or(glm::dvec3(-1)), set.lights[0].position);
+    select(("motion:" + light.id).c_str());
+    EXPECT_FALSE(field<QWidget>("key-eye")->isVisibleTo(editor));
+    EXPECT_TRUE(field<QWidget>("key-position")->isVisibleTo(editor));
+    type_number("key-position.x", "3");
+    type_number("key-intensity", "0.5");
+    EXPECT_EQ(light.keys[0].position->x, 3);
+    EXPECT_EQ(light.keys[0].intensity, 0.5);
+    EXPECT_TRUE(light.keys[0].look_at);
+    choose("key-given", "position");
+    EXPECT_FALSE(light.keys[0].look_at);
+    choose("motion-loop", "loop");
+    EXPECT_TRUE(light.loop);
+    choose("motion-moves", "camera:nave");
+    EXPECT_EQ(light.kind, projects::Motion::Kind::camera);
+    EXPECT_EQ(light.keys[0].eye, project.cameras[0].eye);
+    while (stack.can_undo()) undo();
+    EXPECT_EQ(project, before);
+}
+
+TEST_F(SeriesTest, AMotionFollowsAPartThatChangesItsPlace) {
+    const auto scene = project.scenes[1].id;
+    emit panel->edit_wanted(makers::add_part_motion(scene, 1));
+    ASSERT_EQ(project.motion.size(), 2u);
+    EXPECT_EQ(project.motion[1].part, 1);
+    EXPECT_EQ(project.motion[1].keys[0].translation, glm::dvec3(1, 0, -3));
+    EXPECT_EQ(project.motion[1].keys[0].scale, glm::dvec3(2));
+    ItemRef part{ItemKind::part, QString::fromStdString(scene)};
+    part.index = 1;
+    emit panel->edit_wanted(makers::move(part, 0));
+    EXPECT_EQ(project.motion[1].part, 0);
+    undo();
+    EXPECT_EQ(project.motion[1].part, 1);
+    emit panel->edit_wanted(makers::remove(part));
+    EXPECT_TRUE(message.contains("moved by motion")) << message.toStdString();
+}
+
 }  // namespace
 }  // namespace ir::widgets
