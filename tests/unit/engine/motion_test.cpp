@@ -171,6 +171,7 @@ TEST_F(MotionTest, WhatAddsUpSeesOneMomentWithEverythingInItsPlace) {
     experiment.method = registry().reference()->id;
     experiment.values = defaults(registry().at(experiment.method).parameters);
     experiment.frames = 1;
+    experiment.values["paths"] = std::string("direct");
     experiment.time = 0.5;
     auto still = project;
     auto motion = slide(Motion::Kind::light, 1);
