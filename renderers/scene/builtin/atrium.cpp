@@ -33,22 +33,6 @@ const std::array<Side, 4>& sides() {
 
 namespace {
 
-int add_texture(Scene& scene, Texture texture) {
-    scene.textures.push_back(std::move(texture));
-    return static_cast<int>(scene.textures.size()) - 1;
-}
-
-/// `period`: metres that the texture's side covers.
-int add_textured(Scene& scene, const std::string& name, TexturePair pair, float period) {
-    const int index = add_material(scene, name, glm::vec3(1), 0.85f);
-    Material& material = scene.materials[index];
-    for (auto* slot : {&material.base_colour_texture, &material.normal_texture})
-        slot->scale = glm::vec2(1 / period);
-    material.base_colour_texture.texture = add_texture(scene, std::move(pair.colour));
-    material.normal_texture.texture = add_texture(scene, std::move(pair.normal));
-    return index;
-}
-
 int add_sheet(Scene& scene, const std::string& name, Texture texture, bool has_holes) {
     const int index = add_material(scene, name, glm::vec3(1), 0.95f);
     Material& material = scene.materials[index];
@@ -81,11 +65,6 @@ void add_cameras(Scene& scene) {
     add_camera(scene, "aisle", {-12.9f, 1.7f, 6.9f}, {4, 2.35f, 5.9f}, 58);
     add_camera(scene, "balcony", {9.6f, 8.1f, 3.2f}, {-4, 3.4f, -3.2f}, 62);
     add_camera(scene, "overview", {11, 27, 21}, {0.3f, 3, -0.8f}, 44);
-}
-
-void add_tangents(Scene& scene) {
-    for (auto& mesh : scene.meshes)
-        if (scene.materials[mesh.material].normal_texture.texture >= 0) generate_tangents(mesh);
 }
 
 }  // namespace

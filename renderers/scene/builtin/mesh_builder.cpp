@@ -32,16 +32,30 @@ void MeshBuilder::quad(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d, glm::
     add_triangle(index[0], index[2], index[3]);
 }
 
-void MeshBuilder::box(glm::vec3 lo, glm::vec3 hi) {
+void MeshBuilder::box_face(BoxFace face, glm::vec3 lo, glm::vec3 hi) {
     const auto corner = [&](int x, int y, int z) {
         return glm::vec3(x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z);
     };
-    quad(corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1), corner(0, 1, 1), {lo.x, lo.y});
-    quad(corner(1, 0, 0), corner(0, 0, 0), corner(0, 1, 0), corner(1, 1, 0), {-hi.x, lo.y});
-    quad(corner(1, 0, 1), corner(1, 0, 0), corner(1, 1, 0), corner(1, 1, 1), {-hi.z, lo.y});
-    quad(corner(0, 0, 0), corner(0, 0, 1), corner(0, 1, 1), corner(0, 1, 0), {lo.z, lo.y});
-    quad(corner(0, 1, 1), corner(1, 1, 1), corner(1, 1, 0), corner(0, 1, 0), {lo.x, -hi.z});
-    quad(corner(0, 0, 0), corner(1, 0, 0), corner(1, 0, 1), corner(0, 0, 1), {lo.x, lo.z});
+    switch (face) {
+        case BoxFace::pos_z:
+            return quad(corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1), corner(0, 1, 1), {lo.x, lo.y});
+        case BoxFace::neg_z:
+            return quad(corner(1, 0, 0), corner(0, 0, 0), corner(0, 1, 0), corner(1, 1, 0), {-hi.x, lo.y});
+        case BoxFace::pos_x:
+            return quad(corner(1, 0, 1), corner(1, 0, 0), corner(1, 1, 0), corner(1, 1, 1), {-hi.z, lo.y});
+        case BoxFace::neg_x:
+            return quad(corner(0, 0, 0), corner(0, 0, 1), corner(0, 1, 1), corner(0, 1, 0), {lo.z, lo.y});
+        case BoxFace::pos_y:
+            return quad(corner(0, 1, 1), corner(1, 1, 1), corner(1, 1, 0), corner(0, 1, 0), {lo.x, -hi.z});
+        case BoxFace::neg_y:
+            return quad(corner(0, 0, 0), corner(1, 0, 0), corner(1, 0, 1), corner(0, 0, 1), {lo.x, lo.z});
+    }
+}
+
+void MeshBuilder::box(glm::vec3 lo, glm::vec3 hi) {
+    for (const auto face :
+         {BoxFace::pos_z, BoxFace::neg_z, BoxFace::pos_x, BoxFace::neg_x, BoxFace::pos_y, BoxFace::neg_y})
+        box_face(face, lo, hi);
 }
 
 void MeshBuilder::cavity(glm::vec3 lo, glm::vec3 hi) {

@@ -14,6 +14,8 @@ struct Vertex {
     glm::vec2 uv;
 };
 
+enum class BoxFace { pos_x, neg_x, pos_y, neg_y, pos_z, neg_z };
+
 /// Collects triangles, counter-clockwise seen from outside, with texture coordinates in metres.
 class MeshBuilder {
   public:
@@ -24,6 +26,8 @@ class MeshBuilder {
     void quad(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d, glm::vec2 uv = {0, 0});
     /// Six outward faces.
     void box(glm::vec3 min, glm::vec3 max);
+    /// One of them.
+    void box_face(BoxFace face, glm::vec3 min, glm::vec3 max);
     /// Six faces seen from within.
     void cavity(glm::vec3 min, glm::vec3 max);
     /// A box from `a` to `b` along its axis; `width` lies across, `height` along `up`, both centred on the

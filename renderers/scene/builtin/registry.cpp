@@ -125,8 +125,8 @@ std::string hash_of(const std::string& text) {
 }  // namespace
 
 const std::vector<Description>& descriptions() {
-    static const std::vector<Description> all = {atrium(), cornell(), furnace(),
-                                                 plane(),  corner(),  crevice()};
+    static const std::vector<Description> all = {atrium(),  cornell(),    furnace(),    plane(),   corner(),
+                                                 crevice(), conference(), still_life(), corridor()};
     return all;
 }
 

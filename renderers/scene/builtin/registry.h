@@ -38,5 +38,8 @@ Description furnace();
 Description plane();
 Description corner();
 Description crevice();
+Description conference();
+Description still_life();
+Description corridor();
 
 }  // namespace ir::scene::builtin

@@ -2,85 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "renderers/image/colour_map.h"
-#include "renderers/scene/builtin/random.h"
+#include "renderers/scene/builtin/mesh_builder.h"
+#include "renderers/scene/builtin/painting.h"
 
 namespace ir::scene::builtin {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
-
-std::uint8_t byte(float value) {
-    return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255 + 0.5f);
-}
-
-Texture blank(const std::string& name, int size, bool srgb) {
-    Texture texture;
-    texture.name = name;
-    texture.width = texture.height = size;
-    texture.srgb = srgb;
-    texture.rgba.resize(static_cast<std::size_t>(size) * size * 4);
-    return texture;
-}
-
-/// `colour` gives linear RGB and alpha at texture coordinates in [0,1).
-template <class Colour>
-Texture painted(const std::string& name, int size, Colour colour) {
-    Texture texture = blank(name, size, true);
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-            const glm::vec4 c = colour((x + 0.5f) / size, (y + 0.5f) / size);
-            std::uint8_t* texel = &texture.rgba[4 * (static_cast<std::size_t>(y) * size + x)];
-            for (int k = 0; k < 3; ++k) texel[k] = byte(srgb_from_linear(c[k]));
-            texel[3] = byte(c.a);
-        }
-    return texture;
-}
-
-/// Normals of a height field that repeats; +Y of the normal points against v, as in glTF. Heights are in
-/// units of the texture's side.
-template <class Height>
-Texture normals_of(const std::string& name, int size, Height height) {
-    Texture texture = blank(name, size, false);
-    const float step = 1.0f / size;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-            const float u = (x + 0.5f) * step, v = (y + 0.5f) * step;
-            const float du = (height(u + step, v) - height(u - step, v)) / (2 * step);
-            const float dv = (height(u, v + step) - height(u, v - step)) / (2 * step);
-            const glm::vec3 n = glm::normalize(glm::vec3(-du, dv, 1));
-            std::uint8_t* texel = &texture.rgba[4 * (static_cast<std::size_t>(y) * size + x)];
-            for (int k = 0; k < 3; ++k) texel[k] = byte(0.5f * n[k] + 0.5f);
-            texel[3] = 255;
-        }
-    return texture;
-}
-
-float fraction(float x) {
-    return x - std::floor(x);
-}
-
-/// The same for the same cell, in [0,1).
-float cell_random(int x, int y, std::uint32_t seed) {
-    return Random(static_cast<std::uint32_t>(x) * 7919u + static_cast<std::uint32_t>(y) * 104729u + seed)
-        .unit();
-}
-
-float smooth(float edge0, float edge1, float x) {
-    const float t = std::clamp((x - edge0) / (edge1 - edge0), 0.0f, 1.0f);
-    return t * t * (3 - 2 * t);
-}
-
-/// Smooth noise of period 1 with `cells` cells.
-float noise(float u, float v, int cells, std::uint32_t seed) {
-    const float x = fraction(u) * cells, y = fraction(v) * cells;
-    const int i = static_cast<int>(x), j = static_cast<int>(y);
-    const float a = smooth(0, 1, x - i), b = smooth(0, 1, y - j);
-    const auto at = [&](int p, int q) { return cell_random((i + p) % cells, (j + q) % cells, seed); };
-    return std::lerp(std::lerp(at(0, 0), at(1, 0), a), std::lerp(at(0, 1), at(1, 1), a), b);
-}
+using namespace painting;
 
 struct Brick {
     int column, row;
@@ -176,6 +105,28 @@ Texture grille() {
         const bool is_iron = is_bar || circle < 0.055f;
         return glm::vec4(glm::vec3(0.06f, 0.055f, 0.05f), is_iron ? 1.0f : 0.0f);
     });
+}
+
+int add_texture(Scene& scene, Texture texture) {
+    scene.textures.push_back(std::move(texture));
+    return static_cast<int>(scene.textures.size()) - 1;
+}
+
+int add_textured(Scene& scene, const std::string& name, TexturePair pair, float period, float roughness) {
+    const int index = add_material(scene, name, glm::vec3(1), roughness);
+    Material& material = scene.materials[index];
+    for (auto* slot : {&material.base_colour_texture, &material.normal_texture})
+        slot->scale = glm::vec2(1 / period);
+    if (!pair.colour.rgba.empty())
+        material.base_colour_texture.texture = add_texture(scene, std::move(pair.colour));
+    if (!pair.normal.rgba.empty())
+        material.normal_texture.texture = add_texture(scene, std::move(pair.normal));
+    return index;
+}
+
+void add_tangents(Scene& scene) {
+    for (auto& mesh : scene.meshes)
+        if (scene.materials[mesh.material].normal_texture.texture >= 0) generate_tangents(mesh);
 }
 
 }  // namespace ir::scene::builtin

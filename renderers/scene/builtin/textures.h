@@ -20,4 +20,13 @@ Texture leaf();
 /// Wrought iron bars with scrolls on a transparent ground.
 Texture grille();
 
+/// Returns the texture's index.
+int add_texture(Scene& scene, Texture texture);
+/// Appends a dielectric with the textures of the pair that have texels; `period`: metres that their side
+/// covers. Returns its index.
+int add_textured(Scene& scene, const std::string& name, TexturePair pair, float period,
+                 float roughness = 0.85f);
+/// Gives tangents to all meshes whose material has a normal map.
+void add_tangents(Scene& scene);
+
 }  // namespace ir::scene::builtin
