@@ -87,6 +87,7 @@ QWidget* TimelinePanel::make_bar() {
     return_ = button("return", "undo", tr("Show the experiment's own time again"));
     row->addSpacing(8);
     row->addWidget(time_);
+    row->addSpacing(4);
     row->addWidget(new QLabel(tr("frame")));
     row->addWidget(frame_);
     row->addSpacing(8);
@@ -153,7 +154,7 @@ void TimelinePanel::show_times() {
         text = tr("%1 frames/s").arg(state_.frames_per_second, 0, 'f', state_.frames_per_second < 10 ? 1 : 0);
     if (state_.is_elsewhere && state_.history > 0)
         text += (text.isEmpty() ? QString() : QStringLiteral(" · ")) +
-                tr("history of %n frame(s)", nullptr, state_.history);
+                (state_.history == 1 ? tr("no history") : tr("history: %1 frames").arg(state_.history));
     speed_->setText(text);
     speed_->setToolTip(
         tr("How many frames a second are rendered (at most 30), and how many have followed each "
