@@ -79,6 +79,7 @@ TEST_F(TimelineWindowTest, PlaysFrameByFramePausesStepsAndScrubs) {
     // A loop goes on at the beginning.
     playback().set_loop(true);
     playback().play(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return playback().time() > 4 * frame; }, 5000));
     ASSERT_TRUE(QTest::qWaitFor([&] { return playback().time() < 3 * frame; }, 5000));
     EXPECT_TRUE(playback().is_playing());
     playback().play(false);
