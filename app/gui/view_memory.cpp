@@ -28,6 +28,15 @@ ViewSource source_from_json(const Json& json) {
     return source;
 }
 
+widgets::StagePair pair_from_json(const Json& json) {
+    if (!json.is_array() || json.size() != 2 || !json[0].is_number_integer() || !json[1].is_number_integer())
+        return {};
+    const auto place = [&](std::size_t i, int least) {
+        return int(std::clamp<std::int64_t>(json[i].get<std::int64_t>(), least, most_items));
+    };
+    return {place(0, widgets::StagePair::none), place(1, widgets::StagePair::reference)};
+}
+
 constexpr OutputKind spatial_kinds[] = {OutputKind::point_set, OutputKind::line_set, OutputKind::glyphs,
                                         OutputKind::sphere_values};
 
@@ -151,6 +160,8 @@ Json to_json(const widgets::ViewState& state) {
                  {"difference", widgets::to_key(state.difference)},
                  {"as_table", state.as_table}};
     for (const auto& source : state.more) json["more"].push_back(to_json(source));
+    json["chain"] = state.chain;
+    json["pair"] = {state.pair.a, state.pair.b};
     auto& space = json["space"];
     space = {{"show_scene", state.space.show_scene}, {"show_centres", state.space.show_centres}};
     if (state.space.camera) space["camera"] = to_json(*state.space.camera);
@@ -167,6 +178,8 @@ widgets::ViewState view_state_from_json(const Json& json) {
     state.as_table = field_or(json, "as_table", false);
     for (const auto& source : member_or_null(json, "more"))
         if (state.more.size() < most_items) state.more.push_back(source_from_json(source));
+    state.chain = field_or(json, "chain", false);
+    state.pair = pair_from_json(member_or_null(json, "pair"));
     const auto& space = member_or_null(json, "space");
     state.space.show_scene = field_or(space, "show_scene", true);
     state.space.show_centres = field_or(space, "show_centres", true);

@@ -146,6 +146,7 @@ void MainWindow::show_shortcuts() {
         {tr("Mark a pixel (Inspect)"), tr("Click")},
         {tr("Explain a pixel (Inspect)"), tr("Shift+click")},
         {tr("See one of several pictures (Wipe, Flip, Difference)"), tr("Hold 1 … 9")},
+        {tr("Choose two of a row to be compared (Stages)"), tr("1 … 9, 0 for none")},
         {tr("Go on to the next picture (Flip)"), tr("Tab")},
         {tr("Move the divider (Wipe)"), tr("Drag it")},
         {tr("Move, resize the rectangle (Rectangle)"), tr("Drag, arrows; Shift+arrows")},

@@ -3,6 +3,7 @@
 #include <QToolBar>
 
 #include "app/gui/main_window.h"
+#include "app/gui/stage_chain.h"
 
 namespace ir::gui {
 namespace {
@@ -55,6 +56,7 @@ void MainWindow::make_menus() {
                 "buffer-main",
                 "buffer-next",
                 "buffer-previous",
+                "stages",
                 "",
                 "explain",
                 "explain-nothing",
@@ -87,10 +89,10 @@ void MainWindow::make_toolbar() {
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     for (const char* name :
-         {"new",     "open",     "save",      "",        "undo",    "redo",    "",        "inspect",
-          "orbit",   "fly",      "rectangle", "",        "fit",     "actual",  "zoom-in", "zoom-out",
-          "grid",    "",         "views-1",   "views-2", "views-3", "views-4", "link",    "",
-          "explain", "bookmark", "",          "rerun",   "cancel"})
+         {"new",    "open",    "save",      "",        "undo",    "redo",    "",        "inspect",
+          "orbit",  "fly",     "rectangle", "",        "fit",     "actual",  "zoom-in", "zoom-out",
+          "grid",   "",        "views-1",   "views-2", "views-3", "views-4", "link",    "",
+          "stages", "explain", "bookmark",  "",        "rerun",   "cancel"})
         *name ? bar->addAction(actions_.value(QLatin1String(name))) : void(bar->addSeparator());
 }
 
@@ -160,6 +162,10 @@ void MainWindow::update_actions() {
                              "export-values",
                              "export-all"})
         set(name, open && experiment);
+    const bool stages = has_stages(session_, workspace_.active_state().a.owner);
+    set("stages", stages);
+    auto* chain = action(QStringLiteral("stages"));
+    chain->setToolTip(chain->data().toString() + (stages ? QString() : tr(".\nThis method names none.")));
 }
 
 }  // namespace ir::gui

@@ -91,6 +91,10 @@ void MainWindow::make_compare_actions() {
     add("mode-flip", ViewMode::flip, Qt::Key_4);
     add("mode-difference", ViewMode::difference, Qt::Key_5);
     add("mode-stages", ViewMode::stages, Qt::Key_6);
+    auto* stages = add_action("stages", tr("Filter &stages"), "stages", {K(Qt::ALT | Qt::Key_7)},
+                              [this] { workspace_.show_stages(); });
+    stages->setData(
+        tr("The stages that the method names in a row, with the differences between them (Alt+7)"));
     add_action("swap", tr("&Swap A and B"), "swap", {K(Qt::Key_X)}, [this] { workspace_.swap(); });
     auto* link = add_switch("link", tr("&Link zoom, place, camera and colours of all views"), "link",
                             {K(Qt::Key_L)}, true, [this](bool on) { workspace_.set_linked(on); });

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/gui/camera_pose.h"
+#include "app/gui/stage_chain.h"
 
 namespace ir::gui {
 
@@ -78,6 +79,11 @@ void Workspace::connect_pane(int view, ViewPane& pane) {
         const bool row = state.mode == widgets::ViewMode::stages;
         if (row && state.more.empty()) return;
         std::swap(state.a, row ? state.more.front() : state.b);
+        set_state(view, state);
+    });
+    connect(&compare, &CompareView::stage_pair_chosen, this, [this, view](widgets::StagePair pair) {
+        auto state = states_[std::size_t(view)];
+        state.pair = pair;
         set_state(view, state);
     });
     connect(&compare, &CompareView::activated, this, [this, view] { area_->set_active(view); });
@@ -197,7 +203,9 @@ void Workspace::update_header(int view) {
     if (widgets::takes_many(shown.mode)) fields.candidates = candidates(shown);
     fields.state = shown;
     fields.linked = linked_;
+    fields.has_stages = has_stages(session_, shown.a.owner);
     if (widgets::compares(shown.mode)) fields.warning = pictures_.warning(shown.a, shown.b);
+    if (shown.mode == widgets::ViewMode::stages) fields.warning = missing_stages(shown);
     pane(view)->header().set_fields(fields);
     const auto* output = pictures_.find(fields.outputs_a, shown.a.output);
     area_->set_title(view,

@@ -41,6 +41,7 @@ class Workspace : public QObject {
     /// by side.
     void compare_with(const std::string& owner);
     void set_mode(widgets::ViewMode mode);
+    void show_stages();  ///< the chain that the method names, in a row
     void swap();
     std::string shown_key() const;  ///< resource key of A
     /// Key and picture whose display the active view shows: A's, or the difference's.
@@ -116,6 +117,13 @@ class Workspace : public QObject {
     std::vector<std::pair<widgets::ViewSource, QString>> candidates(const widgets::ViewState& state) const;
     widgets::ViewPane::Content content_of(const widgets::ViewState& state) const;
     Want want_of(const widgets::ViewState& state, const std::string& owner) const;
+
+    // workspace_stages.cpp
+    void complete_stages(widgets::ViewState& state) const;
+    bool compares_reference(const widgets::ViewState& state) const;
+    void name_stages(int view, std::vector<std::shared_ptr<const widgets::Picture>>& pictures) const;
+    void update_reference(int view);
+    QString missing_stages(const widgets::ViewState& state) const;
 
     // workspace_pictures.cpp
     widgets::ViewSource meaning_of(const widgets::ViewState& state, const widgets::ViewSource& source);

@@ -11,6 +11,7 @@ void Workspace::show_output(const std::string& key, int level, int layer) {
     state.a.level = level;
     state.a.layer = layer;
     state.as_table = false;
+    state.chain = false;
     // The same buffer of both experiments is what one wants to compare.
     if (state.b.owner != state.a.owner) {
         state.b.output = key;
@@ -50,6 +51,14 @@ void Workspace::compare_with(const std::string& owner) {
 void Workspace::set_mode(widgets::ViewMode mode) {
     auto state = active_state();
     state.mode = mode;
+    set_state(area_->active(), state);
+}
+
+void Workspace::show_stages() {
+    auto state = active_state();
+    state.mode = widgets::ViewMode::stages;
+    state.as_table = false;
+    state.chain = true;
     set_state(area_->active(), state);
 }
 

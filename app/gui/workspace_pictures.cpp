@@ -42,6 +42,9 @@ void Workspace::update_pictures(int view) {
     }
     if (state(view).difference == DifferenceKind::significant)
         pane(view)->compare().set_noise_hint(pictures_.variance_hint());
+    if (compares_reference(state(view))) shown.pop_back();  // it stands beside the row
+    name_stages(view, shown);
+    update_reference(view);
     pane(view)->show_pictures(state(view), std::move(shown));
     update_displays(view);
     link_views();

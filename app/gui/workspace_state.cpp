@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/gui/stage_chain.h"
 #include "app/gui/workspace.h"
 
 namespace ir::gui {
@@ -47,7 +48,8 @@ ViewState Workspace::completed(ViewState state) const {
     state.more.erase(std::remove_if(state.more.begin(), state.more.end(),
                                     [&](const auto& source) { return !pictures_.has_owner(source.owner); }),
                      state.more.end());
-    if (state.mode == ViewMode::stages && state.more.empty() && live_.result(state.a.owner))
+    if (state.mode == ViewMode::stages) complete_stages(state);
+    if (state.mode == ViewMode::stages && !state.chain && state.more.empty() && live_.result(state.a.owner))
         for (const auto& [source, label] : candidates(state))
             if (source.owner == state.a.owner && state.more.size() + 1 < most_stages)
                 state.more.push_back(source);
@@ -87,6 +89,7 @@ std::vector<ViewSource> Workspace::sources(const ViewState& state) const {
     if (content_of(state) != ViewPane::Content::picture) return all;
     if (widgets::compares(state.mode) && state.mode != ViewMode::stages) all.push_back(state.b);
     if (widgets::takes_many(state.mode)) all.insert(all.end(), state.more.begin(), state.more.end());
+    if (compares_reference(state)) all.push_back(reference_of(session_, state.a.owner));
     return all;
 }
 

@@ -29,6 +29,7 @@ void CompareView::keyPressEvent(QKeyEvent* event) {
         if (!event->isAutoRepeat()) hold(picture);
         return;
     }
+    if (choose_by_key(*event)) return;
     if (event->modifiers() == Qt::NoModifier && event->key() == Qt::Key_X && count() >= 2) return swap();
     if (event->modifiers() == Qt::NoModifier && event->key() == Qt::Key_L) return set_linked(!is_linked());
     QWidget::keyPressEvent(event);
@@ -47,13 +48,14 @@ bool CompareView::eventFilter(QObject* watched, QEvent* event) {
             paint_board();
             return true;
         }
-        return QWidget::eventFilter(watched, event);
+        return on_board_event(event) || QWidget::eventFilter(watched, event);
     }
     switch (event->type()) {
         case QEvent::ShortcutOverride:  // a held number is no shortcut of the window while it shows a picture
             if (const int picture = picture_of_key(*static_cast<QKeyEvent*>(event));
                 picture >= 0 && picture < count() && may_hold())
                 event->accept();
+            if (choose_by_key(*static_cast<QKeyEvent*>(event))) event->accept();
             break;
         case QEvent::KeyPress: {
             const auto& key = *static_cast<QKeyEvent*>(event);

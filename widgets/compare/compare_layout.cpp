@@ -33,7 +33,7 @@ std::vector<ImageView*> CompareView::difference_views() const {
 }
 
 CompareView::Grid CompareView::grid(int panes) const {
-    if (has_rows()) return {count(), 2};
+    if (has_rows()) return {count() + (has_pair() ? 1 : 0), 2};
     const int columns = panes <= 3 ? std::max(1, panes) : int(std::ceil(std::sqrt(double(panes))));
     return {columns, (panes + columns - 1) / columns};
 }
@@ -42,7 +42,20 @@ QSize CompareView::least_board() const {
     const int panes = int(contents().size());
     if (panes == 1) return {0, 0};
     const auto [columns, rows] = grid(panes);
-    return {columns * (least_pane.width() + gap) + gap, rows * (least_pane.height() + gap) + gap};
+    return {columns * (least_pane.width() + gap) + gap,
+            rows * (least_pane.height() + caption_height() + gap) + gap};
+}
+
+/// Upper left corner of a pane's cell.
+QPoint CompareView::corner(int index, QSize step) const {
+    const auto shown = contents();
+    const int columns = grid(int(shown.size())).columns;
+    if (!has_rows()) return {index % columns * step.width(), index / columns * step.height()};
+    const Content& content = shown[index];
+    const int row = content.difference ? step.height() : 0;
+    if (content.slot == pair_slot) return {count() * step.width(), row};
+    // Under the two that it is the difference of.
+    return {content.picture * step.width() + (content.difference ? step.width() / 2 : 0), row};
 }
 
 QRect CompareView::cell(int index, QSize board) const {
@@ -51,10 +64,7 @@ QRect CompareView::cell(int index, QSize board) const {
     const auto [columns, rows] = grid(int(shown.size()));
     // Equal sizes, so that linked views show equal regions; a gap on each side for the active one's frame.
     const QSize step((board.width() - gap) / columns, (board.height() - gap) / rows);
-    const bool below = has_rows() && shown[index].difference;  // under the two that it is the difference of
-    const QPoint at = below ? QPoint(shown[index].picture * step.width() + step.width() / 2, step.height())
-                            : QPoint(index % columns * step.width(), index / columns * step.height());
-    return QRect(at + QPoint(gap, gap), step - QSize(gap, gap));
+    return QRect(corner(index, step) + QPoint(gap, gap), step - QSize(gap, gap + caption_height()));
 }
 
 void CompareView::place() {
@@ -73,6 +83,7 @@ void CompareView::paint_board() {
     painter.fillRect(board_->rect(), palette().window());
     if (contents().size() < 2) return;
     painter.fillRect(panes_[active_pane_]->geometry().adjusted(-2, -2, 2, 2), palette().highlight());
+    paint_captions(painter);
 }
 
 QImage CompareView::snapshot(bool overlays, bool legend, ImageView::SnapshotScale scale) const {
@@ -99,10 +110,11 @@ QImage CompareView::snapshot(bool overlays, bool legend, ImageView::SnapshotScal
     QPainter painter(&result);
     for (int i = 0; i < int(shown.size()); ++i) {
         const QSize step = largest + QSize(snapshot_gap, snapshot_gap);
-        const bool below = has_rows() && shown[i].difference;
-        const int column = below ? shown[i].picture : i % columns, row = below ? 1 : i / columns;
-        const QPoint whole_at(column * step.width() + (below ? step.width() / 2 : 0), row * step.height());
-        painter.drawImage(whole ? whole_at : (QPointF(panes_[i]->pos()) * ratio).toPoint(), shots[i]);
+        painter.drawImage(whole ? corner(i, step) : (QPointF(panes_[i]->pos()) * ratio).toPoint(), shots[i]);
+    }
+    if (!whole && overlays) {
+        painter.scale(ratio, ratio);
+        paint_captions(painter);
     }
     return result;
 }

@@ -14,11 +14,11 @@ QString size_text(const Picture& picture) {
     return QStringLiteral("%1×%2").arg(picture.size().width()).arg(picture.size().height());
 }
 
-QString letter(int picture) {
+}  // namespace
+
+QString CompareView::letter_of(int picture) {
     return picture < 26 ? QString(QChar('A' + picture)) : QString::number(picture + 1);
 }
-
-}  // namespace
 
 std::vector<CompareView::Content> CompareView::contents() const {
     if (mode_ == Mode::difference && held_ < 0) return {{0, true}};
@@ -26,11 +26,16 @@ std::vector<CompareView::Content> CompareView::contents() const {
         return {{shown_picture(), false}};
     std::vector<Content> contents;
     for (int i = 0; i < count(); ++i) contents.push_back({i, false});
-    for (int i = 0; has_rows() && i + 1 < count(); ++i) contents.push_back({i, true});
+    for (int i = 0; has_rows() && i + 1 < count(); ++i) contents.push_back({i, true, i});
+    if (has_pair()) {
+        contents.push_back({pair_.b, false, pair_slot});
+        contents.push_back({pair_.a, true, pair_slot});
+    }
     return contents;
 }
 
 QString CompareView::size_refusal() const {
+    if (mode_ == Mode::stages && count() > 2) return {};  // each pair for itself
     const Picture* first = nullptr;
     int index = 0;
     const int compared = mode_ == Mode::wipe || mode_ == Mode::difference ? std::min(2, count()) : count();
@@ -41,8 +46,9 @@ QString CompareView::size_refusal() const {
             first = &each;
             index = i;
         } else if (each.size() != first->size()) {
-            const QString sizes = tr("Sizes differ: %1 has %2, %3 has %4 pixels. ")
-                                      .arg(letter(index), size_text(*first), letter(i), size_text(each));
+            const QString sizes =
+                tr("Sizes differ: %1 has %2, %3 has %4 pixels. ")
+                    .arg(letter_of(index), size_text(*first), letter_of(i), size_text(each));
             return sizes + (mode_ == Mode::side_by_side
                                 ? tr("Render both at one size, or unlink the views to see both.")
                                 : tr("Render both at one size to compare them."));
@@ -54,8 +60,8 @@ QString CompareView::size_refusal() const {
 QString CompareView::missing_picture() const {
     for (int i = 0; i < std::min(2, count()); ++i)
         if (!pictures_[i]->has_image())
-            return pictures_[i]->note.isEmpty() ? tr("%1 has no picture yet.").arg(letter(i))
-                                                : tr("%1: %2").arg(letter(i), pictures_[i]->note);
+            return pictures_[i]->note.isEmpty() ? tr("%1 has no picture yet.").arg(letter_of(i))
+                                                : tr("%1: %2").arg(letter_of(i), pictures_[i]->note);
     return {};
 }
 
@@ -100,8 +106,8 @@ void CompareView::update_regions() {
 
 QString CompareView::pane_label(int picture) const {
     if (count() < 2) return {};
-    const QString& label = pictures_[picture]->label;
-    return label.isEmpty() ? letter(picture) : letter(picture) + QStringLiteral("   ") + label;
+    const QString &label = stage(picture).label, name = stage_name(picture);
+    return label.isEmpty() ? name : name + QStringLiteral("   ") + label;
 }
 
 void CompareView::refresh() {
@@ -117,6 +123,7 @@ void CompareView::refresh() {
     place();
     update_regions();
     update_legends();
+    update_bar();
     relink();
 }
 
@@ -129,18 +136,20 @@ void CompareView::fill(ImageView& pane, const Content& content) {
     const QString reason = held_ < 0 ? refusal() : QString();
     // Side by side A stays and the reason stands in the place of what does not fit.
     const bool fits =
-        mode_ == Mode::side_by_side && pictures_[content.picture]->size() == pictures_.front()->size();
+        mode_ == Mode::side_by_side && stage(content.picture).size() == pictures_.front()->size();
     const bool alone = count() < 2 && mode_ != Mode::difference;
     if (!reason.isEmpty() && !fits && !alone) {
         pane.set_second(nullptr);
         pane.set_picture(make_note(reason));
         return pane.set_labels(content.difference ? QString() : pane_label(content.picture));
     }
-    if (content.difference) return fill_difference(pane, content.picture);
-    pane.set_display(shown_display(content.picture));
-    pane.set_picture(pictures_[content.picture]);
+    if (content.difference) return fill_difference(pane, content.slot);
+    const bool right = content.picture == StagePair::reference;
+    pane.set_display(shown_display(right ? 0 : content.picture));
+    pane.set_picture(right ? reference_ : pictures_[content.picture]);
     pane.set_labels(pane_label(content.picture));
-    if (!poses_.empty()) pane.set_camera(poses_[std::min<std::size_t>(content.picture, poses_.size() - 1)]);
+    if (!poses_.empty())
+        pane.set_camera(poses_[std::min<std::size_t>(right ? 0 : content.picture, poses_.size() - 1)]);
     if (mode_ == Mode::wipe && held_ < 0 && count() >= 2) fill_wipe(pane);
 }
 
@@ -153,18 +162,28 @@ void CompareView::fill_wipe(ImageView& pane) {
 
 void CompareView::request_differences() {
     const int pairs = mode_ == Mode::difference ? 1 : mode_ == Mode::stages ? count() - 1 : 0;
-    for (int i = 0; i < pairs && i + 1 < count(); ++i)
-        if (pictures_[i]->has_image() && pictures_[i + 1]->has_image())
-            worker_->request(i, {pictures_[i], pictures_[i + 1], kind_, letter(i), letter(i + 1)});
+    const auto shared = [this](int i) { return i == StagePair::reference ? reference_ : pictures_[i]; };
+    const auto request = [&](int slot) {
+        const auto [a, b] = ends_of(slot);
+        if (stage(a).has_image() && stage(b).has_image() && stage(a).size() == stage(b).size())
+            worker_->request(slot, {shared(a), shared(b), kind_, stage_name(a), stage_name(b)});
+    };
+    for (int i = 0; i < pairs && i + 1 < count(); ++i) request(i);
+    if (has_pair()) request(pair_slot);
 }
 
 void CompareView::fill_difference(ImageView& pane, int slot) {
     const auto* result = worker_->result(slot);
     pane.set_second(nullptr);
     pane.set_labels(result ? result->picture->label : QString());
-    const bool possible = pictures_[slot]->has_image() && pictures_[slot + 1]->has_image();
+    const auto [a, b] = ends_of(slot);
+    const bool both = stage(a).has_image() && stage(b).has_image();
+    const bool possible = both && stage(a).size() == stage(b).size();
     if (!result || !possible) {
-        pane.set_picture(make_note(possible ? tr("Computing the difference …") : QString()));
+        pane.set_picture(make_note(
+            possible ? tr("Computing the difference …")
+            : both   ? tr("Sizes differ: %1 and %2 pixels.").arg(size_text(stage(a)), size_text(stage(b)))
+                     : QString()));
         pane.set_labels({});
         return;
     }
@@ -177,27 +196,15 @@ void CompareView::fill_difference(ImageView& pane, int slot) {
     if (slot == 0) shown_difference_ = display;
     pane.set_display(display);
     Picture picture = *result->picture;
-    picture.stale = worker_->is_outdated(slot) || pictures_[slot]->stale || pictures_[slot + 1]->stale;
+    picture.stale = worker_->is_outdated(slot) || stage(a).stale || stage(b).stale;
     pane.set_picture(picture.stale ? std::make_shared<const Picture>(std::move(picture)) : result->picture);
-    if (!poses_.empty()) pane.set_camera(poses_[std::min<std::size_t>(slot, poses_.size() - 1)]);
-}
-
-Display CompareView::stage_display() const {
-    std::optional<Display> common;  // equal colours mean equal differences in the whole row
-    for (int i = 0; i + 1 < count(); ++i) {
-        const auto* result = worker_->result(i);
-        if (!result || !result->picture->has_image()) continue;
-        if (!common) common = result->automatic;
-        common->low = std::min(common->low, result->automatic.low);
-        common->high = std::max(common->high, result->automatic.high);
-    }
-    return common.value_or(Display());
+    if (!poses_.empty()) pane.set_camera(poses_[std::min<std::size_t>(a, poses_.size() - 1)]);
 }
 
 void CompareView::show_difference(int slot) {
     const auto shown = contents();
     const bool visible = std::any_of(shown.begin(), shown.end(), [&](const Content& content) {
-        return content.difference && content.picture == slot;
+        return content.difference && content.slot == slot;
     });
     if (!visible) return;
     refresh();
@@ -232,6 +239,7 @@ int CompareView::picture_of(int pane, QPoint pixel) const {
     if (shown[pane].difference) return -1;
     if (mode_ == Mode::wipe && held_ < 0 && panes_[pane]->second())
         return pixel.x() + 0.5 >= wipe_ * panes_[pane]->image().width ? 1 : 0;
+    if (shown[pane].picture == StagePair::reference) return count();
     return shown[pane].picture;
 }
 

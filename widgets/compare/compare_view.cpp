@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "widgets/compare/difference_worker.h"
+#include "widgets/compare/stage_bar.h"
 #include "widgets/compare/view_link.h"
 
 /// State of a comparison and its panes' signals. What the panes show stands in compare_panes.cpp, where they
@@ -18,10 +19,13 @@ CompareView::CompareView(QWidget* parent, ImageView::Surface surface)
       scroll_(new QScrollArea(this)),
       board_(new QWidget),
       link_(new ViewLink(this)),
-      worker_(new DifferenceWorker(this)) {
+      worker_(new DifferenceWorker(this)),
+      bar_(new StageBar(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(scroll_);
+    layout->setSpacing(0);
+    layout->addWidget(scroll_, 1);
+    layout->addWidget(bar_);
     scroll_->setFrameShape(QFrame::NoFrame);
     scroll_->setFocusPolicy(Qt::NoFocus);
     scroll_->setWidgetResizable(true);
@@ -29,6 +33,7 @@ CompareView::CompareView(QWidget* parent, ImageView::Surface surface)
     board_->installEventFilter(this);
     setFocusProxy(pane(0));
     connect(worker_, &DifferenceWorker::ready, this, &CompareView::show_difference);
+    connect(bar_, &StageBar::chosen, this, &CompareView::choose_pair);
     refresh();
 }
 

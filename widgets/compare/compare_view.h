@@ -6,18 +6,22 @@
 #include <vector>
 
 #include "renderers/image/difference.h"
+#include "widgets/compare/stage_pair.h"
 #include "widgets/image/image_view.h"
 
+class QPainter;
 class QScrollArea;
 
 namespace ir::widgets {
 
 class DifferenceWorker;
+class StageBar;
 class ViewLink;
 
 /// Two or more pictures of equal size against each other. The first is A, the second B; further ones take
 /// part in flip, side by side and stages. Keys: 1 … 9 show a picture for as long as they are held (single,
-/// wipe, flip, difference), Tab shows the next one (flip), X swaps A and B, L links and unlinks.
+/// wipe, flip, difference) or choose two to be compared (stages; 0: none), Tab shows the next one (flip), X
+/// swaps A and B, L links and unlinks.
 class CompareView : public QWidget {
     Q_OBJECT
   public:
@@ -36,6 +40,11 @@ class CompareView : public QWidget {
     void set_difference_display(std::optional<Display> display);
     void set_mode(Mode mode);
     void set_difference(DifferenceKind kind);
+    /// Stages: the two that are compared beside the row.
+    void set_stage_pair(StagePair pair);
+    /// Stages: whether they may be compared with a reference, and its picture, null while nobody asked for
+    /// it.
+    void set_reference(bool exists, std::shared_ptr<const Picture> picture);
     /// The divider, 0 … 1 of the picture's width.
     void set_wipe(double fraction);
     void set_legend(bool on);
@@ -54,6 +63,8 @@ class CompareView : public QWidget {
     Mode mode() const { return mode_; }
     DifferenceKind difference_kind() const { return kind_; }
     const std::vector<std::shared_ptr<const Picture>>& pictures() const { return pictures_; }
+    StagePair stage_pair() const { return pair_; }
+    const std::shared_ptr<const Picture>& reference() const { return reference_; }
     /// The display that a picture is shown with: its own, or A's while linked.
     Display shown_display(int picture) const;
     bool is_linked() const;
@@ -73,8 +84,12 @@ class CompareView : public QWidget {
     ImageView& main_view();
     /// Views of this mode in the order of the pictures.
     std::vector<ImageView*> views() const;
-    /// Stages: between picture i and i + 1.
+    /// Stages: between picture i and i + 1, and last that of the chosen pair.
     std::vector<ImageView*> difference_views() const;
+    /// Stages: what stands under each view, numbers under differences.
+    QStringList captions() const;
+    /// Stages: where the name of a picture of the row can be clicked, in the board that holds the views.
+    QRect stage_handle(int picture) const { return caption_rect(picture); }
     /// A worker is under way.
     bool is_computing() const;
 
@@ -95,7 +110,8 @@ class CompareView : public QWidget {
     void flip_next();
 
   signals:
-    /// Pixel under the cursor and the picture (-1: a difference); (-1, -1) outside.
+    /// Pixel under the cursor and the picture (-1: a difference; as many as there are: the reference); (-1,
+    /// -1) outside.
     void cursor_moved(QPoint pixel, int picture);
     void picked_changed(QPoint pixel);
     /// Drawn, moved, resized or (empty) cleared by hand, in pictures of that size.
@@ -108,6 +124,7 @@ class CompareView : public QWidget {
     void tool_changed(ir::widgets::ImageView::Tool tool);
     void activated(int picture);
     void swapped();
+    void stage_pair_chosen(ir::widgets::StagePair pair);
     void linked_changed(bool linked);
     void wipe_moved(double fraction);
     void difference_shown();  ///< a new difference is on the screen
@@ -118,11 +135,14 @@ class CompareView : public QWidget {
     void keyReleaseEvent(QKeyEvent* event) override;
 
   private:
-    /// What a pane shows: a picture, or the difference between it and the next one.
+    /// What a pane shows: a picture, or the difference between it and the next one; or B of the chosen pair,
+    /// and the pair's difference.
     struct Content {
         int picture = 0;
         bool difference = false;
+        int slot = 0;  ///< of the worker, for a difference
     };
+    static constexpr int pair_slot = 63;
     std::vector<Content> contents() const;
     bool has_rows() const { return mode_ == Mode::stages; }
     void refresh();
@@ -130,6 +150,24 @@ class CompareView : public QWidget {
     void fill_difference(ImageView& pane, int slot);
     void fill_wipe(ImageView& pane);
     Display stage_display() const;
+
+    // compare_stages.cpp
+    void choose_pair(StagePair pair);
+    bool has_pair() const;
+    const Picture& stage(int picture) const;
+    StagePair ends_of(int slot) const;
+    QString stage_name(int picture) const;
+    int caption_height() const;
+    QString number_of(int slot) const;
+    QString caption_of(const Content& content) const;
+    QRect caption_rect(int pane) const;
+    void paint_captions(QPainter& painter) const;
+    int stage_at(QPoint point) const;
+    bool on_board_event(QEvent* event);
+    bool choose_by_key(const QKeyEvent& event);
+    void update_bar();
+    static QString letter_of(int picture);
+
     void request_differences();
     void show_difference(int slot);
     void update_legends();
@@ -140,6 +178,7 @@ class CompareView : public QWidget {
         int columns, rows;
     };
     Grid grid(int panes) const;
+    QPoint corner(int index, QSize step) const;
     QRect cell(int index, QSize board) const;
     QSize least_board() const;
     ImageView* pane(int index);
@@ -170,6 +209,10 @@ class CompareView : public QWidget {
     std::vector<ImageView*> panes_;  ///< those after contents() are hidden
     ViewLink* link_;
     DifferenceWorker* worker_;
+    StageBar* bar_;
+    StagePair pair_;
+    bool has_reference_ = false;
+    std::shared_ptr<const Picture> reference_;
     bool legend_ = false, pixel_grid_ = true;
     ImageView::Tool tool_ = ImageView::Tool::inspect;
     double fly_speed_ = 1;

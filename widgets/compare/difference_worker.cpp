@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderers/core/error.h"
+#include "renderers/image/metrics.h"
 #include "widgets/compare/compare_view.h"
 #include "widgets/compare/significance.h"
 
@@ -57,6 +58,13 @@ DifferenceImage computed_difference(const DifferenceRequest& request) {
     return difference(*a.image, *b.image, request.kind, noise, a.valid.get(), b.valid.get());
 }
 
+double rmse_of(const DifferenceRequest& request) {
+    MetricOptions options;
+    options.valid_image = request.a->valid.get();
+    options.valid_reference = request.b->valid.get();
+    return compute_metrics(*request.a->image, *request.b->image, {"rmse"}, options).values.at("rmse");
+}
+
 std::shared_ptr<const DifferenceResult> compute(const DifferenceRequest& request) {
     auto result = std::make_shared<DifferenceResult>();
     result->request = request;
@@ -67,6 +75,7 @@ std::shared_ptr<const DifferenceResult> compute(const DifferenceRequest& request
     picture.unit = unit_of(request.kind, a.unit);
     try {
         auto computed = computed_difference(request);
+        result->rmse = rmse_of(request);
         result->automatic = display_for_difference(request.kind, computed.image);
         picture.image = std::make_shared<const Image>(std::move(computed.image));
         if (!computed.valid.empty()) picture.valid = std::make_shared<const Image>(std::move(computed.valid));

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QThreadPool>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct DifferenceResult {
     DifferenceRequest request;
     std::shared_ptr<const Picture> picture;
     Display automatic;
+    /// Root of the mean squared A − B over all valid pixels, in the pictures' unit; NaN where there are none.
+    double rmse = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Computes differences off the window's thread, one after the other in each slot. Of requests that come

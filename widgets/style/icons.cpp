@@ -81,6 +81,9 @@ constexpr Drawing drawings[] = {
     {"link",
      "<path d='M6.5 9.5l3-3 M7 5l1.6-1.6a2.8 2.8 0 0 1 4 4L11 9 M9 11l-1.6 1.6a2.8 2.8 0 0 1-4-4L5 7'/>"},
     {"layers", "<path d='M8 2l6.5 3.5L8 9 1.5 5.5z M1.5 8.2L8 11.7l6.5-3.5 M1.5 11L8 14.5l6.5-3.5'/>"},
+    {"stages",
+     "<path d='M1.5 2.5h3.6v4H1.5z M6.2 2.5h3.6v4H6.2z M10.9 2.5h3.6v4h-3.6z M3.8 9.5h3.6v4H3.8z M8.6 "
+     "9.5h3.6v4H8.6z'/>"},
     {"table", "<path d='M2 2.5h12v11H2z M2 6h12 M2 9.7h12 M6 2.5v11'/>"},
     {"views-1", "<rect x='2' y='3' width='12' height='10'/>"},
     {"views-2", "<path d='M2 3h12v10H2z M8 3v10'/>"},

@@ -146,6 +146,7 @@ ViewHeader::SourceLine ViewHeader::make_line(const QString& name, ViewSource Vie
             auto& source = state.*member;
             source.output = combo->itemData(index).toString().toStdString();
             source.level = source.layer = 0;
+            state.chain = false;
         });
     });
     connect(result.part, &QComboBox::activated, this, [this, member, combo = result.part](int index) {
@@ -185,6 +186,14 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
     pictures_menu_ = new QMenu(pictures_);
     pictures_->setMenu(pictures_menu_);
     connect(pictures_menu_, &QMenu::aboutToShow, this, &ViewHeader::fill_pictures_menu);
+    chain_ = make_button(second, QStringLiteral("chain"), "stages",
+                         tr("The stages that the method names, in their order"), true);
+    connect(chain_, &QToolButton::clicked, this, [this](bool on) {
+        choose([&](ViewState& state) {
+            state.chain = on;
+            if (on) state.more.clear();
+        });
+    });
     difference_ = make_combo(second, QStringLiteral("difference"), tr("Kind of difference"), 64);
     difference_->setMinimumContentsLength(9);
     for (const auto kind : all_differences()) {
@@ -203,8 +212,9 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
     connect(link_, &QToolButton::toggled, this, [this](bool on) {
         if (on != fields_.linked) emit link_chosen(on);
     });
-    for (QWidget* each : {static_cast<QWidget*>(pictures_), static_cast<QWidget*>(difference_),
-                          static_cast<QWidget*>(swap_), static_cast<QWidget*>(link_)})
+    for (QWidget* each :
+         {static_cast<QWidget*>(chain_), static_cast<QWidget*>(pictures_), static_cast<QWidget*>(difference_),
+          static_cast<QWidget*>(swap_), static_cast<QWidget*>(link_)})
         second->layout()->addWidget(each);
 }
 
@@ -245,6 +255,8 @@ void ViewHeader::set_fields(const ViewFields& fields) {
          {static_cast<QWidget*>(b_.badge), static_cast<QWidget*>(b_.owner), static_cast<QWidget*>(b_.output)})
         each->setVisible(state.mode != ViewMode::stages);
     if (state.mode == ViewMode::stages) b_.part->hide();
+    chain_->setVisible(state.mode == ViewMode::stages && (fields_.has_stages || state.chain));
+    chain_->setChecked(state.chain);
     pictures_->setVisible(many);
     pictures_->setText(
         tr("Pictures (%1)").arg(int(state.more.size()) + (state.mode == ViewMode::stages ? 1 : 2)));
@@ -279,6 +291,7 @@ void ViewHeader::fill_pictures_menu() {
                 auto& list = state.more;
                 list.erase(std::remove(list.begin(), list.end(), source), list.end());
                 if (on) list.push_back(source);
+                state.chain = false;
             });
         });
     }

@@ -48,7 +48,7 @@ class ViewHeader : public QWidget {
     SourceLine a_, b_;
     QComboBox *mode_ = nullptr, *difference_ = nullptr;
     QToolButton *pictures_ = nullptr, *swap_ = nullptr, *link_ = nullptr, *table_ = nullptr,
-                *layers_ = nullptr;
+                *layers_ = nullptr, *chain_ = nullptr;
     QMenu* pictures_menu_ = nullptr;
     QLabel* warning_ = nullptr;
 };

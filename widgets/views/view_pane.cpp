@@ -60,6 +60,7 @@ void ViewPane::show_pictures(const ViewState& state, std::vector<std::shared_ptr
     show_content(Content::picture);
     compare_->set_mode(state.mode);
     compare_->set_difference(state.difference);
+    compare_->set_stage_pair(state.pair);
     compare_->set_pictures(std::move(pictures));
     watch_views();
     update_summary();
@@ -75,7 +76,7 @@ void ViewPane::watch_views() {
 std::shared_ptr<const Picture> ViewPane::picture_at(int number) const {
     if (number < 0) return compare_->difference_picture();
     const auto& pictures = compare_->pictures();
-    return number < int(pictures.size()) ? pictures[std::size_t(number)] : nullptr;
+    return number < int(pictures.size()) ? pictures[std::size_t(number)] : compare_->reference();
 }
 
 void ViewPane::update_summary() {

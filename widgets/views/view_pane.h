@@ -29,7 +29,7 @@ class ViewPane : public QWidget {
     BufferTable& table();  ///< likewise
     Content content() const { return content_; }
     void show_content(Content content);
-    /// Takes mode and kind of difference over, then the pictures.
+    /// Takes mode, kind of difference and pair of stages over, then the pictures.
     void show_pictures(const ViewState& state, std::vector<std::shared_ptr<const Picture>> pictures);
     /// What the value strip says while the cursor is elsewhere.
     void update_summary();

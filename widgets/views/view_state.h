@@ -30,6 +30,9 @@ using ViewMode = CompareView::Mode;
 struct ViewState {
     ViewSource a, b;
     std::vector<ViewSource> more;  ///< beside A (and B): for flip and stages
+    bool chain = false;  ///< stages: A and `more` are the chain that the method names, whatever its settings
+                         ///< make of it
+    StagePair pair;      ///< stages: two that are compared beside the row
     ViewMode mode = ViewMode::single;
     DifferenceKind difference = DifferenceKind::signed_;
     bool as_table = false;  ///< a buffer's numbers instead of its picture
@@ -68,7 +71,8 @@ struct ViewFields {
     std::vector<std::pair<ViewSource, QString>> candidates;
     ViewState state;
     bool linked = true;
-    QString warning = {};  ///< what should be known before pictures are compared
+    QString warning = {};     ///< what should be known before pictures are compared
+    bool has_stages = false;  ///< A's method names a chain of stages
     bool operator==(const ViewFields&) const = default;
 };
 

@@ -1,0 +1,115 @@
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QStandardItemModel>
+
+#include "tests/gui/compare/pictures.h"
+
+namespace ir::widgets {
+namespace {
+
+using Mode = CompareView::Mode;
+
+class StagesTest : public CompareTest {
+  protected:
+    void SetUp() override {
+        CompareTest::SetUp();
+        if (IsSkipped()) return;
+        view = std::make_unique<CompareView>(nullptr, surface());
+        view->set_pictures({flat(0.2f, "traced"), flat(0.5f, "smoothed"), flat(0.4f, "clipped")});
+        view->set_displays({grey_display(), grey_display(), grey_display()});
+        view->set_difference_display(grey_display());
+        view->set_difference(DifferenceKind::absolute);
+        view->set_pixel_grid(false);
+        view->set_mode(Mode::stages);
+        show(*view, {1100, 480});
+        wait_for_differences(*view);
+    }
+    QComboBox* list(const char* name) { return view->findChild<QComboBox*>(name); }
+    void choose(QComboBox* combo, int index) {
+        combo->setCurrentIndex(index);
+        emit combo->activated(index);
+        wait_for_differences(*view);
+    }
+    void click_name(int stage) {
+        QWidget* board = view->main_view().parentWidget();
+        QTest::mouseClick(board, Qt::LeftButton, {}, view->stage_handle(stage).center());
+        wait_for_differences(*view);
+    }
+    std::unique_ptr<CompareView> view;
+};
+
+TEST_P(StagesTest, NumbersStandUnderTheDifferences) {
+    const auto captions = view->captions();
+    ASSERT_EQ(captions.size(), 5);
+    EXPECT_EQ(captions[0], "A   traced");
+    EXPECT_EQ(captions[3], "RMSE 0.3");
+    EXPECT_EQ(captions[4], "RMSE 0.1");
+    for (auto* each : view->difference_views())
+        EXPECT_LT(each->geometry().bottom(), each->parentWidget()->height() - 12);
+}
+
+TEST_P(StagesTest, ClicksOnNamesCompareAnyTwo) {
+    QSignalSpy chosen(view.get(), &CompareView::stage_pair_chosen);
+    click_name(2);
+    EXPECT_EQ(view->difference_views().size(), 2u);
+    click_name(0);
+    EXPECT_EQ(chosen.count(), 2);
+    EXPECT_EQ(view->stage_pair(), (StagePair{2, 0}));
+    ASSERT_EQ(view->difference_views().size(), 3u);
+    ASSERT_EQ(view->views().size(), 4u);
+    ImageView& beside = *view->difference_views()[2];
+    view->fit();
+    EXPECT_NEAR(grey_at(beside, 8, 6), grey_of(0.2), 2);
+    EXPECT_GT(beside.x(), view->views()[2]->geometry().right());
+    EXPECT_EQ(beside.x(), view->views()[3]->x()) << "under B";
+    EXPECT_EQ(view->findChild<QLabel*>("stage-number")->text(), "RMSE 0.2");
+    turn_wheel(&beside, {60, 60}, 3);
+    EXPECT_DOUBLE_EQ(view->main_view().transform().zoom(), beside.transform().zoom());
+    click_name(0);
+    EXPECT_EQ(view->difference_views().size(), 2u) << "chosen no longer";
+}
+
+TEST_P(StagesTest, KeysChooseAndClear) {
+    view->main_view().setFocus();
+    QTest::keyClick(&view->main_view(), Qt::Key_1);
+    QTest::keyClick(&view->main_view(), Qt::Key_3);
+    EXPECT_EQ(view->stage_pair(), (StagePair{0, 2}));
+    QTest::keyClick(&view->main_view(), Qt::Key_7);
+    EXPECT_EQ(view->stage_pair(), (StagePair{0, 2})) << "there is no seventh";
+    QTest::keyClick(&view->main_view(), Qt::Key_0);
+    EXPECT_EQ(view->stage_pair(), StagePair());
+    wait_for_differences(*view);
+}
+
+TEST_P(StagesTest, AStageOfAnotherSizeIsShownAndNotCompared) {
+    view->set_pictures({flat(0.2f, "traced"), flat(0.5f, "smoothed"), flat(0.4f, "half", 8, 6)});
+    wait_for_differences(*view);
+    EXPECT_TRUE(view->refusal().isEmpty());
+    EXPECT_EQ(view->captions()[3], "RMSE 0.3");
+    EXPECT_EQ(view->captions()[4], "");
+    EXPECT_TRUE(view->views()[2]->note().isEmpty());
+    EXPECT_TRUE(view->difference_views()[1]->note().contains("8×6"));
+}
+
+TEST_P(StagesTest, TheReferenceIsInTheListWhereThereIsOne) {
+    const int last = list("stage-b")->count() - 1;
+    auto* item = qobject_cast<QStandardItemModel*>(list("stage-b")->model())->item(last);
+    EXPECT_FALSE(item->isEnabled());
+    view->set_reference(true, flat(0.45f, "truth"));
+    EXPECT_TRUE(qobject_cast<QStandardItemModel*>(list("stage-b")->model())->item(last)->isEnabled());
+    choose(list("stage-a"), 2);
+    choose(list("stage-b"), last);
+    EXPECT_EQ(view->stage_pair(), (StagePair{1, StagePair::reference}));
+    ASSERT_EQ(view->difference_views().size(), 3u);
+    EXPECT_EQ(view->captions().last(), "RMSE 0.05");
+    EXPECT_FLOAT_EQ(view->views().back()->image().at(0, 0), 0.45f);
+    view->set_reference(false, nullptr);
+    EXPECT_EQ(view->difference_views().size(), 2u);
+}
+
+INSTANTIATE_TEST_SUITE_P(, StagesTest, testing::Bool(),
+                         [](const auto& each) { return each.param ? "opengl" : "raster"; });
+
+}  // namespace
+}  // namespace ir::widgets
