@@ -49,7 +49,7 @@ void add_room(Scene& scene, const Materials& m, const std::vector<glm::vec3>& la
     add_mesh(scene, b[ceiling].take("ceiling", m.ceiling));
     MeshBuilder panels;
     for (const auto& lamp : lamps)
-        panels.box(lamp + glm::vec3(-lamp_half + 0.02f, recess - 0.03f, -lamp_half + 0.02f),
+        panels.box(lamp + glm::vec3(-lamp_half + 0.02f, recess - 0.1f, -lamp_half + 0.02f),
                    lamp + glm::vec3(lamp_half - 0.02f, recess + 0.01f, lamp_half - 0.02f));
     add_mesh(scene, panels.take("lamp panels", m.lamp));
 }
@@ -103,7 +103,7 @@ void add_lights(Scene& scene, const std::vector<glm::vec3>& lamps) {
         Light light;
         light.name = "lamp " + std::to_string(i + 1);
         light.type = LightType::spot;
-        light.position = lamps[i] + glm::vec3(0, 0.05f, 0);
+        light.position = lamps[i] - glm::vec3(0, 0.02f, 0);
         light.inner_angle = glm::radians(45.0f);
         light.outer_angle = glm::radians(75.0f);
         light.colour = {1, 0.93f, 0.82f};
