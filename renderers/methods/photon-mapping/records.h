@@ -27,7 +27,7 @@ static_assert(sizeof(SamplePoint) == 32);
 struct Photon {
     glm::vec3 position_ws;
     std::uint32_t power;      ///< RGB9E5, in power units
-    std::uint32_t normal;     ///< shading normal on the side that was hit; stereographic, 2 x half
+    std::uint32_t normal;     ///< geometric normal on the side that was hit; stereographic, 2 x half
     std::uint32_t direction;  ///< from the surface to where the photon came from; stereographic, 2 x half
     float ray_length;         ///< m
     std::uint32_t bits;       ///< 0: normal is below z = 0; 1: direction is; 2-5 bounce, from 1; 6-11 light;

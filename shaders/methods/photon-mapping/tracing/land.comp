@@ -30,7 +30,7 @@ Photon photon_at(HitSurface surface, Path path, Ray ray) {
     Photon photon;
     photon.position_ws = surface.position_ws;
     photon.power = packed_power(power_of(path));
-    photon.normal = packed_stereographic(surface.shading_normal_ws, normal_below);
+    photon.normal = packed_stereographic(surface.geometric_normal_ws, normal_below);
     photon.direction = packed_stereographic(-ray.direction_ws, direction_below);
     photon.ray_length = path.way;
     photon.bits = uint(normal_below) | uint(direction_below) << 1u | scatterings_of(path) << 2u |
