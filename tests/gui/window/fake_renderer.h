@@ -109,8 +109,31 @@ inline const MethodDescription& fake_truth() {
     return method;
 }
 
+/// One whose picture comes out of a chain of stages.
+inline const MethodDescription& fake_filter() {
+    static const MethodDescription method = [] {
+        auto m = fake_method();
+        m.id = "filter";
+        m.title = "Fake filter";
+        ParameterDescription smooth;
+        smooth.key = "smooth";
+        smooth.label = "Smooth";
+        smooth.doc = "Whether there is a second stage.";
+        smooth.type = ParameterType::toggle;
+        smooth.default_value = true;
+        m.parameters.push_back(smooth);
+        m.outputs.push_back({.key = "rough", .label = "Rough", .semantic = Semantic::radiance});
+        m.outputs.push_back({.key = "smoothed", .label = "Smoothed", .semantic = Semantic::radiance});
+        m.stages = {{.output = "rough", .label = "Traced"},
+                    {.output = "smoothed", .label = "Smoothed", .active_when = {"smooth", {true}}},
+                    {.output = "picture", .label = "Composed"}};
+        return m;
+    }();
+    return method;
+}
+
 inline const Registry& fake_registry() {
-    static const Registry registry({&fake_method(), &fake_truth()});
+    static const Registry registry({&fake_method(), &fake_filter(), &fake_truth()});
     return registry;
 }
 
@@ -178,7 +201,7 @@ class FakeRenderer final : public Renderer {
         result->inspection = request.inspection;
         std::vector<std::string> computed{"picture"};
         for (const auto& key : request.kept)
-            for (const auto& output : fake_method().outputs)
+            for (const auto& output : fake_registry().at(request.experiment.method).outputs)
                 if (key == output.key || key == "*") computed.push_back(output.key);
         for (const auto& part : request.parts) {
             computed.push_back(part.key);
@@ -207,6 +230,8 @@ class FakeRenderer final : public Renderer {
                 paste(all, tile, Image(tile.width, tile.height, 1, float(tile.level + tile.layer)));
             return all;
         }
+        if (part.key == "rough") return Image(w, h, 3, value + 0.5f);
+        if (part.key == "smoothed") return Image(w, h, 3, value + 0.125f);
         if (part.key == "noise") return Image(w, h, 1, 0.01f);
         if (part.key == "cover") {  // the left half
             Image cover(w, h, 1);
@@ -224,7 +249,7 @@ class FakeRenderer final : public Renderer {
         pass.queue = "cpu";
         pass.cpu_ms = 1.5;
         report.passes = {pass};
-        for (const auto& output : fake_method().outputs) {
+        for (const auto& output : fake_registry().at(request.experiment.method).outputs) {
             ResourceReport resource;
             resource.key = output.key;
             resource.label = output.label;
