@@ -215,8 +215,10 @@ void CompareView::update_legends() {
     const auto shown = contents();
     for (std::size_t i = 0; i < shown.size(); ++i) {
         // In a row the last one speaks for those that are shown alike.
-        const bool last = i + 1 == shown.size() || shown[i].difference != shown[i + 1].difference ||
-                          panes_[i]->display() != panes_[i + 1]->display();
+        bool last = true;
+        for (std::size_t j = i + 1; j < shown.size(); ++j)
+            last &=
+                shown[i].difference != shown[j].difference || panes_[i]->display() != panes_[j]->display();
         const bool main_difference = mode_ == Mode::difference && shown[i].difference;
         panes_[i]->set_legend(main_difference || (legend_ && last));
     }
