@@ -42,7 +42,7 @@ struct Parameters {
     // splatting/parameters.cpp
     SplatResolution splat_resolution = SplatResolution::full;
     InsideTest inside_test = InsideTest::ellipsoid;
-    Precision precision = Precision::half_float;
+    Precision sum_precision = Precision::half_float;
     int tile_size = 16;         ///< pixels of the splatting resolution
     float kernel_scale = 1;     ///< n_tile: photons that a kernel should hold, squared radius in proportion
     float radius_min = 0.002f;  ///< r_min and r_max as parts of the radius of the scene's bounds

@@ -70,7 +70,7 @@ class SplattingExplained : public SplatTest {
 };
 
 TEST_F(SplattingExplained, SumIsThePixelInSinglePrecision) {
-    run_.parameters.precision = pm::Precision::single_float;
+    run_.parameters.sum_precision = pm::Precision::single_float;
     for (const bool orthographic : {false, true})
         for (const auto test : {pm::InsideTest::ellipsoid, pm::InsideTest::linear_depth})
             for (const int divisor : {1, 2, 4}) {

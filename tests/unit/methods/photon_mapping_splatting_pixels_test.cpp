@@ -60,7 +60,7 @@ TEST_F(Splatted, UniformPhotonsGiveTheirDensity) {
         run.photons.push_back({.position_ws = {place(random), place(random), 0},
                                .power = glm::vec3(1e-3f),
                                .direction = {0.6f, 0, 0.8f}});
-    run.parameters.precision = pm::Precision::single_float;
+    run.parameters.sum_precision = pm::Precision::single_float;
     run.wanted = {"splat.irradiance", "splat.direction"};
     splat(shot, run);
     const auto irradiance = read("splat.irradiance"), direction = read("splat.direction");
@@ -188,10 +188,10 @@ TEST_F(SplattedRoom, HalfFloatsLoseLittle) {
     SplatRun run{photons(20000), {}};
     run.wanted = {"splat.irradiance"};
     run.parameters.kernel_scale = 4;
-    run.parameters.precision = pm::Precision::single_float;
+    run.parameters.sum_precision = pm::Precision::single_float;
     splat(shot_, run);
     const auto exact = read("splat.irradiance");
-    run.parameters.precision = pm::Precision::half_float;
+    run.parameters.sum_precision = pm::Precision::half_float;
     splat(shot_, run);
     const auto half = read("splat.irradiance");
     double squared = 0;

@@ -65,7 +65,7 @@ TEST_P(SplattedFlux, IsThePhotonsPower) {
         SplatRun run{scattered(256, 0.6f), with_radius(shot, 0.4f)};
         run.parameters.splat_resolution = resolution;
         run.parameters.inside_test = test;
-        run.parameters.precision = precision;
+        run.parameters.sum_precision = precision;
         run.wanted = {"splat.irradiance", "splat.depth", "splat.surfaces"};
         splat(shot, run);
         const auto sum = flux(shot, {0, 0, 1}, pm::divisor_of(resolution));
@@ -115,7 +115,7 @@ TEST_F(Splatting, KernelsBelowTexelsKeepTheFluxWithLessNoise) {
     double squares[2] = {0, 0};
     for (const bool published : {false, true}) {
         SplatRun run{photons, with_radius(shot, 0.2f * texel)};
-        run.parameters.precision = Precision::single_float;
+        run.parameters.sum_precision = Precision::single_float;
         if (!published) run.parameters.radius_texels = 0.7072f;
         run.wanted = {"splat.irradiance", "splat.depth"};
         splat(shot, run);

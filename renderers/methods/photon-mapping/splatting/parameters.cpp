@@ -24,8 +24,8 @@ void add_targets(ParameterTable<Parameters>& table) {
                    {"linear-depth", "Linear depth",
                     "Those near the kernel's plane along the view axis, seen through its ellipse. Draws 2 "
                     "triangles a photon in place of 20, but loses surfaces that bend away."}}})
-        .add(&Parameters::precision,
-             {.key = "precision",
+        .add(&Parameters::sum_precision,
+             {.key = "sum_precision",
               .label = "Precision",
               .doc = "Of the sums of irradiance and direction. Half floats differ from single ones by 0.2 % "
                      "(root mean square) where 10 kernels meet; drivers that cut off instead of rounding, as "

@@ -23,7 +23,7 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl
 Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
                     const Parameters& parameters) {
     const int divisor = divisor_of(parameters.splat_resolution);
-    const bool half = parameters.precision == Precision::half_float;
+    const bool half = parameters.sum_precision == Precision::half_float;
     const auto stored = stored_photons(builder, photons);
     const auto tiles = count_tiles(builder, stored, parameters);
     const auto surfaces = splat_surfaces(builder, gbuffer, divisor);

@@ -139,7 +139,7 @@ Photons trace_photons(GraphBuilder& builder, const passes::SceneBuffers& scene, 
                       const Parameters& parameters) {
     const auto photons = declare_photons(builder, samples, parameters);
     const Wavefront wavefront(builder, scene, samples, parameters);
-    wavefront.leave(builder);
+    wavefront.leave(builder, photons);
     for (int number = 1; number <= wavefront.surfaces(); ++number)
         wavefront.advance(builder, number, photons);
     declare_tally(builder, wavefront, samples.power_unit);
@@ -155,7 +155,7 @@ std::vector<OutputDescription> tracing_outputs() {
          .kind = OutputKind::point_set,
          .unit = "m",
          .doc =
-             "All photons that are stored. normal: shading normal on the side that was hit. direction: to "
+             "All photons that are stored. normal: of the triangle, on the side that was hit. direction: to "
              "where the photon came from. power: W, red, green and blue. bounce: from 1. ray_length: metres "
              "since the last scattering. light: number of the light source. seed: the low 20 bits of the "
              "sample point's seed; photons of one seed share their path.",

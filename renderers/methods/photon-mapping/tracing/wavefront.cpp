@@ -127,10 +127,11 @@ void Wavefront::over_paths(const gl::Program& program, Slice slice) const {
     }
 }
 
-void Wavefront::leave(GraphBuilder& builder) const {
+void Wavefront::leave(GraphBuilder& builder, const Photons& photons) const {
+    // where no bounce is stored the list of photons is empty, and still there
     builder.pass("leave sample points")
         .reads(samples_.points, samples_.sources)
-        .writes(rays_.rays, paths_, sums_)
+        .writes(rays_.rays, paths_, sums_, photons.records)
         .counts(samples_.count)
         .execute_sliced(
             static_cast<std::int64_t>(samples_.paths),

@@ -21,7 +21,7 @@ class Wavefront {
               const Parameters& parameters);
 
     /// The first scattering, at the sample points.
-    void leave(graph::GraphBuilder& builder) const;
+    void leave(graph::GraphBuilder& builder, const Photons& photons) const;
     /// From surface `number` - 1 (0: the sample point) to surface `number`: rays, photons, next scattering.
     void advance(graph::GraphBuilder& builder, int number, const Photons& photons) const;
     /// Surfaces along a path, mirrors included.
