@@ -118,6 +118,8 @@ ImageAttributes Execution::attributes() const {
     result["interreflect.frames"] = std::to_string(frame_);
     if (accumulates()) result["interreflect.samples"] = std::to_string(samples_);
     result["interreflect.time"] = to_string(Value{experiment_.time});
+    const auto frames_before = frame_ > 0 ? static_cast<double>(frame_ - 1) : 0.0;
+    result["interreflect.moment"] = to_string(Value{experiment_.time + frames_before * seconds_per_frame()});
     result["interreflect.backend"] = graph_->last_report().backend;
     result["interreflect.device"] = graph_->last_report().device;
     const auto from = camera();

@@ -245,6 +245,21 @@ TEST_F(Compare, RefusesWhatIsNotAlikeUnlessAllowed) {
     expect_refused(compare("a.exr", "foreign.exr", "--allow-different everything"), 2, "everything");
 }
 
+TEST_F(Compare, TheTruthOfTheLastFrameIsOfTheSameTime) {
+    const auto at = [](const char* time, const char* moment) {
+        return ImageAttributes{{"interreflect.time", time}, {"interreflect.moment", moment}};
+    };
+    write("frames.exr", picture(0.1f), at("0", "0.5"));
+    write("truth.exr", picture(), at("0.5", "0.5"));
+    write("fewer.exr", picture(), at("0", "0.1"));
+    write("later.exr", picture(), at("0.1", "0.6"));
+    write("old.exr", picture(), {{"interreflect.time", "0.5"}});
+    EXPECT_EQ(compare("frames.exr", "truth.exr").status, 0);
+    EXPECT_EQ(compare("frames.exr", "fewer.exr").status, 0);
+    expect_refused(compare("frames.exr", "later.exr"), 3, "time is 0 and 0.1");
+    expect_refused(compare("frames.exr", "old.exr"), 3, "time is 0 and 0.5");
+}
+
 TEST_F(Compare, NeitherBouncesNorLightsMatterToAmbientOcclusion) {
     write("a.exr", picture(0.1f),
           {{"interreflect.set.paths", "ao"},
