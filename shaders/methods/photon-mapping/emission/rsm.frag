@@ -9,6 +9,9 @@ layout(binding = 3) uniform sampler2D transmission_texture;
 #ifdef DEPTH_PREPASS
 layout(binding = 4) uniform sampler2DArray depth_drawn_first;
 uniform int layer;
+
+/// Two programs may round one depth to different floats. What lies behind by less is left to the depth test.
+const float ROUNDING = 1e-6;
 #endif
 
 uniform int normal_maps;  // 0: interpolated vertex normals only
@@ -56,7 +59,7 @@ void main() {
     Footprint normal_footprint = footprint(normal_uv), glass_footprint = footprint(transmission_uv);
     float depth = texel_depth();
 #ifdef DEPTH_PREPASS
-    if (depth > texelFetch(depth_drawn_first, ivec3(gl_FragCoord.xy, layer), 0).r) discard;
+    if (depth > texelFetch(depth_drawn_first, ivec3(gl_FragCoord.xy, layer), 0).r + ROUNDING) discard;
 #endif
     if (!texel_is_covered()) discard;
     gl_FragDepth = depth;
