@@ -18,7 +18,7 @@ std::optional<glm::dvec3> mixed(const std::optional<glm::dvec3>& a, const std::o
     return mixed(*a, *b, t);
 }
 
-/// Along the great circle; opposite directions, which have no shortest arc, fall back to the chord.
+/// Along the great circle; between opposite directions, which have no shortest arc, it jumps halfway.
 glm::dvec3 turned(const glm::dvec3& a, const glm::dvec3& b, double t) {
     const auto from = glm::normalize(a), to = glm::normalize(b);
     const double angle = std::acos(std::clamp(glm::dot(from, to), -1.0, 1.0)), sine = std::sin(angle);
