@@ -19,7 +19,7 @@ namespace {
 
 using projects::Json;
 
-double median(std::vector<double> values) {
+double median_of(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const auto half = values.size() / 2;
     return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
@@ -177,7 +177,7 @@ class Study {
             if (!planned.points[i].problem.empty()) continue;
             std::vector<double> at;
             for (const auto& run : times) at.push_back(run[std::size_t(planned.points[i].frames - 1)]);
-            if (told_.count(i) == 0) results[i].ms = median(at);
+            if (told_.count(i) == 0) results[i].ms = median_of(at);
         }
     }
 

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/dialog_folder.h"
+#include "app/gui/text_of.h"
 #include "projects/scene_files.h"
 #include "widgets/document/makers.h"
 
@@ -15,10 +16,6 @@ namespace edits = projects::edits;
 using projects::Project;
 using widgets::ItemKind;
 using widgets::ItemRef;
-
-QString text_of(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 const char* scene_filter = QT_TRANSLATE_NOOP("ir::gui::DocumentDock", "Scenes (*.gltf *.glb);;All files (*)");
 const char* image_filter = QT_TRANSLATE_NOOP(

@@ -5,6 +5,7 @@
 
 #include "app/gui/json_fields.h"
 #include "app/gui/picture_source.h"
+#include "app/gui/text_of.h"
 #include "projects/scene_files.h"
 #include "renderers/core/transport.h"
 
@@ -19,10 +20,6 @@ using widgets::Picture;
 
 QString tr(const char* text) {
     return QObject::tr(text);
-}
-
-QString text_of(const std::string& text) {
-    return QString::fromStdString(text);
 }
 
 /// The values that the picture was rendered with, as far as they are plain.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/gui/json_fields.h"
+#include "app/gui/text_of.h"
 
 namespace ir::gui {
 namespace {
@@ -10,10 +11,6 @@ namespace {
 using widgets::ViewSource;
 
 constexpr std::size_t most_remembered = 64;
-
-QString text_of(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 std::string source_text(const ViewSource& source) {
     return source.owner + "/" + source.output + "/" + std::to_string(source.level) + "/" +

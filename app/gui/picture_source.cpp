@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/gui/kept_pictures.h"
+#include "app/gui/text_of.h"
 #include "projects/scene_files.h"
 #include "projects/settings.h"
 #include "renderers/core/transport.h"
@@ -11,16 +12,14 @@
 namespace ir::gui {
 namespace {
 
+using gui::text_of;
+
 using widgets::OutputOption;
 using widgets::Picture;
 using widgets::ViewSource;
 
 QString tr(const char* text) {
     return QObject::tr(text);
-}
-
-QString text_of(const std::string& text) {
-    return QString::fromStdString(text);
 }
 
 OutputOption option_of(const ResourceReport& resource) {

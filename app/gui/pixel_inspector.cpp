@@ -7,6 +7,7 @@
 
 #include "app/gui/json_fields.h"
 #include "app/gui/pixel_places.h"
+#include "app/gui/text_of.h"
 
 namespace ir::gui {
 namespace {
@@ -15,10 +16,6 @@ constexpr std::size_t most_pins = 16;
 constexpr int probe_patience_ms = 500;
 /// Larger sets are shown on their own, not as a part of an explanation.
 constexpr std::uint64_t most_drawn = 20000;
-
-QString text_of(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 /// World positions, where some image of three or four channels means them.
 std::vector<std::array<float, 3>> positions_of(const engine::ProbeResult& result) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/text_of.h"
 #include "renderers/image/metrics.h"
 #include "widgets/models/report_rows.h"
 #include "widgets/plot/plot_scale.h"
@@ -18,12 +19,8 @@ using widgets::plot_number;
 
 constexpr std::size_t most_named_values = 12;
 
-QString q(const std::string& text) {
-    return QString::fromStdString(text);
-}
-
 QString with_unit(const QString& name, const std::string& unit) {
-    return unit.empty() ? name : QStringLiteral("%1 (%2)").arg(name, q(unit));
+    return unit.empty() ? name : QStringLiteral("%1 (%2)").arg(name, text_of(unit));
 }
 
 const MetricDescription* known_metric(const std::string& name) {
@@ -34,7 +31,7 @@ const MetricDescription* known_metric(const std::string& name) {
 
 QString metric_label(const std::string& name) {
     const auto* known = known_metric(name);
-    return known ? q(known->label) : q(name);
+    return known ? text_of(known->label) : text_of(name);
 }
 
 double error_of(const ErrorPoint& point, const std::string& metric) {
@@ -62,7 +59,7 @@ class Drawing {
     }
 
     DrawnStudy draw() {
-        data_.title = q(plot_.name.empty() ? plot_.id : plot_.name);
+        data_.title = text_of(plot_.name.empty() ? plot_.id : plot_.name);
         draw_axes();
         data_.ring_name = QObject::tr("front: no other is faster and better");
         data_.join_rings = plot_.against_time;
@@ -75,7 +72,7 @@ class Drawing {
         for (const auto& point : study_.points) draw_point(point);
         if (plot_.metric == "rmse" && study_.reference_noise > 0)
             data_.level = widgets::PlotLevel{study_.reference_noise, QObject::tr("reference's own noise")};
-        for (const auto& note : study_.notes) data_.notes << q(note);
+        for (const auto& note : study_.notes) data_.notes << text_of(note);
         return {std::move(data_), why_no_log_x_, why_no_log_y_};
     }
 
@@ -101,9 +98,9 @@ class Drawing {
             const auto* experiment = projects::find_item(project_.experiments, point.experiment);
             const auto* method = experiment ? registry_.find(experiment->method) : nullptr;
             const auto* parameter = method ? ir::find(method->parameters, look_.over) : nullptr;
-            if (parameter) return {q(parameter->label), parameter->unit};
+            if (parameter) return {text_of(parameter->label), parameter->unit};
         }
-        return {q(look_.over), ""};
+        return {text_of(look_.over), ""};
     }
 
     double place_of(const ErrorPoint& point) const {
@@ -132,7 +129,8 @@ class Drawing {
         const auto* metric = known_metric(plot_.metric);
         data_.y.title = with_unit(metric_label(plot_.metric), unit_of(plot_.metric));
         if (metric && metric->more_is_better)
-            why_no_log_y_ = QObject::tr("More is better in %1: it is drawn as it is.").arg(q(metric->label));
+            why_no_log_y_ =
+                QObject::tr("More is better in %1: it is drawn as it is.").arg(text_of(metric->label));
         for (const auto& point : study_.points)
             if (is_there(point) && error_of(point, plot_.metric) < 0)
                 why_no_log_y_ = QObject::tr("Not all errors are above zero.");
@@ -142,7 +140,7 @@ class Drawing {
 
     QString name_of(const std::string& experiment) const {
         const auto* found = projects::find_item(project_.experiments, experiment);
-        return q(found && !found->name.empty() ? found->name : experiment);
+        return text_of(found && !found->name.empty() ? found->name : experiment);
     }
 
     widgets::PlotSeries& series_of(const std::string& experiment) {
@@ -157,7 +155,7 @@ class Drawing {
         const auto value = value_text(point.value);
         if (!point.problem.empty()) {
             data_.problems << QObject::tr("%1, %2 = %3: %4")
-                                  .arg(name_of(point.experiment), over_.first, value, q(point.problem));
+                                  .arg(name_of(point.experiment), over_.first, value, text_of(point.problem));
             return;
         }
         widgets::PlotPoint drawn;
@@ -184,9 +182,9 @@ class Drawing {
         lines << QStringLiteral("%1 = %2").arg(over_.first, value_text(point.value));
         lines << QObject::tr("%1 ms").arg(plot_number(point.ms));
         const auto unit = unit_of(plot_.metric);
-        lines << QStringLiteral("%1 %2%3").arg(metric_label(plot_.metric),
-                                               plot_number(error_of(point, plot_.metric)),
-                                               unit.empty() ? QString() : QStringLiteral(" ") + q(unit));
+        lines << QStringLiteral("%1 %2%3").arg(
+            metric_label(plot_.metric), plot_number(error_of(point, plot_.metric)),
+            unit.empty() ? QString() : QStringLiteral(" ") + text_of(unit));
         lines << widgets::bytes_text(point.memory_bytes);
         if (point.on_front) lines << data_.ring_name;
         return lines.join(QLatin1Char('\n'));
@@ -207,11 +205,13 @@ class Drawing {
 }  // namespace
 
 QString value_text(const Json& value) {
-    return value.is_string() ? q(value.get<std::string>()) : value.is_null() ? QString() : q(value.dump());
+    return value.is_string() ? text_of(value.get<std::string>())
+           : value.is_null() ? QString()
+                             : text_of(value.dump());
 }
 
 QString point_id(const ErrorPoint& point) {
-    return QStringLiteral("%1=%2").arg(q(point.experiment), q(point.value.dump()));
+    return QStringLiteral("%1=%2").arg(text_of(point.experiment), text_of(point.value.dump()));
 }
 
 const ErrorPoint* find_point(const ErrorStudy& study, const QString& id) {

@@ -5,6 +5,7 @@
 
 #include "app/gui/json_fields.h"
 #include "app/gui/new_plot.h"
+#include "app/gui/text_of.h"
 #include "projects/coordinate.h"
 #include "projects/plots.h"
 #include "projects/scene_files.h"
@@ -19,10 +20,6 @@ using projects::Json;
 using widgets::PlotPanel;
 
 constexpr int redraw_ms = 60;
-
-QString q(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 /// A point of the value that another had replaces that one.
 void put_point(std::vector<engine::ErrorPoint>& points, const engine::ErrorPoint& point) {
@@ -68,7 +65,7 @@ void PlotsDock::connect_panel() {
     connect(header, &Header::new_wanted, this, &PlotsDock::add_plot);
     connect(header, &Header::run_wanted, this, &PlotsDock::run);
     connect(header, &Header::cancel_wanted, this, &PlotsDock::cancel);
-    connect(header, &Header::edit_wanted, this, [this] { emit edit_wanted(q(chosen())); });
+    connect(header, &Header::edit_wanted, this, [this] { emit edit_wanted(text_of(chosen())); });
     connect(header, &Header::plot_chosen, this, [this](const QString& id) { show_plot(id.toStdString()); });
     connect(header, &Header::metric_chosen, this, [this](const QString& metric) {
         change(widgets::set_plot_metric(chosen(), metric.toStdString()));
@@ -247,7 +244,8 @@ void PlotsDock::finish(const std::string& id, const engine::ErrorStudy& study, c
         emit failed(state.problem);
     }
     const auto* now = plot(id);
-    emit said(tr("%1: %n point(s) measured", nullptr, count_measured(study)).arg(now ? q(now->name) : q(id)));
+    emit said(tr("%1: %n point(s) measured", nullptr, count_measured(study))
+                  .arg(now ? text_of(now->name) : text_of(id)));
     update();
     if (is_settled()) emit settled();
 }
@@ -275,10 +273,10 @@ void PlotsDock::load_point(const QString& id) {
     const auto* experiment = session_.experiment(point->experiment);
     if (!experiment) return emit said(tr("The experiment of this point is gone."));
     const auto key = look_of(*numbers).over;
-    const auto setting = tr("%1 = %2").arg(q(key), value_text(point->value));
+    const auto setting = tr("%1 = %2").arg(text_of(key), value_text(point->value));
     if (session_.open_project().is_read_only())
         return emit failed(tr("%1 is not loaded: the project is open read-only: %2")
-                               .arg(setting, q(session_.open_project().read_only_reason())));
+                               .arg(setting, text_of(session_.open_project().read_only_reason())));
     namespace edits = projects::edits;
     const bool changed = session_.edit([&](const projects::Project& project) {
         const auto& registry = session_.registry();
@@ -293,7 +291,7 @@ void PlotsDock::load_point(const QString& id) {
         return edits::group("Load " + setting.toStdString() + " from plot", std::move(steps));
     });
     session_.end_gesture();
-    const auto name = q(point->experiment);
+    const auto name = text_of(point->experiment);
     emit said(changed ? tr("Loaded %1 into %2").arg(setting, name) : tr("%2 has %1").arg(setting, name));
     emit loaded(name);
 }

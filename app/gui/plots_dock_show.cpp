@@ -7,6 +7,7 @@
 #include "app/gui/dialog_folder.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/plots_dock.h"
+#include "app/gui/text_of.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
 #include "renderers/image/atomic_file.h"
@@ -21,10 +22,6 @@ using projects::Json;
 
 constexpr int paper_width = 800, paper_height = 500;
 
-QString q(const std::string& text) {
-    return QString::fromStdString(text);
-}
-
 /// The inputs that differ, in a few words.
 QStringList changed_inputs(const Json& before, const Json& now) {
     QStringList words;
@@ -34,9 +31,9 @@ QStringList changed_inputs(const Json& before, const Json& now) {
                &new_ones = member_or_null(now, "experiments");
     if (!old_ones.is_object() || !new_ones.is_object()) return words;
     for (const auto& [id, inputs] : new_ones.items())
-        if (!old_ones.contains(id) || old_ones[id] != inputs) words << q(id);
+        if (!old_ones.contains(id) || old_ones[id] != inputs) words << text_of(id);
     for (const auto& [id, inputs] : old_ones.items())
-        if (!new_ones.contains(id)) words << q(id);
+        if (!new_ones.contains(id)) words << text_of(id);
     return words;
 }
 
@@ -120,10 +117,11 @@ widgets::PlotChoices PlotsDock::plot_lists() const {
     }
     const auto& open = session_.open_project();
     for (const auto& each : session_.document().plots)
-        choices.plots.push_back({q(each.id), q(each.name.empty() ? each.id : each.name), q(each.notes)});
-    choices.plot = q(chosen());
+        choices.plots.push_back(
+            {text_of(each.id), text_of(each.name.empty() ? each.id : each.name), text_of(each.notes)});
+    choices.plot = text_of(chosen());
     if (open.is_read_only())
-        choices.why_read_only = tr("The project is open read-only: %1").arg(q(open.read_only_reason()));
+        choices.why_read_only = tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
     return choices;
 }
 
@@ -132,9 +130,9 @@ void PlotsDock::show_header(const DrawnStudy& drawn) {
     const auto& now = *plot();
     const auto& known = state();
     choices.metrics = widgets::metric_options();
-    choices.metric = q(now.metric);
+    choices.metric = text_of(now.metric);
     choices.keys = widgets::plot_key_options(session_.document(), now, session_.registry());
-    choices.key = q(now.over);
+    choices.key = text_of(now.over);
     choices.values = widgets::plot_values_text(now);
     choices.values_hint = widgets::plot_values_hint(now);
     choices.against_time = now.against_time;
@@ -175,7 +173,7 @@ void PlotsDock::write_numbers(const QString& file) const {
 }
 
 QString PlotsDock::ask_for_file(const QString& suffix, const QString& filter) {
-    const auto proposed = QDir(dialog_folder(session_)).filePath(q(chosen()) + suffix);
+    const auto proposed = QDir(dialog_folder(session_)).filePath(text_of(chosen()) + suffix);
     auto file = QFileDialog::getSaveFileName(this, tr("Export"), proposed, filter);
     if (file.isEmpty()) return {};
     remember_folder_of(file);
@@ -195,14 +193,14 @@ void PlotsDock::export_picture(int scale, bool on_paper, bool to_clipboard) {
         write_picture(file, size, scale, on_paper);
         emit said(tr("Wrote %1").arg(file));
     } catch (const Error& error) {
-        emit failed(q(error.what()));
+        emit failed(text_of(error.what()));
     }
 }
 
 void PlotsDock::export_numbers(bool to_clipboard) {
     try {
         if (to_clipboard) {
-            QApplication::clipboard()->setText(q(engine::study_csv(study_with_front())));
+            QApplication::clipboard()->setText(text_of(engine::study_csv(study_with_front())));
             return emit said(tr("Copied the numbers"));
         }
         const auto file = ask_for_file(QStringLiteral(".csv"), tr("Comma-separated values (*.csv)"));
@@ -210,7 +208,7 @@ void PlotsDock::export_numbers(bool to_clipboard) {
         write_numbers(file);
         emit said(tr("Wrote %1").arg(file));
     } catch (const Error& error) {
-        emit failed(q(error.what()));
+        emit failed(text_of(error.what()));
     }
 }
 

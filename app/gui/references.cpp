@@ -2,16 +2,13 @@
 
 #include <algorithm>
 
+#include "app/gui/text_of.h"
 #include "projects/match.h"
 
 namespace ir::gui {
 namespace {
 
 constexpr const char* banner_name = "reference";
-
-QString text_of(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 
 #include "app/gui/json_fields.h"
 #include "app/gui/kept_pictures.h"
+#include "app/gui/text_of.h"
 #include "projects/changes.h"
 #include "projects/scene_files.h"
 
@@ -16,10 +17,6 @@ namespace ir::gui {
 namespace {
 
 using widgets::ResultRow;
-
-QString text_of(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/text_of.h"
 #include "widgets/models/report_rows.h"
 #include "widgets/style/icons.h"
 
@@ -15,10 +16,6 @@ namespace ir::gui {
 namespace {
 
 constexpr int said_ms = 4000;
-
-QString text_of(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 }  // namespace
 

@@ -2,14 +2,11 @@
 
 #include <QVBoxLayout>
 
+#include "app/gui/text_of.h"
 #include "projects/motion.h"
 
 namespace ir::gui {
 namespace {
-
-QString text_of(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 template <class List>
 QString name_in(const List& list, const std::string& id) {

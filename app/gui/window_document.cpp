@@ -2,16 +2,13 @@
 #include <QStackedWidget>
 
 #include "app/gui/main_window.h"
+#include "app/gui/text_of.h"
 
 namespace ir::gui {
 namespace {
 
 namespace edits = projects::edits;
 using projects::Project;
-
-QString text_of(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 template <class List>
 std::vector<widgets::Option> options_of(const List& list) {

@@ -4,16 +4,9 @@
 
 #include "app/gui/main_window.h"
 #include "app/gui/stage_chain.h"
+#include "app/gui/text_of.h"
 
 namespace ir::gui {
-namespace {
-
-QString text_of(const std::string& text) {
-    return QString::fromStdString(text);
-}
-
-}  // namespace
-
 void MainWindow::make_menus() {
     const auto fill = [this](QMenu* menu, std::initializer_list<const char*> names) {
         for (const char* name : names)

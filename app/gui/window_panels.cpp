@@ -6,14 +6,11 @@
 #include <cstring>
 
 #include "app/gui/main_window.h"
+#include "app/gui/text_of.h"
 #include "widgets/models/report_rows.h"
 
 namespace ir::gui {
 namespace {
-
-QString text_of(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 widgets::SceneListing listing_of(const engine::SceneSummary& scene) {
     widgets::SceneListing listing;

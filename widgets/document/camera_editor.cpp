@@ -12,15 +12,12 @@
 #include "widgets/document/fields.h"
 #include "widgets/document/makers.h"
 #include "widgets/document/pose_text.h"
+#include "widgets/document/short_forms.h"
 
 namespace ir::widgets {
 namespace {
 
 using projects::Camera;
-
-std::vector<double> numbers(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 CameraPose pose_of(const Camera& camera) {
     return {camera.eye, camera.target, camera.up, camera.fov_y_degrees, camera.orthographic, camera.height};

@@ -6,15 +6,12 @@
 #include "widgets/document/fields.h"
 #include "widgets/document/options.h"
 #include "widgets/document/plain_editors.h"
+#include "widgets/document/short_forms.h"
 
 namespace ir::widgets {
 namespace {
 
 using projects::Comparison;
-
-QString q(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 std::vector<Option> pictures(const projects::Project& project) {
     auto options = named_options(project.experiments);

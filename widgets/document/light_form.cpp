@@ -8,6 +8,7 @@
 
 #include "widgets/document/fields.h"
 #include "widgets/document/project_nodes.h"
+#include "widgets/document/short_forms.h"
 
 namespace ir::widgets {
 namespace {
@@ -17,8 +18,6 @@ using Type = LightSpec::Type;
 using Quantity = LightSpec::Quantity;
 
 constexpr Type types[] = {Type::point, Type::spot, Type::directional, Type::rect, Type::disk};
-const QStringList xyz{QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
-
 bool looks(Type type) {
     return type == Type::spot || type == Type::rect || type == Type::disk;
 }
@@ -34,10 +33,6 @@ QString quantity_name(Quantity quantity) {
         default:
             return LightForm::tr("Radiance, W/(m² sr)");
     }
-}
-
-std::vector<double> numbers(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
 }
 
 }  // namespace

@@ -10,18 +10,13 @@
 #include "widgets/document/motion_target.h"
 #include "widgets/document/options.h"
 #include "widgets/document/ordered_list.h"
+#include "widgets/document/short_forms.h"
 #include "widgets/parameters/row_state.h"
 
 namespace ir::widgets {
 namespace {
 
 using projects::Motion;
-
-const QStringList xyz{QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
-
-std::vector<double> numbers(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 QString text_of(const glm::dvec3& v) {
     return QStringLiteral("%1, %2, %3").arg(number_text(v.x), number_text(v.y), number_text(v.z));

@@ -5,6 +5,7 @@
 
 #include "renderers/core/error.h"
 #include "widgets/document/project_nodes.h"
+#include "widgets/document/short_forms.h"
 
 namespace ir::widgets {
 namespace {
@@ -15,10 +16,6 @@ using Kind = Motion::Kind;
 
 QString tr(const char* text) {
     return QCoreApplication::translate("Motion", text);
-}
-
-QString q(const std::string& text) {
-    return QString::fromStdString(text);
 }
 
 Option option_of(const Project& project, const Motion& motion) {

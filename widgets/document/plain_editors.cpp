@@ -9,13 +9,10 @@
 #include "widgets/document/fields.h"
 #include "widgets/document/makers.h"
 #include "widgets/document/options.h"
+#include "widgets/document/short_forms.h"
 
 namespace ir::widgets {
 namespace {
-
-QString q(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 QString why_not(const ShownProject& shown) {
     return shown.read_only ? shown.why_read_only : QString();

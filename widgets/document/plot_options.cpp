@@ -6,15 +6,12 @@
 #include "renderers/image/metrics.h"
 #include "widgets/document/axis_text.h"
 #include "widgets/document/field_edit.h"
+#include "widgets/document/short_forms.h"
 
 namespace ir::widgets {
 namespace {
 
 using projects::ErrorPlot;
-
-QString q(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "widgets/document/motion_target.h"
+#include "widgets/document/short_forms.h"
 #include "widgets/parameters/row_state.h"
 
 namespace ir::widgets {
@@ -13,10 +14,6 @@ using Node = ProjectModel::Node;
 
 QString tr(const char* text, int count = -1) {
     return QCoreApplication::translate("ProjectNodes", text, nullptr, count);
-}
-
-QString q(const std::string& text) {
-    return QString::fromStdString(text);
 }
 
 QString vector_text(const glm::dvec3& v) {

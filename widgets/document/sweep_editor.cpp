@@ -11,16 +11,13 @@
 #include "widgets/document/fields.h"
 #include "widgets/document/options.h"
 #include "widgets/document/ordered_list.h"
+#include "widgets/document/short_forms.h"
 
 namespace ir::widgets {
 namespace {
 
 using projects::Sweep;
 using Axes = std::vector<Sweep::Axis>;
-
-QString q(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 /// What may vary: the method's parameters, then what every experiment has.
 std::vector<Option> key_options(const Registry& registry, const projects::Experiment& base) {

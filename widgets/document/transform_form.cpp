@@ -7,15 +7,10 @@
 
 #include "renderers/core/error.h"
 #include "widgets/document/fields.h"
+#include "widgets/document/short_forms.h"
 
 namespace ir::widgets {
 namespace {
-
-const QStringList xyz{QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
-
-std::vector<double> numbers(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 QString matrix_text(const Matrix& m) {
     QStringList lines;

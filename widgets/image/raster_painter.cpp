@@ -7,7 +7,7 @@ namespace ir::widgets {
 namespace {
 
 /// A divider needs two, holding a key one more.
-constexpr std::size_t remembered = 4;
+constexpr std::size_t remembered_pictures = 4;
 
 constexpr QColor below_colour{40, 90, 255}, above_colour{255, 60, 40};
 constexpr QColor hidden_dark{100, 100, 100}, hidden_light{136, 136, 136};
@@ -73,7 +73,7 @@ RasterPainter::Coloured& RasterPainter::coloured(const PreparedPicture& picture)
         std::rotate(known, known + 1, known_.end());
         return known_.back();
     }
-    if (known_.size() >= remembered) known_.erase(known_.begin());
+    if (known_.size() >= remembered_pictures) known_.erase(known_.begin());
     known_.push_back({});
     known_.back().from = picture;
     colour(known_.back());

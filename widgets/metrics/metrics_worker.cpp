@@ -8,7 +8,7 @@
 namespace ir::widgets {
 namespace {
 
-QString translated(const char* text) {
+QString message_text(const char* text) {
     return QCoreApplication::translate("Metrics", text);
 }
 
@@ -78,17 +78,17 @@ QString why_not_measurable(const MetricsRequest& request) {
     };
     const Picture &a = *request.image, &b = *request.reference;
     if (a.size() != b.size())
-        return translated("Sizes differ: A has %1, B has %2 pixels. Render both at one size.")
+        return message_text("Sizes differ: A has %1, B has %2 pixels. Render both at one size.")
             .arg(size(a), size(b));
     const auto compared = [](const Picture& each) {
         return each.image->channels == 4 ? 3 : each.image->channels;
     };
     if (compared(a) != compared(b))
-        return translated("Channels differ: A has %1, B has %2. Choose outputs of one kind.")
+        return message_text("Channels differ: A has %1, B has %2. Choose outputs of one kind.")
             .arg(a.image->channels)
             .arg(b.image->channels);
     if (request.mask && request.mask->size() != a.size())
-        return translated("The mask has %1 pixels, the pictures have %2. Choose another mask.")
+        return message_text("The mask has %1 pixels, the pictures have %2. Choose another mask.")
             .arg(size(*request.mask), size(a));
     return {};
 }

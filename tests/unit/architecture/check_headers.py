@@ -2,7 +2,8 @@
 """Compiles every header alone, with the flags of the build.
 
 Headers that some .cpp includes before anything else were proven by the build already; the others are compiled
-here, with the flags of a .cpp of the same folder or one above. Usage: check_headers.py ROOT BUILD
+here, with the flags of a .cpp of the same folder or one above. Usage: check_headers.py ROOT BUILD [--all]
+Without --all the folders whose sources are compiled together are left out.
 """
 import concurrent.futures
 import json
@@ -14,6 +15,17 @@ import sys
 
 FOLDERS = ("app", "widgets", "projects", "renderers")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<][^">]+[">])', re.MULTILINE)
+
+
+UNITY_SOURCE = re.compile(r'^#include "([^"]+\.cpp)"', re.MULTILINE)
+
+
+def sources_of(entry):
+    """The source, or those that CMake compiles together in its place."""
+    if f"{os.sep}Unity{os.sep}" not in entry["file"]:
+        return [entry["file"]]
+    with open(entry["file"], encoding="utf-8") as file:
+        return UNITY_SOURCE.findall(file.read())
 
 
 def flags_by_folder(build):
@@ -28,7 +40,8 @@ def flags_by_folder(build):
                     skip = word in ("-o", "-MF", "-MT")
                     continue
                 kept.append(word)
-            result.setdefault(os.path.dirname(entry["file"]), kept)
+            for source in sources_of(entry):
+                result.setdefault(os.path.dirname(source), kept)
     return result
 
 
@@ -44,16 +57,20 @@ def flags_for(header, root, flags):
 
 
 def proven_by_the_build(root, build):
-    proven = set()
+    """Headers that a source, compiled by itself, includes first; and folders whose sources are compiled together."""
+    proven, together = set(), set()
     with open(os.path.join(build, "compile_commands.json"), encoding="utf-8") as file:
         for entry in json.load(file):
+            if len(sources_of(entry)) != 1 or sources_of(entry)[0] != entry["file"]:
+                together.update(os.path.dirname(source) for source in sources_of(entry))
+                continue
             if not entry["file"].startswith(root + os.sep):
                 continue
             with open(entry["file"], encoding="utf-8") as source:
                 first = INCLUDE.search(source.read())
             if first and first.group(1)[0] == '"':
                 proven.add(first.group(1)[1:-1])
-    return proven
+    return proven, together
 
 
 def compile_alone(root, header, flags):
@@ -65,13 +82,15 @@ def compile_alone(root, header, flags):
 
 def main():
     root, build = (os.path.realpath(path) for path in sys.argv[1:3])
-    flags, proven = flags_by_folder(build), proven_by_the_build(root, build)
+    flags, (proven, together) = flags_by_folder(build), proven_by_the_build(root, build)
     headers = [os.path.relpath(os.path.join(folder, name), root)
                for top in FOLDERS for folder, _, names in os.walk(os.path.join(root, top))
                for name in names if name.endswith(".h")]
     configured = {header: flags_for(header, root, flags) for header in sorted(headers)}
     todo = [header for header in configured if header not in proven and configured[header] and
             any(folder.startswith(os.path.join(root, *header.split(os.sep)[:2])) for folder in flags)]
+    if "--all" not in sys.argv:  # what compiles together has heavy headers: minutes
+        todo = [header for header in todo if os.path.dirname(os.path.join(root, header)) not in together]
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         for header, code, errors in pool.map(lambda h: compile_alone(root, h, configured[h]), todo):

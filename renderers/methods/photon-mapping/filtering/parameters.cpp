@@ -54,8 +54,7 @@ void add_spatial(ParameterTable<Parameters>& table) {
                      "are 2^i apart.",
               .citation = "Smal19 §7.3",
               .hard = {0, 6},
-              .soft = {0, 6},
-              .on_change = OnChange::nothing})
+              .soft = {0, 6}})
         .add(&Parameters::filter_kernel,
              {.key = "filter_kernel",
               .label = "Kernel",
@@ -63,7 +62,6 @@ void add_spatial(ParameterTable<Parameters>& table) {
               .citation = "Smal19 §7.3",
               .choices = {{"printed", "As printed", "1/8, 1/4, 1/2, 1/4, 1/8, divided by their sum."},
                           {"b3-spline", "B3 spline", "1/16, 1/4, 3/8, 1/4, 1/16."}},
-              .on_change = OnChange::nothing,
               .active_when = with_passes})
         .add(&Parameters::detail_clip,
              {.key = "detail_clip",
@@ -74,7 +72,6 @@ void add_spatial(ParameterTable<Parameters>& table) {
               .citation = "Smal19 §7.3.1",
               .hard = {0, 10},
               .soft = {0, 2.5},
-              .on_change = OnChange::nothing,
               .active_when = with_passes});
 }
 
@@ -89,8 +86,7 @@ void add_filtering_parameters(ParameterTable<Parameters>& table) {
                .label = "Directional term",
                .doc = "Turns the irradiance of the geometric surface into that of the shading normal, as if "
                       "all light came from the mean direction of the photons.",
-               .citation = "Smal19 §7.4",
-               .on_change = OnChange::nothing});
+               .citation = "Smal19 §7.4"});
 }
 
 }  // namespace ir::methods::photon_mapping
