@@ -1,6 +1,7 @@
 // The whole pipeline: light arrives as the reference says, and neither small buffers nor slices change a bit.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "tests/image/methods/every_method.h"
@@ -21,12 +22,21 @@ struct Picture {
 };
 
 /// A corner of the still life's room, 96 x 64 pixels, lit by its spot and its point light.
-Picture still_life(const std::string& method, const Settings& more, Inspection inspection = {}) {
+/// With `intensity` a point light of so many W/sr instead.
+Picture still_life(const std::string& method, const Settings& more, Inspection inspection = {},
+                   float intensity = 0) {
     engine::Experiment experiment;
     experiment.scene = "builtin:still-life?detail=0.3";
     experiment.method = method;
     experiment.settings = diffuse_bounce;
     for (const auto& [key, value] : more) experiment.settings[key] = value;
+    if (intensity > 0) {
+        scene::Light light;
+        light.position = {-1.1f, 1.9f, 0.6f};
+        light.intensity = intensity;
+        experiment.lights = {light};
+        experiment.replace_lights = true;
+    }
     experiment.width = 96;
     experiment.height = 64;
     experiment.seed = 3;
@@ -86,6 +96,16 @@ TEST(PhotonMappingPicture, BuffersThatStartAThousandTimesTooSmallGiveTheSamePict
     EXPECT_EQ(large.image.pixels, small.image.pixels);
     EXPECT_EQ(small.report.counters.at("photons.count"), large.report.counters.at("photons.count"));
     EXPECT_GT(small.report.counters.at("growth"), 0);
+}
+
+TEST(PhotonMappingPicture, SumsBeyondHalfFloatsAreCutOffAndCounted) {
+    const Settings few{{"photons", std::int64_t{2000}}};
+    const auto half = still_life("photon-mapping", few, {}, 1e7f);
+    for (const float value : half.image.pixels) ASSERT_TRUE(std::isfinite(value));
+    EXPECT_GT(half.report.counters.at("splat.overflow"), 0);
+    const auto single =
+        still_life("photon-mapping", with(few, {{"sum_precision", std::string("single-float")}}), {}, 1e7f);
+    EXPECT_EQ(single.report.counters.at("splat.overflow"), 0);
 }
 
 TEST(PhotonMappingPicture, ThePickedPixelIsTheSumOfItsPhotons) {

@@ -81,13 +81,22 @@ Signal accumulate(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, 
     const auto result = declare_signal(builder, "filter.temporal", "After the temporal filter",
                                        "The estimate at the view's resolution, averaged over frames.");
     const Inputs in{gbuffer, surfaces, splat, result, parameters};
+    const auto overflow =
+        builder.counter({.key = "splat.overflow",
+                         .label = "Texels beyond half floats",
+                         .doc = "Pixels whose sum of kernels grew beyond what half floats hold; they stay at "
+                                "65,504, or 0 where the direction is lost. Choose single floats."});
     auto pass = builder.pass("temporal filter");
     declare_reads(pass, in);
+    pass.counts(overflow);
     pass.writes(result.value, result.direction);
     execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
-        const auto& program = use(context, in, {{folder + "temporal.comp"}});
+        gl::ProgramSource source{{folder + "temporal.comp"}};
+        if (in.parameters.sum_precision == Precision::half_float) source.defines["HALF_SUMS"] = "1";
+        const auto& program = use(context, in, source);
         context.bind_storage_image(0, result.value);
         context.bind_storage_image(1, result.direction);
+        context.bind_counter(0, overflow);
         dispatch_rows(context, program, slice);
     });
     if (!parameters.temporal) return result;

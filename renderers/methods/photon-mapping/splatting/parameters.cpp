@@ -30,7 +30,7 @@ void add_targets(ParameterTable<Parameters>& table) {
               .doc = "Of the sums of irradiance and direction. Half floats differ from single ones by 0.2 % "
                      "(root mean square) where 10 kernels meet; drivers that cut off instead of rounding, as "
                      "software rasterisers do, lose 0.2 % there and 1.3 % where 50 meet. They end at 65,504 "
-                     "W/m².",
+                     "W/m², the sum over all channels: what goes beyond is cut off and counted.",
               .citation = "Smal19 §6.2",
               .choices = {{"half-float", "Half float", "16 bits a number, as published: 12 bytes a texel."},
                           {"single-float", "Single float", "32 bits a number: 24 bytes a texel."}},

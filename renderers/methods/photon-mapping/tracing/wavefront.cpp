@@ -36,6 +36,8 @@ void note_limits(GraphBuilder& builder, const Transport& transport) {
     if (transport.max_bounces > most_bounces)
         builder.note("photons are traced over " + std::to_string(most_bounces) + " of " +
                      std::to_string(transport.max_bounces) + " bounces; set max_bounces lower");
+    if (transport.min_bounces > transport.max_bounces && transport.paths != Transport::Paths::direct)
+        builder.note("no photon is stored: min_bounces exceeds max_bounces; raise max_bounces");
     if (transport.materials == Transport::Materials::lambert) return;
     const auto& materials = builder.inputs().scene->materials;
     const auto glass = std::count_if(materials.begin(), materials.end(),

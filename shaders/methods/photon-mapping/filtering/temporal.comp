@@ -9,7 +9,21 @@ layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(binding = 0, rgba32f) uniform writeonly image2D value_image;
 layout(binding = 1, rg32f) uniform writeonly image2D direction_image;
+layout(std430, binding = 0) buffer Overflow { uint overflow; };
 uniform int first_row;
+
+/// Half floats end at 65504: drivers stop there or go on with infinity, which would stay in the history.
+Signal finite(Signal s) {
+    vec4 most = max(abs(s.value), vec4(abs(s.direction), 0, 0));
+    bool is_bad = any(isinf(most)) || any(isnan(s.value)) || any(isnan(s.direction));
+#ifdef HALF_SUMS
+    is_bad = is_bad || any(greaterThanEqual(most, vec4(65504.0)));
+#endif
+    if (!is_bad) return s;
+    atomicAdd(overflow, 1u);
+    for (int i = 0; i < 3; ++i) s.value[i] = isnan(s.value[i]) ? 0.0 : min(s.value[i], 65504.0);
+    return Signal(vec4(s.value.rgb, 0), vec2(0));
+}
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, first_row);
@@ -17,7 +31,7 @@ void main() {
     FilterSurface p = surface_at(pixel);
     Signal s = Signal(vec4(0), vec2(0));
     if (is_surface(p)) {
-        s = unfiltered(pixel, p);
+        s = finite(unfiltered(pixel, p));
 #ifdef HISTORY
         // S_i = (1 - α) E_i + α S_{i-1}, as a step towards history that is 0 where both are equal
         History history = history_of(pixel, p);  // [Smal19 eq. 7.3]
