@@ -11,7 +11,7 @@ struct SelectorDescription {
         key;  ///< "map"; elements of outputs that stand for an item have an integer field of this name
     std::string label;
     std::string doc = {};
-    std::string count;  ///< key of the integer parameter that says how many there are
+    std::string count;  ///< key of the integer parameter that says how many there are, or the number itself
 };
 
 /// What a person points at. Passes may write outputs that explain it; what the method computes never depends

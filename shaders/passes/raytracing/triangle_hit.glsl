@@ -1,7 +1,7 @@
 // A ray against a triangle, in coordinates relative to the ray's origin.
 
 /// Of the sum of the three sides: what a side may lie on the wrong side of 0. Without it 1 in 10,000 rays at
-/// edges slips through, all at corners.
+/// edges slipped through (6 of 59,040, one mesh).
 const float TRIANGLE_SLACK = 1.1920929e-7;
 
 vec3 exact_cross(vec3 a, vec3 b) {
