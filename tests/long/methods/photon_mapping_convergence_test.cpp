@@ -163,7 +163,8 @@ TEST_F(PhotonConvergence, HasTheSlopeOfIndependentPhotons) {
     EXPECT_LT(t_quantile * measured.error, 0.1) << "too uncertain to tell";
     EXPECT_GT(adaptive.mean - t_quantile * adaptive.error, -0.4) << "the test passes what does not converge";
 
-    // Kernels of 0.01 blur little where it is flat. The mutant: the printed power scaling's 0.617.
+    // Kernels of 0.01 blur little where it is flat. (The printed power scaling is rejected on one wall by
+    // tests/image/methods/photon_mapping_test.cpp.)
     EXPECT_NEAR(light.mean, 1, t_quantile * light.error);
     EXPECT_LT(t_quantile * light.error, 0.1) << "too uncertain to tell";
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderers/core/error.h"
+#include "renderers/methods/photon-mapping/dispatch_items.h"
 #include "renderers/methods/photon-mapping/emission/texts.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/passes/scan/scan.h"
@@ -62,12 +63,6 @@ const gl::Program& use_maps(const PassContext& p, const char* file, const passes
     set_surface_rules(program, parameters);
     set_emission_set(program, p.inputs(), sources, points, parameters);
     return program;
-}
-
-void dispatch(const gl::Program& program, graph::Slice slice) {
-    program.set("first_item", static_cast<unsigned>(slice.begin));
-    program.set("end_item", static_cast<unsigned>(slice.end));
-    program.dispatch(slice.end - slice.begin);
 }
 
 }  // namespace
@@ -148,7 +143,7 @@ void find_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene
                 const auto& program = use_maps(p, "methods/photon-mapping/emission/points.comp", scene, rsm,
                                                maps, parameters, sources, points);
                 p.bind_buffer(4, points.survivors);
-                dispatch(program, slice);
+                dispatch_items(program, slice.begin, slice.end);
             },
             first_slice);
     find_places(builder, points);
@@ -166,7 +161,7 @@ void find_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene
                 program.set("capacity", static_cast<unsigned>(p.capacity(points.samples.points)));
                 program.set("power_unit", points.samples.power_unit);
                 program.set("photons_per_point", static_cast<float>(points.samples.photons_per_point));
-                dispatch(program, slice);
+                dispatch_items(program, slice.begin, slice.end);
             },
             first_slice);
 }

@@ -1,15 +1,9 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "renderers/core/output.h"
-#include "renderers/graph/resource.h"
+#include "renderers/core/condition.h"
+#include "renderers/methods/photon-mapping/output_text.h"
 
 namespace ir::methods::photon_mapping {
-
-/// What the output of this key says about itself, for the resource that holds it.
-graph::ResourceText text_of(const std::vector<OutputDescription>& outputs, const std::string& key);
 
 /// Outputs that exist where the RSM finds first hits.
 Condition from_rsm();

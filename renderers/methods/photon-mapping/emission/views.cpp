@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderers/methods/photon-mapping/dispatch_items.h"
 #include "renderers/methods/photon-mapping/emission/histogram.h"
 #include "renderers/methods/photon-mapping/emission/texts.h"
 
@@ -83,18 +84,17 @@ void show_samples(graph::GraphBuilder& builder, const Sources& sources, const Em
         .reads(points.samples.sources, points.candidates, maps.probability, maps.haar)
         .writes(buffer)
         .counts(count)
-        // Only a pass that runs knows that points are wanted; the builder outlives its passes.
-        .execute([=, &builder](PassContext& p) {
-            if (shown.stride > 1)
-                builder.note("of the emission points shown, one in " + std::to_string(shown.stride) +
-                             " is, so that at most a million result");
+        .execute([=](PassContext& p) {
+            if (shown.stride > 1)  // said by the pass: it runs where points are wanted
+                p.warn("of the emission points shown, one in " + std::to_string(shown.stride) +
+                       " is, so that at most a million result");
             const auto& program = use(p, "methods/photon-mapping/emission/show_samples.comp", sources, maps,
                                       points, parameters, shown);
             p.bind_buffer(2, buffer);
             p.bind_counter(3, count);
             program.set("stride", static_cast<unsigned>(shown.stride));
             program.set("capacity", static_cast<unsigned>(p.capacity(buffer)));
-            program.dispatch(static_cast<std::int64_t>(shown.points));
+            dispatch_items(program, 0, static_cast<std::int64_t>(shown.points), "first_shown", "end_shown");
         });
 }
 
@@ -121,7 +121,7 @@ void show_picture(graph::GraphBuilder& builder, const Sources& sources, const Em
             const auto& dots = use(p, "methods/photon-mapping/emission/show_points.comp", sources, maps,
                                    points, parameters, shown);
             p.bind_storage_image(0, image);
-            dots.dispatch(static_cast<std::int64_t>(shown.points));
+            dispatch_items(dots, 0, static_cast<std::int64_t>(shown.points), "first_shown", "end_shown");
         });
 }
 

@@ -1,4 +1,5 @@
 #include "renderers/methods/photon-mapping/splatting/outputs.h"
+#include "renderers/methods/photon-mapping/output_text.h"
 
 #include <stdexcept>
 
@@ -57,9 +58,7 @@ std::vector<OutputDescription> splatting_outputs() {
 }
 
 graph::ResourceText text_of_output(const std::string& key) {
-    for (const auto& output : splatting_outputs())
-        if (output.key == key) return {output.key, output.label, output.doc, output.semantic, output.unit};
-    throw std::logic_error("no output " + key);
+    return text_of(splatting_outputs(), key);
 }
 
 }  // namespace ir::methods::photon_mapping

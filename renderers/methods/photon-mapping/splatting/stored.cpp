@@ -1,4 +1,5 @@
 #include "renderers/methods/photon-mapping/splatting/stored.h"
+#include "renderers/methods/photon-mapping/dispatch_items.h"
 
 namespace ir::methods::photon_mapping {
 
@@ -40,9 +41,8 @@ PhotonRange photons_of(const graph::PassContext& context, const StoredPhotons& p
 void dispatch_photons(const graph::PassContext& context, const gl::Program& program,
                       const StoredPhotons& photons, graph::Slice slice) {
     const auto range = photons_of(context, photons, slice);
-    program.set("first", static_cast<unsigned>(range.first));
-    program.set("end", static_cast<unsigned>(range.end));
-    program.dispatch(static_cast<std::int64_t>(range.end - range.first));
+    dispatch_items(program, static_cast<std::int64_t>(range.first), static_cast<std::int64_t>(range.end),
+                   "first", "end");
 }
 
 }  // namespace ir::methods::photon_mapping

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/photon-mapping/output_text.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/methods/photon-mapping/tracing/wavefront.h"
 
@@ -29,13 +30,10 @@ const std::vector<Field> location_fields{{"position", FieldType::f32, 3},
                                          {"light", FieldType::u32},
                                          {"seed", FieldType::u32}};
 
-graph::BufferDesc described(const std::string& key) {
+graph::BufferDesc described(const std::string& key, OutputKind kind) {
     graph::BufferDesc desc;
-    for (const auto& output : tracing_outputs())
-        if (output.key == key) {
-            desc.text = {output.key, output.label, output.doc, output.semantic, output.unit};
-            desc.kind = output.kind;
-        }
+    desc.text = text_of(tracing_outputs(), key);
+    desc.kind = kind;
     return desc;
 }
 
@@ -64,7 +62,7 @@ Photons declare_photons(GraphBuilder& builder, const SamplePoints& samples, cons
 }
 
 void declare_tally(GraphBuilder& builder, const Wavefront& wavefront, float power_unit) {
-    auto desc = described("photons.tally");
+    auto desc = described("photons.tally", OutputKind::table);
     desc.fields = tally_fields;
     desc.elements = static_cast<std::uint64_t>(wavefront.rows());
     const auto table = builder.buffer(std::move(desc));
@@ -114,7 +112,7 @@ void locate(const PassContext& context, const Photons& photons, graph::BufferRef
 
 void declare_locations(GraphBuilder& builder, const Photons& photons, std::uint64_t most,
                        std::uint64_t reserved) {
-    auto desc = described("photons.locations");
+    auto desc = described("photons.locations", OutputKind::point_set);
     desc.fields = location_fields;
     desc.elements = reserved;
     desc.growable = true;

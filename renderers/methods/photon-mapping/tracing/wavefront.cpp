@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/photon-mapping/dispatch_items.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/passes/scan/scan.h"
 #include "renderers/passes/scattering/microfacets.h"
@@ -21,8 +22,6 @@ constexpr int most_bounces = 15;  ///< what a photon has bits for
 /// Mirrors that one path may meet, where the scene has any; each costs a wavefront.
 constexpr int most_mirrors = 4;
 constexpr std::int64_t first_slice = 4096;
-/// So that every device takes a dispatch.
-constexpr std::int64_t most_paths_at_once = std::int64_t{1} << 21;
 constexpr std::uint64_t sums_words = 12 * 16;  ///< tally.glsl
 
 /// By the factors alone: texels below a factor that is no mirror are cut where paths meet them, and counted.
@@ -121,12 +120,7 @@ void Wavefront::set_path_rules(const PassContext& context, const gl::Program& pr
 }
 
 void Wavefront::over_paths(const gl::Program& program, Slice slice) const {
-    for (auto begin = slice.begin; begin < slice.end; begin += most_paths_at_once) {
-        const auto end = std::min(slice.end, begin + most_paths_at_once);
-        program.set("first_path", static_cast<unsigned>(begin));
-        program.set("end_path", static_cast<unsigned>(end));
-        program.dispatch(end - begin);
-    }
+    dispatch_items(program, slice.begin, slice.end, "first_path", "end_path");
 }
 
 void Wavefront::leave(GraphBuilder& builder, const Photons& photons) const {

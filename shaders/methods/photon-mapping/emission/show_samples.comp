@@ -30,14 +30,15 @@ vec3 laid_out(vec2 place, ShownPoint s, int step) {
 }
 
 void main() {
-    ShownPoint s = shown_point(gl_GlobalInvocationID.x);
-    uint number = shown_source < 0 ? gl_GlobalInvocationID.x : s.index;
+    uint item = first_shown + gl_GlobalInvocationID.x;
+    ShownPoint s = shown_point(item);
+    uint number = shown_source < 0 ? item : s.index;
     if (!s.is_shown || number % stride != 0u) return;
     uint first = number / stride * uint(step_count);
     atomicAdd(shown_count, uint(step_count));
     float probability = 0.0;
     if (source_count > 0u) {
-        uint texel = candidates[gl_GlobalInvocationID.x];
+        uint texel = candidates[item];
         probability = texelFetch(probability_map, ivec3(texel & 1023u, texel >> 10u & 1023u, s.source), 0).r;
     }
     for (int step = 0; step < first_step + step_count; ++step) {

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderers/core/output.h"
+#include "renderers/graph/resource.h"
+
+namespace ir::methods::photon_mapping {
+
+/// What the output of this key says about itself, for the resource that holds it.
+graph::ResourceText text_of(const std::vector<OutputDescription>& outputs, const std::string& key);
+
+}  // namespace ir::methods::photon_mapping
