@@ -1,7 +1,8 @@
 #include "renderers/methods/ldm-ao/explain.h"
 
+#include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/ldm-ao/map_views.h"
+#include "renderers/passes/ldm/map_views.h"
 
 namespace ir::methods::ldm_ao {
 namespace {
@@ -40,7 +41,7 @@ void explain_hits(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, 
         gl::ProgramSource source{{"methods/ldm-ao/explain_hits.comp"}};
         source.defines = ldm::bind_maps(context, *maps, 0, 1);
         int words = 0;
-        for (const auto& field : region_fields(*maps)) words += field.count;
+        for (const auto& field : ldm::region_fields(*maps)) words += field.count;
         source.defines["REGION_WORDS"] = std::to_string(words) + "u";
         const auto& program = context.method_program(source);
         use(context, program, gbuffer);
@@ -87,9 +88,7 @@ void explain_entries(graph::GraphBuilder& builder, const passes::GBuffer& gbuffe
 }
 
 graph::ResourceText text_of(const std::string& key) {
-    for (const auto& output : explanation_outputs())
-        if (output.key == key) return {output.key, output.label, output.doc, output.semantic, output.unit};
-    throw std::logic_error("no output " + key);
+    return graph::text_of(explanation_outputs(), key);
 }
 
 graph::CounterRef count_of(graph::GraphBuilder& builder, const std::string& what, const std::string& label,
@@ -162,7 +161,7 @@ Explanation declare_explanation(graph::GraphBuilder& builder, const ldm::Maps& m
     const auto maps_chosen = static_cast<std::uint64_t>(chosen.count);
     // Growable, so that counters tell how many elements are in use.
     Explanation e;
-    auto hit_fields = region_fields(maps);
+    auto hit_fields = ldm::region_fields(maps);
     for (const char* name : {"hit", "distance", "contribution"}) hit_fields.push_back({name, FieldType::f32});
     hit_fields.push_back({"own_found", FieldType::u32});
     e.hits = builder.buffer({.text = text_of("ldm.explain.hits"),

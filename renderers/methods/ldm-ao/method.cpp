@@ -6,10 +6,10 @@
 #include "renderers/methods/ldm-ao/benchmark.h"
 #include "renderers/methods/ldm-ao/exact.h"
 #include "renderers/methods/ldm-ao/explain.h"
-#include "renderers/methods/ldm-ao/map_views.h"
 #include "renderers/methods/ldm-ao/parameters.h"
 #include "renderers/methods/ldm-ao/passes.h"
 #include "renderers/passes/direct/direct_light.h"
+#include "renderers/passes/ldm/map_views.h"
 
 namespace ir::methods::ldm_ao {
 namespace {
@@ -25,10 +25,7 @@ MethodDescription description() {
         "directions and from the maps' texels.";
     d.papers = {"Aalund15", "Leopardi06", "Lefebvre14"};
     d.background = 1;
-    d.selectors = {{.key = map_selector,
-                    .label = "Map",
-                    .doc = "The layered depth map that is shown, and asked for the pixel.",
-                    .count = "directions"}};
+    d.selectors = {passes::ldm::map_selector_description()};
     d.outputs = {
         {.key = "accessibility",
          .label = "Accessibility",
@@ -41,27 +38,6 @@ MethodDescription description() {
          .doc = "Direct light with shadow maps, emission, and ambient radiance times albedo times "
                 "accessibility."},
         {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."},
-        {.key = "ldm.layers",
-         .label = "Layers of a map",
-         .semantic = Semantic::count,
-         .doc = "Depths at each texel of the map chosen; of all maps the most.",
-         .explains = true},
-        {.key = "ldm.points",
-         .label = "Points of maps",
-         .kind = OutputKind::point_set,
-         .semantic = Semantic::position,
-         .unit = "m",
-         .doc = "All depths of the maps chosen, as points of the scene. normal: of the triangle, on the side "
-                "that sees its corners counter-clockwise. facing: 1 where that side looks to where the map "
-                "looks from, else -1. depth: metres along the map's direction, from the scene's near end. "
-                "layer: 0 is the first along that direction.",
-         .explains = true},
-        {.key = "ldm.directions",
-         .label = "Directions",
-         .kind = OutputKind::sphere_values,
-         .doc = "The partition of the sphere into 2N regions: each map's direction (side 1) and its opposite "
-                "(side -1), as this frame uses them, and bounds of the regions in radians. A set that is "
-                "turned at random has no bounds."},
         {.key = "ldm.self_hits",
          .label = "Own entry found",
          .semantic = Semantic::probability,
@@ -78,7 +54,8 @@ MethodDescription description() {
              "Part of the directions in which an entry ahead of the tangent plane was taken for the point's "
              "own: where light may leak."},
     };
-    for (auto& output : explanation_outputs()) d.outputs.push_back(std::move(output));
+    for (const auto& part : {passes::ldm::map_outputs(), explanation_outputs()})
+        d.outputs.insert(d.outputs.end(), part.begin(), part.end());
     return d;
 }
 
@@ -86,20 +63,16 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
     const auto direct = passes::direct_light(builder, scene, gbuffer);
-    passes::ldm::Options options;
-    options.directions = parameters.directions;
-    options.resolution = parameters.resolution;
-    options.storage = parameters.storage;
-    options.builder = parameters.builder;
+    auto options = passes::ldm::options_of(parameters.maps);
     const auto& inputs = builder.inputs();
     if (parameters.progressive) options.rotation = passes::ldm::random_rotation(inputs.seed, inputs.frame);
     const auto maps = passes::ldm::declare_maps(builder, options);
     const auto images = declare_images(builder, parameters);
     std::optional<ExactHits> exact;
     if (parameters.exact != Exact::none) exact = declare_exact_hits(builder, *maps, parameters);
-    const auto chosen = chosen_maps(inputs.inspection, *maps);
-    const auto directions = show_directions(builder, maps);
-    const auto layers = declare_layers(builder, *maps);
+    const auto chosen = passes::ldm::chosen_maps(inputs.inspection, *maps);
+    const auto directions = passes::ldm::show_directions(builder, maps);
+    const auto layers = passes::ldm::declare_layers(builder, *maps);
     const auto points = passes::ldm::declare_points(builder, *maps, chosen);
     const auto explanation = declare_explanation(builder, *maps, chosen);
     for (int batch = 0; batch < maps->layout.batches(); ++batch) {
@@ -107,7 +80,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
         if (exact) trace_exact(builder, gbuffer, maps, batch, *exact, parameters.transport);
         trace(builder, gbuffer, maps, batch, images, exact ? &*exact : nullptr);
         trace_views(builder, gbuffer, maps, batch, images);
-        show_layers(builder, maps, batch, chosen, layers);
+        passes::ldm::show_layers(builder, maps, batch, chosen, layers);
         passes::ldm::find_points(builder, scene, maps, batch, points);
         explain(builder, gbuffer, maps, batch, directions, chosen, explanation);
     }

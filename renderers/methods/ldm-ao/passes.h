@@ -10,7 +10,7 @@
 
 namespace ir::methods::ldm_ao {
 
-using MapsPointer = std::shared_ptr<const passes::ldm::Maps>;
+using passes::ldm::MapsPointer;
 
 struct Images {
     graph::ImageRef sums;     ///< "ldm.sums" rg32f: Σ V cosθ, Σ cosθ

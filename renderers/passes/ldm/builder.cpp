@@ -18,6 +18,7 @@ Layout make_layout(graph::GraphBuilder& builder, const Options& options) {
     Layout layout;
     layout.resolution = options.resolution;
     layout.maps = options.directions;
+    layout.fixed_layers = options.fixed_layers;
     const int batches = builder.batches(options.directions);
     layout.batch_maps = (options.directions + batches - 1) / batches;
     const auto fitting = static_cast<int>(std::max<std::uint64_t>(1, chunk_texels / layout.map_texels()));

@@ -22,6 +22,7 @@ struct Options {
     int resolution = 200;
     StorageKind storage = StorageKind::arrays;
     BuilderKind builder = BuilderKind::compute;
+    int fixed_layers = 16;   ///< that each texel of a storage of fixed arrays has room for
     glm::dmat3 rotation{1};  ///< of the whole set of directions
 };
 
@@ -52,6 +53,8 @@ struct Maps {
     /// " 2 of 4" for names of passes, empty where there is one batch.
     std::string batch_name(int batch) const;
 };
+
+using MapsPointer = std::shared_ptr<const Maps>;
 
 /// Declares resources and the pass "map frames". Uses GraphBuilder::batches for the memory budget.
 std::shared_ptr<const Maps> declare_maps(graph::GraphBuilder& builder, const Options& options);

@@ -18,6 +18,8 @@ std::shared_ptr<const Storage> make_storage(graph::GraphBuilder& builder, Storag
             return std::make_shared<ListStorage>(builder, layout);
         case StorageKind::arrays:
             return std::make_shared<ArrayStorage>(builder, layout);
+        default:
+            break;
     }
     throw std::logic_error("unknown storage of layered depth maps");
 }

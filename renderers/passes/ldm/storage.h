@@ -11,15 +11,27 @@
 namespace ir::passes::ldm {
 
 /// Counts from 0 in the order of the choices of parameter "storage".
-enum class StorageKind { linked_lists, arrays };
+enum class StorageKind {
+    linked_lists,
+    arrays,
+    sparse_arrays,
+    packed_arrays,
+    lists_then_sort,
+    pages,
+    fixed_arrays,
+    fixed_arrays_presorted,
+    hash,
+    depth_peeling
+};
 
 /// How the maps of one direction set are divided. Maps are built in chunks (one after another, with the same
 /// scratch buffers) and, where memory is short, traced in batches that share the storage's buffers too.
 struct Layout {
     int resolution = 0;
-    int maps = 0;        ///< all
-    int batch_maps = 0;  ///< of a batch; the last one may have fewer
-    int chunk_maps = 0;  ///< of a chunk, at most 32
+    int maps = 0;          ///< all
+    int batch_maps = 0;    ///< of a batch; the last one may have fewer
+    int chunk_maps = 0;    ///< of a chunk, at most 32
+    int fixed_layers = 0;  ///< of fixed arrays
 
     int batches() const { return (maps + batch_maps - 1) / batch_maps; }
     std::uint64_t map_texels() const { return static_cast<std::uint64_t>(resolution) * resolution; }

@@ -114,7 +114,7 @@ void main() {
     float facing = dot(x.geometric_normal, frame.direction.xyz);
     bool above = forward ? facing > 0.0 : facing < 0.0;
     LdmBand band = ldm_band(params.self_hit == SELF_HIT_TANGENT_PLANE, frame, map, params.resolution, x.position,
-                            x.geometric_normal, facing > 0.0, self_hit_rule());
+                            x.geometric_normal, facing > 0.0, ldm_rule());
     Around around = Around(0, 0, false, false);
     if (!band.outside) {
         around = find_around(band, reach_quanta(frame));

@@ -72,11 +72,8 @@ void main() {
     float distance_ws = 0.0, contribution = 0.0;
     bool own = false;
     if (cosine != 0.0 && (forward ? facing > 0.0 : facing < 0.0)) {
-        LdmHit found = params.self_hit == SELF_HIT_TANGENT_PLANE
-                           ? ldm_trace_tangent(frame, gl_GlobalInvocationID.x, params.resolution, x.position,
-                                               x.geometric_normal, forward, reach_quanta(frame), self_hit_rule())
-                           : ldm_trace_offset(frame, gl_GlobalInvocationID.x, params.resolution, x.position,
-                                              x.geometric_normal, forward, reach_quanta(frame), self_hit_rule());
+        LdmHit found = ldm_trace(frame, gl_GlobalInvocationID.x, x.position, x.geometric_normal, forward,
+                                 reach_quanta(frame));
         hit = found.found ? HIT : MISS;
         own = found.own;
         distance_ws = found.found ? max(found.distance, 0.0) * frame.direction.w

@@ -3,6 +3,7 @@
 #include "passes/ldm/storage.glsl"
 #define LDM_VIEWS
 #include "passes/ldm/trace.glsl"
+#include "passes/ldm/self_hit.glsl"
 
 layout(binding = 0) uniform sampler2D position_texture;
 layout(binding = 1) uniform sampler2D normal_texture;
@@ -23,15 +24,8 @@ Surface explained_surface() {
                    normalize(texelFetch(normal_texture, pixel, 0).xyz), geometric_normal);
 }
 
-LdmRule self_hit_rule() {
-    return LdmRule(params.self_hit_tolerance, params.slope_tolerance, params.normal_offset, params.largest_dip);
-}
-
-/// Beyond any depth, but finite: distances are those of first hits also without a limit.
-const float FAR_QUANTA = 1e7;
-
 float reach_quanta(MapFrame frame) {
-    return params.max_distance > 0.0 ? params.max_distance / frame.direction.w : FAR_QUANTA;
+    return params.max_distance > 0.0 ? params.max_distance / frame.direction.w : LDM_FAR_QUANTA;
 }
 
 /// Metres to the end of what is drawn of a ray that hits nothing: d_max, or where it leaves the scene's bounds.

@@ -5,6 +5,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/ldm/frames.glsl"
 #include "passes/ldm/storage.glsl"
 #include "passes/ldm/trace.glsl"
+#include "passes/ldm/self_hit.glsl"
 #include "methods/ldm-ao/visibility.glsl"
 #ifdef EXACT_HITS
 #include "methods/ldm-ao/exact.glsl"
@@ -34,8 +35,6 @@ void main() {
     }
     vec3 position_ws = texelFetch(position_texture, pixel, 0).xyz;
     vec3 normal = normalize(texelFetch(normal_texture, pixel, 0).xyz);
-    LdmRule rule = LdmRule(params.self_hit_tolerance, params.slope_tolerance, params.normal_offset,
-                           params.largest_dip);
     const float unlimited = 1.0 / 0.0;
     for (uint i = 0u; i < map_count; ++i) {
         uint row = 6u * i;
@@ -58,14 +57,10 @@ void main() {
             continue;
         }
         LdmHit hit = ldm_trace_beyond(frame, first_map + i, params.resolution, position_ws, geometric_normal,
-                                      forward, reach, rule, exact_up_to / frame.direction.w,
+                                      forward, reach, ldm_rule(), exact_up_to / frame.direction.w,
                                       params.self_hit == SELF_HIT_TANGENT_PLANE);
 #else
-        LdmHit hit = params.self_hit == SELF_HIT_TANGENT_PLANE
-                         ? ldm_trace_tangent(frame, first_map + i, params.resolution, position_ws,
-                                             geometric_normal, forward, reach, rule)
-                         : ldm_trace_offset(frame, first_map + i, params.resolution, position_ws,
-                                            geometric_normal, forward, reach, rule);
+        LdmHit hit = ldm_trace(frame, first_map + i, position_ws, geometric_normal, forward, reach);
 #endif
 #ifdef LDM_VIEWS
         if (!hit.outside) sum += vec4(hit.own ? 1.0 : 0.0, 1.0, hit.own ? 0.0 : 1.0, hit.rejected);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "renderers/core/error.h"
-#include "renderers/methods/photon-mapping/dispatch_items.h"
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/photon-mapping/emission/texts.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/passes/scan/scan.h"
@@ -80,7 +80,7 @@ EmissionPoints declare_points(graph::GraphBuilder& builder, const Sources& sourc
     if (samples.paths > 0) samples.power_unit = sources.flux / static_cast<float>(samples.paths);
     const double reserved = std::ceil(static_cast<double>(parameters.reserve) * static_cast<double>(asked));
     samples.points =
-        builder.buffer({.text = text_of(point_outputs(), "photons.samples"),
+        builder.buffer({.text = graph::text_of(point_outputs(), "photons.samples"),
                         .kind = OutputKind::point_set,
                         .fields = sample_point_fields(),
                         .elements = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(reserved)),
@@ -90,7 +90,7 @@ EmissionPoints declare_points(graph::GraphBuilder& builder, const Sources& sourc
                                      .label = "Sample points",
                                      .doc = "Points of the emission sets that survive.",
                                      .growth_of = samples.points});
-    samples.sources = builder.buffer({.text = text_of(point_outputs(), "photons.sources"),
+    samples.sources = builder.buffer({.text = graph::text_of(point_outputs(), "photons.sources"),
                                       .fields = source_fields(),
                                       .elements = std::max<std::uint64_t>(1, sources.elements.size())});
     points.candidates = words(builder,
@@ -143,7 +143,7 @@ void find_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene
                 const auto& program = use_maps(p, "methods/photon-mapping/emission/points.comp", scene, rsm,
                                                maps, parameters, sources, points);
                 p.bind_buffer(4, points.survivors);
-                dispatch_items(program, slice.begin, slice.end);
+                gl::dispatch_items(program, slice.begin, slice.end);
             },
             first_slice);
     find_places(builder, points);
@@ -161,7 +161,7 @@ void find_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene
                 program.set("capacity", static_cast<unsigned>(p.capacity(points.samples.points)));
                 program.set("power_unit", points.samples.power_unit);
                 program.set("photons_per_point", static_cast<float>(points.samples.photons_per_point));
-                dispatch_items(program, slice.begin, slice.end);
+                gl::dispatch_items(program, slice.begin, slice.end);
             },
             first_slice);
 }

@@ -63,7 +63,7 @@ EmissionMaps haar_pyramid(graph::GraphBuilder& builder, graph::ImageRef map, int
     maps.levels = std::bit_width(static_cast<unsigned>(resolution)) - 1;
     maps.layers = layers;
     graph::ImageDesc desc;
-    desc.text = text_of(probability_outputs(), "emission.haar");
+    desc.text = graph::text_of(probability_outputs(), "emission.haar");
     desc.format = gl::Format::rgba32f;
     desc.extent = graph::Extent::fixed(resolution / 2, resolution / 2);
     desc.levels = maps.levels;
@@ -88,7 +88,7 @@ EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuff
         fingerprint << rsm.fingerprint << " model " << static_cast<int>(parameters.transport.materials)
                     << " from " << parameters.photon_near << " to " << parameters.photon_far;
     graph::ImageDesc desc;
-    desc.text = text_of(probability_outputs(), "emission.probability");
+    desc.text = graph::text_of(probability_outputs(), "emission.probability");
     desc.format = gl::Format::r32f;
     desc.extent = graph::Extent::fixed(rsm.resolution, rsm.resolution);
     desc.layers = rsm.layers;

@@ -157,7 +157,7 @@ Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const Sour
     if (!world.empty())
         rsm.fingerprint = world + " at " + std::to_string(rsm.resolution) + (lambert ? " opaque" : "") +
                           (parameters.transport.normal_maps ? " mapped" : "");
-    const auto text = [](const char* key) { return text_of(rsm_outputs(), key); };
+    const auto text = [](const char* key) { return graph::text_of(rsm_outputs(), key); };
     rsm.albedo_roughness = declare(builder, rsm, text("rsm.albedo_roughness"), gl::Format::rgba8);
     rsm.normal_metalness = declare(builder, rsm, text("rsm.normal_metalness"), gl::Format::rgba16f);
     rsm.depth = declare(builder, rsm, text("rsm.depth"), gl::Format::depth32f);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderers/core/condition.h"
-#include "renderers/methods/photon-mapping/output_text.h"
+#include "renderers/graph/output_text.h"
 
 namespace ir::methods::photon_mapping {
 

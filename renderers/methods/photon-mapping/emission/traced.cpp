@@ -1,6 +1,6 @@
 #include "renderers/methods/photon-mapping/emission/traced.h"
 
-#include "renderers/methods/photon-mapping/dispatch_items.h"
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/photon-mapping/emission/points.h"
 #include "renderers/passes/raytracing/trace_rays.h"
 #include "renderers/passes/scene/hit_surfaces.h"
@@ -35,7 +35,7 @@ struct Emitter {
     void make_rays(const PassContext& p, graph::Slice slice) const {
         const auto& program = use(p, {{"methods/photon-mapping/emission/rays.comp"}});
         program.set("bounds_radius", p.inputs().world->bounds.radius());
-        dispatch_items(program, slice.begin, slice.end);
+        gl::dispatch_items(program, slice.begin, slice.end);
     }
 
     const gl::Program& use_hits(const PassContext& p, bool packs) const {
@@ -53,7 +53,7 @@ struct Emitter {
     void find_survivors(const PassContext& p, graph::Slice slice) const {
         const auto& program = use_hits(p, false);
         p.bind_buffer(4, points.survivors);
-        dispatch_items(program, slice.begin, slice.end);
+        gl::dispatch_items(program, slice.begin, slice.end);
     }
 
     void pack(const PassContext& p, graph::Slice slice) const {
@@ -64,7 +64,7 @@ struct Emitter {
         program.set("power_unit", points.samples.power_unit);
         program.set("photons_per_point", static_cast<float>(points.samples.photons_per_point));
         program.set("bounds_radius", p.inputs().world->bounds.radius());
-        dispatch_items(program, slice.begin, slice.end);
+        gl::dispatch_items(program, slice.begin, slice.end);
     }
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderers/methods/photon-mapping/dispatch_items.h"
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/photon-mapping/emission/histogram.h"
 #include "renderers/methods/photon-mapping/emission/texts.h"
 
@@ -68,7 +68,7 @@ void show_samples(graph::GraphBuilder& builder, const Sources& sources, const Em
     const auto shown = shown_points(builder.inputs().inspection, sources, maps, points, false);
     const auto steps = static_cast<std::uint64_t>(shown.steps);
     const auto elements = (shown.points + shown.stride - 1) / shown.stride * steps;
-    const auto buffer = builder.buffer({.text = text_of(view_outputs(), "emission.samples"),
+    const auto buffer = builder.buffer({.text = graph::text_of(view_outputs(), "emission.samples"),
                                         .kind = OutputKind::point_set,
                                         .fields = {{"position", FieldType::f32, 3},
                                                    {source_selector, FieldType::u32},
@@ -94,7 +94,8 @@ void show_samples(graph::GraphBuilder& builder, const Sources& sources, const Em
             p.bind_counter(3, count);
             program.set("stride", static_cast<unsigned>(shown.stride));
             program.set("capacity", static_cast<unsigned>(p.capacity(buffer)));
-            dispatch_items(program, 0, static_cast<std::int64_t>(shown.points), "first_shown", "end_shown");
+            gl::dispatch_items(program, 0, static_cast<std::int64_t>(shown.points), "first_shown",
+                               "end_shown");
         });
 }
 
@@ -104,7 +105,7 @@ void show_picture(graph::GraphBuilder& builder, const Sources& sources, const Em
     shown.source = std::max(0, shown.source);
     const int size = std::max(least_picture, maps.resolution);
     graph::ImageDesc desc;
-    desc.text = text_of(view_outputs(), "emission.points");
+    desc.text = graph::text_of(view_outputs(), "emission.points");
     desc.format = gl::Format::rgba16f;
     desc.extent = graph::Extent::fixed(size, size);
     desc.layers = shown.steps;
@@ -121,7 +122,7 @@ void show_picture(graph::GraphBuilder& builder, const Sources& sources, const Em
             const auto& dots = use(p, "methods/photon-mapping/emission/show_points.comp", sources, maps,
                                    points, parameters, shown);
             p.bind_storage_image(0, image);
-            dispatch_items(dots, 0, static_cast<std::int64_t>(shown.points), "first_shown", "end_shown");
+            gl::dispatch_items(dots, 0, static_cast<std::int64_t>(shown.points), "first_shown", "end_shown");
         });
 }
 
@@ -138,7 +139,7 @@ void show_histogram(graph::GraphBuilder& builder, const Sources& sources, const 
                     const EmissionPoints& points, const Parameters& parameters) {
     const auto shown = shown_points(builder.inputs().inspection, sources, maps, points, false);
     const int source = std::max(0, shown.source);
-    const auto table = builder.buffer({.text = text_of(view_outputs(), "emission.histogram"),
+    const auto table = builder.buffer({.text = graph::text_of(view_outputs(), "emission.histogram"),
                                        .fields = {{"x", FieldType::i32},
                                                   {"y", FieldType::i32},
                                                   {"expected"},

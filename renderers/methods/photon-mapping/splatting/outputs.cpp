@@ -1,5 +1,5 @@
 #include "renderers/methods/photon-mapping/splatting/outputs.h"
-#include "renderers/methods/photon-mapping/output_text.h"
+#include "renderers/graph/output_text.h"
 
 #include <stdexcept>
 
@@ -58,7 +58,7 @@ std::vector<OutputDescription> splatting_outputs() {
 }
 
 graph::ResourceText text_of_output(const std::string& key) {
-    return text_of(splatting_outputs(), key);
+    return graph::text_of(splatting_outputs(), key);
 }
 
 }  // namespace ir::methods::photon_mapping

@@ -1,5 +1,5 @@
 #include "renderers/methods/photon-mapping/splatting/stored.h"
-#include "renderers/methods/photon-mapping/dispatch_items.h"
+#include "renderers/gl/dispatch_items.h"
 
 namespace ir::methods::photon_mapping {
 
@@ -41,7 +41,7 @@ PhotonRange photons_of(const graph::PassContext& context, const StoredPhotons& p
 void dispatch_photons(const graph::PassContext& context, const gl::Program& program,
                       const StoredPhotons& photons, graph::Slice slice) {
     const auto range = photons_of(context, photons, slice);
-    dispatch_items(program, static_cast<std::int64_t>(range.first), static_cast<std::int64_t>(range.end),
+    gl::dispatch_items(program, static_cast<std::int64_t>(range.first), static_cast<std::int64_t>(range.end),
                    "first", "end");
 }
 

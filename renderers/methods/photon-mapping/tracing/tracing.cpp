@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/photon-mapping/output_text.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/methods/photon-mapping/tracing/wavefront.h"
 
@@ -32,7 +32,7 @@ const std::vector<Field> location_fields{{"position", FieldType::f32, 3},
 
 graph::BufferDesc described(const std::string& key, OutputKind kind) {
     graph::BufferDesc desc;
-    desc.text = text_of(tracing_outputs(), key);
+    desc.text = graph::text_of(tracing_outputs(), key);
     desc.kind = kind;
     return desc;
 }
@@ -46,14 +46,15 @@ std::uint64_t reserved_photons(const SamplePoints& samples, const Parameters& pa
 Photons declare_photons(GraphBuilder& builder, const SamplePoints& samples, const Parameters& parameters) {
     Photons photons;
     photons.power_unit = samples.power_unit;
-    photons.records =
-        builder.buffer({.text = {.key = "photons.records",
-                                 .label = "Photons",
-                                 .doc = "As they are splatted, 32 bytes each, by bounce and path."},
-                        .fields = photon_fields(),
-                        .elements = reserved_photons(samples, parameters),
-                        .growable = true,
-                        .lower = "photons"});
+    graph::BufferDesc records;
+    records.text = {.key = "photons.records",
+                    .label = "Photons",
+                    .doc = "As they are splatted, 32 bytes each, by bounce and path."};
+    records.fields = photon_fields();
+    records.elements = reserved_photons(samples, parameters);
+    records.growable = true;
+    records.lower = "photons";
+    photons.records = builder.buffer(records);
     photons.count = builder.counter({.key = "photons.count",
                                      .label = "Photons stored",
                                      .doc = "On all bounces, without those that were culled.",

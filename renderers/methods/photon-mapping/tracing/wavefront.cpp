@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/photon-mapping/dispatch_items.h"
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/passes/scan/scan.h"
 #include "renderers/passes/scattering/microfacets.h"
@@ -120,7 +120,7 @@ void Wavefront::set_path_rules(const PassContext& context, const gl::Program& pr
 }
 
 void Wavefront::over_paths(const gl::Program& program, Slice slice) const {
-    dispatch_items(program, slice.begin, slice.end, "first_path", "end_path");
+    gl::dispatch_items(program, slice.begin, slice.end, "first_path", "end_path");
 }
 
 void Wavefront::leave(GraphBuilder& builder, const Photons& photons) const {

@@ -1,22 +1,22 @@
-#include "renderers/methods/ldm-ao/map_views.h"
+#include "renderers/passes/ldm/map_views.h"
 
 #include <array>
 #include <numbers>
 
+#include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
 
-namespace ir::methods::ldm_ao {
+namespace ir::passes::ldm {
 namespace {
 
-namespace ldm = passes::ldm;
 using graph::FieldType;
 
-bool is_turned(const ldm::Maps& maps) {
+bool is_turned(const Maps& maps) {
     return maps.options.rotation != glm::dmat3(1);
 }
 
 /// Elements of "ldm.directions" as words.
-std::vector<std::uint32_t> regions(const ldm::Maps& maps) {
+std::vector<std::uint32_t> regions(const Maps& maps) {
     using std::numbers::pi;
     std::vector<std::uint32_t> words;
     const auto add = [&](double value) {
@@ -42,13 +42,46 @@ std::vector<std::uint32_t> regions(const ldm::Maps& maps) {
 
 }  // namespace
 
-ldm::MapRange chosen_maps(const Inspection& inspection, const ldm::Maps& maps) {
+SelectorDescription map_selector_description() {
+    return {.key = map_selector,
+            .label = "Map",
+            .doc = "The layered depth map that is shown, and asked for the pixel.",
+            .count = "directions"};
+}
+
+std::vector<OutputDescription> map_outputs() {
+    return {
+        {.key = "ldm.layers",
+         .label = "Layers of a map",
+         .semantic = Semantic::count,
+         .doc = "Depths at each texel of the map chosen; of all maps the most.",
+         .explains = true},
+        {.key = "ldm.points",
+         .label = "Points of maps",
+         .kind = OutputKind::point_set,
+         .semantic = Semantic::position,
+         .unit = "m",
+         .doc = "All depths of the maps chosen, as points of the scene. normal: of the triangle, on the side "
+                "that sees its corners counter-clockwise. facing: 1 where that side looks to where the map "
+                "looks from, else -1. depth: metres along the map's direction, from the scene's near end. "
+                "layer: 0 is the first along that direction.",
+         .explains = true},
+        {.key = "ldm.directions",
+         .label = "Directions",
+         .kind = OutputKind::sphere_values,
+         .doc = "The partition of the sphere into 2N regions: each map's direction (side 1) and its opposite "
+                "(side -1), as this frame uses them, and bounds of the regions in radians. A set that is "
+                "turned at random has no bounds."},
+    };
+}
+
+MapRange chosen_maps(const Inspection& inspection, const Maps& maps) {
     const int item = inspection.item(map_selector);
     if (item == Inspection::all) return {0, maps.layout.maps};
     return {std::clamp(item, 0, maps.layout.maps - 1), 1};
 }
 
-std::vector<graph::Field> region_fields(const ldm::Maps& maps) {
+std::vector<graph::Field> region_fields(const Maps& maps) {
     std::vector<graph::Field> fields{{"centre", FieldType::f32, 3}};
     if (!is_turned(maps)) {
         fields.push_back({"colatitude", FieldType::f32, 2});
@@ -61,14 +94,7 @@ std::vector<graph::Field> region_fields(const ldm::Maps& maps) {
 
 graph::BufferRef show_directions(graph::GraphBuilder& builder, MapsPointer maps) {
     graph::BufferDesc desc;
-    desc.text.key = "ldm.directions";
-    desc.text.label = "Directions";
-    desc.text.doc =
-        "Two elements per map: its direction v (side 1) and -v (side -1), as this frame uses them. Bounds of "
-        "the "
-        "regions in radians: colatitude from +Y, longitude from +X towards +Z; missing where the set is "
-        "turned "
-        "at random.";
+    desc.text = graph::text_of(map_outputs(), "ldm.directions");
     desc.kind = OutputKind::sphere_values;
     desc.fields = region_fields(*maps);
     desc.elements = 2 * maps->directions.size();
@@ -79,24 +105,21 @@ graph::BufferRef show_directions(graph::GraphBuilder& builder, MapsPointer maps)
     return buffer;
 }
 
-graph::ImageRef declare_layers(graph::GraphBuilder& builder, const ldm::Maps& maps) {
-    return builder.image({.text = {.key = "ldm.layers",
-                                   .label = "Layers of a map",
-                                   .doc = "Depths at each texel of the map chosen; of all maps the most.",
-                                   .semantic = Semantic::count},
+graph::ImageRef declare_layers(graph::GraphBuilder& builder, const Maps& maps) {
+    return builder.image({.text = graph::text_of(map_outputs(), "ldm.layers"),
                           .format = gl::Format::r32ui,
                           .extent = graph::Extent::fixed(maps.layout.resolution, maps.layout.resolution)});
 }
 
-void show_layers(graph::GraphBuilder& builder, MapsPointer maps, int batch, ldm::MapRange shown,
+void show_layers(graph::GraphBuilder& builder, MapsPointer maps, int batch, MapRange shown,
                  graph::ImageRef layers) {
     const auto range = shown.in_batch(*maps, batch);
     if (range.count == 0) return;
     auto pass = builder.pass("layers" + maps->batch_name(batch));
-    ldm::reads_maps(pass, *maps);
+    reads_maps(pass, *maps);
     pass.writes(layers).execute([=](graph::PassContext& context) {
-        gl::ProgramSource source{{"methods/ldm-ao/layers.comp"}};
-        source.defines = ldm::bind_maps(context, *maps, 0, 1);
+        gl::ProgramSource source{{"passes/ldm/layers.comp"}};
+        source.defines = bind_maps(context, *maps, 0, 1);
         context.bind_storage_image(0, layers);
         const auto& program = context.program(source);
         program.use();
@@ -110,4 +133,4 @@ void show_layers(graph::GraphBuilder& builder, MapsPointer maps, int batch, ldm:
     });
 }
 
-}  // namespace ir::methods::ldm_ao
+}  // namespace ir::passes::ldm

@@ -6,9 +6,9 @@
 #include "renderers/core/output.h"
 #include "renderers/graph/resource.h"
 
-namespace ir::methods::photon_mapping {
+namespace ir::graph {
 
 /// What the output of this key says about itself, for the resource that holds it.
-graph::ResourceText text_of(const std::vector<OutputDescription>& outputs, const std::string& key);
+ResourceText text_of(const std::vector<OutputDescription>& outputs, const std::string& key);
 
-}  // namespace ir::methods::photon_mapping
+}  // namespace ir::graph

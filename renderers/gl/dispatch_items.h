@@ -5,11 +5,11 @@
 
 #include "renderers/gl/program.h"
 
-namespace ir::methods::photon_mapping {
+namespace ir::gl {
 
 /// Runs a compute program in use for the items [begin, end), an invocation each, which it is told by the
 /// uniforms `first` and `end_name`. In parts, as devices need not take more than 65,535 groups at once.
-inline void dispatch_items(const gl::Program& program, std::int64_t begin, std::int64_t end,
+inline void dispatch_items(const Program& program, std::int64_t begin, std::int64_t end,
                            const char* first = "first_item", const char* end_name = "end_item") {
     constexpr std::int64_t most_at_once = std::int64_t{1} << 21;
     for (; begin < end; begin += most_at_once) {
@@ -20,4 +20,4 @@ inline void dispatch_items(const gl::Program& program, std::int64_t begin, std::
     }
 }
 
-}  // namespace ir::methods::photon_mapping
+}  // namespace ir::gl

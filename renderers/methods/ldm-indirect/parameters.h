@@ -1,0 +1,39 @@
+#pragma once
+
+#include "renderers/core/transport.h"
+#include "renderers/passes/ldm/parameters.h"
+
+namespace ir::methods::ldm_indirect {
+
+enum class Footprint { published, widened };
+enum class Splatting { quads, tiles, image_atomics };
+enum class DirectBy { rasterisation, photons };
+
+/// Groups stand in the order of the pipeline; each is described in the file that is named beside it.
+struct Parameters {
+    // parameters.cpp
+    passes::ldm::MapParameters maps;
+    Transport transport{.paths = Transport::Paths::full};
+
+    // tracing/parameters.cpp
+    int emission = 64;  ///< pixels along a side of a light's image
+    Footprint footprint = Footprint::widened;
+    bool reject_hidden = true;            ///< photons whose centre the camera does not see
+    float visibility_tolerance = 0.005f;  ///< of the distance to the eye
+    float reserve = 0.25f;                ///< part of the photons that memory is reserved for at first
+
+    // splatting/parameters.cpp
+    Splatting splatting = Splatting::quads;
+    float splat_size = 1;            ///< s: scales a footprint's axes
+    float topological_bias = 1;      ///< a'
+    float least_axis_pixels = 0.5f;  ///< shorter axes are made so long, in pixels at the photon
+    float greatest_axis = 0.25f;     ///< longer axes are cut to this part of the radius of the scene's bounds
+    DirectBy direct = DirectBy::rasterisation;
+};
+
+ParameterTable<Parameters> parameter_table();
+
+void add_tracing_parameters(ParameterTable<Parameters>& table);
+void add_splatting_parameters(ParameterTable<Parameters>& table);
+
+}  // namespace ir::methods::ldm_indirect

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "renderers/core/parameter.h"
+#include "renderers/passes/ldm/builder.h"
+
+namespace ir::passes::ldm {
+
+/// Counts from 0 in the order of the choices of parameter "self_hit".
+enum class SelfHit { tangent_plane, normal_offset };
+
+/// What every method that asks layered depth maps lets people choose.
+struct MapParameters {
+    int directions = 128;
+    int resolution = 200;
+    StorageKind storage = StorageKind::arrays;
+    int fixed_layers = 16;
+    BuilderKind builder = BuilderKind::compute;
+    SelfHit self_hit = SelfHit::tangent_plane;
+    float self_hit_tolerance = 3;
+    float slope_tolerance = 0.35f;
+    float largest_dip = 1;
+    float normal_offset = 1;
+};
+
+/// Directions, resolution, storage and builder.
+ParameterTable<MapParameters> map_parameters();
+/// The self-hit rule: what shaders/passes/ldm/self_hit.glsl reads.
+ParameterTable<MapParameters> self_hit_parameters();
+
+Options options_of(const MapParameters& parameters);
+
+}  // namespace ir::passes::ldm
