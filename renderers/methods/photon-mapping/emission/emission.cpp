@@ -2,6 +2,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/methods/photon-mapping/emission/points.h"
+#include "renderers/methods/photon-mapping/emission/texts.h"
 #include "renderers/methods/photon-mapping/emission/traced.h"
 #include "renderers/methods/photon-mapping/emission/views.h"
 
@@ -25,7 +26,13 @@ SamplePoints emit_from_rsm(graph::GraphBuilder& builder, const passes::SceneBuff
     const auto& inputs = builder.inputs();
     const auto sources = layers_of_lights(*inputs.scene, *inputs.world, texels(parameters.rsm_resolution));
     for (const auto& note : sources.notes()) builder.note(note);
-    const auto rsm = draw_rsm(builder, scene, sources, parameters);
+    const auto rsm =
+        passes::draw_rsm(builder, scene,
+                         {.views = sources.views,
+                          .resolution = texels(parameters.rsm_resolution),
+                          .opaque_only = parameters.transport.materials == Transport::Materials::lambert,
+                          .normal_maps = parameters.transport.normal_maps,
+                          .depth_prepass = parameters.depth_prepass});
     const auto maps = emission_maps(builder, scene, rsm, parameters);
     auto points = declare_points(builder, sources, parameters);
     divide_points(builder, sources, points, &maps, parameters);
@@ -44,7 +51,7 @@ SamplePoints emit(graph::GraphBuilder& builder, const passes::SceneBuffers& scen
 }
 
 std::vector<OutputDescription> emission_outputs() {
-    auto outputs = rsm_outputs();
+    auto outputs = passes::rsm_outputs(from_rsm());
     for (const auto& more : {probability_outputs(), point_outputs(), view_outputs()})
         outputs.insert(outputs.end(), more.begin(), more.end());
     return outputs;

@@ -47,7 +47,7 @@ void divide(const PassContext& p, const Sources& sources, const EmissionPoints& 
 
 /// What both steps over the points of an RSM bind.
 const gl::Program& use_maps(const PassContext& p, const char* file, const passes::SceneBuffers& scene,
-                            const Rsm& rsm, const EmissionMaps& maps, const Parameters& parameters,
+                            const passes::Rsm& rsm, const EmissionMaps& maps, const Parameters& parameters,
                             const Sources& sources, const EmissionPoints& points) {
     gl::ProgramSource source{{file}};
     const bool warps = parameters.emission == Emission::importance;
@@ -55,7 +55,7 @@ const gl::Program& use_maps(const PassContext& p, const char* file, const passes
     source.defines["PRINTED_POWER"] = warps && parameters.power_scaling == PowerScaling::printed ? "1" : "0";
     const auto& program = p.program(source);
     program.use();
-    bind_rsm(p, rsm, scene);
+    passes::bind_rsm(p, rsm, scene);
     p.bind_buffer(2, points.samples.sources);
     p.bind_buffer(3, points.candidates);
     p.bind_texture(3, maps.probability);
@@ -127,10 +127,10 @@ void find_places(graph::GraphBuilder& builder, EmissionPoints& points) {
 }
 
 void find_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Sources& sources,
-                 const Rsm& rsm, const EmissionMaps& maps, EmissionPoints& points,
+                 const passes::Rsm& rsm, const EmissionMaps& maps, EmissionPoints& points,
                  const Parameters& parameters) {
     const auto reads = [&](graph::PassBuilder& pass) {
-        reads_rsm(pass, rsm, scene);
+        passes::reads_rsm(pass, rsm, scene);
         pass.reads(maps.probability, maps.haar, points.samples.sources);
     };
     const auto items = static_cast<std::int64_t>(points.count);

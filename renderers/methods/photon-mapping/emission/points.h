@@ -27,7 +27,7 @@ void divide_points(graph::GraphBuilder& builder, const Sources& sources, const E
 /// The passes "emission points", which warps them and plays roulette, and "sample points", which packs the
 /// survivors.  [Smal19 §5.3.2-5.3.3]
 void find_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Sources& sources,
-                 const Rsm& rsm, const EmissionMaps& maps, EmissionPoints& points,
+                 const passes::Rsm& rsm, const EmissionMaps& maps, EmissionPoints& points,
                  const Parameters& parameters);
 
 /// Declares the scan that packs survivors in the order of their seeds.

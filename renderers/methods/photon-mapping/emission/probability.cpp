@@ -14,11 +14,11 @@ using graph::PassContext;
 constexpr int small_size = 32;
 constexpr int small_levels = 5;  ///< 2^5 = small_size
 
-void find_probabilities(const PassContext& p, const passes::SceneBuffers& scene, const Rsm& rsm,
+void find_probabilities(const PassContext& p, const passes::SceneBuffers& scene, const passes::Rsm& rsm,
                         graph::ImageRef map, const Parameters& parameters, graph::Slice slice) {
     const auto& program = p.program({{"methods/photon-mapping/emission/probability.comp"}});
     program.use();
-    bind_rsm(p, rsm, scene);
+    passes::bind_rsm(p, rsm, scene);
     p.bind_storage_image(0, map);
     set_surface_rules(program, parameters);
     program.set("first_layer", static_cast<int>(slice.begin));
@@ -80,8 +80,8 @@ EmissionMaps haar_pyramid(graph::GraphBuilder& builder, graph::ImageRef map, int
     return maps;
 }
 
-EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Rsm& rsm,
-                           const Parameters& parameters) {
+EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                           const passes::Rsm& rsm, const Parameters& parameters) {
     std::ostringstream fingerprint;
     fingerprint.precision(9);
     if (!rsm.fingerprint.empty())
@@ -95,7 +95,7 @@ EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuff
     desc.fingerprint = fingerprint.str();
     const auto map = builder.image(std::move(desc));
     auto pass = builder.pass("emission probability");
-    reads_rsm(pass, rsm, scene);
+    passes::reads_rsm(pass, rsm, scene);
     pass.writes(map).execute_sliced(
         rsm.layers,
         [=](PassContext& p, graph::Slice slice) {

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "renderers/methods/photon-mapping/emission/rsm.h"
+#include "renderers/methods/photon-mapping/emission/sources.h"
+#include "renderers/methods/photon-mapping/parameters.h"
+#include "renderers/passes/rsm/rsm.h"
 
 namespace ir::methods::photon_mapping {
 
@@ -14,8 +16,8 @@ struct EmissionMaps {
 };
 
 /// Declares the passes "emission probability", "Haar pyramid" and "Haar pyramid, last levels".
-EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Rsm& rsm,
-                           const Parameters& parameters);
+EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                           const passes::Rsm& rsm, const Parameters& parameters);
 
 /// The pyramid of any map whose sides are a power of two, at least 2 texels.  [Smal19 §5.3.1.2]
 EmissionMaps haar_pyramid(graph::GraphBuilder& builder, graph::ImageRef map, int resolution, int layers,

@@ -1,4 +1,4 @@
-// Reading an RSM, as renderers/methods/photon-mapping/emission/rsm.h binds it: what a texel shows, and how
+// Reading an RSM, as renderers/passes/rsm/rsm.h binds it: what a texel shows, and how
 // much light goes there.
 
 // The RSM's depth has the form of shadow maps.

@@ -1,6 +1,6 @@
 // The shadow map at the RSM's resolution.  [Smal19 §5.1]
 
-#include "methods/photon-mapping/emission/rsm_texel.glsl"
+#include "passes/rsm/texel.glsl"
 
 void main() {
     if (!texel_is_covered()) discard;

@@ -1,6 +1,6 @@
 // Writes what the light sees at the texel's centre.  [Smal19 §5.1]
 
-#include "methods/photon-mapping/emission/rsm_texel.glsl"
+#include "passes/rsm/texel.glsl"
 
 layout(binding = 0) uniform sampler2D base_colour_texture;
 layout(binding = 1) uniform sampler2D metallic_roughness_texture;
@@ -28,6 +28,9 @@ layout(location = 10) in vec2 transmission_uv;
 
 layout(location = 0) out vec4 albedo_roughness;
 layout(location = 1) out vec4 normal_metalness;
+#ifdef GEOMETRIC_NORMAL
+layout(location = 2) out vec4 triangle_normal;
+#endif
 
 /// Derivatives were taken before fragments behind others left.
 struct Footprint {
@@ -79,6 +82,9 @@ void main() {
 
     vec3 geometric_normal_ws =
         dot(plane_normal_ws, texel_direction()) > 0.0 ? -plane_normal_ws : plane_normal_ws;
+#ifdef GEOMETRIC_NORMAL
+    triangle_normal = vec4(geometric_normal_ws, 0.0);
+#endif
     albedo_roughness = vec4(base_colour, metallic_roughness.y);
     normal_metalness = vec4(shading_normal(mapped_normal(material, normal_footprint), geometric_normal_ws),
                             (scatters ? 1.0 : -1.0) * (1.0 + clamp(metallic_roughness.x, 0.0, 1.0)));

@@ -1,22 +1,19 @@
-#include "renderers/methods/photon-mapping/emission/rsm.h"
+#include "renderers/passes/rsm/rsm.h"
 
 #include <algorithm>
 
-#include "renderers/methods/photon-mapping/emission/texts.h"
+#include "renderers/graph/output_text.h"
 
-namespace ir::methods::photon_mapping {
+namespace ir::passes {
 namespace {
 
 using graph::PassContext;
 using graph::Slice;
-using passes::SceneBuffers;
 
-/// As far as shaders care: the transport's lambert makes everything opaque.
 struct Drawing {
     SceneBuffers scene;
     Rsm rsm;
-    std::vector<passes::ShadowViewData> views;
-    bool lambert, normal_maps, depth_prepass;
+    RsmOptions options;
 };
 
 graph::ImageRef declare(graph::GraphBuilder& builder, const Rsm& rsm, graph::ResourceText text,
@@ -58,7 +55,7 @@ int bind_textures(const PassContext& p, const SceneBuffers& s, const scene::Mate
     return bound;
 }
 
-void set_view(const gl::Program& program, const passes::ShadowViewData& view, int resolution) {
+void set_view(const gl::Program& program, const ShadowViewData& view, int resolution) {
     program.use();
     program.set("clip_from_world", view.clip_from_world);
     program.set("view_origin_ws", view.origin);
@@ -89,39 +86,41 @@ void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, 
         p.bind_framebuffer({}, &depth);
         const float far = 1;
         p.api().ClearBufferfv(GL_DEPTH, 0, &far);
-        if (static_cast<std::size_t>(layer) >= d.views.size()) continue;
-        const auto& program = p.program(
-            {{"methods/photon-mapping/emission/rsm.vert", "methods/photon-mapping/emission/rsm_depth.frag"}});
-        set_view(program, d.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
+        if (static_cast<std::size_t>(layer) >= d.options.views.size()) continue;
+        const auto& program = p.program({{"passes/rsm/rsm.vert", "passes/rsm/depth.frag"}});
+        set_view(program, d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
         draw_ranges(p, d, program, false);
     }
     p.api().Disable(GL_DEPTH_TEST);
 }
 
 void draw_surfaces(const PassContext& p, const Drawing& d, graph::ImageRef prepass, Slice slice) {
-    if (slice.first) p.upload(d.rsm.views, std::as_bytes(std::span(d.views)));
+    if (slice.first) p.upload(d.rsm.views, std::as_bytes(std::span(d.options.views)));
     bind_scene(p, d.scene);
     p.bind_empty_vertex_array();
     p.api().Enable(GL_DEPTH_TEST);
     for (auto layer = slice.begin; layer < slice.end; ++layer) {
         const int index = static_cast<int>(layer);
         const PassContext::Attachment depth{d.rsm.depth, index};
-        p.bind_framebuffer({{d.rsm.albedo_roughness, index}, {d.rsm.normal_metalness, index}}, &depth);
+        std::vector<PassContext::Attachment> colours{{d.rsm.albedo_roughness, index},
+                                                     {d.rsm.normal_metalness, index}};
+        if (d.options.geometric_normal) colours.push_back({d.rsm.geometric_normal, index});
+        p.bind_framebuffer(colours, &depth);
         const float zero[4] = {0, 0, 0, 0}, far = 1;
-        for (int i = 0; i < 2; ++i) p.api().ClearBufferfv(GL_COLOR, i, zero);
+        for (int i = 0; i < static_cast<int>(colours.size()); ++i) p.api().ClearBufferfv(GL_COLOR, i, zero);
         p.api().ClearBufferfv(GL_DEPTH, 0, &far);
-        if (static_cast<std::size_t>(layer) >= d.views.size()) continue;
-        gl::ProgramSource source{
-            {"methods/photon-mapping/emission/rsm.vert", "methods/photon-mapping/emission/rsm.frag"}};
-        if (d.depth_prepass) {
+        if (static_cast<std::size_t>(layer) >= d.options.views.size()) continue;
+        gl::ProgramSource source{{"passes/rsm/rsm.vert", "passes/rsm/rsm.frag"}};
+        if (d.options.depth_prepass) {
             source.defines["DEPTH_PREPASS"] = "1";
             p.bind_texture(4, prepass);
         }
+        if (d.options.geometric_normal) source.defines["GEOMETRIC_NORMAL"] = "1";
         const auto& program = p.program(source);
-        set_view(program, d.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
-        program.set("normal_maps", d.normal_maps ? 1 : 0);
-        program.set("opaque_only", d.lambert ? 1 : 0);
-        if (d.depth_prepass) program.set("layer", index);
+        set_view(program, d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
+        program.set("normal_maps", d.options.normal_maps ? 1 : 0);
+        program.set("opaque_only", d.options.opaque_only ? 1 : 0);
+        if (d.options.depth_prepass) program.set("layer", index);
         draw_ranges(p, d, program, true);
     }
     p.api().Disable(GL_DEPTH_TEST);
@@ -145,37 +144,37 @@ graph::ImageRef draw_depth_first(graph::GraphBuilder& builder, const Drawing& dr
 
 }  // namespace
 
-Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const Sources& sources,
-             const Parameters& parameters) {
-    static_assert(sizeof(passes::ShadowViewData) == 128, "equals its std430 twin");
-    const bool lambert = parameters.transport.materials == Transport::Materials::lambert;
+Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmOptions& options) {
+    static_assert(sizeof(ShadowViewData) == 128, "equals its std430 twin");
     Rsm rsm;
-    rsm.resolution = texels(parameters.rsm_resolution);
-    rsm.views_drawn = static_cast<int>(sources.views.size());
+    rsm.resolution = options.resolution;
+    rsm.views_drawn = static_cast<int>(options.views.size());
     rsm.layers = std::max(1, rsm.views_drawn);
     const auto& world = builder.inputs().world_fingerprint;
     if (!world.empty())
-        rsm.fingerprint = world + " at " + std::to_string(rsm.resolution) + (lambert ? " opaque" : "") +
-                          (parameters.transport.normal_maps ? " mapped" : "");
-    const auto text = [](const char* key) { return graph::text_of(rsm_outputs(), key); };
+        rsm.fingerprint = world + " at " + std::to_string(rsm.resolution) +
+                          (options.opaque_only ? " opaque" : "") + (options.normal_maps ? " mapped" : "");
+    const auto text = [](const char* key) { return graph::text_of(rsm_outputs({}, true), key); };
     rsm.albedo_roughness = declare(builder, rsm, text("rsm.albedo_roughness"), gl::Format::rgba8);
     rsm.normal_metalness = declare(builder, rsm, text("rsm.normal_metalness"), gl::Format::rgba16f);
+    if (options.geometric_normal)
+        rsm.geometric_normal = declare(builder, rsm, text("rsm.geometric_normal"), gl::Format::rgba32f);
     rsm.depth = declare(builder, rsm, text("rsm.depth"), gl::Format::depth32f);
     graph::BufferDesc views;
     views.text = {"rsm.views", "Views of the RSM"};
-    views.fields = passes::shadow_view_fields();
+    views.fields = shadow_view_fields();
     views.elements = static_cast<std::uint64_t>(rsm.layers);
     views.fingerprint = rsm.fingerprint;
     rsm.views = builder.buffer(views);
 
-    const Drawing drawing{
-        scene, rsm, sources.views, lambert, parameters.transport.normal_maps, parameters.depth_prepass};
+    const Drawing drawing{scene, rsm, options};
     graph::ImageRef prepass;
-    if (drawing.depth_prepass) prepass = draw_depth_first(builder, drawing);
+    if (options.depth_prepass) prepass = draw_depth_first(builder, drawing);
     auto pass = builder.pass("RSM");
     reads_scene(pass, scene);
     for (const auto texture : scene.textures) pass.reads(texture);
-    if (drawing.depth_prepass) pass.reads(prepass);
+    if (options.depth_prepass) pass.reads(prepass);
+    if (options.geometric_normal) pass.writes(rsm.geometric_normal);
     pass.writes(rsm.albedo_roughness, rsm.normal_metalness, rsm.depth, rsm.views)
         .execute_sliced(
             rsm.layers, [=](PassContext& p, Slice slice) { draw_surfaces(p, drawing, prepass, slice); }, 1);
@@ -194,15 +193,15 @@ void bind_rsm(const PassContext& context, const Rsm& rsm, const SceneBuffers& sc
     context.bind_texture(2, rsm.depth);
 }
 
-std::vector<OutputDescription> rsm_outputs() {
+std::vector<OutputDescription> rsm_outputs(const Condition& active_when, bool geometric_normal) {
     const std::string layers = " One layer per spot or directional light, six per point light.";
-    return {
+    std::vector<OutputDescription> outputs{
         {.key = "rsm.albedo_roughness",
          .label = "RSM: base colour",
          .kind = OutputKind::stack,
          .semantic = Semantic::albedo,
          .doc = "What the light sees: linear base colour; a: roughness. 0 where there is nothing." + layers,
-         .active_when = from_rsm()},
+         .active_when = active_when},
         {.key = "rsm.normal_metalness",
          .label = "RSM: normal",
          .kind = OutputKind::stack,
@@ -210,13 +209,24 @@ std::vector<OutputDescription> rsm_outputs() {
          .doc = "Shading normal in world space, on the light's side; a: 1 + metalness, negative where "
                 "nothing is scattered (glass, unlit surfaces), 0 where there is nothing." +
                 layers,
-         .active_when = from_rsm()},
+         .active_when = active_when},
         {.key = "rsm.depth",
          .label = "RSM: depth",
          .kind = OutputKind::stack,
          .semantic = Semantic::depth,
          .doc = "Depth along the map's axis over its far distance." + layers,
-         .active_when = from_rsm()}};
+         .active_when = active_when}};
+    if (geometric_normal)
+        outputs.push_back(
+            {.key = "rsm.geometric_normal",
+             .label = "RSM: geometric normal",
+             .kind = OutputKind::stack,
+             .semantic = Semantic::normal,
+             .doc = "Normal of the triangle's plane in world space, on the light's side; 0 where "
+                    "there is nothing." +
+                    layers,
+             .active_when = active_when});
+    return outputs;
 }
 
-}  // namespace ir::methods::photon_mapping
+}  // namespace ir::passes

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderers/graph/builder.h"
+#include "renderers/graph/pass_context.h"
+#include "renderers/passes/scene/scene_buffers.h"
+#include "renderers/passes/shadow/shadow_views.h"
+
+namespace ir::passes {
+
+struct RsmOptions {
+    std::vector<ShadowViewData> views;  ///< a layer each
+    int resolution = 256;               ///< texels along a side
+    bool opaque_only = false;           ///< transmission is ignored
+    bool normal_maps = true;
+    bool depth_prepass = false;     ///< what lies behind a depth that is drawn first is not shaded
+    bool geometric_normal = false;  ///< keeps the normals of triangles, too
+};
+
+/// Reflective shadow maps: what each light sees, one layer per shadow view. Empty texels are 0.
+/// [Smal19 §5.1]
+struct Rsm {
+    graph::ImageRef albedo_roughness;  ///< "rsm.albedo_roughness" rgba8: linear base colour, roughness
+    graph::ImageRef normal_metalness;  ///< "rsm.normal_metalness" rgba16f: shading normal on the light's
+                                       ///< side; w: 1 + metalness, negative where nothing is scattered
+    graph::ImageRef geometric_normal;  ///< "rsm.geometric_normal" rgba32f: of the triangle's plane, on the
+                                       ///< light's side; invalid where it was not asked for
+    graph::ImageRef depth;             ///< "rsm.depth" depth32f: as "shadow.maps"
+    graph::BufferRef views;            ///< "rsm.views": a ShadowViewData for each layer
+    int resolution = 0, layers = 0;    ///< without views one empty layer
+    int views_drawn = 0;               ///< layers that have a view
+    std::string fingerprint;           ///< of the contents
+};
+
+/// Declares the pass "RSM" (and "RSM depth"), which draw only when world, resolution or materials change.
+Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmOptions& options);
+
+/// Binds views to buffer 0, lights to buffer 1, albedo, normal and depth to textures 0 to 2. Passes that do
+/// must read all five.
+void reads_rsm(graph::PassBuilder& pass, const Rsm& rsm, const SceneBuffers& scene);
+void bind_rsm(const graph::PassContext& context, const Rsm& rsm, const SceneBuffers& scene);
+
+std::vector<OutputDescription> rsm_outputs(const Condition& active_when = {}, bool geometric_normal = false);
+
+}  // namespace ir::passes
