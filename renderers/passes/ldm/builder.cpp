@@ -79,7 +79,10 @@ void declare_counters(graph::GraphBuilder& builder, Maps& maps) {
                                       .doc = "Made by rasterising the scene into all maps."});
     maps.kept = builder.counter({.key = "ldm.nodes", .label = "Nodes", .doc = "Depths in all maps."});
     maps.dropped = builder.counter(
-        {.key = "ldm.dropped", .label = "Dropped fragments", .doc = "Beyond 60,000 layers at one texel."});
+        {.key = "ldm.dropped",
+         .label = "Dropped fragments",
+         .doc =
+             "Beyond 60,000 layers at one texel, or beyond the layers that a storage of fixed arrays has."});
     maps.texels = builder.counter({.key = "ldm.texels", .label = "Texels", .doc = "Of all maps."});
     maps.bytes = builder.counter({.key = "ldm.bytes",
                                   .label = "Memory of maps",
@@ -92,12 +95,16 @@ class BatchBuild {
     BatchBuild(const SceneBuffers& scene, std::shared_ptr<const Maps> maps, int batch)
         : scene_(scene), maps_(std::move(maps)), batch_(batch) {}
 
+    /// Per chunk; one where there is no triangle, so that the maps become empty.
+    static std::int64_t items(const scene::World& world) {
+        return std::max<std::int64_t>(1, static_cast<std::int64_t>(world.triangles()));
+    }
     std::int64_t chunks() const {
         return (maps_->batch_maps(batch_) + maps_->layout.chunk_maps - 1) / maps_->layout.chunk_maps;
     }
 
     void run(const graph::PassContext& context, const graph::Slice& slice) const {
-        const auto triangles = static_cast<std::int64_t>(context.inputs().world->triangles());
+        const auto triangles = items(*context.inputs().world);
         if (slice.first) {
             context.clear(maps_->list.state);
             maps_->storage->begin_batch(context);
@@ -123,6 +130,7 @@ class BatchBuild {
     void rasterise(const graph::PassContext& context, const Chunk& chunk, std::int64_t first,
                    std::int64_t end) const {
         if (first == 0 && maps_->list.counts.index >= 0) context.clear(maps_->list.counts);
+        end = std::min(end, static_cast<std::int64_t>(context.inputs().world->triangles()));
         bind_rasteriser(context, scene_, *maps_);
         const int first_map = maps_->first_map(batch_) + chunk.first_map;
         if (maps_->options.builder == BuilderKind::raster)
@@ -218,7 +226,7 @@ void build_maps(graph::GraphBuilder& builder, const SceneBuffers& scene, std::sh
     for (const auto counter : {maps->fragments_asked, maps->large_asked, maps->generated, maps->kept,
                                maps->dropped, maps->texels, maps->bytes})
         if (counter.index >= 0) pass.counts(counter);
-    const auto triangles = static_cast<std::int64_t>(builder.inputs().world->triangles());
+    const auto triangles = BatchBuild::items(*builder.inputs().world);
     const auto build = std::make_shared<BatchBuild>(scene, maps, batch);
     pass.execute_sliced(
         build->chunks() * triangles,

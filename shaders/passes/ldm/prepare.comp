@@ -26,10 +26,11 @@ void main() {
     atomicAdd(generated, fragment_count);
     atomicAdd(all_dropped, dropped);
     atomicAdd(kept, chunk_total);
-    atomicAdd(bytes, chunk_total * fragment_bytes);
+    atomicAdd(bytes, chunk_total * fragment_bytes + chunk_bytes);
     asked += fragment_count;
     stored += chunk_total;
     dropped = 0u;
+    chunk_bytes = 0u;
     fragment_count = 0u;
     large_count = 0u;
     deep_texels = 0u;

@@ -8,7 +8,7 @@ layout(std430, binding = LDM_STATE) coherent buffer LdmState {
     uint chunk_total;         // fragments of the chunk that are kept
     uint most_layers;         // of any texel so far
     uint dropped;             // fragments left out because their texel is deeper than MOST_LAYERS
-    uint unused;
+    uint chunk_bytes;         // that the chunk's maps take besides those per fragment and per texel
     uint fragment_groups[4];  // for indirect dispatches over fragments,
     uint large_groups[4];     // strips of large triangles,
     uint deep_groups[4];      // texels with more than FEW_LAYERS,

