@@ -1,3 +1,6 @@
+#include <unistd.h>
+
+#include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -32,26 +35,73 @@ int run_plots(ProjectPlots job, const MachineFlags& machine, bool json) {
     return plot_project(job);
 }
 
+struct Flags {
+    MachineFlags machine;
+    std::string name, scene, eye, target, size, csv;
+    std::vector<std::string> variants;
+    ProjectPlots plots;
+    int repeats = 5;
+    bool json = false;
+};
+
+engine::BenchmarkOptions benchmark_options(const Flags& flags) {
+    engine::BenchmarkOptions options;
+    options.place.scene = flags.scene;
+    if (!flags.eye.empty() || !flags.target.empty()) {
+        auto& camera = options.place.camera.emplace();
+        camera.eye = projects::parse_vec3(flags.eye, "--eye");
+        camera.target = projects::parse_vec3(flags.target, "--target");
+    }
+    if (!flags.size.empty()) options.size = projects::parse_size(flags.size, "--size");
+    options.variants = flags.variants;
+    options.repeats = flags.repeats;
+    return options;
+}
+
+void print_progress(const engine::BenchmarkProgress& progress) {
+    std::fprintf(stderr, "\r\033[K%3.0f %% %s (%zu of %zu), %s", 100 * progress.fraction,
+                 progress.label.c_str(), progress.row + 1, progress.rows,
+                 progress.repeat == 0 ? "cold" : std::to_string(progress.repeat).c_str());
+}
+
+/// Failed where no variant could be measured.
+int run_benchmark(const Flags& flags) {
+    const auto& benchmark = engine::find_benchmark(flags.name);
+    const auto options = benchmark_options(flags);
+    engine::BenchmarkCallbacks callbacks;
+    callbacks.cancel = &interruption();
+    callbacks.memory_budget = parse_bytes(flags.machine.memory);
+    const bool shows_progress = isatty(STDERR_FILENO);
+    if (shows_progress) callbacks.progress = print_progress;
+    engine::Machine machine(machine_options(flags.machine));
+    const auto report = engine::run_benchmark(machine, benchmark, options, callbacks);
+    if (shows_progress) std::fprintf(stderr, "\r\033[K");
+    for (const auto& row : report.rows)
+        if (!row.problem.empty())
+            std::cerr << "interreflect-cli: " << row.label << ": " << row.problem << "\n";
+    if (!flags.csv.empty()) write_text(flags.csv, engine::benchmark_csv(report));
+    std::cout << (flags.json ? engine::benchmark_json(report) : engine::benchmark_text(report));
+    return engine::first_measured(report) ? done : failed;
+}
+
 }  // namespace
 
 void add_bench(CLI::App& app, Run& run) {
-    struct Flags {
-        MachineFlags machine;
-        std::string name, scene, eye, target;
-        ProjectPlots plots;
-        int repeats = 5;
-        bool json = false;
-    };
     auto flags = std::make_shared<Flags>();
     auto* command = app.add_subcommand("bench", "Benchmarks; without NAME the list of them");
     command->add_option("NAME", flags->name, "Which to run");
     command->add_option("--scene", flags->scene, "Scene instead of the benchmark's own");
     command->add_option("--eye", flags->eye, "Camera position x,y,z in metres");
     command->add_option("--target", flags->target, "Point that the camera looks at, x,y,z");
+    command->add_option("--size", flags->size, "WxH in pixels instead of the benchmark's own");
+    command
+        ->add_option("--variant", flags->variants, "Label of a variant to run; may be given more than once")
+        ->allow_extra_args(false);
     command->add_option("--project", flags->plots.project, "Of the benchmark `error`: project with plots");
     command->add_option("--plot", flags->plots.plots, "Of `error`: plots to carry out (default: all)");
     command->add_option("--repeats", flags->repeats, "Runs of which the median counts")
         ->check(CLI::Range(1, 1000));
+    command->add_option("--csv", flags->csv, "Write the table to this file");
     command->add_flag("--json", flags->json, "Print one JSON object");
     add_machine_flags(*command, flags->machine);
     command->callback([flags, command, &run] {
@@ -61,19 +111,14 @@ void add_bench(CLI::App& app, Run& run) {
                 std::cout << list(flags->json);
                 return static_cast<int>(done);
             }
-            if (flags->name == error_name) return run_plots(flags->plots, flags->machine, flags->json);
+            if (flags->name == error_name) {
+                if (!flags->csv.empty() || !flags->size.empty() || !flags->variants.empty())
+                    throw UsageError("--csv, --size and --variant do not belong to the benchmark `error`");
+                return run_plots(flags->plots, flags->machine, flags->json);
+            }
             if (!flags->plots.project.empty() || !flags->plots.plots.empty())
                 throw UsageError("--project and --plot belong to the benchmark `error`");
-            std::optional<scene::Camera> camera;
-            if (!flags->eye.empty() || !flags->target.empty()) {
-                camera.emplace();
-                camera->eye = projects::parse_vec3(flags->eye, "--eye");
-                camera->target = projects::parse_vec3(flags->target, "--target");
-            }
-            engine::Machine machine(machine_options(flags->machine));
-            std::cout << engine::run_benchmark(machine, flags->name,
-                                               {flags->scene, camera, flags->repeats, flags->json});
-            return static_cast<int>(done);
+            return run_benchmark(*flags);
         };
     });
 }

@@ -1,16 +1,16 @@
 #include "app/engine/benchmarks.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-#include <sstream>
+#include <memory>
 
+#include "app/engine/benchmark_cells.h"
+#include "projects/text.h"
 #include "renderers/core/error.h"
-#include "renderers/methods/all_methods.h"
 
 namespace ir::engine {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Variant = graph::Benchmark::Variant;
 
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
@@ -42,155 +42,246 @@ double total_ms(const graph::Benchmark& benchmark, const FrameReport& report) {
     return total;
 }
 
-/// Cold is the first frame of all, with growing buffers and the driver's compilation; warm is the median of
-/// the others, each with everything built anew.
-Json time_variant(Execution& execution, const graph::Benchmark& benchmark, int repeats) {
-    graph::FrameOptions options;
-    options.rebuild = true;
-    Json row;
-    std::map<std::string, std::vector<double>> by_pass;
-    std::vector<double> totals;
-    FrameReport report;
-    for (int i = 0; i <= repeats; ++i) {
-        execution.restart();
-        report = execution.run_frame(options);
-        if (i == 0) {
-            row["cold_wall_ms"] = report.wall_ms;
-            row["cold_ms"] = total_ms(benchmark, report);
-            continue;
-        }
-        totals.push_back(total_ms(benchmark, report));
-        for (const auto& pass : report.passes)
-            if (!pass.culled) by_pass[pass.name].push_back(ms_of(pass));
+Experiment experiment_of(const NamedBenchmark& named, const BenchmarkOptions& options) {
+    const auto& benchmark = named.benchmark;
+    Experiment experiment = options.place;
+    if (experiment.scene.empty() && experiment.parts.empty()) {
+        experiment = {};
+        experiment.scene = benchmark.scene;
+        experiment.camera_name = benchmark.camera;
+        experiment.camera = options.place.camera;
     }
-    row["warm_ms"] = median(totals);
-    for (const auto& pass : report.passes)
-        if (!pass.culled)
-            row["passes"].push_back({{"name", pass.name},
-                                     {"queue", pass.queue},
-                                     {"ms", median(by_pass[pass.name])},
-                                     {"in_total", counts(benchmark, pass.name)},
-                                     {"bytes_made", bytes_made_by(report, pass.name)}});
-    row["memory_bytes"] = report.memory_bytes;
-    row["counters"] = report.counters;
-    return row;
-}
-
-Json time_peer(Execution& execution, const graph::Benchmark::Peer& peer, int repeats) {
-    Json row;
-    std::map<std::string, std::vector<double>> by_part;
-    std::vector<double> totals;
-    for (int i = 0; i <= repeats; ++i) {
-        double total = 0;
-        for (const auto& [part, ms] : peer.run(execution.graph(), execution.inputs())) {
-            total += ms;
-            if (i > 0) by_part[part].push_back(ms);
-        }
-        if (i == 0)
-            row["cold_ms"] = total;
-        else
-            totals.push_back(total);
-    }
-    row["warm_ms"] = median(totals);
-    for (const auto& [part, values] : by_part) row["parts"][part] = median(values);
-    return row;
-}
-
-Json run_one(Machine& machine, const std::string& method, const graph::Benchmark& benchmark,
-             const BenchmarkOptions& options) {
-    Experiment experiment;
-    experiment.scene = options.scene.empty() ? benchmark.scene : options.scene;
-    experiment.method = method;
-    if (options.scene.empty()) experiment.camera_name = benchmark.camera;
-    experiment.camera = options.camera;
-    experiment.width = benchmark.width;
-    experiment.height = benchmark.height;
+    experiment.method = named.method;
+    const auto size = options.size.value_or(glm::ivec2(benchmark.width, benchmark.height));
+    experiment.width = size.x;
+    experiment.height = size.y;
+    experiment.seed = 0;
+    experiment.frames = 1;
     if (benchmark.sky) {
         experiment.replace_lights = true;
+        experiment.lights.clear();
+        experiment.light_motions.clear();
         experiment.environment = scene::Environment{*benchmark.sky, nullptr};
     }
-    Json json{{"scene", experiment.scene}, {"size", {experiment.width, experiment.height}}};
-    for (const auto& variant : benchmark.variants) {
-        experiment.settings = variant.settings;
-        Execution execution(machine, experiment);
-        auto row = time_variant(execution, benchmark, options.repeats);
-        row["label"] = variant.label;
-        json["variants"].push_back(std::move(row));
-        if (&variant != &benchmark.variants.back()) continue;
-        for (const auto& peer : benchmark.peers) {
-            auto peer_row = time_peer(execution, peer, options.repeats);
-            for (auto& ours : json["variants"])
-                ours["ratio_to_" + peer.label] =
-                    ours["warm_ms"].get<double>() / peer_row["warm_ms"].get<double>();
-            peer_row["label"] = peer.label;
-            json["peers"].push_back(std::move(peer_row));
-        }
-    }
-    return json;
+    return experiment;
 }
 
-struct Named {
-    std::string method;
-    graph::Benchmark benchmark;
+std::vector<Variant> chosen_variants(const graph::Benchmark& benchmark,
+                                     const std::vector<std::string>& labels) {
+    std::vector<std::string> known;
+    for (const auto& variant : benchmark.variants) known.push_back("'" + variant.label + "'");
+    for (const auto& label : labels)
+        if (std::none_of(benchmark.variants.begin(), benchmark.variants.end(),
+                         [&](const auto& variant) { return variant.label == label; }))
+            throw UsageError("the benchmark '" + benchmark.name + "' has no variant '" + label +
+                             "'; there are " + projects::listed(known));
+    if (labels.empty()) return benchmark.variants;
+    std::vector<Variant> chosen;
+    for (const auto& variant : benchmark.variants)
+        if (std::find(labels.begin(), labels.end(), variant.label) != labels.end()) chosen.push_back(variant);
+    return chosen;
+}
+
+std::string name_of_scene(const Experiment& experiment) {
+    std::vector<std::string> sources;
+    for (const auto& part : experiment.composition()) sources.push_back(part.source);
+    return experiment.scene.empty() ? projects::listed(sources) : experiment.scene;
+}
+
+bool compares_with_first(const graph::BenchmarkColumn& column) {
+    const auto* ratio = std::get_if<graph::BenchmarkColumn::TimeRatio>(&column.source);
+    return std::holds_alternative<graph::BenchmarkColumn::Difference>(column.source) ||
+           (ratio && ratio->peer.empty());
+}
+
+/// One benchmark while it runs.
+class BenchmarkRun {
+  public:
+    BenchmarkRun(Machine& machine, const NamedBenchmark& named, const BenchmarkOptions& options,
+                 const BenchmarkCallbacks& callbacks)
+        : machine_(machine),
+          benchmark_(named.benchmark),
+          callbacks_(callbacks),
+          experiment_(experiment_of(named, options)),
+          variants_(chosen_variants(benchmark_, options.variants)) {
+        const auto& device = machine.context().info();
+        report_ = {.name = benchmark_.name,
+                   .doc = benchmark_.doc,
+                   .method = named.method,
+                   .device = device.renderer,
+                   .software = device.software,
+                   .repeats = options.repeats,
+                   .date = projects::utc_now(),
+                   .scene = name_of_scene(experiment_),
+                   .width = experiment_.width,
+                   .height = experiment_.height,
+                   .columns = columns_of(benchmark_),
+                   .rows = {},
+                   .notes = {}};
+        progress_.rows = variants_.size() + benchmark_.peers.size();
+        progress_.repeats = options.repeats;
+        options_.cancel = callbacks.cancel;
+        options_.memory_budget = callbacks.memory_budget;
+        options_.progress = [this](const std::string& what, double fraction) { tell(what, fraction); };
+    }
+
+    BenchmarkReport carry_out() {
+        machine_.scenes().load(experiment_.composition());  // what all variants need fails once
+        for (const auto& variant : variants_) run_variant(variant);
+        if (!benchmark_.peers.empty() && first_measured(report_)) run_peers();
+        const auto* first = first_measured(report_);
+        if (first && first->label != benchmark_.variants.front().label &&
+            std::any_of(report_.columns.begin(), report_.columns.end(), compares_with_first))
+            report_.notes.push_back("differences and ratios to the first variant are to '" + first->label +
+                                    "', the first that was measured");
+        return std::move(report_);
+    }
+
+  private:
+    void tell(const std::string& what, double fraction) {
+        if (!callbacks_.progress) return;
+        progress_.what = what;
+        const double of_row = (progress_.repeat + std::clamp(fraction, 0.0, 1.0)) / (progress_.repeats + 1);
+        progress_.fraction = (static_cast<double>(progress_.row) + of_row) / double(progress_.rows);
+        callbacks_.progress(progress_);
+    }
+
+    void begin(const std::string& label) {
+        progress_.row = report_.rows.size();
+        progress_.label = label;
+        begin_repeat(0);
+    }
+
+    void begin_repeat(int repeat) {
+        if (callbacks_.cancel) callbacks_.cancel->check();
+        progress_.repeat = repeat;
+        tell({}, 0);
+    }
+
+    void add(BenchmarkRow row) {
+        report_.rows.push_back(std::move(row));
+        fill_ratios(report_);
+        if (callbacks_.report) callbacks_.report(report_);
+    }
+
+    /// Runs what gives a row its numbers; its failure becomes the row's message.
+    template <class Measure>
+    void add_measured(BenchmarkRow row, Measure measure) {
+        const auto fail = [&](const std::string& why) {
+            BenchmarkRow failed;
+            failed.label = row.label;
+            failed.is_peer = row.is_peer;
+            failed.problem = why;
+            row = std::move(failed);
+        };
+        try {
+            measure(row);
+        } catch (const std::bad_alloc&) {
+            fail("out of memory");
+        } catch (const Error& error) {
+            if (machine_.context().is_lost()) throw;
+            fail(error.what());
+        }
+        add(std::move(row));
+    }
+
+    void run_variant(const Variant& variant) {
+        begin(variant.label);
+        execution_.reset();  // its memory is free for the next
+        BenchmarkRow row;
+        row.label = variant.label;
+        add_measured(std::move(row), [&](BenchmarkRow& measured) {
+            experiment_.settings = variant.settings;
+            auto execution = std::make_unique<Execution>(machine_, experiment_);
+            time_frames(*execution, measured);
+            execution_ = std::move(execution);
+            last_settings_ = variant.settings;
+        });
+    }
+
+    void time_frames(Execution& execution, BenchmarkRow& row) {
+        auto options = options_;
+        options.rebuild = true;
+        std::map<std::string, std::vector<double>> by_pass;
+        std::vector<double> totals;
+        FrameReport frame;
+        for (int i = 0; i <= report_.repeats; ++i) {
+            begin_repeat(i);
+            execution.restart();
+            frame = execution.run_frame(options);
+            if (i == 0) {
+                row.cold_wall_ms = frame.wall_ms;
+                row.cold_ms = total_ms(benchmark_, frame);
+                continue;
+            }
+            totals.push_back(total_ms(benchmark_, frame));
+            for (const auto& pass : frame.passes)
+                if (!pass.culled) by_pass[pass.name].push_back(ms_of(pass));
+        }
+        row.warm_ms = median(totals);
+        for (const auto& pass : frame.passes)
+            if (!pass.culled)
+                row.passes.push_back({pass.name, pass.queue, median(by_pass[pass.name]),
+                                      counts(benchmark_, pass.name), bytes_made_by(frame, pass.name)});
+        row.memory_bytes = frame.memory_bytes;
+        row.counters = frame.counters;
+        fill_cells(report_, row, frame, execution, first_ ? &*first_ : nullptr, options_);
+        if (!first_) first_ = picture_of(execution);
+    }
+
+    /// Where the last variant failed, on a new frame of the last one that did not.
+    void run_peers() {
+        if (!execution_) {
+            experiment_.settings = last_settings_;
+            execution_ = std::make_unique<Execution>(machine_, experiment_);
+            execution_->run_frame(options_);
+        }
+        for (const auto& peer : benchmark_.peers) {
+            begin(peer.label);
+            BenchmarkRow row;
+            row.label = peer.label;
+            row.is_peer = true;
+            add_measured(std::move(row), [&](BenchmarkRow& measured) { time_peer(peer, measured); });
+        }
+    }
+
+    void time_peer(const graph::Benchmark::Peer& peer, BenchmarkRow& row) {
+        std::map<std::string, std::vector<double>> by_part;
+        std::vector<double> totals;
+        for (int i = 0; i <= report_.repeats; ++i) {
+            begin_repeat(i);
+            double total = 0;
+            for (const auto& [part, ms] : peer.run(execution_->graph(), execution_->inputs())) {
+                total += ms;
+                if (i > 0) by_part[part].push_back(ms);
+            }
+            if (i == 0)
+                row.cold_ms = total;
+            else
+                totals.push_back(total);
+        }
+        row.warm_ms = median(totals);
+        for (const auto& [part, values] : by_part) row.parts[part] = median(values);
+    }
+
+    Machine& machine_;
+    const graph::Benchmark& benchmark_;
+    const BenchmarkCallbacks& callbacks_;
+    Experiment experiment_;
+    std::vector<Variant> variants_;
+    BenchmarkReport report_;
+    BenchmarkProgress progress_;
+    graph::FrameOptions options_;
+    std::unique_ptr<Execution> execution_;  ///< of the last variant, unless it failed
+    Settings last_settings_;                ///< of the last variant that did not
+    std::optional<BenchmarkPicture> first_;
 };
-
-/// The benchmarks that methods bring along, and one with the defaults of each method.
-std::vector<Named> all_benchmarks() {
-    std::vector<Named> all;
-    for (const auto* method : methods::all_methods()) {
-        for (const auto& benchmark : method->benchmarks) all.push_back({method->description.id, benchmark});
-        graph::Benchmark plain;
-        plain.name = method->description.id + "-defaults";
-        plain.doc = method->description.title + ", defaults at 400x300";
-        plain.width = 400;
-        plain.height = 300;
-        plain.variants = {{"defaults", {}}};
-        all.push_back({method->description.id, plain});
-    }
-    return all;
-}
-
-/// Numbers of a report as indented lines.
-void print(std::ostream& out, const Json& json, const std::string& indent) {
-    for (const auto& [key, value] : json.items()) {
-        const auto label = json.is_array() ? std::string("-") : key + ":";
-        if (value.is_structured() && !value.empty() && (value.is_object() || value.front().is_structured())) {
-            out << indent << label << "\n";
-            print(out, value, indent + "  ");
-        } else {
-            out << indent << label << " " << (value.is_string() ? value.get<std::string>() : value.dump())
-                << "\n";
-        }
-    }
-}
 
 }  // namespace
 
-std::string benchmark_list(bool json) {
-    Json list = Json::array();
-    std::string text;
-    for (const auto& [method, benchmark] : all_benchmarks()) {
-        list.push_back({{"name", benchmark.name}, {"doc", benchmark.doc}});
-        text += benchmark.name + "  " + benchmark.doc + "\n";
-    }
-    return json ? list.dump(2) + "\n" : text;
-}
-
-std::string run_benchmark(Machine& machine, const std::string& name, const BenchmarkOptions& options) {
-    for (const auto& [method, benchmark] : all_benchmarks()) {
-        if (name != benchmark.name) continue;
-        Json json{{"benchmark", name},
-                  {"method", method},
-                  {"device", machine.context().info().renderer},
-                  {"software", machine.context().info().software},
-                  {"repeats", options.repeats}};
-        json["results"] = run_one(machine, method, benchmark, options);
-        if (options.json) return json.dump(2) + "\n";
-        std::ostringstream text;
-        print(text, json, "");
-        return text.str();
-    }
-    throw UsageError("unknown benchmark '" + name + "'; there are:\n" + benchmark_list(false));
+BenchmarkReport run_benchmark(Machine& machine, const NamedBenchmark& named, const BenchmarkOptions& options,
+                              const BenchmarkCallbacks& callbacks) {
+    return BenchmarkRun(machine, named, options, callbacks).carry_out();
 }
 
 }  // namespace ir::engine

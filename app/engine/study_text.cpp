@@ -1,8 +1,8 @@
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "app/engine/error_study.h"
+#include "app/engine/number_text.h"
 #include "projects/object_reader.h"
 
 namespace ir::engine {
@@ -10,12 +10,6 @@ namespace {
 
 using projects::Json;
 using projects::ObjectReader;
-
-/// JSON has no infinities, but equal pictures have an infinite PSNR.
-Json number_json(double value) {
-    if (std::isfinite(value)) return value;
-    return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
-}
 
 double number_from(const Json& json, const ObjectReader& reader, const std::string& key) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -68,20 +62,6 @@ std::vector<std::string> read_texts(ObjectReader& reader, const std::string& key
         texts.push_back(json);
     });
     return texts;
-}
-
-/// A field of a table [RFC 4180 §2].
-std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
-}
-
-std::string csv_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return text;
 }
 
 std::string csv_value(const Json& value) {

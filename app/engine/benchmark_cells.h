@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/engine/benchmark_report.h"
+#include "app/engine/execution.h"
+
+namespace ir::engine {
+
+/// The total, the ratio to each peer, and memory: for a benchmark that declares no columns.
+std::vector<graph::BenchmarkColumn> columns_of(const graph::Benchmark& benchmark);
+
+/// A main result with which others are compared.
+struct BenchmarkPicture {
+    Image image, valid;
+};
+BenchmarkPicture picture_of(const Execution& execution);
+
+/// Fills a variant's cells but for ratios, after its last warm frame, of which `frame` is the report. `first`
+/// is the first variant's picture (null: this is the first). May compute what columns look at beyond that
+/// frame. A cell that cannot be had stays empty; where there was an error a note says which.
+void fill_cells(BenchmarkReport& report, BenchmarkRow& row, const FrameReport& frame, Execution& execution,
+                const BenchmarkPicture* first, const graph::FrameOptions& options);
+
+/// Totals and ratios of all rows, peers too, as far as they are there.
+void fill_ratios(BenchmarkReport& report);
+
+}  // namespace ir::engine
