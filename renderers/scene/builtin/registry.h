@@ -41,5 +41,6 @@ Description crevice();
 Description conference();
 Description still_life();
 Description corridor();
+Description hairball();
 
 }  // namespace ir::scene::builtin
