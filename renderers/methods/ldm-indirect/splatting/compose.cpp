@@ -1,0 +1,89 @@
+#include <optional>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/ldm-indirect/splatting/outputs.h"
+#include "renderers/passes/direct/direct_light.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+using Paths = Transport::Paths;
+
+/// What the picture is made of.
+struct Parts {
+    passes::GBuffer gbuffer;
+    graph::ImageRef irradiance;
+    std::optional<passes::DirectLight> direct;  ///< none: not asked for, or by photons
+    bool splatted, unlit, emission, lambert;
+    glm::vec3 background;
+};
+
+glm::vec3 background_of(graph::GraphBuilder& builder, const Parameters& parameters) {
+    if (parameters.transport.paths != Paths::full || !parameters.transport.environment_light) return {};
+    const auto& environment = builder.inputs().scene->environment;
+    if (!environment.map) return environment.constant;
+    builder.note("the environment map is not drawn behind the scene: only constant environments are");
+    return {};
+}
+
+std::optional<passes::DirectLight> direct_of(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                                             const passes::GBuffer& gbuffer, const Parameters& parameters) {
+    if (parameters.direct == DirectBy::photons) return {};
+    const auto light =
+        passes::direct_light(builder, scene, gbuffer, {.materials = parameters.transport.materials});
+    if (parameters.transport.paths == Paths::indirect) return {};
+    return light;
+}
+
+std::map<std::string, std::string> defines_of(const Parts& parts) {
+    std::map<std::string, std::string> defines;
+    if (parts.splatted) defines["SPLATTED"] = "1";
+    if (parts.direct) defines["DIRECT_LIGHT"] = "1";
+    if (parts.unlit) defines["UNLIT"] = "1";
+    if (parts.emission) defines["EMISSION"] = "1";
+    if (parts.lambert) defines["LAMBERT"] = "1";
+    return defines;
+}
+
+void add_up(const graph::PassContext& p, const Parts& parts, graph::ImageRef radiance,
+            graph::ImageRef indirect) {
+    const auto& program = p.program({{"methods/ldm-indirect/splatting/compose.comp"}, defines_of(parts)});
+    program.use();
+    p.bind_texture(0, parts.irradiance);
+    p.bind_texture(1, parts.gbuffer.geometric_normal);
+    p.bind_texture(2, parts.gbuffer.albedo);
+    p.bind_texture(3, parts.gbuffer.material);
+    p.bind_texture(4, parts.gbuffer.emission);
+    if (parts.direct) p.bind_texture(5, parts.direct->radiance);
+    p.bind_storage_image(0, radiance);
+    p.bind_storage_image(1, indirect);
+    program.set("background", parts.background);
+    program.dispatch(p.inputs().view.width, p.inputs().view.height);
+}
+
+}  // namespace
+
+void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::GBuffer& gbuffer,
+             const Splat& splat, const Parameters& parameters) {
+    const auto paths = parameters.transport.paths;
+    const bool by_photons = parameters.direct == DirectBy::photons;
+    Parts parts{.gbuffer = gbuffer,
+                .irradiance = splat.irradiance,
+                .direct = direct_of(builder, scene, gbuffer, parameters),
+                .splatted = paths != Paths::direct || by_photons,
+                .unlit = paths != Paths::indirect && by_photons,
+                .emission = paths == Paths::full,
+                .lambert = parameters.transport.materials == Transport::Materials::lambert,
+                .background = background_of(builder, parameters)};
+    const auto radiance = output_image(builder, "radiance"),
+               indirect = output_image(builder, "indirect.radiance");
+    auto pass = builder.pass("compose");
+    pass.reads(splat.irradiance, gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material,
+               gbuffer.emission);
+    if (parts.direct) pass.reads(parts.direct->radiance);
+    pass.writes(radiance, indirect).execute([=](graph::PassContext& p) {
+        add_up(p, parts, radiance, indirect);
+    });
+}
+
+}  // namespace ir::methods::ldm_indirect

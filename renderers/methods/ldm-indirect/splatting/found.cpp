@@ -1,0 +1,171 @@
+#include "renderers/methods/ldm-indirect/splatting/found.h"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+#include "renderers/passes/ldm/directions.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+using graph::Field;
+using graph::FieldType;
+using passes::ldm::Direction;
+
+const Field contribution{"contribution", FieldType::f32, 3}, map_field{"map", FieldType::u32},
+    side_field{"side", FieldType::i32}, photon_field{"photon", FieldType::u32};
+
+std::array<float, 3> components(glm::dvec3 v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+glm::dvec3 vector(const std::array<float, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+/// Of one map and side, without light. Light that came along the map's direction comes from its opposite.
+DirectionLight dark(const Direction& direction, int map, int side) {
+    using std::numbers::pi;
+    const bool above = side < 0;
+    const auto bounds = [](double low, double high) {
+        return std::array{static_cast<float>(low), static_cast<float>(high)};
+    };
+    DirectionLight result{};
+    result.centre = components(-double(side) * direction.centre);
+    result.colatitude = above ? bounds(direction.colatitude_min, direction.colatitude_max)
+                              : bounds(pi - direction.colatitude_max, pi - direction.colatitude_min);
+    const double turn = above ? 0 : pi;
+    result.longitude = bounds(direction.longitude_min + turn, direction.longitude_max + turn);
+    result.map = static_cast<std::uint32_t>(map);
+    result.side = side;
+    return result;
+}
+
+/// Where the photon was split. The point lies on its last leg, so far from its end that both legs are as long
+/// as the path: t = (L² - |w|²) / (2 (L - u·w)), w from the end to the light, u back along the leg.
+std::optional<glm::dvec3> split_point(glm::dvec3 end, glm::dvec3 back, glm::dvec3 light, double length) {
+    const auto w = light - end;
+    const double divisor = 2 * (length - glm::dot(back, w));
+    if (divisor <= 1e-6 * length) return {};
+    const double t = (length * length - glm::dot(w, w)) / divisor;
+    return end + std::clamp(t, 0.0, length) * back;
+}
+
+PathLine line(const FoundPhoton& photon, std::uint32_t leg, glm::dvec3 start, glm::dvec3 end) {
+    return {.start = components(start),
+            .end = components(end),
+            .contribution = photon.contribution,
+            .leg = leg,
+            .map = photon.map,
+            .side = photon.side,
+            .photon = photon.photon};
+}
+
+}  // namespace
+
+std::vector<Field> found_fields() {
+    return {{"centre", FieldType::f32, 3},
+            {"axis_u", FieldType::f32, 3},
+            {"axis_v", FieldType::f32, 3},
+            contribution,
+            {"flux", FieldType::f32, 3},
+            map_field,
+            side_field,
+            {"light", FieldType::u32},
+            {"source", FieldType::u32},
+            {"path_length", FieldType::f32},
+            {"distance", FieldType::f32},
+            photon_field};
+}
+
+std::vector<Field> sum_fields() {
+    return {{"pixel_x", FieldType::u32},      {"pixel_y", FieldType::u32},   {"photons", FieldType::u32},
+            {"gathered", FieldType::f32, 3},  {"direct", FieldType::f32, 3}, {"pixel", FieldType::f32, 3},
+            {"difference", FieldType::f32, 3}};
+}
+
+std::vector<Field> direction_fields() {
+    return {{"centre", FieldType::f32, 3},
+            {"colatitude", FieldType::f32, 2},
+            {"longitude", FieldType::f32, 2},
+            map_field,
+            side_field,
+            contribution,
+            {"luminance", FieldType::f32},
+            {"photons", FieldType::u32}};
+}
+
+std::vector<Field> path_fields() {
+    return {{"start", FieldType::f32, 3},
+            {"end", FieldType::f32, 3},
+            contribution,
+            {"leg", FieldType::u32},
+            map_field,
+            side_field,
+            photon_field};
+}
+
+void sort_found(std::span<FoundPhoton> photons) {
+    const auto total = [](const FoundPhoton& p) {
+        return double(p.contribution[0]) + p.contribution[1] + p.contribution[2];
+    };
+    std::sort(photons.begin(), photons.end(), [&](const FoundPhoton& a, const FoundPhoton& b) {
+        return total(a) != total(b) ? total(a) > total(b) : a.photon < b.photon;
+    });
+}
+
+void add_up(std::span<const FoundPhoton> photons, PixelSum& sum) {
+    glm::dvec3 all(0), direct(0);
+    for (const auto& photon : photons) {
+        all += vector(photon.contribution);
+        if (photon.side == 0) direct += vector(photon.contribution);
+    }
+    sum.gathered = components(all);
+    sum.direct = components(direct);
+    sum.difference = components(vector(sum.pixel) - all);
+}
+
+std::vector<DirectionLight> light_by_direction(std::span<const FoundPhoton> photons, int maps) {
+    const auto directions = passes::ldm::leopardi_directions(maps);
+    std::vector<DirectionLight> result;
+    for (int map = 0; map < maps; ++map)
+        for (const int side : {1, -1})
+            result.push_back(dark(directions[static_cast<std::size_t>(map)], map, side));
+    std::vector<glm::dvec3> sums(result.size(), glm::dvec3(0));
+    for (const auto& photon : photons) {
+        const auto place = 2 * std::size_t{photon.map} + (photon.side > 0 ? 0 : 1);
+        if (photon.side == 0 || place >= sums.size()) continue;
+        sums[place] += vector(photon.contribution);
+        ++result[place].photons;
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        result[i].contribution = components(sums[i]);
+        result[i].luminance =  // [ITU-R BT.709-6 item 3.2]
+            static_cast<float>(glm::dot(sums[i], glm::dvec3(0.2126, 0.7152, 0.0722)));
+    }
+    return result;
+}
+
+std::vector<PathLine> paths_of(std::span<const FoundPhoton> photons, int maps, const scene::World& world) {
+    const auto directions = passes::ldm::leopardi_directions(maps);
+    std::vector<PathLine> lines;
+    for (const auto& photon : photons) {
+        if (photon.light >= world.lights.size()) continue;
+        const auto& light = world.lights[photon.light];
+        if (light.type == scene::LightType::directional) continue;
+        const auto end = vector(photon.centre), start = glm::dvec3(light.position);
+        if (photon.side == 0) {
+            lines.push_back(line(photon, 0, start, end));
+        } else if (photon.map < directions.size()) {
+            const auto back = -double(photon.side) * directions[photon.map].centre;
+            const auto middle = split_point(end, back, start, photon.path_length);
+            if (!middle) continue;
+            lines.push_back(line(photon, 0, start, *middle));
+            lines.push_back(line(photon, 1, *middle, end));
+        }
+    }
+    return lines;
+}
+
+}  // namespace ir::methods::ldm_indirect

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "renderers/graph/resource.h"
+#include "renderers/methods/ldm-indirect/parameters.h"
+#include "renderers/scene/world.h"
+
+namespace ir::methods::ldm_indirect {
+
+/// A photon that lights the picked pixel: as struct Found of explain.comp.
+struct FoundPhoton {
+    std::array<float, 3> centre, axis_u, axis_v, contribution, flux;
+    std::uint32_t map;
+    std::int32_t side;
+    std::uint32_t light, source;
+    float path_length, distance;
+    std::uint32_t photon;
+};
+static_assert(sizeof(FoundPhoton) == 22 * 4);
+std::vector<graph::Field> found_fields();
+
+/// As the buffer PixelSum of explain.comp.
+struct PixelSum {
+    std::uint32_t x, y, photons;
+    std::array<float, 3> gathered, direct, pixel, difference;
+};
+std::vector<graph::Field> sum_fields();
+
+/// One of the 2N directions; `centre` points to where its light comes from.
+struct DirectionLight {
+    std::array<float, 3> centre;
+    std::array<float, 2> colatitude, longitude;
+    std::uint32_t map;
+    std::int32_t side;
+    std::array<float, 3> contribution;
+    float luminance;
+    std::uint32_t photons;
+};
+static_assert(sizeof(DirectionLight) == 14 * 4);
+std::vector<graph::Field> direction_fields();
+
+struct PathLine {
+    std::array<float, 3> start, end, contribution;
+    std::uint32_t leg, map;
+    std::int32_t side;
+    std::uint32_t photon;
+};
+static_assert(sizeof(PathLine) == 13 * 4);
+std::vector<graph::Field> path_fields();
+
+/// The largest contribution first, equal ones in the order of the photons.
+void sort_found(std::span<FoundPhoton> photons);
+
+/// Sets gathered, direct and difference.
+void add_up(std::span<const FoundPhoton> photons, PixelSum& sum);
+
+/// Two for each map: of light that came along its direction (side 1) and against it (side -1).
+std::vector<DirectionLight> light_by_direction(std::span<const FoundPhoton> photons, int maps);
+
+/// Photons of lights without a place have none.
+std::vector<PathLine> paths_of(std::span<const FoundPhoton> photons, int maps, const scene::World& world);
+
+}  // namespace ir::methods::ldm_indirect

@@ -1,0 +1,71 @@
+#include <algorithm>
+
+#include "renderers/methods/ldm-indirect/splatting/ways.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+const std::string folder = "methods/ldm-indirect/splatting/";
+
+constexpr std::int64_t lanes = 32;  ///< of atomic_splat.comp
+constexpr std::int64_t groups_at_once = 32768;
+constexpr std::int64_t pixels_at_once = 60000 * lanes;  ///< llvmpipe ends loops after 65,535 turns
+
+graph::ImageRef declare_sums(graph::GraphBuilder& builder) {
+    graph::ImageDesc desc;
+    desc.text = {.key = "splat.sums",
+                 .label = "Sums of atomic additions",
+                 .doc = "Bits of floats. Layers: R, G, B, W/m², and photons."};
+    desc.format = gl::Format::r32ui;
+    desc.layers = 4;
+    return builder.image(desc);
+}
+
+void run(const graph::PassContext& p, graph::Slice slice, const SplatTask& task, graph::ImageRef sums) {
+    if (slice.first) p.clear(sums);
+    gl::ProgramSource source{{folder + "atomic_splat.comp"}};
+    const bool has_floats = p.api().NV_shader_atomic_float != 0;
+    if (has_floats) {
+        source.preamble = "#extension GL_NV_shader_atomic_float : require\n";
+        source.defines["FLOAT_ATOMICS"] = "1";
+    }
+    const auto& program = p.program(source);
+    program.use();
+    bind_footprints(p, program, task.photons);
+    set_outlines(program, p.inputs().view);
+    p.bind_texture(0, task.position);
+    p.bind_texture(1, task.normal);
+    p.api().BindImageTexture(0, p.image(sums), 0, GL_TRUE, 0, GL_READ_WRITE, has_floats ? GL_R32F : GL_R32UI);
+    const auto& view = p.inputs().view;
+    const auto pixels = std::int64_t{view.width} * view.height;
+    const auto range = photons_of(p, task.photons, slice);
+    for (std::int64_t pixel = 0; pixel < pixels; pixel += pixels_at_once) {
+        program.set("first_pixel", static_cast<unsigned>(pixel));
+        program.set("end_pixel", static_cast<unsigned>(pixel + pixels_at_once));
+        for (auto first = range.first; first < range.end; first += groups_at_once) {
+            const auto end = std::min(range.end, first + groups_at_once);
+            program.set("first", static_cast<unsigned>(first));
+            program.set("end", static_cast<unsigned>(end));
+            program.dispatch((end - first) * lanes);
+        }
+    }
+}
+
+}  // namespace
+
+void splat_image_atomics(graph::GraphBuilder& builder, const SplatTask& task) {
+    const auto sums = declare_sums(builder);
+    auto pass = builder.pass("splat photons atomically");
+    reads_task(pass, task);
+    pass.writes(sums).execute_sliced(
+        photon_parts, [=](graph::PassContext& p, graph::Slice slice) { run(p, slice, task, sums); });
+    builder.pass("atomic sums").reads(sums).writes(task.irradiance).execute([=](graph::PassContext& p) {
+        const auto& program = p.program({{folder + "atomic_sums.comp"}});
+        program.use();
+        p.bind_texture(0, sums);
+        p.bind_storage_image(0, task.irradiance);
+        program.dispatch(p.inputs().view.width, p.inputs().view.height);
+    });
+}
+
+}  // namespace ir::methods::ldm_indirect

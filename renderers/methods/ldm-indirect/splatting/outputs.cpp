@@ -1,0 +1,99 @@
+#include "renderers/methods/ldm-indirect/splatting/outputs.h"
+
+#include "renderers/graph/output_text.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+std::vector<OutputDescription> pictures() {
+    return {
+        {.key = "radiance",
+         .label = "Radiance",
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "Towards the eye: emission, direct light and indirect light, as the paths say."},
+        {.key = "indirect.irradiance",
+         .label = "Splatted irradiance",
+         .semantic = Semantic::irradiance,
+         .unit = "W/m²",
+         .doc = "Sum of the photons' footprints at the pixel; with direct light where photons carry it. "
+                "A: how many photons add to the pixel."},
+        {.key = "indirect.radiance",
+         .label = "Indirect radiance",
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "What the pixel's surface reflects of the splatted irradiance, ρ/π of it."},
+        {.key = "direct.radiance",
+         .label = "Direct radiance",
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "Direct light by rasterisation with shadow maps.",
+         .active_when = {"direct", {std::string("rasterisation")}}},
+        {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."}};
+}
+
+const std::string empty_without_pixel = " Empty while no pixel is picked, and where it shows no surface.";
+
+std::vector<OutputDescription> explanations() {
+    return {{.key = "indirect.explain.photons",
+             .label = "Photons that light the pixel",
+             .kind = OutputKind::glyphs,
+             .unit = "m",
+             .doc = "Footprints, as splatted, that cover the picked pixel's point, the largest contribution "
+                    "first. contribution: RGB, W/m², to the splatted irradiance. flux: W. map, side: what "
+                    "direction it came along (side 1: with the map's, -1: against it; 0: directly from the "
+                    "light, map 65535). source: texel of the lights' images. path_length: m, from the light. "
+                    "distance: m, from the pixel's point to the footprint's middle. photon: its place in the "
+                    "photon buffer." +
+                    empty_without_pixel,
+             .explains = true},
+            {.key = "indirect.explain.sum",
+             .label = "Sum of the photons against the pixel",
+             .kind = OutputKind::table,
+             .unit = "W/m²",
+             .doc = "gathered: the sum of what the photons above contribute, found by a search through the "
+                    "whole photon buffer, by eq. 7 as printed; direct: the part that came directly from the "
+                    "lights; pixel: the splatted irradiance; difference: pixel less gathered, which is "
+                    "rounding." +
+                    empty_without_pixel,
+             .explains = true},
+            {.key = "indirect.explain.directions",
+             .label = "Light by direction",
+             .kind = OutputKind::sphere_values,
+             .unit = "W/m²",
+             .doc = "What each of the 2N directions adds to the picked pixel. centre: where its light comes "
+                    "from. contribution: RGB, W/m²; luminance: the same as one number; photons: how many. "
+                    "map, side: as of the photons; light that comes directly is not in it." +
+                    empty_without_pixel,
+             .explains = true},
+            {.key = "indirect.explain.paths",
+             .label = "Paths of the photons",
+             .kind = OutputKind::line_set,
+             .unit = "m",
+             .doc = "leg 0: from the light to where a photon was split; leg 1: from there to its footprint's "
+                    "middle. Photons that came directly have leg 0 alone. The point in between follows from "
+                    "length and direction. contribution, map, side and photon as of the photons." +
+                    empty_without_pixel,
+             .explains = true}};
+}
+
+}  // namespace
+
+std::vector<OutputDescription> splatting_outputs() {
+    auto all = pictures();
+    for (auto& output : explanations()) all.push_back(std::move(output));
+    return all;
+}
+
+graph::ResourceText text_of_output(const std::string& key) {
+    return graph::text_of(splatting_outputs(), key);
+}
+
+graph::ImageRef output_image(graph::GraphBuilder& builder, const std::string& key) {
+    graph::ImageDesc desc;
+    desc.text = text_of_output(key);
+    desc.format = gl::Format::rgba32f;
+    return builder.image(std::move(desc));
+}
+
+}  // namespace ir::methods::ldm_indirect

@@ -1,0 +1,67 @@
+#include "renderers/methods/ldm-indirect/splatting/ways.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+using graph::FieldType;
+
+const std::string folder = "methods/ldm-indirect/splatting/";
+
+graph::BufferRef declare_command(graph::GraphBuilder& builder) {
+    return builder.buffer({.text = {.key = "splat.command",
+                                    .label = "Command of the draw",
+                                    .doc = "Points of the last slice drawn."},
+                           .fields = {{"points", FieldType::u32},
+                                      {"instances", FieldType::u32},
+                                      {"first_point", FieldType::u32},
+                                      {"base_instance", FieldType::u32}},
+                           .elements = 1});
+}
+
+void write_command(const graph::PassContext& p, const SplatTask& task, graph::BufferRef command,
+                   PhotonRange range) {
+    const auto& program = p.program({{folder + "draw.comp"}});
+    program.use();
+    p.bind_buffer(1, task.photons.stored);
+    p.bind_buffer(3, command);
+    program.set("first", static_cast<unsigned>(range.first));
+    program.set("end", static_cast<unsigned>(range.end));
+    program.dispatch(1);
+    p.barrier();
+}
+
+void run(const graph::PassContext& p, graph::Slice slice, const SplatTask& task, graph::BufferRef command) {
+    if (slice.first) p.clear(task.irradiance);
+    const auto range = photons_of(p, task.photons, slice);
+    if (range.first == range.end) return;
+    write_command(p, task, command, range);
+    p.bind_framebuffer({{task.irradiance}});
+    const auto& program = p.program({{folder + "quads.vert", folder + "quads.geom", folder + "quads.frag"}});
+    program.use();
+    bind_footprints(p, program, task.photons);
+    set_outlines(program, p.inputs().view);
+    p.bind_texture(0, task.position);
+    p.bind_texture(1, task.normal);
+    p.bind_empty_vertex_array();
+    const auto& gl = p.api();
+    gl.Enable(GL_BLEND);
+    gl.BlendEquation(GL_FUNC_ADD);
+    gl.BlendFunc(GL_ONE, GL_ONE);
+    gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, p.buffer(command));
+    gl.DrawArraysIndirect(GL_POINTS, nullptr);
+    gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+    gl.Disable(GL_BLEND);
+}
+
+}  // namespace
+
+void splat_quads(graph::GraphBuilder& builder, const SplatTask& task) {
+    const auto command = declare_command(builder);
+    auto pass = builder.pass("splat photons");
+    reads_task(pass, task);
+    pass.writes(command, task.irradiance);
+    pass.execute_sliced(photon_parts,
+                        [=](graph::PassContext& p, graph::Slice slice) { run(p, slice, task, command); });
+}
+
+}  // namespace ir::methods::ldm_indirect

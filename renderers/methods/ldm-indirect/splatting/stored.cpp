@@ -1,0 +1,159 @@
+#include "renderers/methods/ldm-indirect/splatting/stored.h"
+
+#include "renderers/gl/dispatch_items.h"
+#include "renderers/passes/ldm/directions.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+using Paths = Transport::Paths;
+
+const std::string folder = "methods/ldm-indirect/splatting/";
+
+/// As footprint.glsl reads them: directions of the maps, then of the lights.
+std::vector<glm::vec4> arrivals_of(const Parameters& parameters, const scene::World& world) {
+    std::vector<glm::vec4> all;
+    for (const auto& direction : passes::ldm::leopardi_directions(parameters.maps.directions))
+        all.emplace_back(glm::vec3(direction.centre), 0.0f);
+    for (const auto& light : world.lights) {
+        const bool far = light.type == scene::LightType::directional;
+        all.emplace_back(far ? light.direction : light.position, far ? 0.0f : 1.0f);
+    }
+    return all;
+}
+
+graph::BufferRef upload_arrivals(graph::GraphBuilder& builder, const Parameters& parameters) {
+    auto arrivals = arrivals_of(parameters, *builder.inputs().world);
+    graph::BufferDesc desc;
+    desc.text = {.key = "splat.arrivals",
+                 .label = "Where light comes from",
+                 .doc =
+                     "Directions of the maps, then the lights: their places (w 1), or where they shine to "
+                     "(w 0)."};
+    desc.fields = {{"arrival", graph::FieldType::f32, 4}};
+    desc.elements = arrivals.size();
+    const auto buffer = builder.buffer(std::move(desc));
+    builder.pass("upload arrivals").writes(buffer).execute([=](graph::PassContext& p) {
+        p.upload(buffer, std::as_bytes(std::span(arrivals)));
+    });
+    return buffer;
+}
+
+struct Mended {
+    graph::CounterRef axes_short, axes_long, degenerate, broken;
+};
+
+Mended declare_counters(graph::GraphBuilder& builder) {
+    return {builder.counter({.key = "splat.short",
+                             .label = "Footprints widened",
+                             .doc = "Photons with an axis shorter than least_axis_pixels, which was made so "
+                                    "long; their flux stays."}),
+            builder.counter({.key = "splat.long",
+                             .label = "Footprints cut",
+                             .doc = "Photons with an axis longer than greatest_axis, which was cut to it; "
+                                    "their flux stays."}),
+            builder.counter({.key = "splat.degenerate",
+                             .label = "Degenerate footprints",
+                             .doc = "Photons whose axes span no area or are no numbers, given the least "
+                                    "width; their flux stays."}),
+            builder.counter({.key = "splat.not_finite",
+                             .label = "Photons left out",
+                             .doc = "Photons whose place or flux is no finite number: they add nothing."})};
+}
+
+void count_stored(const graph::PassContext& p, const StoredPhotons& photons, graph::CounterRef count) {
+    const auto& program = p.program({{folder + "stored.comp"}});
+    program.use();
+    p.bind_buffer(1, photons.stored);
+    p.bind_counter(3, count);
+    program.set("capacity", static_cast<unsigned>(p.capacity(photons.records)));
+    program.dispatch(1);
+    p.barrier();
+}
+
+void measure(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons,
+             const Mended& mended) {
+    const auto& program = p.program({{folder + "measure.comp"}});
+    program.use();
+    bind_footprints(p, program, photons);
+    p.bind_counter(3, mended.axes_short);
+    p.bind_counter(4, mended.axes_long);
+    p.bind_counter(5, mended.degenerate);
+    p.bind_counter(6, mended.broken);
+    const auto range = photons_of(p, photons, slice);
+    gl::dispatch_items(program, range.first, range.end, "first", "end");
+}
+
+/// m across the view that a pixel spans at 1 m, or everywhere in a parallel view.
+float pixel_size(const scene::View& view) {
+    return 2 / (view.clip_from_view[1][1] * static_cast<float>(view.height));
+}
+
+}  // namespace
+
+StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photons,
+                             const Parameters& parameters) {
+    StoredPhotons result{photons.records, {}, upload_arrivals(builder, parameters), parameters};
+    graph::BufferDesc desc;
+    desc.text = {.key = "splat.stored",
+                 .label = "Photons to splat",
+                 .doc = "Those stored, as far as the buffer reaches; passes read it on the device.",
+                 .semantic = Semantic::count};
+    desc.fields = {{"photons", graph::FieldType::u32}};
+    desc.elements = 1;
+    result.stored = builder.buffer(std::move(desc));
+    const auto mended = declare_counters(builder);
+    builder.pass("measure footprints")
+        .reads(photons.records, result.arrivals)
+        .writes(result.stored)
+        .counts(photons.count)
+        .counts(mended.axes_short)
+        .counts(mended.axes_long)
+        .counts(mended.degenerate)
+        .counts(mended.broken)
+        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+            if (slice.first) count_stored(p, result, photons.count);
+            measure(p, slice, result, mended);
+        });
+    return result;
+}
+
+PhotonRange photons_of(const graph::PassContext& context, const StoredPhotons& photons, graph::Slice slice) {
+    const auto capacity = static_cast<std::int64_t>(context.capacity(photons.records));
+    return {capacity * slice.begin / photon_parts, capacity * slice.end / photon_parts};
+}
+
+void reads_footprints(graph::PassBuilder& pass, const StoredPhotons& photons) {
+    pass.reads(photons.records, photons.stored, photons.arrivals);
+}
+
+void bind_footprints(const graph::PassContext& context, const gl::Program& program,
+                     const StoredPhotons& photons) {
+    context.bind_buffer(0, photons.records);
+    context.bind_buffer(1, photons.stored);
+    context.bind_buffer(2, photons.arrivals);
+    const auto& parameters = photons.parameters;
+    const auto& inputs = context.inputs();
+    const auto& view = inputs.view;
+    const bool by_photons = parameters.direct == DirectBy::photons;
+    program.set("eye_ws", view.eye_ws);
+    program.set("view_axis_ws", -glm::vec3(glm::transpose(view.view_from_world)[2]));
+    program.set("near_plane", view.near_plane);
+    program.set("perspective", view.clip_from_view[3][3] == 0 ? 1 : 0);
+    program.set("pixel_size", pixel_size(view));
+    program.set("splat_size", parameters.splat_size);
+    program.set("topological_bias", parameters.topological_bias);
+    program.set("least_axis_pixels", parameters.least_axis_pixels);
+    program.set("longest_axis", parameters.greatest_axis * std::max(inputs.world->bounds.radius(), 1e-6f));
+    program.set("map_count", static_cast<unsigned>(parameters.maps.directions));
+    program.set("light_count", static_cast<unsigned>(inputs.world->lights.size()));
+    program.set("count_indirect", parameters.transport.paths != Paths::direct ? 1 : 0);
+    program.set("count_direct", by_photons && parameters.transport.paths != Paths::indirect ? 1 : 0);
+}
+
+void set_outlines(const gl::Program& program, const scene::View& view) {
+    program.set("clip_from_world", view.clip_from_world());
+    program.set("size_px", glm::vec2(view.width, view.height));
+}
+
+}  // namespace ir::methods::ldm_indirect

@@ -1,0 +1,141 @@
+#include <algorithm>
+
+#include "renderers/methods/ldm-indirect/splatting/ways.h"
+#include "renderers/passes/scan/scan.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+const std::string folder = "methods/ldm-indirect/splatting/";
+
+constexpr int tile = 16;                    ///< of gather_bins.comp
+constexpr unsigned columns = 1024;          ///< parts of the photons that are binned side by side
+constexpr int most_bins = 4096;             ///< so that counts take 16 MiB at most
+constexpr std::int64_t most_turns = 60000;  ///< llvmpipe ends all loops of an invocation after 65,535
+constexpr std::int64_t round_size = 49152;  ///< entries of a list that one dispatch sums
+constexpr std::uint64_t expected_entries = 1 << 16;
+
+/// Squares of the picture: tiles of 16 pixels, or so many more that there are not too many of them.
+struct Bins {
+    int side = tile, across = 1, down = 1;
+    int count() const { return across * down; }
+};
+
+Bins bins_of(const scene::View& view) {
+    Bins bins;
+    for (bins.side = tile;; bins.side *= 2) {
+        bins.across = (view.width + bins.side - 1) / bins.side;
+        bins.down = (view.height + bins.side - 1) / bins.side;
+        if (bins.count() <= most_bins) return bins;
+    }
+}
+
+struct Lists {
+    graph::BufferRef counts, places, entries;
+    Bins bins;
+};
+
+std::map<std::string, std::string> defines_of(const Bins& bins) {
+    return {{"BIN", std::to_string(bins.side) + "u"}, {"COLUMNS", std::to_string(columns) + "u"}};
+}
+
+/// Runs a program of bins.glsl for the slice's photons of each column.
+void bin(const graph::PassContext& p, graph::Slice slice, const SplatTask& task, const Lists& lists,
+         const std::string& file) {
+    const auto& program = p.program({{folder + file}, defines_of(lists.bins)});
+    program.use();
+    bind_footprints(p, program, task.photons);
+    set_outlines(program, p.inputs().view);
+    program.set("bins_across", static_cast<unsigned>(lists.bins.across));
+    const auto capacity = static_cast<std::int64_t>(p.capacity(task.photons.records));
+    const std::int64_t per_column = (capacity + columns - 1) / columns;
+    const auto end = per_column * slice.end / photon_parts;
+    const auto step = std::max<std::int64_t>(1, most_turns / (lists.bins.count() + lists.bins.down + 32));
+    for (auto first = per_column * slice.begin / photon_parts; first < end; first += step) {
+        program.set("first_of_column", static_cast<unsigned>(first));
+        program.set("end_of_column", static_cast<unsigned>(std::min(end, first + step)));
+        program.dispatch(columns);
+        p.barrier();
+    }
+}
+
+Lists sort_into_bins(graph::GraphBuilder& builder, const SplatTask& task) {
+    using graph::FieldType;
+    Lists lists;
+    lists.bins = bins_of(builder.inputs().view);
+    const auto slots = static_cast<std::uint64_t>(lists.bins.count()) * columns;
+    lists.counts = builder.buffer({.text = {.key = "splat.bin_counts",
+                                            .label = "Photons by tile and part",
+                                            .doc = "How many photons of each 1024th of the buffer are seen "
+                                                   "in each tile."},
+                                   .fields = {{"photons", FieldType::u32}},
+                                   .elements = slots,
+                                   .cleared = true});
+    auto count = builder.pass("count photons of tiles");
+    reads_footprints(count, task.photons);
+    count.writes(lists.counts).execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+        p.bind_buffer(3, lists.counts);
+        bin(p, slice, task, lists, "count_bins.comp");
+    });
+    lists.entries = builder.buffer({.text = {.key = "splat.bin_lists",
+                                             .label = "Photons of the tiles",
+                                             .doc = "Numbers of photons, tile after tile, each in order."},
+                                    .fields = {{"photon", FieldType::u32}},
+                                    .elements = expected_entries,
+                                    .growable = true,
+                                    .lower = "splat_size"});
+    const auto total = builder.counter({.key = "splat.bin_entries",
+                                        .label = "Photons times tiles",
+                                        .doc = "How often photons are listed in tiles.",
+                                        .growth_of = lists.entries});
+    lists.places = passes::exclusive_scan(builder, "splat.bins", lists.counts, slots, total);
+    auto fill = builder.pass("list photons of tiles");
+    reads_footprints(fill, task.photons);
+    fill.writes(lists.places, lists.entries)
+        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+            p.bind_buffer(3, lists.places);
+            p.bind_buffer(4, lists.entries);
+            bin(p, slice, task, lists, "fill_bins.comp");
+        });
+    return lists;
+}
+
+void gather(const graph::PassContext& p, graph::Slice slice, const SplatTask& task, const Lists& lists,
+            int tiles_across) {
+    if (slice.first) p.clear(task.irradiance);
+    const auto& program = p.program({{folder + "gather_bins.comp"}, defines_of(lists.bins)});
+    program.use();
+    bind_footprints(p, program, task.photons);
+    p.bind_buffer(3, lists.places);
+    p.bind_buffer(4, lists.entries);
+    p.bind_texture(0, task.position);
+    p.bind_texture(1, task.normal);
+    p.bind_storage_image(0, task.irradiance);
+    program.set("tiles_across", static_cast<unsigned>(tiles_across));
+    program.set("bins_across", static_cast<unsigned>(lists.bins.across));
+    program.set("first_tile", static_cast<unsigned>(slice.begin));
+    program.set("round_size", static_cast<unsigned>(round_size));
+    // a photon stands once in a list, so that no list is longer than there are photons
+    const auto longest = static_cast<std::int64_t>(p.capacity(task.photons.records));
+    for (std::int64_t first = 0; first < longest; first += round_size) {
+        program.set("round_first", static_cast<unsigned>(first));
+        program.dispatch((slice.end - slice.begin) * tile, tile);
+        p.barrier();
+    }
+}
+
+}  // namespace
+
+void splat_tiles(graph::GraphBuilder& builder, const SplatTask& task) {
+    const auto lists = sort_into_bins(builder, task);
+    const auto& view = builder.inputs().view;
+    const int across = (view.width + tile - 1) / tile, down = (view.height + tile - 1) / tile;
+    auto pass = builder.pass("gather photons of tiles");
+    reads_task(pass, task);
+    pass.reads(lists.places, lists.entries).writes(task.irradiance);
+    pass.execute_sliced(std::int64_t{across} * down, [=](graph::PassContext& p, graph::Slice slice) {
+        gather(p, slice, task, lists, across);
+    });
+}
+
+}  // namespace ir::methods::ldm_indirect

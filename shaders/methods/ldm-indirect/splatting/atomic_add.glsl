@@ -1,0 +1,42 @@
+// Adds a footprint to the picture without a rasteriser, from any compute shader. Include after #extension
+// GL_NV_shader_atomic_float where FLOAT_ATOMICS is set; others compare and swap. The order of the sums, and with it
+// their rounding, is that in which invocations happen to run.
+#include "methods/ldm-indirect/splatting/kernel.glsl"
+#include "methods/ldm-indirect/splatting/outline.glsl"
+
+layout(binding = ATOMIC_POSITION) uniform sampler2D position_image;
+layout(binding = ATOMIC_NORMAL) uniform sampler2D normal_image;  // geometric
+
+/// Layers: R, G, B (W/m²), photons.
+#ifdef FLOAT_ATOMICS
+layout(r32f, binding = ATOMIC_SUMS) uniform image2DArray sums;
+void atomic_add(ivec3 texel, float value) { imageAtomicAdd(sums, texel, value); }
+#else
+layout(r32ui, binding = ATOMIC_SUMS) uniform uimage2DArray sums;
+void atomic_add(ivec3 texel, float value) {
+    uint seen = imageLoad(sums, texel).x, expected;
+    do {
+        expected = seen;
+        seen = imageAtomicCompSwap(sums, texel, expected, floatBitsToUint(uintBitsToFloat(expected) + value));
+    } while (seen != expected);
+}
+#endif
+
+void add_at(Kernel k, ivec2 pixel) {
+    vec3 normal_ws = texelFetch(normal_image, pixel, 0).xyz, irradiance;
+    if (normal_ws == vec3(0) || !add_kernel(k, texelFetch(position_image, pixel, 0).xyz, normal_ws, irradiance)) return;
+    for (int c = 0; c < 3; ++c) atomic_add(ivec3(pixel, c), irradiance[c]);
+    atomic_add(ivec3(pixel, 3), 1.0);
+}
+
+/// The pixels first, first + step, … before end of the footprint's rectangle, counted row by row.
+void splat_atomically(Footprint f, uint first, uint step, uint end) {
+    if (!f.counts) return;
+    Outline o = outline_of(f);
+    if (!is_in_view(o)) return;
+    Kernel k = kernel_of(f);
+    ivec4 bounds = pixels_of(o);
+    uvec2 size = uvec2(bounds.zw - bounds.xy + 1);
+    for (uint i = first; i < min(end, size.x * size.y); i += step)
+        add_at(k, bounds.xy + ivec2(i % size.x, i / size.x));
+}

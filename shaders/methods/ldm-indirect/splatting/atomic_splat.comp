@@ -1,0 +1,17 @@
+// A work group for each stored photon.
+#define ATOMIC_POSITION 0
+#define ATOMIC_NORMAL 1
+#define ATOMIC_SUMS 0
+#include "methods/ldm-indirect/splatting/atomic_add.glsl"
+
+layout(local_size_x = 32) in;
+layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
+
+uniform uint first, end;
+uniform uint first_pixel, end_pixel;  // of a rectangle, so that no loop is too long
+
+void main() {
+    uint i = first + gl_WorkGroupID.x;
+    if (i < min(end, stored))
+        splat_atomically(footprint_of(photons[i]), first_pixel + gl_LocalInvocationID.x, 32u, end_pixel);
+}

@@ -1,0 +1,13 @@
+// The command that draws the photons first … end - 1 as points, as far as they are there.
+layout(local_size_x = 1) in;
+layout(std430, binding = 1) readonly buffer Stored { uint stored; };
+layout(std430, binding = 3) writeonly buffer Draw { uint points, instances, first_point, base_instance; };
+
+uniform uint first, end;
+
+void main() {
+    points = min(end, stored) - min(first, stored);
+    instances = 1u;
+    first_point = min(first, stored);
+    base_instance = 0u;
+}

@@ -1,0 +1,85 @@
+// Gathers one pixel over all photons: what splatting adds up, found the other way round and by M as printed.
+#include "methods/ldm-indirect/splatting/footprint.glsl"
+
+layout(local_size_x = 256) in;
+
+layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
+
+/// As fields of "indirect.explain.photons".
+struct Found {
+    float centre[3], axis_u[3], axis_v[3], contribution[3], flux[3];
+    uint map;
+    int side;
+    uint light, source;
+    float path_length, distance_m;
+    uint photon;
+};
+layout(std430, binding = 3) writeonly buffer FoundPhotons { Found found[]; };
+/// As fields of "indirect.explain.sum"; the host adds up, in double precision and in one order.
+layout(std430, binding = 4) buffer PixelSum {
+    uint pixel_x, pixel_y, found_count;
+    float gathered[3], direct[3], pixel_value[3], difference[3];
+};
+layout(std430, binding = 5) buffer PhotonCount { uint photon_count; };
+layout(std430, binding = 6) buffer SumCount { uint sum_count; };
+
+layout(binding = 0) uniform sampler2D position_image;
+layout(binding = 1) uniform sampler2D normal_image;  // geometric
+layout(binding = 2) uniform sampler2D irradiance_image;
+
+uniform uint first, end;
+uniform ivec2 picked_pixel;  // negative: none
+
+float[3] components(vec3 v) { return float[3](v.x, v.y, v.z); }
+
+/// ‖M (x - x_p)‖ with M as printed, and a = a' √|D_u x × D_v x|.  [Aalund15 eq. 7]
+float filter_length(Footprint f, vec3 x) {
+    vec3 d_u = 2.0 * f.p_ws, d_v = 2.0 * f.q_ws, n = f.n_ws, d = x - f.centre_ws;
+    float a = topological_bias * sqrt(length(cross(d_u, d_v)));
+    float scale = 2.0 / dot(d_u, cross(d_v, n));
+    return length(scale * vec3(dot(cross(d_v, n), d), dot(cross(n, d_u), d), a * dot(n, d)));
+}
+
+/// [Aalund15 eqs. 4-6]
+vec3 contribution_of(Photon photon, Footprint f, vec3 x) {
+    float area = PI / 4.0 * length(cross(2.0 * f.p_ws, 2.0 * f.q_ws)), l = filter_length(f, x);
+    float kernel = l < 1.0 ? 3.0 / PI * (1.0 - l * l) * (1.0 - l * l) : 0.0;
+    return photon.flux / area * PI * kernel;
+}
+
+void write(uint place, uint i, Photon photon, Footprint f, vec3 x) {
+    bool is_direct = (photon.leg & DIRECT) != 0u;
+    found[place].centre = components(f.centre_ws);
+    found[place].axis_u = components(f.p_ws);
+    found[place].axis_v = components(f.q_ws);
+    found[place].contribution = components(contribution_of(photon, f, x));
+    found[place].flux = components(photon.flux);
+    found[place].map = is_direct ? 0xffffu : photon.leg & 0xffffu;
+    found[place].side = is_direct ? 0 : (photon.leg & AGAINST_OR_ALONG) != 0u ? 1 : -1;
+    found[place].light = photon.leg >> 24u;
+    found[place].source = photon.source;
+    found[place].path_length = photon.path_length;
+    found[place].distance_m = distance(f.centre_ws, x);
+    found[place].photon = i;
+}
+
+void main() {
+    if (picked_pixel.x < 0) return;
+    vec3 normal_ws = texelFetch(normal_image, picked_pixel, 0).xyz;
+    if (normal_ws == vec3(0)) return;
+    uint i = first + gl_GlobalInvocationID.x;
+    if (i == 0u) {
+        atomicAdd(sum_count, 1u);
+        pixel_x = uint(picked_pixel.x);
+        pixel_y = uint(picked_pixel.y);
+        pixel_value = components(texelFetch(irradiance_image, picked_pixel, 0).rgb);
+    }
+    if (i >= min(end, stored)) return;
+    Photon photon = photons[i];
+    Footprint f = footprint_of(photon);
+    vec3 x = texelFetch(position_image, picked_pixel, 0).xyz;
+    if (!f.counts || filter_length(f, x) >= 1.0 || dot(normal_ws, f.to_source_ws) <= 0.0) return;
+    atomicAdd(photon_count, 1u);
+    uint place = atomicAdd(found_count, 1u);
+    if (place < uint(found.length())) write(place, i, photon, f, x);
+}

@@ -1,0 +1,21 @@
+// Counts the footprints that are not drawn as they are.
+#include "methods/ldm-indirect/splatting/footprint.glsl"
+
+layout(local_size_x = 256) in;
+layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
+layout(std430, binding = 3) buffer Short { uint short_axes; };
+layout(std430, binding = 4) buffer Long { uint long_axes; };
+layout(std430, binding = 5) buffer Degenerate { uint degenerate; };
+layout(std430, binding = 6) buffer Broken { uint broken; };
+
+uniform uint first, end;
+
+void main() {
+    uint i = first + gl_GlobalInvocationID.x;
+    if (i >= min(end, stored)) return;
+    uint mended = footprint_of(photons[i]).mended;
+    if ((mended & MENDED_SHORT) != 0u) atomicAdd(short_axes, 1u);
+    if ((mended & MENDED_LONG) != 0u) atomicAdd(long_axes, 1u);
+    if ((mended & MENDED_DEGENERATE) != 0u) atomicAdd(degenerate, 1u);
+    if ((mended & NOT_FINITE) != 0u) atomicAdd(broken, 1u);
+}

@@ -1,0 +1,22 @@
+// Adds the kernel where it covers the pixel's surface; blending sums. [Aalund15 eqs. 5-7]
+#include "methods/ldm-indirect/splatting/kernel.glsl"
+
+layout(binding = 0) uniform sampler2D position_image;
+layout(binding = 1) uniform sampler2D normal_image;  // geometric
+
+layout(location = 0) flat in vec3 centre_ws;
+layout(location = 1) flat in vec3 row_p;
+layout(location = 2) flat in vec3 row_q;
+layout(location = 3) flat in vec3 row_n;
+layout(location = 4) flat in vec3 peak;
+layout(location = 5) flat in vec3 to_source_ws;
+
+layout(location = 0) out vec4 added;  // A: photons
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 normal_ws = texelFetch(normal_image, pixel, 0).xyz, irradiance;
+    Kernel k = Kernel(centre_ws, row_p, row_q, row_n, peak, to_source_ws);
+    if (normal_ws == vec3(0) || !add_kernel(k, texelFetch(position_image, pixel, 0).xyz, normal_ws, irradiance)) discard;
+    added = vec4(irradiance, 1);
+}
