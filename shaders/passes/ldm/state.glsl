@@ -15,6 +15,8 @@ layout(std430, binding = LDM_STATE) coherent buffer LdmState {
     uint deepest_groups[4];   // and fragments if any texel is too deep for one invocation to sort
     uint deep_texels;         // texels with more than FEW_LAYERS,
     uint deep_listed;         // those of them that are listed so far
+    uint batch_extra;         // pages, or texels' wide tables, that the batch takes so far, also those beyond capacity,
+    uint counted_extra;       // and those of them that earlier chunks have counted
 };
 
 /// A texel's fragments beyond this one are left out and counted: a loop over them would be cut short by

@@ -25,4 +25,10 @@ struct LdmCursor {
 #include "passes/ldm/lists.glsl"
 #elif defined(LDM_ARRAYS)
 #include "passes/ldm/arrays.glsl"
+#elif defined(LDM_FIXED)
+#include "passes/ldm/fixed.glsl"
+#elif defined(LDM_PEELED)
+#include "passes/ldm/peel.glsl"
+#elif defined(LDM_PAGES)
+#include "passes/ldm/pages.glsl"
 #endif

@@ -102,7 +102,9 @@ inline gl::ContextOptions debug_options() {
 }
 
 /// All storages that are there.
-inline constexpr StorageKind all_storages[] = {StorageKind::linked_lists, StorageKind::arrays};
+inline constexpr StorageKind all_storages[] = {StorageKind::linked_lists, StorageKind::arrays,
+                                               StorageKind::fixed_arrays, StorageKind::fixed_arrays_presorted,
+                                               StorageKind::depth_peeling};
 
 /// As people choose it.
 inline std::string key_of(StorageKind storage) {
@@ -119,6 +121,8 @@ class LdmBuild {
           device_(gl::make_gl_device(*context_)),
           programs_(*context_, std::filesystem::path(SOURCE_ROOT) / "shaders"),
           graph_(std::make_unique<graph::Graph>(*device_, context_.get(), &programs_)) {}
+    /// Forgets how large buffers have grown.
+    void reset() { graph_ = std::make_unique<graph::Graph>(*device_, context_.get(), &programs_); }
     ~LdmBuild() {
         graph_.reset();
         for (const auto& message : context_->take_messages())

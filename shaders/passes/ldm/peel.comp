@@ -1,0 +1,23 @@
+// Depth peeling, a plane: the nearest fragment of each texel beyond the plane before, where those of equal depth come
+// in order of arrival. One invocation: one fragment.
+layout(local_size_x = 64) in;
+#include "passes/ldm/peel_builder.glsl"
+#include "passes/ldm/list_index.glsl"
+
+uniform uint plane;
+
+void main() {
+    uint index = list_index();
+    if (index >= min(fragment_count, uint(fragments.length()))) return;
+    uvec2 fragment = fragments[index];
+    uint arrival = fragment.y >> 16, depth = fragment.y & 0xffffu;
+    if (arrival >= MOST_LAYERS) {
+        if (plane > 0u) return;
+        atomicAdd(dropped, 1u);
+        atomicAdd(chunk_total, 0xffffffffu);
+        return;
+    }
+    uint entry = chunks[chunk].first + plane * plane_texels + fragment.x;
+    uint nearness = ~(depth << 16 | arrival);  // so that buffers of zeros are empty
+    if (plane == 0u || nearness < planes[entry - plane_texels]) atomicMax(planes[entry], nearness);
+}
