@@ -2,7 +2,8 @@
 
 namespace ir::passes::ldm {
 
-ArrayStorage::ArrayStorage(graph::GraphBuilder& builder, const Layout& layout) : layout_(layout) {
+ArrayStorage::ArrayStorage(graph::GraphBuilder& builder, const Layout& layout, Holds holds)
+    : layout_(layout), holds_(holds) {
     using graph::FieldType;
     const std::uint64_t texels = layout.batch_maps * layout.map_texels();
     const std::string lower = "directions or resolution";
@@ -80,6 +81,7 @@ void ArrayStorage::store(const graph::PassContext& context, const FragmentList& 
     const auto use = [&](const char* file) -> const gl::Program& {
         gl::ProgramSource source{{file}};
         if (is_wide(context)) source.defines["LDM_WIDE"] = "1";
+        if (holds_ == Holds::one_chunk) source.defines["ONE_CHUNK"] = "1";
         const auto& program = context.program(source);
         program.use();
         program.set("first_row", static_cast<unsigned>(chunk.first_map * layout_.resolution));

@@ -8,7 +8,10 @@ namespace ir::passes::ldm {
 /// row of more than 65,535 fragments makes the offsets' buffer grow to hold 32 bits each.
 class ArrayStorage : public Storage {
   public:
-    ArrayStorage(graph::GraphBuilder& builder, const Layout& layout);
+    /// Whether a batch is kept, or the chunk that was built last, for another storage to read (`layout` is
+    /// that of a chunk then).
+    enum class Holds { batch, one_chunk };
+    ArrayStorage(graph::GraphBuilder& builder, const Layout& layout, Holds holds = Holds::batch);
 
     std::map<std::string, std::string> defines(const graph::PassContext& context,
                                                int first_binding) const override;
@@ -24,6 +27,8 @@ class ArrayStorage : public Storage {
     std::uint64_t table_bytes(const graph::PassContext& context) const override;
     double fragment_bytes() const override { return 2; }
 
+    graph::BufferRef depths() const { return depths_; }
+
   private:
     bool is_wide(const graph::PassContext& context) const;
     std::uint64_t batch_rows() const {
@@ -33,6 +38,7 @@ class ArrayStorage : public Storage {
     std::uint64_t row_words() const { return (layout_.resolution + 2) / 2; }
 
     Layout layout_;
+    Holds holds_;
     graph::BufferRef rows_, offsets_, depths_, unsorted_, deep_texels_;
     graph::CounterRef depth_words_asked_, offset_words_asked_, unsorted_asked_, most_layers_;
 };

@@ -169,7 +169,7 @@ class BatchBuild {
         program.use();
         if (maps_->large.index >= 0)
             program.set("large_capacity", static_cast<unsigned>(context.capacity(maps_->large)));
-        program.set("fragment_bytes", static_cast<unsigned>(maps_->storage->fragment_bytes()));
+        program.set("fragment_bits", static_cast<unsigned>(8 * maps_->storage->fragment_bytes()));
         program.dispatch(1);
         context.barrier();
     }

@@ -19,7 +19,7 @@ class ListStorage : public Storage {
     std::uint64_t table_bytes(const graph::PassContext& context) const override;
     double fragment_bytes() const override { return 8; }
 
-  private:
+  protected:
     Layout layout_;
     graph::BufferRef heads_, nodes_;
     graph::CounterRef nodes_asked_;

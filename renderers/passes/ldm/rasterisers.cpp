@@ -8,10 +8,13 @@ namespace {
 gl::ProgramSource source_for(const Maps& maps, std::vector<std::string> files, bool masked) {
     gl::ProgramSource source{std::move(files)};
     if (masked) source.defines["MASKED"] = "1";
-    if (maps.finds_faces())
+    if (maps.finds_faces()) {
         source.defines["LDM_FACES"] = "1";
-    else if (maps.storage->needs_arrivals())
+        if (maps.storage->depth_bits() < 16)
+            source.defines["LDM_PACKED_BITS"] = std::to_string(maps.storage->depth_bits());
+    } else if (maps.storage->needs_arrivals()) {
         source.defines["LDM_ARRIVALS"] = "1";
+    }
     return source;
 }
 

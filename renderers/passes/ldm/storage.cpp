@@ -4,7 +4,9 @@
 
 #include "renderers/passes/ldm/array_storage.h"
 #include "renderers/passes/ldm/fixed_storage.h"
+#include "renderers/passes/ldm/hash_storage.h"
 #include "renderers/passes/ldm/list_storage.h"
+#include "renderers/passes/ldm/packed_storage.h"
 #include "renderers/passes/ldm/page_storage.h"
 #include "renderers/passes/ldm/peel_storage.h"
 #include "renderers/passes/ldm/sorted_list_storage.h"
@@ -26,12 +28,16 @@ std::shared_ptr<const Storage> make_storage(graph::GraphBuilder& builder, Storag
             return std::make_shared<FixedStorage>(builder, layout, FixedOrder::after);
         case StorageKind::fixed_arrays_presorted:
             return std::make_shared<FixedStorage>(builder, layout, FixedOrder::arrival);
+        case StorageKind::hash:
+            return std::make_shared<HashStorage>(builder, layout);
         case StorageKind::depth_peeling:
             return std::make_shared<PeelStorage>(builder, layout);
         case StorageKind::lists_then_sort:
             return std::make_shared<SortedListStorage>(builder, layout);
         case StorageKind::pages:
             return std::make_shared<PageStorage>(builder, layout);
+        case StorageKind::packed_arrays:
+            return std::make_shared<PackedStorage>(builder, layout);
         default:
             break;
     }

@@ -67,6 +67,9 @@ class Storage {
 
     /// Whether the list must hold the order of arrival at each texel (define LDM_ARRIVALS).
     virtual bool needs_arrivals() const { return false; }
+    /// Bits of a depth that are kept; with less than 16, depths stand for the middle of what is rounded to them
+    /// (shaders/passes/ldm/packed_depth.glsl), and equal ones of a texel for one.
+    virtual int depth_bits() const { return 16; }
     /// Empties the maps of a batch.
     virtual void begin_batch(const graph::PassContext& context) const = 0;
     /// Stores the fragments of a chunk, whose list is bound (see Builder).
@@ -90,7 +93,7 @@ inline constexpr int expected_layers = 10;
 /// Dispatches over a list whose group counts stand at word `word` of the state.
 void dispatch_indirect(const graph::PassContext& context, graph::BufferRef state, int word);
 /// Words of state.glsl.
-inline constexpr int state_words = 26, fragment_groups_word = 8, large_groups_word = 12,
+inline constexpr int state_words = 28, fragment_groups_word = 8, large_groups_word = 12,
                      deep_groups_word = 16, deepest_groups_word = 20;
 
 }  // namespace ir::passes::ldm

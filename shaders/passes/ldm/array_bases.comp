@@ -31,7 +31,7 @@ void main() {
         widest[me] = max(widest[me], left_widest);
         barrier();
     }
-    uint base = stored + (me > 0u ? sums[me - 1u] : 0u);
+    uint base = stored_before + (me > 0u ? sums[me - 1u] : 0u);
     for (uint row = begin; row < end; ++row) {
         uint count = rows[first_row + row];
         rows[first_row + row] = base;
@@ -43,7 +43,7 @@ void main() {
     deep_groups[0] = groups.x;
     deep_groups[1] = groups.y;
     deep_groups[2] = 1u;
-    atomicMax(depth_words_asked, (asked + fragment_count + 1u) / 2u);
+    atomicMax(depth_words_asked, (asked_before + fragment_count + 1u) / 2u);
     atomicMax(offset_words_asked, widest[255] > 65535u ? wide_words : packed_words);
     atomicMax(unsorted_asked, fragment_count);
     atomicMax(all_most_layers, most_layers);

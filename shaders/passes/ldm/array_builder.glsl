@@ -17,6 +17,14 @@ const uint FEW_LAYERS = 16u;
 /// Insertion takes up to n²/2 turns, and drivers may stop loops after 65,535.
 const uint MOST_INSERTED = 192u;
 
+/// Depths of the batch before the chunk's, and what it would hold then if every buffer were large enough.
+#ifdef ONE_CHUNK
+const uint stored_before = 0u, asked_before = 0u;
+#else
+#define stored_before stored
+#define asked_before asked
+#endif
+
 uniform uint first_row, row_count;
 uniform uint resolution;
 

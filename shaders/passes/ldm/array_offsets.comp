@@ -19,11 +19,11 @@ void main() {
     uint room = 2u * uint(depths.length());
     uint unclamped = rows[first_row + row], base = min(unclamped, room);
     rows[first_row + row] = base;
-    uint begin = unclamped - stored;  // in the chunk
+    uint begin = unclamped - stored_before;  // in the chunk
     uint half_stride = (resolution + 2u) / 2u, first_word = (first_row + row) * half_stride;
     uint low = 0u;
     for (uint x = 0u; x < 2u * half_stride; ++x) {
-        uint offset = min(stored + begin, room) - base;
+        uint offset = min(stored_before + begin, room) - base;
         if ((x & 1u) == 0u)
             low = offset;
         else

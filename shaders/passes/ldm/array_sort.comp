@@ -8,7 +8,7 @@ void main() {
     uint texel = gl_GlobalInvocationID.x;
     if (texel >= row_count * resolution) return;
     uint source = counts[texel], count = counts[texel + 1u] - source;
-    uint begin = stored + source, end = begin + count;
+    uint begin = stored_before + source, end = begin + count;
     if (count > FEW_LAYERS) {
         uint place = atomicAdd(deep_listed, 1u);
         if (place < uint(deep_list.length())) deep_list[place] = texel;

@@ -25,7 +25,7 @@ void main() {
     uint index = list_index();
     if (index >= min(deep_listed, uint(deep_list.length()))) return;
     uint texel = deep_list[index], source = counts[texel], count = counts[texel + 1u] - source;
-    uint begin = stored + source, end = begin + count;
+    uint begin = stored_before + source, end = begin + count;
     if (end > 2u * uint(depths.length()) || source + count > uint(unsorted.length())) return;
     if (count > MOST_INSERTED) {
         deepest_groups[0] = fragment_groups[0];

@@ -2,6 +2,9 @@
 // to a point of its texel that has its depth and no face yet; so each point ends with the face of a triangle that
 // made such an entry. Include triangle.glsl first.
 #include "passes/ldm/point.glsl"
+#ifdef LDM_PACKED_BITS
+#include "passes/ldm/packed_depth.glsl"
+#endif
 
 layout(std430, binding = LDM_FRAGMENTS) coherent buffer LdmPoints { uint face_points[]; };
 /// First point of each texel that has points, and where the last one's end.
@@ -39,6 +42,9 @@ void put_fragment(uint place, uint texel, uint depth) {
     uint point = first_points[index / face_stride];
     uint end = min(first_points[index / face_stride + 1u], uint(face_points.length()) / POINT_WORDS);
     if (point >= end) return;
+#ifdef LDM_PACKED_BITS
+    depth = unpacked_depth(packed_depth(depth));
+#endif
     MapFrame frame = ldm_frames[face_points[POINT_WORDS * point + POINT_MAP]];
     float metres = ldm_metres(frame, depth);
     FACE_SKIP(32768u)

@@ -13,7 +13,7 @@ layout(std430, binding = 12) buffer Kept { uint kept; };
 layout(std430, binding = 13) buffer Bytes { uint bytes; };
 
 uniform uint large_capacity;
-uniform uint fragment_bytes;
+uniform uint fragment_bits;  // that the maps take for each
 
 void main() {
 #if defined(PREPARE_LARGE)
@@ -26,7 +26,7 @@ void main() {
     atomicAdd(generated, fragment_count);
     atomicAdd(all_dropped, dropped);
     atomicAdd(kept, chunk_total);
-    atomicAdd(bytes, chunk_total * fragment_bytes + chunk_bytes);
+    atomicAdd(bytes, chunk_total / 8u * fragment_bits + chunk_total % 8u * fragment_bits / 8u + chunk_bytes);
     asked += fragment_count;
     stored += chunk_total;
     dropped = 0u;

@@ -27,8 +27,12 @@ struct LdmCursor {
 #include "passes/ldm/arrays.glsl"
 #elif defined(LDM_FIXED)
 #include "passes/ldm/fixed.glsl"
+#elif defined(LDM_HASH)
+#include "passes/ldm/hash.glsl"
 #elif defined(LDM_PEELED)
 #include "passes/ldm/peel.glsl"
+#elif defined(LDM_PACKED_BITS)
+#include "passes/ldm/packed.glsl"
 #elif defined(LDM_PAGES)
 #include "passes/ldm/pages.glsl"
 #endif

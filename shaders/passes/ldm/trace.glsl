@@ -32,6 +32,11 @@ const float LDM_LEAST_FACING = 0.02;
 /// Most that the slope may add to the tolerance, in texels, so that grazing rays see walls of two texels.
 const float LDM_MOST_TOLERANCE = 1.5;
 
+/// Quanta by which a storage may move entries; tolerances are no less.
+#ifndef LDM_ROUNDING
+#define LDM_ROUNDING 0.0
+#endif
+
 vec3 ldm_project(MapFrame frame, vec3 position_ws) {
     return vec3(dot(position_ws, frame.u.xyz) + frame.u.w, dot(position_ws, frame.v.xyz) + frame.v.w,
                 dot(position_ws, frame.depth.xyz) + frame.depth.w);
@@ -59,7 +64,8 @@ LdmHit ldm_ask(uint map, ivec2 texel, int resolution, float plane, float toleran
 #ifdef LDM_VIEWS
     near = ldm_neighbours(map, texel, resolution, key);
     hit.own = forward ? float(near.before) >= plane - tolerance : float(near.behind) <= plane + tolerance;
-    hit.rejected = (forward ? float(near.before) > plane + 1.5 : float(near.behind) < plane - 1.5) && hit.own
+    const float near_plane = max(1.5, LDM_ROUNDING);
+    hit.rejected = (forward ? float(near.before) > plane + near_plane : float(near.behind) < plane - near_plane) && hit.own
                        ? 1 : 0;
 #endif
     return hit;
@@ -101,6 +107,7 @@ LdmQuestion ldm_question_tangent(MapFrame frame, int resolution, vec3 position_w
     }
     float tolerance =
         rule.quanta + min(rule.slope * (abs(slope.x) + abs(slope.y)), LDM_MOST_TOLERANCE * texel_quanta);
+    tolerance = max(tolerance, LDM_ROUNDING);
     float start = max(gain + tolerance, 0.0), along = forward ? 1.0 : -1.0;
     return LdmQuestion(texel, false, p.z + along * gain, tolerance, p.z + along * start);
 }
@@ -137,7 +144,8 @@ LdmHit ldm_trace_offset(MapFrame frame, uint map, int resolution, vec3 position_
     hit.own = own != LDM_NONE_BEFORE && own != LDM_NONE_BEHIND;
     if (!hit.own) return hit;
 #ifdef LDM_VIEWS
-    hit.rejected = (forward ? float(own) > q.plane + 1.5 : float(own) < q.plane - 1.5) ? 1 : 0;
+    const float near_plane = max(1.5, LDM_ROUNDING);
+    hit.rejected = (forward ? float(own) > q.plane + near_plane : float(own) < q.plane - near_plane) ? 1 : 0;
 #endif
     if (forward && before_is_own) {
         hit.found = near.behind != LDM_NONE_BEHIND;

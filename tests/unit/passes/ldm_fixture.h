@@ -102,9 +102,10 @@ inline gl::ContextOptions debug_options() {
 }
 
 /// All storages that are there.
-inline constexpr StorageKind all_storages[] = {StorageKind::linked_lists, StorageKind::arrays,
-                                               StorageKind::fixed_arrays, StorageKind::fixed_arrays_presorted,
-                                               StorageKind::depth_peeling};
+inline constexpr StorageKind all_storages[] = {
+    StorageKind::linked_lists,           StorageKind::arrays,          StorageKind::fixed_arrays,
+    StorageKind::fixed_arrays_presorted, StorageKind::lists_then_sort, StorageKind::pages,
+    StorageKind::packed_arrays,          StorageKind::depth_peeling};
 
 /// As people choose it.
 inline std::string key_of(StorageKind storage) {

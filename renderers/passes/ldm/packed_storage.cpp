@@ -1,0 +1,124 @@
+#include "renderers/passes/ldm/packed_storage.h"
+
+namespace ir::passes::ldm {
+namespace {
+
+/// Layout of the arrays that hold one chunk.
+Layout chunk_layout(Layout layout) {
+    layout.batch_maps = layout.chunk_maps;
+    return layout;
+}
+
+}  // namespace
+
+PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
+    : layout_(layout), chunk_(builder, chunk_layout(layout), ArrayStorage::Holds::one_chunk) {
+    using graph::FieldType;
+    const std::uint64_t texels = layout.batch_maps * layout.map_texels();
+    const std::string lower = "directions or resolution";
+    rows_ = builder.buffer({.text = {.key = "ldm.packed_rows",
+                                     .label = "Rows of texels",
+                                     .doc = "Number of the first depth of each row of texels."},
+                            .fields = {{"first", FieldType::u32}},
+                            .elements = batch_rows()});
+    groups_ = builder.buffer({.text = {.key = "ldm.packed_groups",
+                                       .label = "Groups of texels",
+                                       .doc = "Per eight texels of a row where their first depth is, counted "
+                                              "from the row's (16 bits), and numbers of depths (6 bits "
+                                              "each); at the end, nine words for each group with more."},
+                              .fields = {{"word", FieldType::u32}},
+                              .elements = table_words(),
+                              .growable = true,
+                              .lower = lower});
+    depths_ = builder.buffer({.text = {.key = "ldm.packed_depths",
+                                       .label = "Packed depths",
+                                       .doc = "Sorted depths, texel by texel, 11 bits each; 32 of them fill "
+                                              "11 words.",
+                                       .semantic = Semantic::depth},
+                              .fields = {{"word", FieldType::u32}},
+                              .elements = texels * expected_layers * packed_bits / 32,
+                              .growable = true,
+                              .lower = lower});
+    texels_ = builder.buffer({.text = {.key = "ldm.packed_texels",
+                                       .label = "Texels of a chunk",
+                                       .doc = "Number of the first packed depth of each texel of the chunk "
+                                              "that was built last."},
+                              .fields = {{"first", FieldType::u32}},
+                              .elements = layout.chunk_maps * layout.map_texels() + 1});
+    depth_words_asked_ = builder.counter({.key = "ldm.packed_depth_words",
+                                          .label = "Words of packed depths",
+                                          .doc = "Of the largest batch of maps.",
+                                          .growth_of = depths_});
+    group_words_asked_ = builder.counter({.key = "ldm.packed_group_words",
+                                          .label = "Words of groups of texels",
+                                          .doc = "Of the largest batch of maps.",
+                                          .growth_of = groups_});
+    merged_ = builder.counter({.key = "ldm.merged",
+                               .label = "Merged fragments",
+                               .doc = "Whose depth equals another's of the texel once it is rounded."});
+}
+
+std::map<std::string, std::string> PackedStorage::defines(const graph::PassContext& context,
+                                                          int first_binding) const {
+    // Half of what is rounded away, and one quantum for rasterisation.
+    std::map<std::string, std::string> result{
+        {"LDM_PACKED_BITS", std::to_string(packed_bits)},
+        {"LDM_ROUNDING", std::to_string((1 << (15 - packed_bits)) + 1) + ".0"},
+        {"LDM_STORAGE", std::to_string(first_binding)}};
+    // Before it has grown the table may be too small for any query.
+    if (context.capacity(groups_) < table_words()) result["LDM_EMPTY"] = "1";
+    return result;
+}
+
+std::vector<graph::BufferRef> PackedStorage::scratch() const {
+    auto result = chunk_.buffers();
+    for (const auto buffer : chunk_.scratch()) result.push_back(buffer);
+    result.push_back(texels_);
+    return result;
+}
+
+std::vector<graph::CounterRef> PackedStorage::counters() const {
+    auto result = chunk_.counters();
+    for (const auto counter : {depth_words_asked_, group_words_asked_, merged_}) result.push_back(counter);
+    return result;
+}
+
+void PackedStorage::begin_batch(const graph::PassContext& context) const {
+    context.clear(depths_);
+}
+
+void PackedStorage::store(const graph::PassContext& context, const FragmentList& list,
+                          const Chunk& chunk) const {
+    chunk_.store(context, list, {0, chunk.maps});
+    const int rows = chunk.maps * layout_.resolution;
+    const auto texels = chunk.maps * static_cast<std::int64_t>(layout_.map_texels());
+    bind(context, 13);
+    context.bind_buffer(7, chunk_.depths());
+    context.bind_buffer(8, texels_);
+    context.bind_counter(9, depth_words_asked_);
+    context.bind_counter(10, group_words_asked_);
+    context.bind_counter(11, merged_);
+    const auto run = [&](const char* file, std::int64_t invocations, bool needs_table = false) {
+        gl::ProgramSource source{{file}};
+        source.defines["LDM_PACKED_BITS"] = std::to_string(packed_bits);
+        const auto& program = context.program(source);
+        program.use();
+        program.set("first_row", static_cast<unsigned>(chunk.first_map * layout_.resolution));
+        program.set("row_count", static_cast<unsigned>(rows));
+        program.set("resolution", static_cast<unsigned>(layout_.resolution));
+        if (needs_table) program.set("table_words", static_cast<unsigned>(table_words()));
+        program.dispatch(invocations);
+        context.barrier();
+    };
+    run("passes/ldm/packed_count.comp", texels);
+    run("passes/ldm/packed_rows.comp", rows);
+    run("passes/ldm/packed_bases.comp", 1);
+    run("passes/ldm/packed_groups.comp", rows, true);
+    run("passes/ldm/packed_write.comp", texels, true);
+}
+
+std::uint64_t PackedStorage::table_bytes(const graph::PassContext&) const {
+    return 4 * (batch_rows() + table_words());
+}
+
+}  // namespace ir::passes::ldm

@@ -1,0 +1,62 @@
+#include "renderers/passes/ldm/sorted_list_storage.h"
+
+namespace ir::passes::ldm {
+
+SortedListStorage::SortedListStorage(graph::GraphBuilder& builder, const Layout& layout)
+    : ListStorage(builder, layout) {
+    const std::uint64_t texels = layout.chunk_maps * layout.map_texels();
+    deep_texels_ = builder.buffer({.text = {.key = "ldm.deep_texels",
+                                            .label = "Deep texels of a chunk",
+                                            .doc = "Texels with more than 16 layers, of the chunk that was "
+                                                   "built last.",
+                                            .semantic = Semantic::id},
+                                   .fields = {{"texel", graph::FieldType::u32}},
+                                   .elements = texels});
+    successors_ = builder.buffer({.text = {.key = "ldm.successors",
+                                           .label = "Successors of nodes",
+                                           .doc = "Of the fragments of the deepest texels of the chunk that "
+                                                  "was built last: the next node in order.",
+                                           .semantic = Semantic::id},
+                                  .fields = {{"node", graph::FieldType::u32}},
+                                  .elements = texels,
+                                  .growable = true,
+                                  .lower = "directions or resolution"});
+    successors_asked_ = builder.counter({.key = "ldm.asked_successors",
+                                         .label = "Successors of the largest chunk",
+                                         .growth_of = successors_});
+}
+
+void SortedListStorage::store(const graph::PassContext& context, const FragmentList& list,
+                              const Chunk& chunk) const {
+    const std::int64_t texels = chunk.maps * static_cast<std::int64_t>(layout_.map_texels());
+    bind(context, 13);
+    context.bind_buffer(7, deep_texels_);
+    context.bind_buffer(8, successors_);
+    context.bind_counter(9, nodes_asked_);
+    context.bind_counter(10, successors_asked_);
+    const auto use = [&](const char* file) -> const gl::Program& {
+        const auto& program = context.program(gl::ProgramSource{{file}});
+        program.use();
+        program.set("batch_texel", static_cast<unsigned>(chunk.first_map * layout_.map_texels()));
+        return program;
+    };
+    const auto run_indirect = [&](const char* file, int word) {
+        use(file);
+        dispatch_indirect(context, list.state, word);
+        context.barrier();
+    };
+    run_indirect("passes/ldm/lists_push.comp", fragment_groups_word);
+    const auto& sort = use("passes/ldm/lists_sort.comp");
+    sort.set("texel_count", static_cast<unsigned>(texels));
+    sort.dispatch(texels);
+    context.barrier();
+    const auto& prepare = context.program({{"passes/ldm/lists_prepare.comp"}});
+    prepare.use();
+    prepare.dispatch(1);
+    context.barrier();
+    run_indirect("passes/ldm/lists_sort_deep.comp", deep_groups_word);
+    run_indirect("passes/ldm/lists_find_next.comp", deepest_groups_word);
+    run_indirect("passes/ldm/lists_relink.comp", deepest_groups_word);
+}
+
+}  // namespace ir::passes::ldm

@@ -1,0 +1,32 @@
+// What the steps of packing a chunk share, whose sorted depths are in arrays (array_builder.glsl with ONE_CHUNK).
+#include "passes/ldm/builder.glsl"
+#include "passes/ldm/packed_depth.glsl"
+#define LDM_ARRIVALS
+#include "passes/ldm/fragments.glsl"
+#include "passes/ldm/packed_groups.glsl"
+
+/// The chunk's sorted depths of 16 bits; a texel's begin at counts[texel].
+layout(std430, binding = 7) readonly buffer LdmDepths { uint sorted_depths[]; };
+/// Per texel of the chunk: first the number of its packed depths, then where they begin, in the batch.
+layout(std430, binding = 8) buffer LdmPackedTexels { uint packed_texels[]; };
+layout(std430, binding = 13) buffer LdmPackedRows { uint rows[]; };
+layout(std430, binding = 14) buffer LdmGroups { uint groups[]; };
+layout(std430, binding = 15) coherent buffer LdmPackedDepths { uint depths[]; };
+
+uniform uint first_row, row_count;
+uniform uint resolution;
+
+/// Depths that there is room for.
+uint packed_room() {
+    uint words = uint(depths.length()), bits = uint(PACKED_BITS);
+    return words / bits * BLOCK_DEPTHS + words % bits * 32u / bits;
+}
+
+bool has_sorted(uint texel) {
+    return counts[texel + 1u] <= 2u * uint(sorted_depths.length());
+}
+
+/// The chunk's depth number `index`, packed.
+uint sorted_at(uint index) {
+    return packed_depth(bitfieldExtract(sorted_depths[index >> 1], int(index & 1u) << 4, 16));
+}
