@@ -122,26 +122,6 @@ Cell ratio(double value, double to) {
 
 }  // namespace
 
-std::vector<Column> columns_of(const graph::Benchmark& benchmark) {
-    if (!benchmark.columns.empty()) return benchmark.columns;
-    std::vector<Column> columns{
-        {.label = "Total",
-         .unit = "ms",
-         .doc = benchmark.total_of.empty()
-                    ? "All passes; median of the warm runs."
-                    : "The passes that the benchmark is about; median of the warm runs.",
-         .source = Column::PassTime{}}};
-    for (const auto& peer : benchmark.peers)
-        columns.push_back({.label = "Total / " + peer.label,
-                           .doc = "The total divided by that of " + peer.label + " in the same run.",
-                           .source = Column::TimeRatio{peer.label}});
-    columns.push_back({.label = "Memory",
-                       .unit = "B",
-                       .doc = "Of all images and buffers, with what they have to spare.",
-                       .source = Column::MemoryBytes{}});
-    return columns;
-}
-
 BenchmarkPicture picture_of(const Execution& execution) {
     return {execution.main_result(), execution.graph().read_image("valid").value_or(Image())};
 }

@@ -5,9 +5,6 @@
 
 namespace ir::engine {
 
-/// The total, the ratio to each peer, and memory: for a benchmark that declares no columns.
-std::vector<graph::BenchmarkColumn> columns_of(const graph::Benchmark& benchmark);
-
 /// A main result with which others are compared.
 struct BenchmarkPicture {
     Image image, valid;

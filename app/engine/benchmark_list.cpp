@@ -33,6 +33,27 @@ const NamedBenchmark& find_benchmark(const std::string& name) {
     throw UsageError("unknown benchmark '" + name + "'; there are " + projects::listed(known));
 }
 
+std::vector<graph::BenchmarkColumn> columns_of(const graph::Benchmark& benchmark) {
+    using Column = graph::BenchmarkColumn;
+    if (!benchmark.columns.empty()) return benchmark.columns;
+    std::vector<graph::BenchmarkColumn> columns{
+        {.label = "Total",
+         .unit = "ms",
+         .doc = benchmark.total_of.empty()
+                    ? "All passes; median of the warm runs."
+                    : "The passes that the benchmark is about; median of the warm runs.",
+         .source = Column::PassTime{}}};
+    for (const auto& peer : benchmark.peers)
+        columns.push_back({.label = "Total / " + peer.label,
+                           .doc = "The total divided by that of " + peer.label + " in the same run.",
+                           .source = Column::TimeRatio{peer.label}});
+    columns.push_back({.label = "Memory",
+                       .unit = "B",
+                       .doc = "Of all images and buffers, with what they have to spare.",
+                       .source = Column::MemoryBytes{}});
+    return columns;
+}
+
 std::string benchmark_list(bool json) {
     auto list = projects::Json::array();
     std::string text;

@@ -20,6 +20,8 @@ struct NamedBenchmark {
 const std::vector<NamedBenchmark>& benchmarks();
 /// Throws UsageError that lists what there is.
 const NamedBenchmark& find_benchmark(const std::string& name);
+/// Of its table; the total, the ratio to each peer, and memory where it declares none.
+std::vector<graph::BenchmarkColumn> columns_of(const graph::Benchmark& benchmark);
 /// Names and one line each (or a JSON array).
 std::string benchmark_list(bool json);
 
