@@ -5,9 +5,10 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
-#include <limits>
+#include <cmath>
 
 #include "renderers/core/error.h"
 #include "renderers/passes/raytracing/bvh.h"
@@ -29,13 +30,14 @@ struct Count {
 /// All rays of up to sixteen consecutive positions, one packet per direction.
 class Group {
   public:
-    Group(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) : normals_(normals) {
+    Group(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, float max_distance)
+        : normals_(normals) {
         for (std::size_t i = 0; i < lanes; ++i) {
             packet_.active[i] = 0;
             const auto origin = i < positions.size() ? offset_origin(positions[i], normals[i]) : glm::vec3(0);
             packet_.ox[i] = origin.x, packet_.oy[i] = origin.y, packet_.oz[i] = origin.z;
             packet_.near[i] = 0;
-            packet_.far[i] = std::numeric_limits<float>::infinity();
+            packet_.far[i] = max_distance;
         }
     }
 
@@ -50,24 +52,33 @@ class Group {
         for (std::size_t i = 0; i < lanes; ++i) {
             packet_.dx[i] = direction.x, packet_.dy[i] = direction.y, packet_.dz[i] = direction.z;
         }
-        count.blocked = static_cast<std::uint64_t>(std::popcount(bvh.occluded16(packet_, true)));
+        count.blocked = std::isinf(packet_.far[0])
+                            ? static_cast<std::uint64_t>(std::popcount(bvh.occluded16(packet_, true)))
+                            : closest(bvh);
         return count;
     }
 
   private:
+    std::uint64_t closest(const Bvh& bvh) const {
+        float distances[lanes];
+        bvh.closest16(packet_, true, distances);
+        return static_cast<std::uint64_t>(std::count_if(std::begin(distances), std::end(distances),
+                                                        [](float d) { return !std::isinf(d); }));
+    }
+
     std::span<const glm::vec3> normals_;
     Bvh::Packet16 packet_;
 };
 
 Count trace_all(const Bvh& bvh, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
-                std::span<const glm::vec3> directions) {
+                std::span<const glm::vec3> directions, float max_distance) {
     tbb::enumerable_thread_specific<Count> counts;
     const auto groups = (positions.size() + lanes - 1) / lanes;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups), [&](const auto& range) {
         auto& count = counts.local();
         for (auto g = range.begin(); g != range.end(); ++g) {
             const auto first = g * lanes, size = std::min(lanes, positions.size() - first);
-            Group group(positions.subspan(first, size), normals.subspan(first, size));
+            Group group(positions.subspan(first, size), normals.subspan(first, size), max_distance);
             for (const auto& direction : directions) {
                 const auto traced = group.trace(bvh, direction);
                 count.rays += traced.rays;
@@ -84,7 +95,7 @@ Count trace_all(const Bvh& bvh, std::span<const glm::vec3> positions, std::span<
 
 EmbreeTiming time_embree_ao(const scene::Scene& scene, const scene::World& world,
                             std::span<const glm::vec3> positions_ws, std::span<const glm::vec3> normals_ws,
-                            std::span<const glm::vec3> directions_ws, int threads) {
+                            std::span<const glm::vec3> directions_ws, float max_distance, int threads) {
     if (positions_ws.size() != normals_ws.size()) {
         throw Error("ray tracing benchmark: as many normals as positions are needed");
     }
@@ -94,7 +105,8 @@ EmbreeTiming time_embree_ao(const scene::Scene& scene, const scene::World& world
     const Bvh bvh(scene, world, threads, Bvh::Edges::fast);
     timing.build_ms = milliseconds_since(start);
     const auto traced_from = std::chrono::steady_clock::now();
-    const auto count = arena.execute([&] { return trace_all(bvh, positions_ws, normals_ws, directions_ws); });
+    const auto count =
+        arena.execute([&] { return trace_all(bvh, positions_ws, normals_ws, directions_ws, max_distance); });
     timing.trace_ms = milliseconds_since(traced_from);
     timing.rays = count.rays;
     timing.blocked = count.blocked;

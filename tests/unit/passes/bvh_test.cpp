@@ -415,11 +415,16 @@ TEST(EmbreeTiming, TracesTheRaysAboveTheSurface) {
     const std::vector<glm::vec3> directions{{0, 1, 0},         {0, -1, 0}, {0.6f, 0.8f, 0},
                                             {-0.6f, -0.8f, 0}, {1, 0, 0},  {-1, 0, 0}};
     const auto timing =
-        passes::time_embree_ao(small.scene(), small.world(), positions, normals, directions, 2);
+        passes::time_embree_ao(small.scene(), small.world(), positions, normals, directions, infinity, 2);
     EXPECT_EQ(timing.rays, 36u * 2);
     EXPECT_EQ(timing.blocked, 36u * 2);
     EXPECT_GT(timing.build_ms, 0);
     EXPECT_GT(timing.trace_ms, 0);
+    // Within reach is the square above in the direction straight up alone.
+    const auto near =
+        passes::time_embree_ao(small.scene(), small.world(), positions, normals, directions, 1.1f, 2);
+    EXPECT_EQ(near.rays, 36u * 2);
+    EXPECT_EQ(near.blocked, 36u);
 }
 
 /// The pass "BVH" in a graph without a GPU: runs for a new world only.
