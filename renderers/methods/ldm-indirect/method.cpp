@@ -1,0 +1,54 @@
+// Indirect light from layered depth maps: every pixel of a light's image is a photon with its differential,
+// split at its first surface into all directions of the maps, traced through them, and splatted onto what the
+// camera sees. [Aalund15 §3.4, §4.2]
+#include "renderers/graph/method.h"
+
+#include "renderers/methods/ldm-indirect/benchmark.h"
+#include "renderers/methods/ldm-indirect/splatting.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+std::vector<OutputDescription> outputs() {
+    std::vector<OutputDescription> all;
+    for (const auto& part : {splatting_outputs(), tracing_outputs()})
+        all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+MethodDescription description() {
+    MethodDescription d;
+    d.id = "ldm-indirect";
+    d.title = "Indirect light from layered depth maps";
+    d.summary =
+        "Splits the photons of a light's image into all directions of the layered depth maps, traces them "
+        "through the maps, and splats them with the footprints of their differentials. One diffuse bounce; "
+        "nothing is precomputed. Errors come from the number of directions, from the maps' texels and from "
+        "the footprints' size.";
+    d.papers = {"Aalund15", "Igehy99", "Frisvad14"};
+    d.outputs = outputs();
+    d.selectors = tracing_selectors();
+    return d;
+}
+
+void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
+    const auto scene = passes::upload_scene(builder);
+    const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
+    const auto photons = trace_photons(builder, scene, gbuffer, parameters);
+    const auto splat = splat_photons(builder, gbuffer, photons, parameters);
+    compose(builder, scene, gbuffer, splat, parameters);
+    explain(builder, gbuffer, photons, splat, parameters);
+}
+
+}  // namespace
+
+const graph::Method& method() {
+    static const auto instance = [] {
+        auto made = graph::make_method<Parameters>(description(), parameter_table(), setup);
+        made.benchmarks = benchmarks();
+        return made;
+    }();
+    return instance;
+}
+
+}  // namespace ir::methods::ldm_indirect

@@ -1,0 +1,16 @@
+#include "renderers/methods/ldm-indirect/parameters.h"
+
+namespace ir::methods::ldm_indirect {
+
+ParameterTable<Parameters> parameter_table() {
+    ParameterTable<Parameters> table;
+    table.include(&Parameters::maps, passes::ldm::map_parameters());
+    table.include(&Parameters::transport, transport_parameters({.paths = {"direct", "indirect", "full"},
+                                                                .keys = {"materials", "normal_maps"}}));
+    add_tracing_parameters(table);
+    add_splatting_parameters(table);
+    table.include(&Parameters::maps, passes::ldm::self_hit_parameters());
+    return table;
+}
+
+}  // namespace ir::methods::ldm_indirect

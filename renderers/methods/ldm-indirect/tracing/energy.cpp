@@ -1,0 +1,101 @@
+#include "renderers/methods/ldm-indirect/tracing/energy.h"
+
+#include "renderers/graph/output_text.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+using graph::FieldType;
+using graph::PassContext;
+
+constexpr std::uint64_t block_photons = 64;
+
+std::vector<graph::Field> row_fields() {
+    return {{"cause", FieldType::u32},
+            {"leg", FieldType::u32},
+            {"photons", FieldType::u32},
+            {"flux", FieldType::f32, 3}};
+}
+
+std::vector<graph::CounterRef> declare_counters(graph::GraphBuilder& builder) {
+    std::vector<graph::CounterRef> counters;
+    for (const auto& [key, label, doc] :
+         {std::tuple{"emitted", "Primary photons", "Pixels of the lights' images into which light shines."},
+          std::tuple{"below", "Photons below the surface",
+                     "Their direction is above the shading normal's plane, but below the triangle's."},
+          std::tuple{"left", "Photons that left the scene", ""},
+          std::tuple{"outside", "Photons outside the view", "They arrive behind or beside the view."},
+          std::tuple{"hidden", "Photons hidden", "They arrive behind what the camera sees."},
+          std::tuple{"back", "Photons on backs", "They arrive on sides that face away from the viewer."},
+          std::tuple{"degenerate", "Photons without a footprint",
+                     "They graze the surface, so that their footprint has no size."}})
+        counters.push_back(
+            builder.counter({.key = std::string("indirect.") + key, .label = label, .doc = doc}));
+    return counters;
+}
+
+}  // namespace
+
+void sum_energy(graph::GraphBuilder& builder, const Primaries& primaries, bool splits,
+                std::optional<graph::BufferRef> direct_fates) {
+    const auto block_count = (primaries.count + block_photons - 1) / block_photons;
+    const auto blocks = builder.buffer({.text = {.key = "indirect.energy_blocks",
+                                                 .label = "Energy of blocks of photons",
+                                                 .doc = "The rows of indirect.energy of every 64 photons."},
+                                        .fields = row_fields(),
+                                        .elements = block_count * energy_rows,
+                                        .lower = "emission"});
+    const auto table = builder.buffer({.text = graph::text_of(energy_outputs(), "indirect.energy"),
+                                       .fields = row_fields(),
+                                       .elements = energy_rows});
+    auto sum = builder.pass("sum energy");
+    sum.reads(primaries.records, primaries.shares).writes(blocks);
+    if (direct_fates) sum.reads(*direct_fates);
+    sum.execute([=, count = primaries.count](PassContext& context) {
+        gl::ProgramSource source{{"methods/ldm-indirect/tracing/energy.comp"}};
+        if (direct_fates) source.defines["DIRECT"] = "1";
+        const auto& program = context.program(source);
+        program.use();
+        context.bind_buffer(0, primaries.records);
+        context.bind_buffer(1, primaries.shares);
+        context.bind_buffer(2, blocks);
+        if (direct_fates) context.bind_buffer(3, *direct_fates);
+        program.set("primary_count", static_cast<unsigned>(count));
+        program.set("block_size", static_cast<unsigned>(block_photons));
+        program.set("block_count", static_cast<unsigned>(block_count));
+        program.set("splits", splits ? 1 : 0);
+        program.dispatch(static_cast<std::int64_t>(block_count) * energy_rows);
+    });
+    const auto counters = declare_counters(builder);
+    auto pass = builder.pass("energy table");
+    pass.reads(blocks).writes(table);
+    for (const auto counter : counters) pass.counts(counter);
+    pass.execute([=](PassContext& context) {
+        const auto& program = context.program({{"methods/ldm-indirect/tracing/energy_table.comp"}});
+        program.use();
+        context.bind_buffer(0, blocks);
+        context.bind_buffer(1, table);
+        for (int i = 0; i < static_cast<int>(counters.size()); ++i)
+            context.bind_counter(2 + i, counters[static_cast<std::size_t>(i)]);
+        program.set("block_count", static_cast<unsigned>(block_count));
+        program.dispatch(energy_rows);
+    });
+}
+
+std::vector<OutputDescription> energy_outputs() {
+    return {{.key = "indirect.energy",
+             .label = "Energy by cause",
+             .kind = OutputKind::table,
+             .unit = "W",
+             .doc =
+                 "Where the lights' flux goes: photons, and W of red, green and blue. Leg 0, up to the first "
+                 "surface: 0 emitted, 1 nothing seen, 2 beyond the light's range, 3 without a footprint, 4 "
+                 "absorbed at the first surface, 5 not split (paths are direct). Leg 1, behind it: 6 below "
+                 "the triangle's plane, 7 left the scene, 8 outside the view, 9 hidden, 10 on a back, 11 "
+                 "without a footprint, 12 stored, 13 stored although hidden. Row 0 is the sum of rows 1 to "
+                 "13. Leg 2, photons that are stored where they arrive from the light, before they are "
+                 "absorbed or split, the same causes: 14 is 0, 15 is 0, 16 outside, 17 hidden, 18 back, 19 "
+                 "without a footprint, 20 stored, 21 stored although hidden."}};
+}
+
+}  // namespace ir::methods::ldm_indirect

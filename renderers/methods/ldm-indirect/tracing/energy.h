@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "renderers/methods/ldm-indirect/tracing/emission.h"
+
+namespace ir::methods::ldm_indirect {
+
+/// A row of "indirect.energy": equals struct Row of shaders/methods/ldm-indirect/tracing/energy.glsl.
+struct EnergyRow {
+    std::uint32_t cause, leg, photons;
+    float flux[3];
+};
+static_assert(sizeof(EnergyRow) == 24);
+
+/// Row numbers. Behind the first surface, and of photons that are stored there, the causes of primary.glsl
+/// follow.
+enum EnergyCause {
+    emitted,
+    nothing_seen,
+    beyond_range,
+    degenerate,
+    absorbed,
+    not_split,
+    indirect,
+    direct = 14
+};
+inline constexpr int energy_rows = 22;
+
+/// Declares the table and its counters. `splits`: whether photons are split at all; `direct_fates`: where
+/// primary photons are stored themselves.
+void sum_energy(graph::GraphBuilder& builder, const Primaries& primaries, bool splits,
+                std::optional<graph::BufferRef> direct_fates);
+
+std::vector<OutputDescription> energy_outputs();
+
+}  // namespace ir::methods::ldm_indirect

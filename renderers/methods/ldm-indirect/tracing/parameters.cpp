@@ -1,0 +1,51 @@
+#include "renderers/methods/ldm-indirect/parameters.h"
+
+namespace ir::methods::ldm_indirect {
+
+void add_tracing_parameters(ParameterTable<Parameters>& table) {
+    table
+        .add(&Parameters::emission,
+             {.key = "emission",
+              .label = "Photons of a light",
+              .doc = "Pixels along a side of a light's image, of which point lights have six. Each pixel "
+                     "is a photon, which is split into as many as there are directions.",
+              .unit = "pixels",
+              .citation = "Aalund15 §4.2",
+              .hard = {1, 1024},
+              .soft = {16, 256},
+              .on_change = OnChange::reallocate})
+        .add(&Parameters::footprint,
+             {.key = "footprint",
+              .label = "Footprint",
+              .doc = "The spread of a photon after its split.",
+              .citation = "Aalund15 §3.4",
+              .choices = {{"published", "Published",
+                           "The differential of the light's pixel, turned into the new direction: narrower "
+                           "than the region of directions that the photon stands for."},
+                          {"widened", "Widened",
+                           "Spread over the region of directions, too: their second moments add."}}})
+        .add(&Parameters::reject_hidden,
+             {.key = "reject_hidden",
+              .label = "Reject hidden photons",
+              .doc = "Does not store photons whose centre lies in the view but behind something; a part "
+                     "of their footprint may be seen. What is rejected is counted.",
+              .citation = "Aalund15 §4.2"})
+        .add(&Parameters::visibility_tolerance,
+             {.key = "visibility_tolerance",
+              .label = "Visibility tolerance",
+              .doc = "How far a photon may lie from the surface that its pixel shows and count as seen: of "
+                     "the distance to the eye, along the surface's normal.",
+              .hard = {0, 1},
+              .soft = {0.0001, 0.05}})
+        .add(&Parameters::reserve,
+             {.key = "reserve",
+              .label = "Memory reserved",
+              .doc = "Part of the photons that memory is reserved for at first. It grows where more are "
+                     "stored.",
+              .hard = {0, 1},
+              .soft = {0.001, 1},
+              .effect = Effect::cost,
+              .on_change = OnChange::reallocate});
+}
+
+}  // namespace ir::methods::ldm_indirect

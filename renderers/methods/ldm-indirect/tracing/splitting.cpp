@@ -1,0 +1,194 @@
+#include "renderers/methods/ldm-indirect/tracing/splitting.h"
+
+#include <algorithm>
+
+#include "renderers/gl/dispatch_items.h"
+#include "renderers/passes/scan/scan.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+using graph::FieldType;
+using graph::GraphBuilder;
+using graph::PassContext;
+using graph::Slice;
+
+/// Maps of one dispatch: as many as devices have uniforms for.
+constexpr std::int64_t group_maps = 16;
+/// Photons whose hits are kept at once, 8 bytes each.
+constexpr std::int64_t part_slots = std::int64_t{1} << 22;
+/// Behind those of the maps' frames and storage.
+constexpr int first_binding = 8;
+
+graph::BufferRef scratch(GraphBuilder& builder, const std::string& key, const std::string& label,
+                         std::vector<graph::Field> fields, std::int64_t elements) {
+    graph::BufferDesc desc;
+    desc.text.key = "indirect." + key;
+    desc.text.label = label;
+    desc.fields = std::move(fields);
+    desc.elements = static_cast<std::uint64_t>(std::max<std::int64_t>(1, elements));
+    desc.lower = "emission or directions";
+    return builder.buffer(std::move(desc));
+}
+
+std::int64_t groups_of(std::int64_t maps) {
+    return (maps + group_maps - 1) / group_maps;
+}
+
+}  // namespace
+
+Splitter::Splitter(GraphBuilder& builder, const passes::GBuffer& gbuffer, passes::ldm::MapsPointer maps,
+                   const Primaries& primaries, const Photons& photons)
+    : gbuffer_(gbuffer), maps_(std::move(maps)), primaries_(primaries), photons_(photons) {
+    const std::int64_t batch_maps = maps_->layout.batch_maps;
+    part_photons_ =
+        std::clamp<std::int64_t>(part_slots / batch_maps, 1, static_cast<std::int64_t>(primaries_.count));
+    hits_ = scratch(builder, "hits", "Hits of photons", {{"distance"}, {"normal", FieldType::u32}},
+                    part_photons_ * batch_maps);
+    counts_ = scratch(builder, "counts", "Photons to store", {{"count", FieldType::u32}},
+                      part_photons_ * groups_of(batch_maps));
+    bases_ = scratch(builder, "bases", "Photons stored before each part", {{"count", FieldType::u32}},
+                     std::int64_t{maps_->layout.batches()} * parts());
+}
+
+int Splitter::parts() const {
+    const auto count = static_cast<std::int64_t>(primaries_.count);
+    return static_cast<int>((count + part_photons_ - 1) / part_photons_);
+}
+
+Splitter::Part Splitter::part(int batch, int index) const {
+    Part result;
+    result.name = maps_->batch_name(batch);
+    if (parts() > 1) result.name += ", part " + std::to_string(index + 1) + " of " + std::to_string(parts());
+    result.batch = batch;
+    result.chunk = batch * parts() + index;
+    result.first = index * part_photons_;
+    result.end = std::min(result.first + part_photons_, static_cast<std::int64_t>(primaries_.count));
+    result.batch_maps = maps_->batch_maps(batch);
+    result.groups = groups_of(result.batch_maps);
+    return result;
+}
+
+void Splitter::split(GraphBuilder& builder, int batch) const {
+    for (int index = 0; index < parts(); ++index) {
+        const auto p = part(batch, index);
+        trace(builder, p);
+        const auto places =
+            passes::exclusive_scan(builder, "indirect.part" + std::to_string(p.chunk + 1), counts_,
+                                   static_cast<std::uint64_t>((p.end - p.first) * p.groups), photons_.count);
+        store(builder, p, places);
+    }
+}
+
+void Splitter::trace(GraphBuilder& builder, const Part& part) const {
+    auto pass = builder.pass("trace photons" + part.name);
+    passes::ldm::reads_maps(pass, *maps_);
+    pass.reads(gbuffer_.position, gbuffer_.geometric_normal, primaries_.records)
+        .writes(hits_, counts_, bases_, primaries_.shares)
+        .counts(photons_.count);
+    const auto run = [self = *this, part](PassContext& context, Slice slice) {
+        gl::ProgramSource source{{"methods/ldm-indirect/tracing/trace.comp"}};
+        source.defines = passes::ldm::bind_maps(context, *self.maps_, 0, 1);
+        const auto& program = context.method_program(source);
+        program.use();
+        context.bind_texture(0, self.gbuffer_.position);
+        context.bind_texture(1, self.gbuffer_.geometric_normal);
+        int binding = first_binding;
+        for (const auto buffer :
+             {self.primaries_.records, self.hits_, self.counts_, self.primaries_.shares, self.bases_})
+            context.bind_buffer(binding++, buffer);
+        context.bind_counter(binding, self.photons_.count);
+        program.set("clip_from_world", context.inputs().view.clip_from_world());
+        program.set("batch_maps", static_cast<unsigned>(part.batch_maps));
+        program.set("groups", static_cast<unsigned>(part.groups));
+        program.set("first_primary", static_cast<unsigned>(part.first));
+        program.set("chunk", static_cast<unsigned>(part.chunk));
+        static_assert(sizeof(passes::ldm::MapFrame) == 6 * sizeof(glm::vec4));
+        const auto rows = context.api().GetUniformLocation(program.name(), "frame_rows");
+        for (std::int64_t group = 0; group < part.groups; ++group) {
+            const auto first = group * group_maps, count = std::min(group_maps, part.batch_maps - first);
+            const auto frame = static_cast<std::size_t>(self.maps_->first_map(part.batch) + first);
+            context.api().ProgramUniform4fv(program.name(), rows, static_cast<GLsizei>(6 * count),
+                                            &self.maps_->frames[frame].u.x);
+            program.set("group", static_cast<unsigned>(group));
+            program.set("first_map", static_cast<unsigned>(first));
+            program.set("map_count", static_cast<unsigned>(count));
+            gl::dispatch_items(program, part.first + slice.begin, part.first + slice.end);
+            context.barrier();
+        }
+    };
+    pass.execute_sliced(part.end - part.first, run, 256);
+}
+
+void Splitter::store(GraphBuilder& builder, const Part& part, graph::BufferRef places) const {
+    builder.pass("store photons" + part.name)
+        .reads(maps_->frame_buffer, primaries_.records, hits_, places, bases_)
+        .writes(photons_.records)
+        .execute_sliced(
+            (part.end - part.first) * part.groups,
+            [self = *this, part, places](PassContext& context, Slice slice) {
+                const auto& program = context.method_program({{"methods/ldm-indirect/tracing/store.comp"}});
+                program.use();
+                int binding = 0;
+                for (const auto buffer : {self.maps_->frame_buffer, self.primaries_.records, self.hits_,
+                                          places, self.bases_, self.photons_.records})
+                    context.bind_buffer(binding++, buffer);
+                program.set("first_primary", static_cast<unsigned>(part.first));
+                program.set("first_frame", static_cast<unsigned>(self.maps_->first_map(part.batch)));
+                program.set("batch_maps", static_cast<unsigned>(part.batch_maps));
+                program.set("groups", static_cast<unsigned>(part.groups));
+                program.set("maps_of_group", static_cast<unsigned>(group_maps));
+                program.set("chunk", static_cast<unsigned>(part.chunk));
+                program.set("capacity", static_cast<unsigned>(context.capacity(self.photons_.records)));
+                gl::dispatch_items(program, slice.begin, slice.end);
+            },
+            4096);
+}
+
+graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gbuffer,
+                                const Primaries& primaries, const Photons& photons) {
+    const auto count = static_cast<std::int64_t>(primaries.count);
+    const auto hits = scratch(builder, "direct_hits", "Hits of primary photons",
+                              {{"distance"}, {"normal", FieldType::u32}}, count);
+    const auto counts =
+        scratch(builder, "direct_counts", "Primary photons to store", {{"count", FieldType::u32}}, count);
+    const auto fates =
+        scratch(builder, "direct_fates", "Fates of primary photons", {{"cause", FieldType::u32}}, count);
+    builder.pass("see primary photons")
+        .reads(gbuffer.position, gbuffer.geometric_normal, primaries.records)
+        .writes(hits, counts, fates)
+        .execute_sliced(
+            count,
+            [=](PassContext& context, Slice slice) {
+                const auto& program = context.method_program({{"methods/ldm-indirect/tracing/direct.comp"}});
+                program.use();
+                context.bind_texture(0, gbuffer.position);
+                context.bind_texture(1, gbuffer.geometric_normal);
+                int binding = 0;
+                for (const auto buffer : {primaries.records, hits, counts, fates})
+                    context.bind_buffer(binding++, buffer);
+                program.set("clip_from_world", context.inputs().view.clip_from_world());
+                gl::dispatch_items(program, slice.begin, slice.end);
+            },
+            4096);
+    const auto places =
+        passes::exclusive_scan(builder, "indirect.direct", counts, primaries.count, photons.count);
+    builder.pass("store primary photons")
+        .reads(primaries.records, hits, counts, places)
+        .writes(photons.records)
+        .execute_sliced(
+            count,
+            [=](PassContext& context, Slice slice) {
+                const auto& program = context.program({{"methods/ldm-indirect/tracing/store_direct.comp"}});
+                program.use();
+                int binding = 0;
+                for (const auto buffer : {primaries.records, hits, counts, places, photons.records})
+                    context.bind_buffer(binding++, buffer);
+                program.set("capacity", static_cast<unsigned>(context.capacity(photons.records)));
+                gl::dispatch_items(program, slice.begin, slice.end);
+            },
+            4096);
+    return fates;
+}
+
+}  // namespace ir::methods::ldm_indirect

@@ -1,0 +1,105 @@
+#include "renderers/methods/ldm-indirect/tracing.h"
+
+#include <algorithm>
+
+#include "renderers/graph/output_text.h"
+#include "renderers/methods/ldm-indirect/tracing/energy.h"
+#include "renderers/methods/ldm-indirect/tracing/splitting.h"
+#include "renderers/methods/ldm-indirect/tracing/views.h"
+#include "renderers/passes/ldm/map_views.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+namespace ldm = passes::ldm;
+
+bool has_indirect(const Parameters& parameters) {
+    return parameters.transport.paths != Transport::Paths::direct;
+}
+
+bool has_direct_photons(const Parameters& parameters) {
+    return parameters.transport.paths != Transport::Paths::indirect && parameters.direct == DirectBy::photons;
+}
+
+/// As many as there can be.
+std::uint64_t most_photons(const Primaries& primaries, const Parameters& parameters) {
+    const auto maps = static_cast<std::uint64_t>(parameters.maps.directions);
+    return primaries.count * ((has_indirect(parameters) ? maps : 0) + has_direct_photons(parameters));
+}
+
+std::uint64_t reserved_photons(std::uint64_t most, const Parameters& parameters) {
+    return std::max<std::uint64_t>(
+        1, static_cast<std::uint64_t>(static_cast<double>(most) * static_cast<double>(parameters.reserve)));
+}
+
+Photons declare_photons(graph::GraphBuilder& builder, std::uint64_t reserved) {
+    Photons photons;
+    photons.records = builder.buffer({.text = graph::text_of(tracing_outputs(), "indirect.photons"),
+                                      .kind = OutputKind::glyphs,
+                                      .fields = photon_fields(),
+                                      .elements = reserved,
+                                      .growable = true,
+                                      .lower = "emission or directions"});
+    photons.count = builder.counter({.key = "indirect.count",
+                                     .label = "Photons stored",
+                                     .doc = "Photons that the camera sees, which are splatted.",
+                                     .growth_of = photons.records});
+    return photons;
+}
+
+/// So that it is there, and holds nothing, where nothing is stored.
+void begin_photons(graph::GraphBuilder& builder, const Photons& photons) {
+    builder.pass("begin photons").writes(photons.records).counts(photons.count).execute([](auto&) {});
+}
+
+}  // namespace
+
+Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                      const passes::GBuffer& gbuffer, const Parameters& parameters) {
+    const auto images = draw_light_images(builder, scene, parameters);
+    const auto maps = ldm::declare_maps(builder, ldm::options_of(parameters.maps));
+    const auto primaries = emit_photons(builder, scene, images, *maps);
+    const auto most = most_photons(primaries, parameters);
+    const auto photons = declare_photons(builder, reserved_photons(most, parameters));
+    begin_photons(builder, photons);
+    std::optional<graph::BufferRef> fates;
+    if (has_direct_photons(parameters)) fates = store_directly(builder, gbuffer, primaries, photons);
+
+    const auto chosen = ldm::chosen_maps(builder.inputs().inspection, *maps);
+    ldm::show_directions(builder, maps);
+    const auto layers = ldm::declare_layers(builder, *maps);
+    const auto points = ldm::declare_points(builder, *maps, chosen);
+    const Splitter splitter(builder, gbuffer, maps, primaries, photons);
+    for (int batch = 0; batch < maps->layout.batches(); ++batch) {
+        ldm::build_maps(builder, scene, maps, batch);
+        if (has_indirect(parameters)) splitter.split(builder, batch);
+        ldm::show_layers(builder, maps, batch, chosen, layers);
+        ldm::find_points(builder, scene, maps, batch, points);
+    }
+    sum_energy(builder, primaries, has_indirect(parameters), fates);
+    show_primaries(builder, primaries);
+    show_photons(builder, photons, reserved_photons(most, parameters), most);
+    return photons;
+}
+
+std::vector<OutputDescription> tracing_outputs() {
+    std::vector<OutputDescription> outputs{
+        {.key = "indirect.photons",
+         .label = "Photons",
+         .kind = OutputKind::glyphs,
+         .unit = "m",
+         .doc = "The stored photons as they are splatted, 64 bytes each, with half of their differentials as "
+                "axes. leg: bits 0-15 map; bit 16: 1 along its direction, 0 against it; bit 17: directly "
+                "from the light; bits 24-31: light. flux: W. normal: of the receiver, octahedral in 2 x 16 "
+                "bits."}};
+    for (const auto& part :
+         {energy_outputs(), view_outputs(), passes::rsm_outputs({}, true), ldm::map_outputs()})
+        outputs.insert(outputs.end(), part.begin(), part.end());
+    return outputs;
+}
+
+std::vector<SelectorDescription> tracing_selectors() {
+    return {ldm::map_selector_description()};
+}
+
+}  // namespace ir::methods::ldm_indirect

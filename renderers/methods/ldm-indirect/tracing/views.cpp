@@ -1,0 +1,145 @@
+#include "renderers/methods/ldm-indirect/tracing/views.h"
+
+#include "renderers/gl/dispatch_items.h"
+#include "renderers/graph/output_text.h"
+#include "renderers/passes/scan/scan.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+using graph::FieldType;
+using graph::PassContext;
+using graph::Slice;
+
+constexpr const char* primary_shader = "methods/ldm-indirect/tracing/show_primary.comp";
+constexpr std::int64_t first_slice = 4096;
+
+graph::BufferRef glyphs(graph::GraphBuilder& builder, const std::string& key,
+                        std::vector<graph::Field> fields, std::uint64_t elements) {
+    graph::BufferDesc desc;
+    desc.text = graph::text_of(view_outputs(), key);
+    desc.kind = OutputKind::glyphs;
+    desc.fields = std::move(fields);
+    desc.elements = elements;
+    desc.growable = true;
+    desc.lower = "emission or directions";
+    return builder.buffer(std::move(desc));
+}
+
+}  // namespace
+
+void show_primaries(graph::GraphBuilder& builder, const Primaries& primaries) {
+    const auto shown = glyphs(builder, "indirect.primary",
+                              {{"centre", FieldType::f32, 3},
+                               {"axis_u", FieldType::f32, 3},
+                               {"axis_v", FieldType::f32, 3},
+                               {"normal", FieldType::f32, 3},
+                               {"direction", FieldType::f32, 3},
+                               {"flux", FieldType::f32, 3},
+                               {"luminance"},
+                               {"path_length"},
+                               {"light", FieldType::u32},
+                               {"source", FieldType::u32}},
+                              primaries.count);
+    const auto count = builder.counter(
+        {.key = "indirect.primaries_shown", .label = "Primary photons shown", .growth_of = shown});
+    graph::BufferDesc flagged;
+    flagged.text.key = "indirect.primary_flags";
+    flagged.text.label = "Whether primary photons are shown";
+    flagged.fields = {{"count", FieldType::u32}};
+    flagged.elements = primaries.count;
+    const auto flags = builder.buffer(std::move(flagged));
+    builder.pass("find primary photons")
+        .reads(primaries.records)
+        .writes(flags)
+        .execute_sliced(
+            static_cast<std::int64_t>(primaries.count),
+            [=](PassContext& context, Slice slice) {
+                const auto& program = context.program({{primary_shader}});
+                program.use();
+                context.bind_buffer(0, primaries.records);
+                context.bind_buffer(2, flags);
+                gl::dispatch_items(program, slice.begin, slice.end);
+            },
+            first_slice);
+    const auto places =
+        passes::exclusive_scan(builder, "indirect.primary_scan", flags, primaries.count, count);
+    builder.pass("show primary photons")
+        .reads(primaries.records, places)
+        .writes(shown)
+        .execute_sliced(
+            static_cast<std::int64_t>(primaries.count),
+            [=](PassContext& context, Slice slice) {
+                gl::ProgramSource source{{primary_shader}};
+                source.defines["PACK"] = "1";
+                const auto& program = context.program(source);
+                program.use();
+                context.bind_buffer(0, primaries.records);
+                context.bind_buffer(1, shown);
+                context.bind_buffer(2, places);
+                program.set("capacity", static_cast<unsigned>(context.capacity(shown)));
+                gl::dispatch_items(program, slice.begin, slice.end);
+            },
+            first_slice);
+}
+
+void show_photons(graph::GraphBuilder& builder, const Photons& photons, std::uint64_t reserved,
+                  std::uint64_t most) {
+    const auto shown = glyphs(builder, "indirect.footprints",
+                              {{"centre", FieldType::f32, 3},
+                               {"axis_u", FieldType::f32, 3},
+                               {"axis_v", FieldType::f32, 3},
+                               {"normal", FieldType::f32, 3},
+                               {"flux", FieldType::f32, 3},
+                               {"luminance"},
+                               {"path_length"},
+                               {"map", FieldType::u32},
+                               {"side", FieldType::i32},
+                               {"light", FieldType::u32},
+                               {"direct", FieldType::u32},
+                               {"source", FieldType::u32}},
+                              reserved);
+    const auto count = builder.counter(
+        {.key = "indirect.footprints_shown", .label = "Footprints shown", .growth_of = shown});
+    builder.pass("show footprints")
+        .reads(photons.records)
+        .writes(shown)
+        .counts(photons.count)
+        .counts(count)
+        .execute_sliced(
+            static_cast<std::int64_t>(most),
+            [=](PassContext& context, Slice slice) {
+                const auto& program = context.program({{"methods/ldm-indirect/tracing/show_photons.comp"}});
+                program.use();
+                context.bind_buffer(0, photons.records);
+                context.bind_counter(1, photons.count);
+                context.bind_buffer(2, shown);
+                context.bind_counter(3, count);
+                program.set("capacity", static_cast<unsigned>(context.capacity(photons.records)));
+                program.set("shown_capacity", static_cast<unsigned>(context.capacity(shown)));
+                gl::dispatch_items(program, slice.begin, slice.end);
+            },
+            first_slice);
+}
+
+std::vector<OutputDescription> view_outputs() {
+    return {
+        {.key = "indirect.primary",
+         .label = "Primary photons",
+         .kind = OutputKind::glyphs,
+         .unit = "m",
+         .doc = "Photons where they meet the first surface, as parallelograms of their differentials. "
+                "normal: the shading normal. direction: of travel. flux: W, on arrival. source: texel of "
+                "the lights' images.",
+         .explains = true},
+        {.key = "indirect.footprints",
+         .label = "Footprints",
+         .kind = OutputKind::glyphs,
+         .unit = "m",
+         .doc = "The stored photons with their differentials, before splatting scales and limits them. "
+                "map and side: the direction that they came along, 1 the map's own, -1 the opposite. "
+                "direct: 1 where they came from the light itself. flux: W. path_length: m from the light.",
+         .explains = true}};
+}
+
+}  // namespace ir::methods::ldm_indirect

@@ -1,0 +1,125 @@
+// A photon for each pixel of the lights' images, with its differential at the first surface.
+// [Aalund15 §4.2; Igehy99]
+layout(local_size_x = 64) in;
+#define SHADOW_VIEWS 0
+#define SHADOW_MAPS 2
+#include "passes/shadow/shadow.glsl"
+#define LDM_FRAMES 2
+#include "passes/ldm/frames.glsl"
+#include "lib/spaces.glsl"
+#include "methods/ldm-indirect/tracing/differentials.glsl"
+#include "methods/ldm-indirect/tracing/primary.glsl"
+
+layout(std430, binding = 1) readonly buffer Lights { Light lights[]; };
+layout(std430, binding = 3) writeonly buffer Primaries { Primary primaries[]; };
+layout(binding = 0) uniform sampler2DArray rsm_albedo_roughness;
+layout(binding = 1) uniform sampler2DArray rsm_normal_metalness;
+layout(binding = 3) uniform sampler2DArray rsm_geometric_normal;
+
+uniform uint first_item, end_item;
+uniform uint views_drawn, map_count;
+
+/// Mesa's atan is wrong by 2e-5 near 0.
+float small_arc_tangent(float y, float x) {
+    float t = y / x, s = t * t;
+    if (x <= 0.0 || t > 0.25) return atan(y, x);
+    return t * (1.0 - s * (1.0 / 3.0 - s * (1.0 / 5.0 - s * (1.0 / 7.0 - s / 9.0))));
+}
+
+/// Solid angle of a triangle at height 1 above the origin, `volume` twice its area: without the cancellation of
+/// differences of arc tangents at a rectangle's corners, which costs small pixels 3 digits. [VanOosterom83]
+float triangle_solid_angle(vec3 a, vec3 b, vec3 c, float volume) {
+    float la = length(a), lb = length(b), lc = length(c);
+    return 2.0 * small_arc_tangent(volume, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+}
+
+/// Of a pixel of a perspective image whose sides are 2 `extent` long at distance 1.
+float pixel_solid_angle(vec2 pixel, vec2 extent, float side) {
+    vec2 low = (2.0 * pixel / side - 1.0) * extent, high = (2.0 * (pixel + 1.0) / side - 1.0) * extent;
+    vec2 size = 2.0 * extent / side;
+    vec3 a = vec3(low, 1), b = vec3(high.x, low.y, 1), c = vec3(high, 1), d = vec3(low.x, high.y, 1);
+    return triangle_solid_angle(a, b, c, size.x * size.y) + triangle_solid_angle(a, c, d, size.x * size.y);
+}
+
+Primary emitted_photon(uint source, ivec2 texel, int layer, float side) {
+    ShadowView view = shadow_views[layer];
+    Light light = lights[view.light];
+    bool perspective = view.perspective != 0.0;
+    vec2 ndc = ((vec2(texel) + 0.5) / side * 2.0 - 1.0) * vec2(1, -1);
+    vec3 lateral_ws = ndc.x * view.right_ws + ndc.y * view.up_ws;
+    vec3 step_u = 2.0 / side * view.right_ws, step_v = -2.0 / side * view.up_ws;
+    vec3 towards = perspective ? view.forward_ws + lateral_ws : view.forward_ws;
+    float size = length(towards);
+    vec2 extent = vec2(length(view.right_ws), length(view.up_ws));
+
+    Primary p;
+    p.source = source;
+    p.light = uint(view.light);
+    p.position_ws = perspective ? view.origin_ws : view.origin_ws + lateral_ws;
+    p.direction_ws = towards / size;
+    p.axis_u = perspective ? vec3(0) : 0.5 * step_u;
+    p.axis_v = perspective ? vec3(0) : 0.5 * step_v;
+    p.turn_u = perspective ? 0.5 * normalised_change(towards, step_u) : vec3(0);
+    p.turn_v = perspective ? 0.5 * normalised_change(towards, step_v) : vec3(0);
+    p.solid_angle = perspective ? pixel_solid_angle(vec2(texel), extent, side)
+                                : 4.0 * extent.x * extent.y / (side * side);
+    p.emitted = light.intensity * p.solid_angle;
+    if (light.type == LIGHT_SPOT) p.emitted *= spot_profile(light, dot(p.direction_ws, light.direction_ws));
+    p.path_length = texelFetch(shadow_maps, ivec3(texel, layer), 0).r * view.far * size;
+    p.reached = range_window(light.range, perspective ? p.path_length : 0.0);
+    p.fate = PRIMARY_NOTHING;
+    p.cosine_sum = 1.0;
+    p.normal_ws = p.shading_ws = -p.direction_ws;
+    p.reflectance = vec3(0);
+    p.unused0 = p.unused1 = p.unused2 = 0.0;
+    return p;
+}
+
+/// Σ|cosθ|: of each map's two directions one is above the surface. [Aalund15 eq. 2]
+float cosines(vec3 normal) {
+    float sum = 0.0;
+    for (uint map = 0u; map < map_count; ++map) sum += abs(dot(normal, ldm_frames[map].direction.xyz));
+    return sum;
+}
+
+/// All surfaces are Lambertian; unlit ones and glass reflect nothing so.
+vec3 diffuse_reflectance(vec3 base_colour, float tag) {
+    if (tag <= 0.0) return vec3(0);
+    return params.materials == MATERIALS_LAMBERT ? base_colour : base_colour * (2.0 - tag);
+}
+
+void arrive(inout Primary p, ivec2 texel, int layer) {
+    vec4 shading = texelFetch(rsm_normal_metalness, ivec3(texel, layer), 0);
+    if (shading.w == 0.0) return;
+    p.fate = PRIMARY_SPLITS;
+    p.normal_ws = texelFetch(rsm_geometric_normal, ivec3(texel, layer), 0).xyz;
+    p.shading_ws = normalize(shading.xyz);
+    p.reflectance = diffuse_reflectance(texelFetch(rsm_albedo_roughness, ivec3(texel, layer), 0).rgb, shading.w);
+    p.position_ws += p.path_length * p.direction_ws;
+    p.cosine_sum = max(cosines(p.shading_ws), 1e-20);
+    if (dot(p.direction_ws, p.normal_ws) > -LEAST_FACING) {
+        p.fate = PRIMARY_DEGENERATE;
+        p.axis_u = p.axis_v = vec3(0);
+        return;
+    }
+    p.axis_u = transferred(p.axis_u, p.turn_u, p.path_length, p.direction_ws, p.normal_ws);
+    p.axis_v = transferred(p.axis_v, p.turn_v, p.path_length, p.direction_ws, p.normal_ws);
+}
+
+void main() {
+    uint source = first_item + gl_GlobalInvocationID.x;
+    if (source >= end_item) return;
+    uint side = uint(textureSize(shadow_maps, 0).x);
+    int layer = int(source / (side * side));
+    uint place = source % (side * side);
+    ivec2 texel = ivec2(place % side, place / side);
+    Primary p;
+    if (uint(layer) < views_drawn) {
+        p = emitted_photon(source, texel, layer, float(side));
+        arrive(p, texel, layer);
+    } else {
+        p = Primary(vec3(0), source, vec3(0), 0u, vec3(0), 0.0, vec3(0), 1.0, vec3(0), PRIMARY_NOTHING,
+                    vec3(0, 0, 1), 1.0, vec3(0, 0, -1), 0.0, vec3(0, 0, -1), 0.0, vec3(0), 0.0, vec3(0), 0.0);
+    }
+    primaries[source] = p;
+}

@@ -1,0 +1,10 @@
+// Rows of the table of energy: what was emitted and where it went.
+const uint ROW_EMITTED = 0u, ROW_NOTHING = 1u, ROW_RANGE = 2u, ROW_DEGENERATE = 3u, ROW_ABSORBED = 4u,
+           ROW_UNSPLIT = 5u, ROW_INDIRECT = 6u,  // and the causes
+           ROW_DIRECT = 14u, ROWS = 22u;
+
+struct Row {
+    uint cause, leg;  // leg 0: to the first surface, 1: behind it, 2: stored there
+    uint photons;
+    float red, green, blue;  // W
+};

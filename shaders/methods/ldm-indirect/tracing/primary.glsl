@@ -1,0 +1,42 @@
+// A photon from a pixel of a light's image to the first surface, x1. [Aalund15 §4.2]
+// 160 bytes in std430; equals ir::methods::ldm_indirect::Primary. Differentials are halved, as in records of
+// photons: transfer and rotation are linear.
+struct Primary {
+    vec3 position_ws;     // x1
+    uint source;          // texel of the lights' images
+    vec3 axis_u;          // m: half of D_u x at x1
+    uint light;
+    vec3 axis_v;
+    float path_length;    // m
+    vec3 turn_u;          // half of D_u d
+    float cosine_sum;     // Σ|cosθ| over the maps, θ to the shading normal
+    vec3 turn_v;
+    uint fate;            // one of PRIMARY_…
+    vec3 direction_ws;    // d1, of travel, unit length
+    float reached;        // part of the emitted flux that the light's range lets arrive
+    vec3 normal_ws;       // geometric, on the light's side
+    float solid_angle;    // sr of the pixel; m² for a directional light
+    vec3 shading_ws;      // shading normal
+    float unused0;
+    vec3 emitted;         // W
+    float unused1;
+    vec3 reflectance;     // ρ
+    float unused2;
+};
+
+const uint PRIMARY_NOTHING = 0u,  // the pixel sees no surface
+    PRIMARY_SPLITS = 1u,
+    PRIMARY_DEGENERATE = 2u;      // its footprint has no size that a float holds
+
+vec3 arrived_flux(Primary p) { return p.emitted * p.reached; }
+vec3 reflected_flux(Primary p) { return arrived_flux(p) * p.reflectance; }
+
+/// What becomes of a photon behind x1, and of one that is stored at x1 itself.
+const uint CAUSE_BELOW = 0u, CAUSE_LEFT = 1u, CAUSE_OUTSIDE = 2u, CAUSE_HIDDEN = 3u, CAUSE_BACK = 4u,
+           CAUSE_DEGENERATE = 5u, CAUSE_STORED = 6u, CAUSE_STORED_HIDDEN = 7u, CAUSES = 8u;
+
+/// Parts of a primary photon's reflected flux, and numbers of photons, by cause.
+struct Shares {
+    float part[8];
+    uint photons[8];
+};

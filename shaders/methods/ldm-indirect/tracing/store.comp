@@ -1,0 +1,54 @@
+// Packs the photons of a chunk behind those of the chunks before, in the order of primary photons, then of maps.
+// DEVIATION [Aalund15 §4.2]: places come from a prefix sum instead of an atomic counter, so that the order, and
+// with it every sum, is the same in each run.
+layout(local_size_x = 64) in;
+#define LDM_FRAMES 0
+#include "passes/ldm/frames.glsl"
+#include "lib/spaces.glsl"
+#include "methods/ldm-indirect/records.glsl"
+#include "methods/ldm-indirect/tracing/differentials.glsl"
+#include "methods/ldm-indirect/tracing/primary.glsl"
+
+layout(std430, binding = 1) readonly buffer Primaries { Primary primaries[]; };
+layout(std430, binding = 2) readonly buffer Hits { uvec2 hits[]; };
+layout(std430, binding = 3) readonly buffer Places { uint places[]; };
+layout(std430, binding = 4) readonly buffer Bases { uint bases[]; };
+layout(std430, binding = 5) writeonly buffer Photons { Photon photons[]; };
+
+uniform uint first_item, end_item;  // groups of maps of the chunk's primary photons
+uniform uint first_primary, first_frame, batch_maps, groups, maps_of_group, chunk, capacity;
+
+Photon photon(Primary p, uint map, float t, uint packed_normal) {
+    vec3 v = ldm_frames[map].direction.xyz, normal = unpacked_direction(packed_normal);
+    float cosine = dot(p.shading_ws, v);
+    vec3 direction = cosine > 0.0 ? v : -v;
+    Axes axes = Axes(transferred(p.axis_u, rotated(p.turn_u, p.direction_ws, direction), t, direction, normal),
+                     transferred(p.axis_v, rotated(p.turn_v, p.direction_ws, direction), t, direction, normal));
+    if (params.footprint == FOOTPRINT_WIDENED)
+        axes = widened(axes, direction, normal, t, float(params.directions));
+    Photon result;
+    result.position_ws = p.position_ws + t * direction;
+    result.source = p.source;
+    result.axis_u = axes.u;
+    result.axis_v = axes.v;
+    result.leg = map | (cosine > 0.0 ? 1u << 16u : 0u) | p.light << 24u;
+    result.path_length = p.path_length + t;
+    result.flux = reflected_flux(p) * (abs(cosine) / p.cosine_sum);
+    result.normal = packed_normal;
+    return result;
+}
+
+void main() {
+    uint item = first_item + gl_GlobalInvocationID.x;
+    if (item >= end_item) return;
+    uint local = item / groups, first = item % groups * maps_of_group;
+    uint place = bases[chunk] + places[item];
+    uint end = min(first + maps_of_group, batch_maps);
+    for (uint map = first; map < end; ++map) {
+        uvec2 hit = hits[local * batch_maps + map];
+        float t = uintBitsToFloat(hit.x);
+        if (t < 0.0) continue;
+        if (place < capacity) photons[place] = photon(primaries[first_primary + local], first_frame + map, t, hit.y);
+        ++place;
+    }
+}

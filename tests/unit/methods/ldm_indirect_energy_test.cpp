@@ -1,0 +1,171 @@
+#include <map>
+#include <numbers>
+
+#include "tests/unit/methods/ldm_indirect_tracing_fixture.h"
+
+namespace ir::test {
+namespace {
+
+TEST_F(IndirectTracingTest, EmittedEnergyIsFoundAgain) {
+    const auto inside = camera({0, 1.4f, 1.9f}, {0, 1.2f, 0});
+    trace(Shot(box({lamp({0.3f, 1.2f, -0.4f})}), inside, 48, 48), quick());
+    expect_balanced("closed box");
+    trace(Shot(box({lamp({0.3f, 1.2f, -0.4f})}, glm::vec3(1)), inside, 48, 48), quick());
+    expect_balanced("white box");
+
+    auto settings = quick();
+    settings["direct"] = std::string("photons");
+    settings["reject_hidden"] = false;
+    trace(Shot(box({lamp({0.3f, 1.2f, -0.4f}), spot({0, 2.5f, 0}, {0.2f, -1, 0}, 70)}), inside, 48, 48),
+          settings);
+    expect_balanced("two lights, direct photons, hidden ones kept");
+
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 1, 0}, 2);
+    small.square({-1, 1, 0}, {1, 0.4f, 0}, 0.7f, SmallWorld::masked);
+    small.add_soup(20, 3);
+    trace(Shot(with(small.scene(), {sun({-0.4f, -1, 0.1f}), lamp({0, 1.5f, 0.2f})}, {0.8f, 0.5f, 0.2f}),
+               camera({0, 2, 3}, {0, 0, 0}), 48, 48),
+          settings);
+    expect_balanced("open scene with a sun");
+}
+
+TEST_F(IndirectTracingTest, EnergyBalancesWithShadingNormalsAndRange) {
+    Shot shot("builtin:atrium", "", 48, 32);
+    trace(shot, quick());
+    expect_balanced("atrium");
+    auto light = lamp({0, 1, 0});
+    light.range = 1.6f;
+    trace(Shot(box({light}), camera({0, 1.4f, 1.9f}, {0, 1.2f, 0}), 48, 48), quick());
+    expect_balanced("a light with a range");
+    EXPECT_GT(flux(energy()[li::beyond_range]).r, 0);
+}
+
+TEST_F(IndirectTracingTest, SplitsIntoAsManyPhotonsAsMaps) {
+    const Shot shot(box({lamp({0.3f, 1.2f, -0.4f})}), camera({0, 1.4f, 1.9f}, {0, 1.2f, 0}), 48, 48);
+    trace(shot, quick());
+    const auto all = primaries();
+    const auto split = shares();
+    std::map<std::uint32_t, glm::dvec3> children;
+    for (const auto& photon : photons()) children[photon.source] += glm::dvec3(photon.flux);
+    std::size_t tested = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        std::uint32_t number = 0;
+        double part = 0;
+        for (int cause = 0; cause < li::causes; ++cause) {
+            number += split[i].photons[cause];
+            part += split[i].part[cause];
+        }
+        if (all[i].fate != 1) continue;
+        ++tested;
+        EXPECT_EQ(number, 32u);
+        EXPECT_NEAR(part, 1, 1e-5);
+        const auto reflected = glm::dvec3(all[i].emitted * all[i].reached * all[i].reflectance);
+        const double stored = split[i].part[6];
+        const auto found = children.count(std::uint32_t(i)) ? children[std::uint32_t(i)] : glm::dvec3(0);
+        EXPECT_NEAR(found.r, reflected.r * stored, 1e-5 * reflected.r);
+    }
+    EXPECT_GT(tested, 6u * 250);
+}
+
+TEST_F(IndirectTracingTest, PhotonsLandWhereGeometrySays) {
+    const Shot shot(planes({spot({0, 0.5f, 0}, {0, 1, 0}, 40)}), camera({0, 1, 3.9f}, {0, 0, 0}), 64, 64);
+    trace(shot, quick());
+    const auto all = primaries();
+    const auto map_frames = frames();
+    const auto stored = photons();
+    ASSERT_GT(stored.size(), 100u);
+    double worst = 0;
+    for (const auto& photon : stored) {
+        const auto x1 = glm::dvec3(all.at(photon.source).position_ws);
+        const auto d = direction_of(photon, map_frames);
+        ASSERT_LT(d.y, 0);
+        const auto expected = x1 + x1.y / -d.y * d;
+        worst = std::max(worst, glm::length(glm::dvec3(photon.position_ws) - expected));
+        EXPECT_NEAR(photon.path_length, glm::length(x1 - glm::dvec3(0, 0.5, 0)) + glm::length(expected - x1),
+                    2e-3);
+        EXPECT_NEAR(normal_of(photon).y, 1, 1e-3);
+    }
+    EXPECT_LT(worst, 2e-3);
+}
+
+TEST_F(IndirectTracingTest, NothingThatIsSeenCountsAsHidden) {
+    // Into a corner from a place that sees all of three walls, by coarse maps: their texels span 6 cm.
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 1, 0}, 2);
+    small.square({-2, 2, 0}, {1, 0, 0}, 2);
+    small.square({0, 2, -2}, {0, 0, 1}, 2);
+    const Shot shot(with(small.scene(), {lamp({0.2f, 1.3f, 0.1f})}, glm::vec3(0.7f)),
+                    camera({3, 4, 3}, {-0.6f, 1.2f, -0.6f}), 96, 96);
+    auto settings = quick();
+    trace(shot, settings);
+    const auto rows = energy();
+    const auto row = [&](int index) { return flux(rows[static_cast<std::size_t>(index)]).r; };
+    const double arrived =
+        row(li::indirect + 2) + row(li::indirect + 3) + row(li::indirect + 4) + row(li::indirect + 6);
+    EXPECT_GT(row(li::indirect + 6), 0.5 * arrived);
+    EXPECT_LT(row(li::indirect + 3), 0.01 * arrived);
+    EXPECT_LT(row(li::indirect + 4), 0.01 * arrived);
+}
+
+TEST_F(IndirectTracingTest, OrderAndBitsDoNotDependOnMemory) {
+    const Shot shot(box({lamp({0.3f, 1.2f, -0.4f})}), camera({0, 1.4f, 1.9f}, {0, 1.2f, 0}), 48, 48);
+    auto settings = quick();
+    settings["direct"] = std::string("photons");
+    trace(shot, settings);
+    const auto first = photons();
+    ASSERT_GT(first.size(), 1000u);
+    EXPECT_NE(first.front().leg & 1u << 17, 0u);
+    trace(shot, settings, 0.001);
+    const auto grown = photons();
+    ASSERT_EQ(grown.size(), first.size());
+    EXPECT_EQ(std::memcmp(grown.data(), first.data(), first.size() * sizeof(li::Photon)), 0);
+    std::uint32_t source = 0, map = 0;
+    for (const auto& photon : first) {
+        if (photon.leg >> 17 & 1) continue;
+        EXPECT_TRUE(photon.source > source || (photon.source == source && (photon.leg & 0xffff) >= map));
+        source = photon.source;
+        map = photon.leg & 0xffff;
+    }
+}
+
+TEST_F(IndirectTracingTest, StoresHiddenPhotonsWhenAsked) {
+    // A screen hides half of the floor.
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 1, 0}, 4);
+    small.square({0, 2, 0}, {0, -1, 0}, 4);
+    small.square({0.5f, 0.5f, 1}, {0, 0, 1}, 0.5f);
+    const Shot shot(with(small.scene(), {spot({0, 0.5f, 0}, {0, 1, 0}, 40)}, glm::vec3(0.7f)),
+                    camera({0, 1, 3.9f}, {0, 0, 0}), 64, 64);
+    auto settings = quick();
+    trace(shot, settings);
+    const auto without = energy();
+    settings["reject_hidden"] = false;
+    trace(shot, settings);
+    const auto all = energy();
+    expect_balanced("hidden photons kept");
+    constexpr int hidden = li::indirect + 3, stored = li::indirect + 6, stored_hidden = li::indirect + 7;
+    EXPECT_GT(flux(without[hidden]).r, 0);
+    EXPECT_EQ(all[hidden].photons, 0u);
+    EXPECT_EQ(all[stored_hidden].photons, without[hidden].photons);
+    EXPECT_EQ(all[stored].photons, without[stored].photons);
+}
+
+TEST_F(IndirectTracingTest, DirectPathsSplitNothing) {
+    auto settings = quick();
+    settings["paths"] = std::string("direct");
+    const Shot shot(box({lamp({0.3f, 1.2f, -0.4f})}), camera({0, 1.4f, 1.9f}, {0, 1.2f, 0}), 48, 48);
+    trace(shot, settings);
+    expect_balanced("direct paths");
+    EXPECT_TRUE(photons().empty());
+    SmallWorld dark;
+    dark.square({0, 0, 0}, {0, 1, 0}, 1);
+    const auto report = trace(Shot(dark.scene(), camera({0, 1, 3}, {0, 0, 0}), 16, 16), quick());
+    EXPECT_TRUE(photons().empty());
+    bool told = false;
+    for (const auto& message : report.messages) told |= message.text.find("no photons") != std::string::npos;
+    EXPECT_TRUE(told);
+}
+
+}  // namespace
+}  // namespace ir::test
