@@ -8,7 +8,7 @@
 #include "renderers/methods/ldm-ao/explain.h"
 #include "renderers/methods/ldm-ao/parameters.h"
 #include "renderers/methods/ldm-ao/passes.h"
-#include "renderers/passes/direct/direct_light.h"
+#include "renderers/passes/direct/lit.h"
 #include "renderers/passes/ldm/map_views.h"
 
 namespace ir::methods::ldm_ao {
@@ -31,12 +31,7 @@ MethodDescription description() {
          .label = "Accessibility",
          .semantic = Semantic::accessibility,
          .doc = "Cosine-weighted openness of the hemisphere, 1 = open."},
-        {.key = "lit",
-         .label = "Lit",
-         .semantic = Semantic::radiance,
-         .unit = "W/(m² sr)",
-         .doc = "Direct light with shadow maps, emission, and ambient radiance times albedo times "
-                "accessibility."},
+        passes::lit_output(),
         {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."},
         {.key = "ldm.self_hits",
          .label = "Own entry found",
@@ -53,6 +48,7 @@ MethodDescription description() {
          .doc =
              "Part of the directions in which an entry ahead of the tangent plane was taken for the point's "
              "own: where light may leak."},
+        overlay_output(),
     };
     for (const auto& part : {passes::ldm::map_outputs(), explanation_outputs()})
         d.outputs.insert(d.outputs.end(), part.begin(), part.end());
@@ -85,8 +81,8 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
         explain(builder, gbuffer, maps, batch, directions, chosen, explanation);
     }
     resolve(builder, images, parameters);
-    resolve_views(builder, images);
-    lit(builder, gbuffer, direct, images);
+    resolve_views(builder, gbuffer, images);
+    passes::lit(builder, gbuffer, direct, images.accessibility, parameters.ambient);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "renderers/methods/ldm-ao/parameters.h"
 
+#include "renderers/passes/direct/lit.h"
+
 namespace ir::methods::ldm_ao {
 namespace {
 
@@ -44,14 +46,7 @@ ParameterTable<Parameters> parameter_table() {
               .doc = "Turns the set of directions at random in every frame and averages over frames. Turning "
                      "adds noise; without it frames are equal.",
               .citation = "Aalund15 §6"})
-        .add(&Parameters::ambient,
-             {.key = "ambient",
-              .label = "Ambient radiance",
-              .doc = "Radiance from all directions that accessibility attenuates, in the "
-                     "output “lit”.",
-              .unit = "W/(m² sr)",
-              .hard = {0, 1e6},
-              .soft = {0, 2}});
+        .add(&Parameters::ambient, passes::ambient_parameter());
     return table;
 }
 

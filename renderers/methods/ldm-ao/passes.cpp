@@ -1,5 +1,6 @@
 #include "renderers/methods/ldm-ao/passes.h"
 
+#include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-ao/exact.h"
 #include "renderers/passes/scene/stands_still.h"
@@ -68,6 +69,18 @@ void declare_trace(graph::GraphBuilder& builder, const std::string& name, const 
 
 }  // namespace
 
+OutputDescription overlay_output() {
+    return {.key = "ldm.self_hit_overlay",
+            .label = "Self-hits in colour",
+            .semantic = Semantic::albedo,
+            .doc =
+                "Accessibility with colours for what the self-hit rule did. Grey: the point's own entry was "
+                "found in all directions. Blue: it was missing in some, because its surface ends before "
+                "the texel's centre. Orange-red: another's may have been taken for it, where light may "
+                "leak. Colours grow with the root of the part of the directions: full blue is all of "
+                "them, half blue a quarter."};
+}
+
 Images declare_images(graph::GraphBuilder& builder, const Parameters& parameters) {
     Images images;
     images.sums = plain_image(builder,
@@ -106,6 +119,8 @@ Images declare_images(graph::GraphBuilder& builder, const Parameters& parameters
     images.leaks = part("ldm.leaks", "Possible leaks",
                         "Part of the directions in which an entry ahead of the tangent plane was taken for "
                         "the point's own.");
+    images.self_hit_overlay =
+        plain_image(builder, graph::text_of({overlay_output()}, "ldm.self_hit_overlay"), gl::Format::rgba16f);
     return images;
 }
 
@@ -141,7 +156,7 @@ void resolve(graph::GraphBuilder& builder, const Images& images, const Parameter
     });
 }
 
-void resolve_views(graph::GraphBuilder& builder, const Images& images) {
+void resolve_views(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Images& images) {
     builder.pass("self-hit views")
         .reads(images.view_counts)
         .writes(images.self_hits, images.missing, images.leaks)
@@ -154,29 +169,18 @@ void resolve_views(graph::GraphBuilder& builder, const Images& images) {
             context.bind_storage_image(2, images.leaks);
             dispatch_over(context, program, images.self_hits);
         });
-}
-
-void lit(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const passes::DirectLight& direct,
-         const Images& images) {
-    const auto result = plain_image(builder,
-                                    {.key = "lit",
-                                     .label = "Lit",
-                                     .doc = "Direct light, emission and attenuated ambient radiance.",
-                                     .semantic = Semantic::radiance,
-                                     .unit = "W/(m² sr)"},
-                                    gl::Format::rgba32f);
-    const std::vector<graph::ImageRef> sources{images.accessibility, direct.radiance, gbuffer.albedo,
-                                               gbuffer.emission, gbuffer.geometric_normal};
-    auto pass = builder.pass("lit");
-    for (const auto source : sources) pass.reads(source);
-    pass.writes(result).execute([sources, result](graph::PassContext& context) {
-        const auto& program = context.method_program({{"methods/ldm-ao/lit.comp"}});
-        program.use();
-        for (std::size_t i = 0; i < sources.size(); ++i)
-            context.bind_texture(static_cast<int>(i), sources[i]);
-        context.bind_storage_image(0, result);
-        dispatch_over(context, program, result);
-    });
+    builder.pass("self-hit overlay")
+        .reads(images.accessibility, images.view_counts, gbuffer.geometric_normal)
+        .writes(images.self_hit_overlay)
+        .execute([images, normal = gbuffer.geometric_normal](graph::PassContext& context) {
+            const auto& program = context.program({{"methods/ldm-ao/self_hit_overlay.comp"}});
+            program.use();
+            context.bind_texture(0, images.accessibility);
+            context.bind_texture(1, images.view_counts);
+            context.bind_texture(2, normal);
+            context.bind_storage_image(0, images.self_hit_overlay);
+            dispatch_over(context, program, images.self_hit_overlay);
+        });
 }
 
 }  // namespace ir::methods::ldm_ao

@@ -4,7 +4,6 @@
 
 #include "renderers/graph/builder.h"
 #include "renderers/methods/ldm-ao/parameters.h"
-#include "renderers/passes/direct/direct_light.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 #include "renderers/passes/ldm/builder.h"
 
@@ -18,7 +17,11 @@ struct Images {
     graph::ImageRef accessibility;              ///< r32f
     graph::ImageRef view_counts;                ///< "ldm.self_hit_counts" rgba32f
     graph::ImageRef self_hits, missing, leaks;  ///< r32f, parts of the directions
+    graph::ImageRef self_hit_overlay;           ///< rgba16f, linear colours
 };
+
+/// The output "ldm.self_hit_overlay".
+OutputDescription overlay_output();
 
 Images declare_images(graph::GraphBuilder& builder, const Parameters& parameters);
 
@@ -32,9 +35,7 @@ void trace_views(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, M
                  const Images& images);
 /// Pass "accessibility".
 void resolve(graph::GraphBuilder& builder, const Images& images, const Parameters& parameters);
-/// Pass "self-hit views".
-void resolve_views(graph::GraphBuilder& builder, const Images& images);
-/// Pass "lit", which writes the output of that name.
-void lit(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const passes::DirectLight& direct,
-         const Images& images);
+/// Passes "self-hit views" and "self-hit overlay".
+void resolve_views(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Images& images);
+
 }  // namespace ir::methods::ldm_ao

@@ -8,6 +8,8 @@ layout(binding = 3) uniform sampler2D emission;
 layout(binding = 4) uniform sampler2D geometric_normal;
 layout(binding = 0, rgba32f) uniform writeonly image2D lit;
 
+uniform float ambient;  // W/(m² sr)
+
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(lit)))) return;
@@ -16,7 +18,7 @@ void main() {
         // ∫ f V L_a cosθ dω = ρ L_a AO for a diffuse surface
         float open = texelFetch(accessibility, pixel, 0).x;
         radiance = texelFetch(direct, pixel, 0).rgb + texelFetch(emission, pixel, 0).rgb +
-                   texelFetch(albedo, pixel, 0).rgb * params.ambient * open;
+                   texelFetch(albedo, pixel, 0).rgb * ambient * open;
     }
     imageStore(lit, pixel, vec4(radiance, 1.0));
 }

@@ -1,0 +1,110 @@
+#include "renderers/methods/hbao/passes.h"
+
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "renderers/graph/output_text.h"
+#include "renderers/graph/pass_context.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
+
+namespace ir::methods::hbao {
+namespace {
+
+/// Drivers may stop the loops of an invocation after 65,535 turns in all.
+constexpr int steps_per_dispatch = 8192;
+
+graph::ImageRef declare(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format) {
+    graph::ImageDesc desc;
+    desc.text = std::move(text);
+    desc.format = format;
+    return builder.image(std::move(desc));
+}
+
+void dispatch_over(const graph::PassContext& context, const gl::Program& program, graph::ImageRef image) {
+    const auto shape = context.shape(image);
+    program.dispatch(shape.width, shape.height);
+}
+
+void march_directions(graph::PassContext& context, const passes::GBuffer& gbuffer, graph::ImageRef sums,
+                      int first, int end) {
+    const auto& program = context.method_program({{"methods/hbao/march.comp"}});
+    program.use();
+    bind_march(context, program, gbuffer);
+    context.bind_storage_image(0, sums);
+    program.set("first_direction", first);
+    program.set("end_direction", end);
+    dispatch_over(context, program, sums);
+    context.barrier();
+}
+
+void resolve(graph::GraphBuilder& builder, const Marched& marched) {
+    builder.pass("resolve")
+        .reads(marched.sums)
+        .writes(marched.raw, marched.cut)
+        .execute([marched](graph::PassContext& context) {
+            const auto& program = context.method_program({{"methods/hbao/resolve.comp"}});
+            program.use();
+            context.bind_texture(0, marched.sums);
+            context.bind_storage_image(0, marched.raw);
+            context.bind_storage_image(1, marched.cut);
+            dispatch_over(context, program, marched.raw);
+        });
+}
+
+}  // namespace
+
+std::vector<OutputDescription> marched_outputs() {
+    return {
+        {.key = "hbao.raw",
+         .label = "Before the blur",
+         .semantic = Semantic::accessibility,
+         .doc = "Accessibility of each pixel's own directions."},
+        {.key = "hbao.cut",
+         .label = "Cut off by the picture's edge",
+         .semantic = Semantic::probability,
+         .doc = "Part of the directions whose march ended at the edge of the picture before the radius did: "
+                "what lies beyond occludes nothing."},
+    };
+}
+
+Marched march(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Parameters& parameters) {
+    const auto outputs = marched_outputs();
+    Marched marched;
+    marched.sums =
+        declare(builder,
+                {.key = "hbao.sums",
+                 .label = "Sums over directions",
+                 .doc = "Weight that is open; all weight; directions cut off by the picture's edge; "
+                        "samples that were looked at."},
+                gl::Format::rgba32f);
+    marched.raw = declare(builder, graph::text_of(outputs, "hbao.raw"), gl::Format::r32f);
+    marched.cut = declare(builder, graph::text_of(outputs, "hbao.cut"), gl::Format::r32f);
+    const int at_once = std::max(1, steps_per_dispatch / parameters.steps), all = parameters.directions;
+    auto pass = builder.pass("march");
+    pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).writes(marched.sums);
+    pass.execute_sliced(
+        (all + at_once - 1) / at_once,
+        [gbuffer, sums = marched.sums, at_once, all](graph::PassContext& context, graph::Slice slice) {
+            for (auto i = static_cast<int>(slice.begin); i < static_cast<int>(slice.end); ++i)
+                march_directions(context, gbuffer, sums, i * at_once, std::min(all, (i + 1) * at_once));
+        },
+        1);
+    resolve(builder, marched);
+    return marched;
+}
+
+void bind_march(const graph::PassContext& context, const gl::Program& program,
+                const passes::GBuffer& gbuffer) {
+    context.bind_texture(0, gbuffer.position);
+    context.bind_texture(1, gbuffer.normal);
+    context.bind_texture(2, gbuffer.geometric_normal);
+    const auto& view = context.inputs().view;
+    passes::set_pixel_rays(program, view);
+    const glm::vec3 half_size(0.5f * static_cast<float>(view.width), 0.5f * static_cast<float>(view.height),
+                              1);
+    auto pixel_from_clip = glm::scale(glm::mat4(1), half_size);
+    pixel_from_clip = glm::scale(glm::translate(pixel_from_clip, {1, 1, 0}), {1, -1, 1});
+    program.set("pixel_from_world", pixel_from_clip * view.clip_from_world());
+}
+
+}  // namespace ir::methods::hbao

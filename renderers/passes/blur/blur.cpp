@@ -1,0 +1,95 @@
+#include "renderers/passes/blur/blur.h"
+
+#include "renderers/graph/pass_context.h"
+
+namespace ir::passes {
+namespace {
+
+using graph::ImageRef;
+
+ImageRef declare(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format) {
+    graph::ImageDesc desc;
+    desc.text = std::move(text);
+    desc.format = format;
+    return builder.image(std::move(desc));
+}
+
+void blur_axis(graph::GraphBuilder& builder, const std::string& name, const GBuffer& gbuffer, ImageRef from,
+               ImageRef to, const BlurOptions& options, glm::ivec2 axis) {
+    auto pass = builder.pass(name);
+    pass.reads(from, gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).writes(to);
+    pass.execute([=](graph::PassContext& context) {
+        const auto& program = context.program({{"passes/blur/blur.comp"}});
+        program.use();
+        context.bind_texture(0, from);
+        context.bind_texture(1, gbuffer.position);
+        context.bind_texture(2, gbuffer.normal);
+        context.bind_texture(3, gbuffer.geometric_normal);
+        context.bind_storage_image(0, to);
+        program.set("axis", axis);
+        program.set("radius", options.radius);
+        program.set("plane_tolerance", options.plane_tolerance);
+        program.set("normal_power", options.normal_power);
+        const auto shape = context.shape(to);
+        program.dispatch(shape.width, shape.height);
+    });
+}
+
+}  // namespace
+
+ImageRef blur(graph::GraphBuilder& builder, const GBuffer& gbuffer, ImageRef image,
+              const BlurOptions& options, graph::ResourceText text) {
+    const auto format = builder.images().at(static_cast<std::size_t>(image.index)).format;
+    auto half = text;
+    half.key += ".blurred_rows";
+    half.label += ", rows blurred";
+    half.doc = "After the first of two passes of the blur.";
+    const auto key = text.key;
+    const auto rows = declare(builder, std::move(half), format);
+    const auto result = declare(builder, std::move(text), format);
+    blur_axis(builder, "blur rows: " + key, gbuffer, image, rows, options, {1, 0});
+    blur_axis(builder, "blur columns: " + key, gbuffer, rows, result, options, {0, 1});
+    return result;
+}
+
+ParameterTable<BlurParameters> blur_parameters() {
+    const Condition blurred{"blur", {true}};
+    ParameterTable<BlurParameters> table;
+    table
+        .add(&BlurParameters::blur,
+             {.key = "blur",
+              .label = "Blur",
+              .doc = "Averages over neighbouring pixels of the same surface, which takes away the pattern "
+                     "that turned directions leave."})
+        .add(&BlurParameters::blur_radius, {.key = "blur_radius",
+                                            .label = "Blur radius",
+                                            .doc = "Pixels on either side that are averaged.",
+                                            .unit = "px",
+                                            .hard = {0, 64},
+                                            .soft = {1, 16},
+                                            .active_when = blurred})
+        .add(&BlurParameters::blur_plane_tolerance,
+             {.key = "blur_plane_tolerance",
+              .label = "Blur off the plane",
+              .doc = "Sine of the angle off the pixel's tangent plane at which a neighbour's weight has "
+                     "fallen to 1/e. Small values keep the blur within one plane.",
+              .hard = {1e-4, 1e3},
+              .soft = {0.01, 1},
+              .active_when = blurred})
+        .add(&BlurParameters::blur_normal_power,
+             {.key = "blur_normal_power",
+              .label = "Blur across normals",
+              .doc = "Power of the cosine between shading normals in a neighbour's weight. 0: normals do "
+                     "not count.",
+              .hard = {0, 1e4},
+              .soft = {0, 128},
+              .active_when = blurred});
+    return table;
+}
+
+BlurOptions options_of(const BlurParameters& parameters) {
+    return {parameters.blur ? parameters.blur_radius : 0, parameters.blur_plane_tolerance,
+            parameters.blur_normal_power};
+}
+
+}  // namespace ir::passes

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "renderers/core/output.h"
+#include "renderers/core/parameter.h"
+#include "renderers/passes/direct/direct_light.h"
+
+namespace ir::passes {
+
+/// What a method of ambient occlusion says of its output "lit", and of the parameter behind it.
+OutputDescription lit_output();
+ParameterText ambient_parameter();
+
+/// Declares the pass and the output "lit", rgba32f in W/(m² sr): direct light, emission, and `ambient`
+/// radiance from everywhere as far as `accessibility` (r32f) lets it in. Background 0.
+graph::ImageRef lit(graph::GraphBuilder& builder, const GBuffer& gbuffer, const DirectLight& direct,
+                    graph::ImageRef accessibility, float ambient);
+
+}  // namespace ir::passes
