@@ -65,15 +65,17 @@ std::vector<Choice> storages() {
 using Column = graph::BenchmarkColumn;
 
 std::vector<Column> columns() {
-    return {{"Build", "ms", "", Column::PassTime{{"map frames*", "build maps*"}}},
-            {"Trace", "ms", "", Column::PassTime{{"trace*", "accessibility"}}},
-            {"Total", "ms", "", Column::PassTime{}},
+    return {{"Build", "ms", "Views of the maps, and all passes that build them.",
+             Column::PassTime{{"map frames*", "build maps*"}}},
+            {"Trace", "ms", "All passes that ask the maps, and accessibility.",
+             Column::PassTime{{"trace*", "accessibility"}}},
+            {"Total", "ms", "Building and tracing.", Column::PassTime{}},
             {"Fragments", "", "Made by rasterising the scene into all maps.",
              Column::Counter{"ldm.fragments"}, Column::Best::none},
             {"Maps", "B", "Without spare and scratch space.", Column::Counter{"ldm.bytes"}},
             {"Per fragment", "B", "Memory of the maps per fragment.",
              Column::CounterRatio{"ldm.bytes", "ldm.fragments"}},
-            {"All buffers", "B", "", Column::MemoryBytes{}}};
+            {"All buffers", "B", "With spare and scratch space, scene and G-buffer.", Column::MemoryBytes{}}};
 }
 
 /// Every storage by the compute builder.
@@ -144,10 +146,17 @@ graph::Benchmark every_storage() {
     benchmark.variants = by_storage(64, 100);
     benchmark.total_of = all_passes;
     benchmark.columns = columns();
-    benchmark.columns.push_back(
-        {"Dropped", "", "Fragments that had no room.", Column::Counter{"ldm.dropped"}});
-    benchmark.columns.push_back(
-        {"Difference", "", "RMS of accessibility to the first variant.", Column::Difference{}});
+    for (const auto& column : std::vector<Column>{
+             {"Nodes", "", "Depths that are stored.", Column::Counter{"ldm.nodes"}, Column::Best::none},
+             {"Mean layers", "", "Nodes per texel.", Column::CounterRatio{"ldm.nodes", "ldm.texels"},
+              Column::Best::none},
+             {"Most layers", "", "At one texel, of all maps.", Column::LargestValue{"ldm.layers"},
+              Column::Best::none},
+             {"Dropped", "", "Fragments that had no room.", Column::Counter{"ldm.dropped"}},
+             {"Difference", "", "RMS of accessibility to the first variant.", Column::Difference{}},
+             {"Largest difference", "", "Of accessibility to the first variant, at any pixel.",
+              Column::Difference{Column::Difference::Norm::largest}}})
+        benchmark.columns.push_back(column);
     return benchmark;
 }
 
