@@ -5,10 +5,11 @@
 namespace ir::passes::ldm {
 
 /// Depth peeling: plane by plane the nearest fragment of each texel beyond that of the plane before, as many
-/// planes for each chunk of maps as its deepest texel has layers. [Everitt01] DEVIATION [Everitt01]: a plane
-/// is a pass over the chunk's fragments, not another drawing of the scene, so that all storages hold the same
-/// fragments; and the order of arrival tells fragments of equal depth apart, which peeling by depth alone
-/// would lose.
+/// planes for each chunk of maps as its deepest texel has layers. [Everitt01]
+///
+/// DEVIATION [Everitt01]: a plane is a pass over the chunk's fragments, not another drawing of the scene, so
+/// that all storages hold the same fragments; and the order of arrival tells fragments of equal depth apart,
+/// which peeling by depth alone would lose.
 class PeelStorage : public Storage {
   public:
     PeelStorage(graph::GraphBuilder& builder, const Layout& layout);

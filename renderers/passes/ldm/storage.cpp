@@ -10,6 +10,7 @@
 #include "renderers/passes/ldm/page_storage.h"
 #include "renderers/passes/ldm/peel_storage.h"
 #include "renderers/passes/ldm/sorted_list_storage.h"
+#include "renderers/passes/ldm/sparse_storage.h"
 
 namespace ir::passes::ldm {
 
@@ -24,6 +25,8 @@ std::shared_ptr<const Storage> make_storage(graph::GraphBuilder& builder, Storag
             return std::make_shared<ListStorage>(builder, layout);
         case StorageKind::arrays:
             return std::make_shared<ArrayStorage>(builder, layout);
+        case StorageKind::sparse_arrays:
+            return std::make_shared<SparseStorage>(builder, layout);
         case StorageKind::fixed_arrays:
             return std::make_shared<FixedStorage>(builder, layout, FixedOrder::after);
         case StorageKind::fixed_arrays_presorted:
@@ -38,8 +41,6 @@ std::shared_ptr<const Storage> make_storage(graph::GraphBuilder& builder, Storag
             return std::make_shared<PageStorage>(builder, layout);
         case StorageKind::packed_arrays:
             return std::make_shared<PackedStorage>(builder, layout);
-        default:
-            break;
     }
     throw std::logic_error("unknown storage of layered depth maps");
 }

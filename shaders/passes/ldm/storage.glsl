@@ -1,6 +1,8 @@
 // Questions to the maps, the same for every storage. Each texel holds a sorted sequence of depths in quanta.
-// Before including, define LDM_STORAGE, the first of its binding points, and one of LDM_LINKED_LISTS,
-// LDM_ARRAYS (renderers/passes/ldm/storage.h does).
+// Before including, define LDM_STORAGE, the first of its binding points, and what the storage's `defines` says
+// (renderers/passes/ldm/storage.h).
+
+#include "lib/random.glsl"
 
 /// The depths around a given one: the last below it, and the first that is not.
 struct LdmNeighbours {
@@ -25,6 +27,8 @@ struct LdmCursor {
 #include "passes/ldm/lists.glsl"
 #elif defined(LDM_ARRAYS)
 #include "passes/ldm/arrays.glsl"
+#elif defined(LDM_SPARSE_ARRAYS)
+#include "passes/ldm/sparse.glsl"
 #elif defined(LDM_FIXED)
 #include "passes/ldm/fixed.glsl"
 #elif defined(LDM_HASH)
@@ -35,4 +39,8 @@ struct LdmCursor {
 #include "passes/ldm/packed.glsl"
 #elif defined(LDM_PAGES)
 #include "passes/ldm/pages.glsl"
+#endif
+// A file is included once, whatever conditions it stands under: what several storages share stands here.
+#if defined(LDM_ARRAYS) || defined(LDM_SPARSE_ARRAYS)
+#include "passes/ldm/depth_ranges.glsl"
 #endif

@@ -103,9 +103,11 @@ inline gl::ContextOptions debug_options() {
 
 /// All storages that are there.
 inline constexpr StorageKind all_storages[] = {
-    StorageKind::linked_lists,           StorageKind::arrays,          StorageKind::fixed_arrays,
-    StorageKind::fixed_arrays_presorted, StorageKind::lists_then_sort, StorageKind::pages,
-    StorageKind::packed_arrays,          StorageKind::depth_peeling};
+    StorageKind::linked_lists,    StorageKind::arrays,
+    StorageKind::sparse_arrays,   StorageKind::hash,
+    StorageKind::fixed_arrays,    StorageKind::fixed_arrays_presorted,
+    StorageKind::lists_then_sort, StorageKind::pages,
+    StorageKind::packed_arrays,   StorageKind::depth_peeling};
 
 /// As people choose it.
 inline std::string key_of(StorageKind storage) {

@@ -1,0 +1,149 @@
+#include "renderers/passes/ldm/sparse_storage.h"
+
+namespace ir::passes::ldm {
+namespace {
+
+using graph::FieldType;
+
+const std::string lower = "directions or resolution";
+
+}  // namespace
+
+SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout) : layout_(layout) {
+    declare_tables(builder);
+    declare_depths(builder);
+}
+
+void SparseStorage::declare_tables(graph::GraphBuilder& builder) {
+    words_ = builder.buffer(
+        {.text = {.key = "ldm.texel_words",
+                  .label = "Texels with fragments",
+                  .doc = "For each 32 texels: a bit for those with fragments; the first of their "
+                         "offsets, those of 32 bits marked by 2^31; and the first depth."},
+         .fields = {{"occupied", FieldType::u32},
+                    {"first_offset", FieldType::u32},
+                    {"first_depth", FieldType::u32}},
+         .elements = batch_words()});
+    offsets_ =
+        builder.buffer({.text = {.key = "ldm.sparse_offsets",
+                                 .label = "Offsets of texels",
+                                 .doc = "Number of a texel's first depth, counted from that of its word, for "
+                                        "all texels with fragments but the word's first; 16 bits each, or "
+                                        "two halves of 32 bits."},
+                        .fields = {{"pair", FieldType::u32}},
+                        .elements = layout_.batch_maps * layout_.map_texels() / 2 + 1,
+                        .growable = true,
+                        .lower = lower});
+    sums_ = builder.buffer(
+        {.text = {.key = "ldm.word_sums",
+                  .label = "Sums of a chunk",
+                  .doc = "For each 32 texels of the chunk that was built last: bits, halves of "
+                         "offsets, and depths."},
+         .fields = {{"occupied", FieldType::u32}, {"offsets", FieldType::u32}, {"depths", FieldType::u32}},
+         .elements = layout_.chunk_maps * map_words()});
+    offset_words_asked_ = builder.counter({.key = "ldm.offset_words",
+                                           .label = "Words of offsets",
+                                           .doc = "Of the largest batch of maps.",
+                                           .growth_of = offsets_});
+}
+
+void SparseStorage::declare_depths(graph::GraphBuilder& builder) {
+    depths_ = builder.buffer({.text = {.key = "ldm.depths",
+                                       .label = "Depths",
+                                       .doc = "Sorted depths in quanta, texel by texel; two per word.",
+                                       .semantic = Semantic::depth},
+                              .fields = {{"pair", FieldType::u32}},
+                              .elements = layout_.batch_maps * layout_.map_texels() * expected_layers / 2,
+                              .growable = true,
+                              .lower = lower});
+    unsorted_ = builder.buffer({.text = {.key = "ldm.unsorted",
+                                         .label = "Depths of a chunk",
+                                         .doc = "Depths of the chunk that was built last, texel by texel.",
+                                         .semantic = Semantic::depth},
+                                .fields = {{"depth", FieldType::u32}},
+                                .elements = layout_.chunk_maps * layout_.map_texels() * expected_layers,
+                                .growable = true,
+                                .lower = lower});
+    deep_texels_ =
+        builder.buffer({.text = {.key = "ldm.deep_texels",
+                                 .label = "Deep texels of a chunk",
+                                 .doc = "Texels with more than 16 layers, of the chunk that was built last.",
+                                 .semantic = Semantic::id},
+                        .fields = {{"texel", FieldType::u32}},
+                        .elements = layout_.chunk_maps * layout_.map_texels()});
+    depth_words_asked_ = builder.counter({.key = "ldm.depth_words",
+                                          .label = "Words of depths",
+                                          .doc = "Of the largest batch of maps.",
+                                          .growth_of = depths_});
+    unsorted_asked_ = builder.counter(
+        {.key = "ldm.chunk_depths", .label = "Depths of the largest chunk", .growth_of = unsorted_});
+    most_layers_ = builder.counter({.key = "ldm.max_layers",
+                                    .label = "Most layers",
+                                    .doc = "Length of the longest sequence of depths."});
+}
+
+std::map<std::string, std::string> SparseStorage::defines(const graph::PassContext&,
+                                                          int first_binding) const {
+    return {{"LDM_SPARSE_ARRAYS", "1"}, {"LDM_STORAGE", std::to_string(first_binding)}};
+}
+
+void SparseStorage::place(const graph::PassContext& context, const Chunk& chunk) const {
+    const auto words = static_cast<std::int64_t>(chunk.maps * map_words());
+    const auto use = [&](const char* file) -> const gl::Program& {
+        const auto& program = context.program({{file}});
+        program.use();
+        program.set("first_word", static_cast<unsigned>(chunk.first_map * map_words()));
+        program.set("word_count", static_cast<unsigned>(words));
+        program.set("map_words", static_cast<unsigned>(map_words()));
+        program.set("map_texels", static_cast<unsigned>(layout_.map_texels()));
+        return program;
+    };
+    use("passes/ldm/sparse_sums.comp").dispatch(words);
+    context.barrier();
+    use("passes/ldm/sparse_bases.comp").dispatch(1);
+    context.barrier();
+    use("passes/ldm/sparse_offsets.comp").dispatch(words);
+    context.barrier();
+}
+
+void SparseStorage::sort(const graph::PassContext& context, const FragmentList& list,
+                         const Chunk& chunk) const {
+    const auto use = [&](const char* file) -> const gl::Program& {
+        const auto& program = context.program({{file}});
+        program.use();
+        program.set("row_count", static_cast<unsigned>(chunk.maps * layout_.resolution));
+        program.set("resolution", static_cast<unsigned>(layout_.resolution));
+        return program;
+    };
+    use("passes/ldm/array_scatter.comp");
+    dispatch_indirect(context, list.state, fragment_groups_word);
+    context.barrier();
+    use("passes/ldm/array_sort.comp").dispatch(chunk.maps * static_cast<std::int64_t>(layout_.map_texels()));
+    context.barrier();
+    use("passes/ldm/array_sort_deep.comp");
+    dispatch_indirect(context, list.state, deep_groups_word);
+    context.barrier();
+    use("passes/ldm/array_sort_deepest.comp");
+    dispatch_indirect(context, list.state, deepest_groups_word);
+    context.barrier();
+}
+
+void SparseStorage::store(const graph::PassContext& context, const FragmentList& list,
+                          const Chunk& chunk) const {
+    bind(context, 13);
+    context.bind_buffer(6, sums_);
+    context.bind_buffer(7, deep_texels_);
+    context.bind_buffer(8, unsorted_);
+    context.bind_counter(9, depth_words_asked_);
+    context.bind_counter(10, offset_words_asked_);
+    context.bind_counter(11, unsorted_asked_);
+    context.bind_counter(12, most_layers_);
+    place(context, chunk);
+    sort(context, list, chunk);
+}
+
+std::uint64_t SparseStorage::table_bytes(const graph::PassContext&) const {
+    return batch_words() * 12;
+}
+
+}  // namespace ir::passes::ldm

@@ -1,0 +1,13 @@
+// Hash table: how many cells the batch asks for, up to this chunk, so that nine in ten are filled.
+layout(local_size_x = 1) in;
+#include "passes/ldm/builder.glsl"
+#include "passes/ldm/state.glsl"
+
+layout(std430, binding = 8) buffer CellsAsked { uint cells_asked; };
+
+uniform uint least_cells;
+
+void main() {
+    uint entries = asked + fragment_count;
+    atomicMax(cells_asked, max(least_cells, entries + entries / 9u + 1u));
+}

@@ -1,0 +1,45 @@
+// Hash table: one invocation puts one fragment in, and in its place what it displaces.
+layout(local_size_x = 64) in;
+#include "passes/ldm/builder.glsl"
+#include "passes/ldm/fragments.glsl"
+#include "passes/ldm/hash_cells.glsl"
+#include "passes/ldm/list_index.glsl"
+
+layout(std430, binding = 9) buffer MostAge { uint most_age; };
+layout(std430, binding = 13) coherent buffer LdmAges { uint ages[]; };
+layout(std430, binding = 14) coherent buffer LdmCells { uint cells[]; };
+
+uniform uint batch_texel;  // first texel of the chunk, in the batch
+
+/// A cell keeps the larger of what it holds and what comes, which hands on the smaller one at its texel's next age.
+/// [Lefebvre14 §3.4] Whatever leaves a cell or passes it is below what stays, and of one texel the age is the same
+/// there: depths rise with age. False if no cell was found.
+bool insert(uint texel, uint nearness) {
+    uint size = uint(cells.length()), age = 1u, oldest = 0u;
+    bool placed = false;
+    for (uint turn = 0u; turn < MOST_LAYERS && !placed && age <= MOST_LAYERS; ++turn) {
+        uint cell = hash_cell(texel, age, size), entry = age << 16 | nearness;
+        uint seen = atomicMax(cells[cell], entry);
+        if (seen < entry) {
+            atomicMax(ages[texel], age);
+            oldest = max(oldest, age);
+            placed = seen == 0u;
+            nearness = seen & 0xffffu;
+            age = seen >> 16;
+            texel = hash_texel(cell, age, size);
+        }
+        ++age;
+    }
+    atomicMax(most_age, oldest);
+    return placed;
+}
+
+void main() {
+    uint index = list_index();
+    if (index >= min(fragment_count, uint(fragments.length()))) return;
+    if (asked + index >= uint(cells.length()) - uint(cells.length()) / 10u) return;  // the table will grow
+    uvec2 fragment = fragments[index];
+    if (insert(batch_texel + fragment.x, 65535u - (fragment.y & 0xffffu))) return;
+    atomicAdd(dropped, 1u);
+    atomicAdd(chunk_total, 0xffffffffu);
+}
