@@ -77,8 +77,7 @@ OutputDescription overlay_output() {
                 "Accessibility with colours for what the self-hit rule did. Grey: the point's own entry was "
                 "found in all directions. Blue: it was missing in some, because its surface ends before "
                 "the texel's centre. Orange-red: another's may have been taken for it, where light may "
-                "leak. Colours grow with the root of the part of the directions: full blue is all of "
-                "them, half blue a quarter."};
+                "leak. Colours grow with the part of the directions, and are full from one half on."};
 }
 
 Images declare_images(graph::GraphBuilder& builder, const Parameters& parameters) {

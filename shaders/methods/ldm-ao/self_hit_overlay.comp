@@ -15,8 +15,7 @@ void main() {
     vec3 colour = vec3(0.0);
     if (texelFetch(geometric_normal, pixel, 0).xyz != vec3(0.0)) {
         vec4 count = texelFetch(counts, pixel, 0);
-        // Roots, because a few directions in a hundred already show in the picture.
-        vec2 part = sqrt(count.zw / max(count.y, 1.0));
+        vec2 part = clamp(2.0 * count.zw / max(count.y, 1.0), 0.0, 1.0);  // more than half hardly occurs
         vec3 tint = mix(mix(GREY, BLUE, part.x), VERMILION, part.y);
         colour = tint * (0.3 + 0.7 * texelFetch(accessibility, pixel, 0).x);
     }
