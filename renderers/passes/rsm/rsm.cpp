@@ -155,7 +155,8 @@ Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmO
         rsm.fingerprint = world + " at " + std::to_string(rsm.resolution) +
                           (options.opaque_only ? " opaque" : "") + (options.normal_maps ? " mapped" : "");
     const auto text = [](const char* key) { return graph::text_of(rsm_outputs({}, true), key); };
-    rsm.albedo_roughness = declare(builder, rsm, text("rsm.albedo_roughness"), gl::Format::rgba8);
+    rsm.albedo_roughness = declare(builder, rsm, text("rsm.albedo_roughness"),
+                                   options.exact_albedo ? gl::Format::rgba16f : gl::Format::rgba8);
     rsm.normal_metalness = declare(builder, rsm, text("rsm.normal_metalness"), gl::Format::rgba16f);
     if (options.geometric_normal)
         rsm.geometric_normal = declare(builder, rsm, text("rsm.geometric_normal"), gl::Format::rgba32f);

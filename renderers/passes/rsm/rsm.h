@@ -17,12 +17,15 @@ struct RsmOptions {
     bool normal_maps = true;
     bool depth_prepass = false;     ///< what lies behind a depth that is drawn first is not shaded
     bool geometric_normal = false;  ///< keeps the normals of triangles, too
+    /// Half floats: steps of 1/255 are 10 % of a reflectance of 0.02.
+    bool exact_albedo = false;
 };
 
 /// Reflective shadow maps: what each light sees, one layer per shadow view. Empty texels are 0.
 /// [Smal19 §5.1]
 struct Rsm {
-    graph::ImageRef albedo_roughness;  ///< "rsm.albedo_roughness" rgba8: linear base colour, roughness
+    graph::ImageRef albedo_roughness;  ///< "rsm.albedo_roughness" rgba8, or rgba16f where it was asked
+                                       ///< for: linear base colour, roughness
     graph::ImageRef normal_metalness;  ///< "rsm.normal_metalness" rgba16f: shading normal on the light's
                                        ///< side; w: 1 + metalness, negative where nothing is scattered
     graph::ImageRef geometric_normal;  ///< "rsm.geometric_normal" rgba32f: of the triangle's plane, on the

@@ -129,6 +129,25 @@ TEST_F(IndirectTracingTest, OrderAndBitsDoNotDependOnMemory) {
     }
 }
 
+TEST_F(IndirectTracingTest, BatchesAndPartsLeaveNothingOut) {
+    const Shot shot(planes({spot({0, 0.5f, 0}, {0, 1, 0}, 40)}), camera({0, 1, 3.9f}, {0, 0, 0}), 16, 16);
+    auto settings = quick();
+    settings["resolution"] = std::int64_t{30};
+    settings["directions"] = std::int64_t{272};  // more than 2^22 photons together
+    settings["emission"] = std::int64_t{128};
+    settings["reserve"] = 0.001;
+    const auto whole = trace(shot, settings);
+    expect_balanced("one batch, two parts");
+    const auto rows = energy();
+    const auto count = photons().size();
+    const auto divided = trace(shot, settings, 1, whole.peak_memory_bytes * 97 / 100);
+    ASSERT_GT(divided.counters.at("batches"), 1);
+    expect_balanced("batches");
+    const auto again = energy();
+    EXPECT_EQ(photons().size(), count);
+    for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(again[i].photons, rows[i].photons) << i;
+}
+
 TEST_F(IndirectTracingTest, StoresHiddenPhotonsWhenAsked) {
     // A screen hides half of the floor.
     SmallWorld small;

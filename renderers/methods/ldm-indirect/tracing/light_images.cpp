@@ -63,7 +63,8 @@ passes::Rsm draw_light_images(graph::GraphBuilder& builder, const passes::SceneB
                              .resolution = parameters.emission,
                              .opaque_only = parameters.transport.materials == Transport::Materials::lambert,
                              .normal_maps = parameters.transport.normal_maps,
-                             .geometric_normal = true});
+                             .geometric_normal = true,
+         .exact_albedo = true});
 }
 
 }  // namespace ir::methods::ldm_indirect
