@@ -27,7 +27,7 @@ PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
                                               "from the row's (16 bits), and numbers of depths (6 bits "
                                               "each); at the end, nine words for each group with more."},
                               .fields = {{"word", FieldType::u32}},
-                              .elements = table_words(),
+                              .elements = table_words() + table_words() / 64,
                               .growable = true,
                               .lower = lower});
     depths_ = builder.buffer({.text = {.key = "ldm.packed_depths",
