@@ -50,6 +50,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
     connect_views();
     connect_results();
     connect_plots();
+    connect_benchmarks();
     connect_timeline();
     restore_window();
     update_document();
@@ -61,18 +62,20 @@ MainWindow::~MainWindow() {
          {static_cast<QObject*>(&session_), static_cast<QObject*>(&renderer_), static_cast<QObject*>(&live_),
           static_cast<QObject*>(&workspace_), static_cast<QObject*>(&inspector_),
           static_cast<QObject*>(&kept_), static_cast<QObject*>(results_), static_cast<QObject*>(plots_),
-          static_cast<QObject*>(&metrics_), static_cast<QObject*>(&scenes_),
-          static_cast<QObject*>(&playback_)})
+          static_cast<QObject*>(benchmarks_), static_cast<QObject*>(&metrics_),
+          static_cast<QObject*>(&scenes_), static_cast<QObject*>(&playback_)})
         part->disconnect(this);
 }
 
 bool MainWindow::is_settled() const {
-    return live_.is_settled() && workspace_.is_settled() && metrics_.is_settled() && plots_->is_settled();
+    return live_.is_settled() && workspace_.is_settled() && metrics_.is_settled() && plots_->is_settled() &&
+           benchmarks_->is_settled();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     document_->commit();
     if (!may_discard()) return event->ignore();
+    benchmarks_->cancel();
     if (options_.remember) {
         QSettings settings;
         settings.setValue(QStringLiteral("window/geometry"), saveGeometry());

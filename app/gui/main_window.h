@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <map>
 
+#include "app/gui/benchmark_dock.h"
 #include "app/gui/document_dock.h"
 #include "app/gui/exports.h"
 #include "app/gui/known_projects.h"
@@ -31,7 +32,7 @@ class QStackedWidget;
 namespace ir::gui {
 
 /// Bumped when docks are added or renamed, so that a remembered arrangement of other docks is not applied.
-inline constexpr int dock_version = 6;
+inline constexpr int dock_version = 7;
 
 /// The window: menus, docks and the views in their middle. It joins parts that know nothing of each other and
 /// decides nothing about pictures or documents.
@@ -41,8 +42,9 @@ class MainWindow : public QMainWindow {
     struct Options {
         bool remember = true;  ///< keeps geometry, docks and recent projects between runs
         widgets::ImageView::Surface surface = widgets::ImageView::Surface::best;
-        engine::MachineOptions machine = {};    ///< of studies
-        engine::StudyRunner study_runner = {};  ///< without one they are carried out by that machine
+        engine::MachineOptions machine = {};            ///< of studies and benchmarks
+        engine::StudyRunner study_runner = {};          ///< without one they are carried out by that machine
+        engine::BenchmarkRunner benchmark_runner = {};  ///< as above
     };
     MainWindow(Renderer& renderer, const Registry& registry, const Options& options);
     ~MainWindow();
@@ -55,6 +57,7 @@ class MainWindow : public QMainWindow {
     DocumentDock& document() { return *document_; }
     ResultsDock& results() { return *results_; }
     PlotsDock& plots() { return *plots_; }
+    BenchmarkDock& benchmarks() { return *benchmarks_; }
     Playback& playback() { return playback_; }
     TimelineDock& timeline() { return *timeline_; }
     References& references() { return references_; }
@@ -133,6 +136,7 @@ class MainWindow : public QMainWindow {
 
     // window_plots.cpp
     void connect_plots();
+    void connect_benchmarks();
 
     // window_timeline.cpp
     void make_timeline_actions();
@@ -201,6 +205,7 @@ class MainWindow : public QMainWindow {
     DocumentDock* document_ = nullptr;
     ResultsDock* results_ = nullptr;
     PlotsDock* plots_ = nullptr;
+    BenchmarkDock* benchmarks_ = nullptr;
     TimelineDock* timeline_ = nullptr;
     widgets::DisplayPanel* display_ = nullptr;
     widgets::RowsPanel *scene_tree_ = nullptr, *buffers_ = nullptr, *timings_ = nullptr, *counters_ = nullptr;

@@ -25,13 +25,14 @@ const QList<Layout>& layouts() {
     static const QList<Layout> all = {
         {"default",
          {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "metrics",
-          "timings", "messages", "results", "plots", "timeline"}},
+          "timings", "messages", "results", "plots", "timeline", "benchmarks"}},
         {"picture", {}},
         {"parameters", {"parameters"}},
         {"compare", {"display", "metrics"}},
         {"results", {"results"}},
         {"plots", {"plots"}},
         {"timeline", {"timeline"}},
+        {"benchmarks", {"benchmarks"}},
         {"inspect", {"display", "inspector", "buffers", "explain"}},
         {"project", {"project"}},
         {"scene", {"parameters", "scene"}},
@@ -172,8 +173,12 @@ void MainWindow::make_docks() {
     plots->setWidget(plots_);
     plots->setWidgetResizable(true);
     add_dock("plots", tr("Plots"), plots, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
+    benchmarks_ =
+        new BenchmarkDock(session_, options_.benchmark_runner ? options_.benchmark_runner
+                                                              : engine::benchmark_runner(options_.machine));
     timeline_ = new TimelineDock(session_, live_, playback_);
     add_dock("timeline", tr("Timeline"), timeline_, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
+    add_dock("benchmarks", tr("Benchmarks"), benchmarks_, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
 }
 
 /// Panels behind tabs and closed ones ask for nothing.
@@ -225,6 +230,7 @@ void MainWindow::restore_default_layout() {
     tabifyDockWidget(dock("messages"), dock("results"));
     tabifyDockWidget(dock("results"), dock("plots"));
     tabifyDockWidget(dock("plots"), dock("timeline"));
+    tabifyDockWidget(dock("timeline"), dock("benchmarks"));
     for (auto* each : docks_of(this)) each->show();
     for (const char* front : {"parameters", "display", "buffers", "messages"}) dock(front)->raise();
     resizeDocks({dock("parameters"), dock("buffers")}, {350, 400}, Qt::Horizontal);
@@ -244,7 +250,7 @@ void MainWindow::apply_layout(const QString& name) {
         if (name != QLatin1String(layout.name)) continue;
         restore_default_layout();
         for (auto* dock : docks_of(this)) dock->setVisible(layout.docks.contains(dock->objectName()));
-        if (name == QLatin1String("plots"))
+        if (name == QLatin1String("plots") || name == QLatin1String("benchmarks"))
             resizeDocks({findChild<QDockWidget*>(name)}, {height() / 2}, Qt::Vertical);
         if (!session_.has_project()) show_docks(false);
         return;

@@ -31,6 +31,7 @@ void MainWindow::connect_session() {
         inspector_.load(session_.memory());
         metrics_.load(session_.memory());
         plots_->load(session_.memory());
+        benchmarks_->load(session_.memory());
         playback_.load(session_.memory());
         update_project_banners();
     });

@@ -133,6 +133,7 @@ void MainWindow::store_memory() {
     inspector_.save(session_.memory());
     metrics_.save(session_.memory());
     plots_->save(session_.memory());
+    benchmarks_->save(session_.memory());
     playback_.save(session_.memory());
 }
 

@@ -2,7 +2,7 @@
 
 #include "app/gui/main_window.h"
 
-/// Plots of the error in the window.
+/// Plots of the error, and benchmarks, in the window.
 namespace ir::gui {
 
 void MainWindow::connect_plots() {
@@ -25,6 +25,17 @@ void MainWindow::connect_plots() {
         document_->editor().setFocus();
     });
     connect(plots_, &PlotsDock::settled, this, [this] {
+        if (is_settled()) emit settled();
+    });
+}
+
+void MainWindow::connect_benchmarks() {
+    connect(benchmarks_, &BenchmarkDock::said, this, [this](const QString& text) { status_->say(text); });
+    connect(benchmarks_, &BenchmarkDock::failed, this, [this](const QString& error) {
+        messages_->add({Severity::error, "benchmarks", error.toStdString()});
+        banners_->show_banner(QStringLiteral("benchmarks"), widgets::BannerStack::Kind::error, error);
+    });
+    connect(benchmarks_, &BenchmarkDock::settled, this, [this] {
         if (is_settled()) emit settled();
     });
 }

@@ -148,6 +148,9 @@ void BenchmarkPanel::make_view() {
     view_->setAllColumnsShowFocus(true);
     view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    // The style's own box is as dark as the rows.
+    view_->setStyleSheet(
+        QStringLiteral("QTreeView::indicator:unchecked { border: 1px solid #7a7a7a; border-radius: 2px; }"));
     auto* header = view_->header();
     header->setSortIndicatorClearable(true);  // the third click brings back the benchmark's order
     header->setSortIndicator(-1, Qt::AscendingOrder);
