@@ -16,8 +16,9 @@ void drop() {
 /// Each place keeps the nearer one of what it holds and what comes, and hands on the other: after any order of
 /// exchanges the nearest ones stay, sorted. [Liu10 §3.1]
 void insert(uint first, uint nearness) {
-    for (uint i = 0u; i < FIXED_LAYERS && nearness != 0u; ++i)
-        nearness = min(nearness, atomicMax(nearness_of[first + i], nearness));
+    for (uint i = first; i < first + FIXED_LAYERS && nearness != 0u; ++i)
+        if (nearness_of[i] < nearness)  // places only get nearer
+            nearness = min(nearness, atomicMax(nearness_of[i], nearness));
     if (nearness != 0u) drop();
 }
 

@@ -19,7 +19,8 @@ bool insert(uint texel, uint nearness) {
     bool placed = false;
     for (uint turn = 0u; turn < MOST_LAYERS && !placed && age <= MOST_LAYERS; ++turn) {
         uint cell = hash_cell(texel, age, size), entry = age << 16 | nearness;
-        uint seen = atomicMax(cells[cell], entry);
+        uint seen = cells[cell];  // cells only grow: what is too large now stays so
+        if (seen < entry) seen = atomicMax(cells[cell], entry);
         if (seen < entry) {
             atomicMax(ages[texel], age);
             oldest = max(oldest, age);

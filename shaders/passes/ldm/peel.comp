@@ -19,5 +19,6 @@ void main() {
     }
     uint entry = chunks[chunk].first + plane * plane_texels + fragment.x;
     uint nearness = ~(depth << 16 | arrival);  // so that buffers of zeros are empty
-    if (plane == 0u || nearness < planes[entry - plane_texels]) atomicMax(planes[entry], nearness);
+    bool beyond = plane == 0u || nearness < planes[entry - plane_texels];
+    if (beyond && planes[entry] < nearness) atomicMax(planes[entry], nearness);
 }
