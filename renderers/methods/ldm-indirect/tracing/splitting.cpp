@@ -100,7 +100,7 @@ void Splitter::trace(GraphBuilder& builder, const Part& part) const {
         context.bind_counter(binding, self.photons_.count);
         program.set("clip_from_world", context.inputs().view.clip_from_world());
         program.set("batch_maps", static_cast<unsigned>(part.batch_maps));
-        program.set("groups", static_cast<unsigned>(part.groups));
+        program.set("group_count", static_cast<unsigned>(part.groups));
         program.set("first_primary", static_cast<unsigned>(part.first));
         program.set("chunk", static_cast<unsigned>(part.chunk));
         static_assert(sizeof(passes::ldm::MapFrame) == 6 * sizeof(glm::vec4));

@@ -21,7 +21,7 @@ layout(std430, binding = 13) readonly buffer StoredCount { uint stored_count; };
 /// Of the dispatch's maps. Uniforms cost software drivers one load for all invocations, buffers one for each.
 uniform vec4 frame_rows[16 * 6];
 uniform uint first_map, map_count;   // in the batch
-uniform uint batch_maps, group, groups;
+uniform uint batch_maps, group, group_count;
 uniform uint first_item, end_item, first_primary;  // among all primary photons; of the chunk
 uniform uint chunk;
 
@@ -58,5 +58,5 @@ void main() {
                                is_stored ? packed_direction(at.normal_ws) : 0u);
         stored += is_stored ? 1u : 0u;
     }
-    counts[local * groups + group] = stored;
+    counts[local * group_count + group] = stored;
 }
