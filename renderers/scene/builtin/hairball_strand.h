@@ -14,7 +14,7 @@ constexpr float outer_radius = 0.5f;  ///< no hair reaches further
 constexpr float root_depth = 0.01f;   ///< how far roots lie below the core's surface
 /// Thin enough that 2.8 M triangles give maps 13 layers a texel, as published for another hairball [Aalund15
 /// Fig. 9].
-constexpr float hair_radius = 0.0016f;
+constexpr float hair_radius = 0.00165f;
 
 /// The shape of one hair: away from the core while it sweeps around the ball, curled about that path, and
 /// disturbed by waves.
