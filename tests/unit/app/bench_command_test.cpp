@@ -1,0 +1,119 @@
+// `interreflect-cli bench`: the table, its files, statuses, on the real program.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace ir {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string contents(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class BenchCommand : public testing::Test {
+  protected:
+    struct Outcome {
+        int status = 0;
+        std::string out, err;
+    };
+
+    BenchCommand() {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        root_ = fs::temp_directory_path() / ("interreflect-bench-" + std::string(test->name()));
+        fs::remove_all(root_);
+        fs::create_directories(root_);
+    }
+    ~BenchCommand() override { fs::remove_all(root_); }
+
+    Outcome bench(const std::string& arguments) {
+        const auto out = root_ / "stdout", err = root_ / "stderr";
+        const auto command =
+            std::string(CLI_PROGRAM) + " bench " + arguments + " >" + out.string() + " 2>" + err.string();
+        const int status = std::system(command.c_str());
+        EXPECT_TRUE(WIFEXITED(status)) << command;
+        return {WEXITSTATUS(status), contents(out), contents(err)};
+    }
+    /// The smallest method on a small scene.
+    Outcome tiny(const std::string& flags) {
+        return bench("view-normals-defaults --scene builtin:cornell --size 16x12 --repeats 1 " + flags);
+    }
+    void expect_refused(const std::string& arguments, int status, const std::string& part) {
+        const auto outcome = bench(arguments);
+        EXPECT_EQ(outcome.status, status) << arguments << "\n" << outcome.err;
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_TRUE(outcome.out.empty());
+    }
+
+    fs::path root_;
+};
+
+TEST_F(BenchCommand, TextBeginsWithTheTable) {
+    const auto file = (root_ / "t.csv").string();
+    const auto outcome = tiny("--csv " + file);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out.starts_with("Variant   Total [ms]   Memory [")) << outcome.out;
+    EXPECT_NE(outcome.out.find("\ndefaults  "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("warm_ms: "), std::string::npos) << "all numbers come after it";
+    const auto table = contents(file);
+    EXPECT_TRUE(table.starts_with("variant,Total [ms],Memory [B],problem\r\ndefaults,")) << table;
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 2);
+}
+
+TEST_F(BenchCommand, JsonHasTheTableBesideAllNumbers) {
+    const auto outcome = tiny("--json");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto json = Json::parse(outcome.out);
+    for (const char* key :
+         {"benchmark", "method", "device", "software", "repeats", "results", "columns", "table"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    EXPECT_EQ(json["results"]["size"], Json({16, 12}));
+    EXPECT_EQ(json["results"]["scene"], "builtin:cornell");
+    const auto& variant = json["results"]["variants"][0];
+    for (const char* key :
+         {"cold_wall_ms", "cold_ms", "warm_ms", "passes", "memory_bytes", "counters", "label"})
+        EXPECT_TRUE(variant.contains(key)) << key;
+    EXPECT_EQ(json["columns"][0]["label"], "Total");
+    EXPECT_EQ(json["columns"][0]["unit"], "ms");
+    EXPECT_EQ(json["table"][0]["label"], "defaults");
+    EXPECT_EQ(json["table"][0]["cells"][0], variant["warm_ms"]);
+    EXPECT_EQ(json["table"][0]["cells"][1], variant["memory_bytes"]);
+}
+
+TEST_F(BenchCommand, AVariantWithoutMemoryIsARow) {
+    const auto outcome = tiny("--memory 1kB --json");
+    EXPECT_EQ(outcome.status, 1) << "nothing could be measured";
+    const auto json = Json::parse(outcome.out);
+    const std::string problem = json["table"][0]["problem"];
+    EXPECT_NE(problem.find("memory budget"), std::string::npos) << problem;
+    EXPECT_TRUE(json["table"][0]["cells"][0].is_null());
+    EXPECT_NE(outcome.err.find("defaults: " + problem), std::string::npos) << outcome.err;
+}
+
+TEST_F(BenchCommand, RefusesInOneLine) {
+    expect_refused("nonsense", 2, "there are ");
+    expect_refused("view-normals-defaults --variant fast", 2, "there are 'defaults'");
+    expect_refused("view-normals-defaults --size 12", 2, "--size");
+    expect_refused("view-normals-defaults --scene " + (root_ / "none.glb").string(), 3, "none.glb");
+    expect_refused("error --project x --csv y", 2, "do not belong");
+}
+
+TEST_F(BenchCommand, ListsWhatThereIs) {
+    const auto outcome = bench("--json");
+    ASSERT_EQ(outcome.status, 0);
+    const auto list = Json::parse(outcome.out);
+    EXPECT_TRUE(std::any_of(list.begin(), list.end(),
+                            [](const auto& each) { return each["name"] == "view-normals-defaults"; }));
+    for (const auto& each : list) EXPECT_FALSE(each["doc"].get<std::string>().empty());
+}
+
+}  // namespace
+}  // namespace ir
