@@ -110,7 +110,7 @@ void Splitter::trace(GraphBuilder& builder, const Part& part) const {
             const auto frame = static_cast<std::size_t>(self.maps_->first_map(part.batch) + first);
             context.api().ProgramUniform4fv(program.name(), rows, static_cast<GLsizei>(6 * count),
                                             &self.maps_->frames[frame].u.x);
-            program.set("group", static_cast<unsigned>(group));
+            program.set("map_group", static_cast<unsigned>(group));
             program.set("first_map", static_cast<unsigned>(first));
             program.set("map_count", static_cast<unsigned>(count));
             gl::dispatch_items(program, part.first + slice.begin, part.first + slice.end);
@@ -136,7 +136,7 @@ void Splitter::store(GraphBuilder& builder, const Part& part, graph::BufferRef p
                 program.set("first_primary", static_cast<unsigned>(part.first));
                 program.set("first_frame", static_cast<unsigned>(self.maps_->first_map(part.batch)));
                 program.set("batch_maps", static_cast<unsigned>(part.batch_maps));
-                program.set("groups", static_cast<unsigned>(part.groups));
+                program.set("map_groups", static_cast<unsigned>(part.groups));
                 program.set("maps_of_group", static_cast<unsigned>(group_maps));
                 program.set("chunk", static_cast<unsigned>(part.chunk));
                 program.set("capacity", static_cast<unsigned>(context.capacity(self.photons_.records)));

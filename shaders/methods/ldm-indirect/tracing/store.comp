@@ -1,6 +1,7 @@
 // Packs the photons of a chunk behind those of the chunks before, in the order of primary photons, then of maps.
 // DEVIATION [Aalund15 §4.2]: places come from a prefix sum instead of an atomic counter, so that the order, and
-// with it every sum, is the same in each run.
+// with it every sum, is the same in each run. The sums take 1 ms where tracing takes 193 ms and storing 110 ms
+// (393,216 photons, 176,258 stored, on llvmpipe).
 layout(local_size_x = 64) in;
 #define LDM_FRAMES 0
 #include "passes/ldm/frames.glsl"
@@ -16,7 +17,7 @@ layout(std430, binding = 4) readonly buffer Bases { uint bases[]; };
 layout(std430, binding = 5) writeonly buffer Photons { Photon photons[]; };
 
 uniform uint first_item, end_item;  // groups of maps of the chunk's primary photons
-uniform uint first_primary, first_frame, batch_maps, groups, maps_of_group, chunk, capacity;
+uniform uint first_primary, first_frame, batch_maps, map_groups, maps_of_group, chunk, capacity;
 
 Photon photon(Primary p, uint map, float t, uint packed_normal) {
     vec3 v = ldm_frames[map].direction.xyz, normal = unpacked_direction(packed_normal);
@@ -41,7 +42,7 @@ Photon photon(Primary p, uint map, float t, uint packed_normal) {
 void main() {
     uint item = first_item + gl_GlobalInvocationID.x;
     if (item >= end_item) return;
-    uint local = item / groups, first = item % groups * maps_of_group;
+    uint local = item / map_groups, first = item % map_groups * maps_of_group;
     uint place = bases[chunk] + places[item];
     uint end = min(first + maps_of_group, batch_maps);
     for (uint map = first; map < end; ++map) {

@@ -21,7 +21,7 @@ layout(std430, binding = 13) readonly buffer StoredCount { uint stored_count; };
 /// Of the dispatch's maps. Uniforms cost software drivers one load for all invocations, buffers one for each.
 uniform vec4 frame_rows[16 * 6];
 uniform uint first_map, map_count;   // in the batch
-uniform uint batch_maps, group, group_count;
+uniform uint batch_maps, map_group, group_count;
 uniform uint first_item, end_item, first_primary;  // among all primary photons; of the chunk
 uniform uint chunk;
 
@@ -36,7 +36,7 @@ Landing trace(Primary p, MapFrame frame, uint map, bool forward, vec3 direction)
 
 void main() {
     uint index = first_item + gl_GlobalInvocationID.x;
-    if (index == first_primary && group == 0u) bases[chunk] = stored_count;  // of the chunks before
+    if (index == first_primary && map_group == 0u) bases[chunk] = stored_count;  // of the chunks before
     if (index >= end_item) return;
     Primary p = primaries[index];
     uint local = index - first_primary, slot = local * batch_maps + first_map, stored = 0u;
@@ -58,5 +58,5 @@ void main() {
                                is_stored ? packed_direction(at.normal_ws) : 0u);
         stored += is_stored ? 1u : 0u;
     }
-    counts[local * group_count + group] = stored;
+    counts[local * group_count + map_group] = stored;
 }
