@@ -177,6 +177,18 @@ bool same_outputs(const Frame& a, const Frame& b) {
     return a.buffers == b.buffers;
 }
 
+/// Whether no two frames are the same; of choices, whether none is the same as all others: some are ways to
+/// the same picture (storages without a limit), and differ only from those that are not.
+bool tell_apart(const std::vector<Frame>& frames, bool choices) {
+    const auto differs = [&](const Frame& one) {
+        const auto others = frames.size() - 1;
+        const auto different = static_cast<std::size_t>(std::count_if(
+            frames.begin(), frames.end(), [&](const Frame& other) { return !same_outputs(one, other); }));
+        return choices ? different > 0 : different == others;
+    };
+    return std::all_of(frames.begin(), frames.end(), differs);
+}
+
 /// Whether the parameter's values give different outputs somewhere.
 bool changes_outputs(const graph::Method& method, const ParameterDescription& p) {
     const auto quick = quick_settings(method.description);
@@ -186,14 +198,11 @@ bool changes_outputs(const graph::Method& method, const ParameterDescription& p)
         for (const auto& scene : scenes) {
             const Shot run{.scene = scene, .frames = middle ? 2 : 1};
             std::vector<Frame> frames;
-            bool all_differ = true;
             for (const auto& value : tried_values(p)) {
                 settings[p.key] = value;
                 frames.push_back(render(method, settings, run));
-                for (std::size_t i = 0; i + 1 < frames.size(); ++i)
-                    all_differ = all_differ && !same_outputs(frames[i], frames.back());
             }
-            if (all_differ) return true;
+            if (tell_apart(frames, p.type == ParameterType::choice)) return true;
         }
     }
     return false;
