@@ -35,8 +35,12 @@ struct FakeBenchmarks {
         report.repeats = asked.repeats;
         report.columns = engine::columns_of(benchmark);
         for (const auto& label : asked.variants) {
-            callbacks.progress(
-                {.label = label, .row = report.rows.size(), .rows = asked.variants.size(), .repeats = 1});
+            engine::BenchmarkProgress progress;
+            progress.label = label;
+            progress.row = report.rows.size();
+            progress.rows = asked.variants.size();
+            progress.repeats = 1;
+            callbacks.progress(progress);
             while (int(report.rows.size()) >= allowed) {
                 callbacks.cancel->check();
                 std::this_thread::sleep_for(std::chrono::milliseconds(5));

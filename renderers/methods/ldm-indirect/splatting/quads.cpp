@@ -8,14 +8,16 @@ using graph::FieldType;
 const std::string folder = "methods/ldm-indirect/splatting/";
 
 graph::BufferRef declare_command(graph::GraphBuilder& builder) {
-    return builder.buffer({.text = {.key = "splat.command",
-                                    .label = "Command of the draw",
-                                    .doc = "Points of the last slice drawn."},
-                           .fields = {{"points", FieldType::u32},
-                                      {"instances", FieldType::u32},
-                                      {"first_point", FieldType::u32},
-                                      {"base_instance", FieldType::u32}},
-                           .elements = 1});
+    graph::BufferDesc desc;
+    desc.text = {.key = "splat.command",
+                 .label = "Command of the draw",
+                 .doc = "Points of the last slice drawn."};
+    desc.fields = {{"points", FieldType::u32},
+                   {"instances", FieldType::u32},
+                   {"first_point", FieldType::u32},
+                   {"base_instance", FieldType::u32}};
+    desc.elements = 1;
+    return builder.buffer(desc);
 }
 
 void write_command(const graph::PassContext& p, const SplatTask& task, graph::BufferRef command,

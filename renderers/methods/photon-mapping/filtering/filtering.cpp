@@ -9,7 +9,7 @@ constexpr std::int64_t most_passes = 6;
 
 Condition at_least(std::int64_t passes) {
     Condition condition{"filter_passes", {}};
-    for (auto i = passes; i <= most_passes; ++i) condition.values.push_back(i);
+    for (auto i = passes; i <= most_passes; ++i) condition.values.emplace_back(i);
     return condition;
 }
 
