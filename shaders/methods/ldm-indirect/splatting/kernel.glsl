@@ -16,15 +16,12 @@ Kernel kernel_of(Footprint f) {
 /// What it adds to the irradiance at a place with this geometric normal, W/m². [Aalund15 eq. 5]
 /// DEVIATION [Aalund15 eq. 5]: f_s is left out here and applied to the sum, as it is the same for all photons
 /// of a pixel: texture detail survives, and nothing but rounding changes. Where it would be 0, as the surface
-/// faces away from the light, nothing is added; the paper names only a against light on wrong surfaces.
+/// faces away from the light, nothing is added; the paper names only a against light on wrong surfaces. Without
+/// that the Cornell box is 2 % brighter, all of it light from below surfaces.
 bool add_kernel(Kernel k, vec3 position_ws, vec3 normal_ws, out vec3 irradiance) {
     vec3 d = position_ws - k.centre_ws;
     vec3 l = vec3(dot(k.row_p, d), dot(k.row_q, d), dot(k.row_n, d));
     float squared = dot(l, l);
     irradiance = k.peak * silverman(squared);
-#ifdef BACK_FACES
-    return squared < 1.0;
-#else
     return squared < 1.0 && dot(normal_ws, k.to_source_ws) > 0.0;
-#endif
 }
