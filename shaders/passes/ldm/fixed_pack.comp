@@ -1,6 +1,6 @@
 // Fixed arrays, second step: one invocation sorts one texel's array, unless FIXED_PRESORTED is defined, and packs it.
 // Arrays of up to FIXED_NETWORK layers are sorted in registers, longer ones by insertion: at most 256²/2 turns.
-layout(local_size_x = 64) in;
+layout(local_size_x = 128) in;
 #include "passes/ldm/networks.glsl"
 
 layout(std430, binding = 8) buffer LdmFixedChunk { uint nearness_of[]; };

@@ -1,6 +1,6 @@
 // Packed arrays, first step: one invocation counts the different depths of one texel. Those that are equal once
 // packed answer every question alike, and one of them is kept.
-layout(local_size_x = 64) in;
+layout(local_size_x = 128) in;
 #include "passes/ldm/packed_builder.glsl"
 
 layout(std430, binding = 11) buffer Merged { uint merged; };

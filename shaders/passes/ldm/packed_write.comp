@@ -1,6 +1,6 @@
 // Packed arrays, last step: one invocation packs the depths of one texel. Words were cleared before, and may be shared
 // with other texels.
-layout(local_size_x = 64) in;
+layout(local_size_x = 128) in;
 #include "passes/ldm/packed_builder.glsl"
 
 layout(std430, binding = 10) buffer GroupWordsAsked { uint group_words_asked; };

@@ -1,7 +1,11 @@
 // Pages, third step: one invocation sorts one texel's depths in registers; and with DEEP, after it, one texel with more
 // than FEW_LAYERS, where it does not hold up its neighbours. Texels of more than MOST_IN_REGISTERS are left to
 // pages_rank.comp.
+#ifdef DEEP
 layout(local_size_x = 64) in;
+#else
+layout(local_size_x = 128) in;
+#endif
 #include "passes/ldm/pages_builder.glsl"
 #include "passes/ldm/list_index.glsl"
 #include "passes/ldm/networks.glsl"
