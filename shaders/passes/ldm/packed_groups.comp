@@ -34,6 +34,7 @@ void main() {
             words = group_words(first, of_texel);
         }
         uint place = GROUP_WORDS * ((first_row + row) * group_count + g);
+        if (place + 1u >= uint(groups.length())) continue;
         groups[place] = words.x;
         groups[place + 1u] = words.y;
     }

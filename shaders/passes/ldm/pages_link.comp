@@ -11,6 +11,7 @@ void main() {
     uint arrival = fragment.y >> 16;
     if (arrival >= MOST_LAYERS) {
         atomicAdd(dropped, 1u);
+        atomicAdd(chunk_total, 0xffffffffu);
         return;
     }
     if (arrival % PAGE_DEPTHS != 0u) return;

@@ -41,6 +41,6 @@ struct LdmCursor {
 #include "passes/ldm/pages.glsl"
 #endif
 // A file is included once, whatever conditions it stands under: what several storages share stands here.
-#if defined(LDM_ARRAYS) || defined(LDM_SPARSE_ARRAYS)
+#if defined(LDM_ARRAYS) || defined(LDM_SPARSE_ARRAYS) || defined(LDM_PACKED_BITS)
 #include "passes/ldm/depth_ranges.glsl"
 #endif
