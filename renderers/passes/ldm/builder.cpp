@@ -84,9 +84,13 @@ void declare_counters(graph::GraphBuilder& builder, Maps& maps) {
          .doc =
              "Beyond 60,000 layers at one texel, or beyond the layers that a storage of fixed arrays has."});
     maps.texels = builder.counter({.key = "ldm.texels", .label = "Texels", .doc = "Of all maps."});
-    maps.bytes = builder.counter({.key = "ldm.bytes",
-                                  .label = "Memory of maps",
-                                  .doc = "Bytes that all maps take, without spare and scratch space."});
+    // A counter has 32 bits, which the bytes of all maps may exceed: each batch has its own, and the report
+    // adds up those of one key.
+    for (int batch = 0; batch < maps.layout.batches(); ++batch)
+        maps.bytes.push_back(
+            builder.counter({.key = "ldm.bytes",
+                             .label = "Memory of maps",
+                             .doc = "Bytes that all maps take, without spare and scratch space."}));
 }
 
 /// Builds the maps from items: each is one triangle in all maps of one chunk.
@@ -110,7 +114,7 @@ class BatchBuild {
             maps_->storage->begin_batch(context);
             context.add(maps_->texels,
                         static_cast<std::uint32_t>(maps_->batch_maps(batch_) * maps_->layout.map_texels()));
-            context.add(maps_->bytes, static_cast<std::uint32_t>(maps_->storage->table_bytes(context)));
+            context.add(bytes(), static_cast<std::uint32_t>(maps_->storage->table_bytes(context)));
         }
         for (std::int64_t begin = slice.begin; begin < slice.end;) {
             const std::int64_t chunk = begin / triangles;
@@ -122,6 +126,8 @@ class BatchBuild {
     }
 
   private:
+    graph::CounterRef bytes() const { return maps_->bytes[static_cast<std::size_t>(batch_)]; }
+
     Chunk chunk_at(std::int64_t index) const {
         const int first = static_cast<int>(index) * maps_->layout.chunk_maps;
         return {first, std::min(maps_->layout.chunk_maps, maps_->batch_maps(batch_) - first)};
@@ -164,7 +170,7 @@ class BatchBuild {
         context.bind_counter(10, maps_->generated);
         context.bind_counter(11, maps_->dropped);
         context.bind_counter(12, maps_->kept);
-        context.bind_counter(13, maps_->bytes);
+        context.bind_counter(13, bytes());
         const auto& program = context.program(source);
         program.use();
         if (maps_->large.index >= 0)
@@ -224,7 +230,7 @@ void build_maps(graph::GraphBuilder& builder, const SceneBuffers& scene, std::sh
         if (buffer.index >= 0) pass.writes(buffer);
     for (const auto counter : maps->storage->counters()) pass.counts(counter);
     for (const auto counter : {maps->fragments_asked, maps->large_asked, maps->generated, maps->kept,
-                               maps->dropped, maps->texels, maps->bytes})
+                               maps->dropped, maps->texels, maps->bytes[static_cast<std::size_t>(batch)]})
         if (counter.index >= 0) pass.counts(counter);
     const auto triangles = BatchBuild::items(*builder.inputs().world);
     const auto build = std::make_shared<BatchBuild>(scene, maps, batch);

@@ -40,7 +40,8 @@ struct Maps {
     /// Where fragments go that only tell points which way their surface looks; invalid where maps are built
     /// (points.h).
     graph::BufferRef face_points, face_texels;
-    graph::CounterRef fragments_asked, large_asked, generated, kept, dropped, texels, bytes;
+    graph::CounterRef fragments_asked, large_asked, generated, kept, dropped, texels;
+    std::vector<graph::CounterRef> bytes;  ///< by batch
 
     int first_map(int batch) const { return batch * layout.batch_maps; }
     int batch_maps(int batch) const { return std::min(layout.batch_maps, layout.maps - first_map(batch)); }
