@@ -18,9 +18,9 @@ struct EmbreeTiming {
 
 /// Builds a BVH and traces, from each position and for each of the 2N directions on its normal's side (N
 /// where the directions come in ± pairs), a ray. Without limit of distance (infinity) any hit answers; within
-/// `max_distance` metres it is the closest one, on which visibility depends. Rays are grouped in Embree's
-/// favour: 16 consecutive positions in one direction, marked as coherent; so let neighbours stand together.
-/// Unit geometric normals; a zero normal (background) gets no rays. `threads` 0 = all.
+/// `max_distance` metres it is the closest one, on whose distance smooth visibility depends. Rays are grouped
+/// in Embree's favour: 16 consecutive positions in one direction, marked as coherent; so let neighbours stand
+/// together. Unit geometric normals; a zero normal (background) gets no rays. `threads` 0 = all.
 EmbreeTiming time_embree_ao(const scene::Scene& scene, const scene::World& world,
                             std::span<const glm::vec3> positions_ws, std::span<const glm::vec3> normals_ws,
                             std::span<const glm::vec3> directions_ws, float max_distance, int threads);
