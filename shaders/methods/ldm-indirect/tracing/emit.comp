@@ -90,7 +90,7 @@ vec3 diffuse_reflectance(vec3 base_colour, float tag) {
 
 void arrive(inout Primary p, ivec2 texel, int layer) {
     vec4 shading = texelFetch(rsm_normal_metalness, ivec3(texel, layer), 0);
-    if (shading.w == 0.0) return;
+    if (shading.w == 0.0 || p.emitted == vec3(0)) return;  // nothing there, or beside a spot light's cone
     p.fate = PRIMARY_SPLITS;
     p.normal_ws = texelFetch(rsm_geometric_normal, ivec3(texel, layer), 0).xyz;
     p.shading_ws = normalize(shading.xyz);
