@@ -229,19 +229,25 @@ class BenchmarkRun {
         if (!first_) first_ = picture_of(execution);
     }
 
-    /// Where the last variant failed, on a new frame of the last one that did not.
+    /// Where the last variant failed, of the last one that did not.
+    void need_frame() {
+        if (execution_) return;
+        experiment_.settings = last_settings_;
+        auto execution = std::make_unique<Execution>(machine_, experiment_);
+        execution->run_frame(options_);
+        execution_ = std::move(execution);
+    }
+
     void run_peers() {
-        if (!execution_) {
-            experiment_.settings = last_settings_;
-            execution_ = std::make_unique<Execution>(machine_, experiment_);
-            execution_->run_frame(options_);
-        }
         for (const auto& peer : benchmark_.peers) {
             begin(peer.label);
             BenchmarkRow row;
             row.label = peer.label;
             row.is_peer = true;
-            add_measured(std::move(row), [&](BenchmarkRow& measured) { time_peer(peer, measured); });
+            add_measured(std::move(row), [&](BenchmarkRow& measured) {
+                need_frame();
+                time_peer(peer, measured);
+            });
         }
     }
 
