@@ -29,7 +29,8 @@ void add_ways(ParameterTable<Parameters>& table) {
               .choices = {{"rasterisation", "Shadow maps", "Sharp, with the materials' highlights."},
                           {"photons", "Photons",
                            "The photons' first hits, splatted as the others: blurred by the light's image, "
-                           "diffuse, and part of indirect.irradiance."}},
+                           "diffuse, and part of indirect.irradiance. Footprints end at their pixels' "
+                           "borders: single dots where splat_size is below 2."}},
               .on_change = OnChange::reallocate,
               .active_when = {"paths", {std::string("direct"), std::string("full")}}});
 }
@@ -63,8 +64,9 @@ void add_footprints(ParameterTable<Parameters>& table) {
         .add(&Parameters::greatest_axis,
              {.key = "greatest_axis",
               .label = "Longest semi-axis",
-              .doc = "Longer semi-axes, as of light that grazes its receiver, are cut to this part of the "
-                     "radius of the scene's bounds, and the photon is as much brighter.",
+              .doc = "Longer semi-axes, as of light that grazes its receiver or of few directions, are cut "
+                     "to this part of the radius of the scene's bounds, and the photon is as much "
+                     "brighter; splat.long counts them.",
               .unit = "of the scene's radius",
               .hard = {1e-4, 10},
               .soft = {0.01, 1}});

@@ -34,7 +34,8 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
                   .label = "Primary photons, all",
                   .doc = "A photon for each texel of the lights' images, up to its first surface. Axes and "
                          "turns are half of the differentials of position and direction. fate: 0 "
-                         "nothing was seen, 1 splits, 2 its footprint is degenerate."},
+                         "nothing was seen or no light shines there, 1 splits, 2 its footprint is "
+                         "degenerate."},
          .fields = primary_fields(),
          .elements = primaries.count,
          .lower = "emission"});

@@ -24,7 +24,7 @@ struct Primary {
     float unused2;
 };
 
-const uint PRIMARY_NOTHING = 0u,  // the pixel sees no surface
+const uint PRIMARY_NOTHING = 0u,  // the pixel sees no surface, or no light shines into it
     PRIMARY_SPLITS = 1u,
     PRIMARY_DEGENERATE = 2u;      // its footprint has no size that a float holds
 
