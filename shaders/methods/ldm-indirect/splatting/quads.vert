@@ -1,4 +1,6 @@
-// One vertex a photon, pulled from the buffer that tracing left; E_p = Φ_p / A_p. [Aalund15 §4.2, eq. 4]
+// One vertex a photon; E_p = Φ_p / A_p. [Aalund15 §4.2, eq. 4]
+// DEVIATION [Aalund15 §4.2]: the buffer that tracing left is read as a storage buffer, not bound again as a vertex
+// array, so that all ways of splatting read photons alike. The picture is the same.
 #include "methods/ldm-indirect/splatting/footprint.glsl"
 
 layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
