@@ -18,7 +18,7 @@ struct Parameters {
     // tracing/parameters.cpp
     int emission = 64;  ///< pixels along a side of a light's image
     Footprint footprint = Footprint::widened;
-    bool reject_hidden = true;            ///< photons whose centre the camera does not see
+    bool reject_hidden = false;           ///< photons whose centre the camera does not see
     float visibility_tolerance = 0.005f;  ///< of the distance to the eye
     float reserve = 0.25f;                ///< part of the photons that memory is reserved for at first
 

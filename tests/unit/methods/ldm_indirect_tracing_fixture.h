@@ -77,7 +77,8 @@ class IndirectTracingTest : public PassTest {
     static Settings quick() {
         return {{"directions", std::int64_t{32}},
                 {"resolution", std::int64_t{100}},
-                {"emission", std::int64_t{16}}};
+                {"emission", std::int64_t{16}},
+                {"reject_hidden", true}};
     }
 
     FrameReport trace(const Shot& shot, const Settings& settings, double initial_capacity = 1,

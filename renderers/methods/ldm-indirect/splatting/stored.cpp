@@ -1,6 +1,7 @@
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
 
 #include "renderers/gl/dispatch_items.h"
+#include "renderers/methods/ldm-indirect/limits.h"
 #include "renderers/passes/ldm/directions.h"
 
 namespace ir::methods::ldm_indirect {
@@ -84,11 +85,6 @@ void measure(const graph::PassContext& p, graph::Slice slice, const StoredPhoton
     gl::dispatch_items(program, range.first, range.end, "first", "end");
 }
 
-/// m across the view that a pixel spans at 1 m, or everywhere in a parallel view.
-float pixel_size(const scene::View& view) {
-    return 2 / (view.clip_from_view[1][1] * static_cast<float>(view.height));
-}
-
 }  // namespace
 
 StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photons,
@@ -144,7 +140,7 @@ void bind_footprints(const graph::PassContext& context, const gl::Program& progr
     program.set("splat_size", parameters.splat_size);
     program.set("topological_bias", parameters.topological_bias);
     program.set("least_axis_pixels", parameters.least_axis_pixels);
-    program.set("longest_axis", parameters.greatest_axis * std::max(inputs.world->bounds.radius(), 1e-6f));
+    program.set("longest_axis", longest_axis(parameters, *inputs.world));
     program.set("map_count", static_cast<unsigned>(parameters.maps.directions));
     program.set("light_count", static_cast<unsigned>(inputs.world->lights.size()));
     program.set("count_indirect", parameters.transport.paths != Paths::direct ? 1 : 0);

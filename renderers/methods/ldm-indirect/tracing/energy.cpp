@@ -24,7 +24,8 @@ std::vector<graph::CounterRef> declare_counters(graph::GraphBuilder& builder) {
           std::tuple{"below", "Photons below the surface",
                      "Their direction is above the shading normal's plane, but below the triangle's."},
           std::tuple{"left", "Photons that left the scene", ""},
-          std::tuple{"outside", "Photons outside the view", "They arrive behind or beside the view."},
+          std::tuple{"outside", "Photons outside the view",
+                     "They arrive behind or beside the view, and their footprints do not reach it."},
           std::tuple{"hidden", "Photons hidden", "They arrive behind what the camera sees."},
           std::tuple{"back", "Photons on backs", "They arrive on sides that face away from the viewer."},
           std::tuple{"degenerate", "Photons without a footprint",
@@ -92,10 +93,11 @@ std::vector<OutputDescription> energy_outputs() {
                  "surface: 0 emitted, 1 nothing seen, 2 beyond the light's range, 3 without a footprint, 4 "
                  "absorbed at the first surface, 5 not split (paths are direct). Leg 1, behind it: 6 below "
                  "the triangle's plane, 7 left the scene, 8 outside the view, 9 hidden, 10 on a back, 11 "
-                 "without a footprint, 12 stored, 13 stored although hidden. Row 0 is the sum of rows 1 to "
+                 "without a footprint, 12 stored, 13 stored although its middle is hidden or outside. Row 0 "
+                 "is the sum of rows 1 to "
                  "13. Leg 2, photons that are stored where they arrive from the light, before they are "
                  "absorbed or split, the same causes: 14 is 0, 15 is 0, 16 outside, 17 hidden, 18 back, 19 "
-                 "without a footprint, 20 stored, 21 stored although hidden."}};
+                 "without a footprint, 20 stored, 21 stored although its middle is hidden or outside."}};
 }
 
 }  // namespace ir::methods::ldm_indirect

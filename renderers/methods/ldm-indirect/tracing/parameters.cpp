@@ -27,8 +27,11 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
         .add(&Parameters::reject_hidden,
              {.key = "reject_hidden",
               .label = "Reject hidden photons",
-              .doc = "Does not store photons whose centre lies in the view but behind something; a part "
-                     "of their footprint may be seen. What is rejected is counted.",
+              .doc =
+                  "As published: stores no photons whose centre the view does not show. Pictures are darker "
+                  "then along their borders and behind things by what footprints reach over from there. "
+                  "Otherwise photons are stored if their footprint may reach the view. What is rejected is "
+                  "counted.",
               .citation = "Aalund15 §4.2"})
         .add(&Parameters::visibility_tolerance,
              {.key = "visibility_tolerance",

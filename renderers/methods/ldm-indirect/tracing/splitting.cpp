@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderers/gl/dispatch_items.h"
+#include "renderers/methods/ldm-indirect/limits.h"
 #include "renderers/passes/scan/scan.h"
 
 namespace ir::methods::ldm_indirect {
@@ -31,6 +32,16 @@ graph::BufferRef scratch(GraphBuilder& builder, const std::string& key, const st
     return builder.buffer(std::move(desc));
 }
 
+/// The uniforms of landing.glsl.
+void set_landing(const gl::Program& program, const graph::FrameInputs& inputs, const Parameters& parameters) {
+    program.set("clip_from_world", inputs.view.clip_from_world());
+    program.set("splat_size", parameters.splat_size);
+    program.set("topological_bias", parameters.topological_bias);
+    program.set("longest_axis", longest_axis(parameters, *inputs.world));
+    program.set("shortest_axis", parameters.least_axis_pixels * pixel_size(inputs.view));
+    program.set("nearest_w", inputs.view.clip_from_view[3][3] == 0 ? inputs.view.near_plane : 1.0f);
+}
+
 std::int64_t groups_of(std::int64_t maps) {
     return (maps + group_maps - 1) / group_maps;
 }
@@ -38,8 +49,12 @@ std::int64_t groups_of(std::int64_t maps) {
 }  // namespace
 
 Splitter::Splitter(GraphBuilder& builder, const passes::GBuffer& gbuffer, passes::ldm::MapsPointer maps,
-                   const Primaries& primaries, const Photons& photons)
-    : gbuffer_(gbuffer), maps_(std::move(maps)), primaries_(primaries), photons_(photons) {
+                   const Primaries& primaries, const Photons& photons, const Parameters& parameters)
+    : gbuffer_(gbuffer),
+      maps_(std::move(maps)),
+      primaries_(primaries),
+      photons_(photons),
+      parameters_(parameters) {
     const std::int64_t batch_maps = maps_->layout.batch_maps;
     part_photons_ =
         std::clamp<std::int64_t>(part_slots / batch_maps, 1, static_cast<std::int64_t>(primaries_.count));
@@ -98,7 +113,7 @@ void Splitter::trace(GraphBuilder& builder, const Part& part) const {
              {self.primaries_.records, self.hits_, self.counts_, self.primaries_.shares, self.bases_})
             context.bind_buffer(binding++, buffer);
         context.bind_counter(binding, self.photons_.count);
-        program.set("clip_from_world", context.inputs().view.clip_from_world());
+        set_landing(program, context.inputs(), self.parameters_);
         program.set("batch_maps", static_cast<unsigned>(part.batch_maps));
         program.set("group_count", static_cast<unsigned>(part.groups));
         program.set("first_primary", static_cast<unsigned>(part.first));
@@ -146,7 +161,8 @@ void Splitter::store(GraphBuilder& builder, const Part& part, graph::BufferRef p
 }
 
 graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gbuffer,
-                                const Primaries& primaries, const Photons& photons) {
+                                const Primaries& primaries, const Photons& photons,
+                                const Parameters& parameters) {
     const auto count = static_cast<std::int64_t>(primaries.count);
     const auto hits = scratch(builder, "direct_hits", "Hits of primary photons",
                               {{"distance"}, {"normal", FieldType::u32}}, count);
@@ -167,7 +183,7 @@ graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gb
                 int binding = 0;
                 for (const auto buffer : {primaries.records, hits, counts, fates})
                     context.bind_buffer(binding++, buffer);
-                program.set("clip_from_world", context.inputs().view.clip_from_world());
+                set_landing(program, context.inputs(), parameters);
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
             4096);

@@ -10,7 +10,7 @@ namespace ir::methods::ldm_indirect {
 class Splitter {
   public:
     Splitter(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, passes::ldm::MapsPointer maps,
-             const Primaries& primaries, const Photons& photons);
+             const Primaries& primaries, const Photons& photons, const Parameters& parameters);
     void split(graph::GraphBuilder& builder, int batch) const;
 
   private:
@@ -29,6 +29,7 @@ class Splitter {
     passes::ldm::MapsPointer maps_;
     Primaries primaries_;
     Photons photons_;
+    Parameters parameters_;
     std::int64_t part_photons_ = 0;  ///< primary photons of a part
     graph::BufferRef hits_, counts_, bases_;
 };
@@ -36,6 +37,7 @@ class Splitter {
 /// Declares passes that store the primary photons themselves, where they arrive. Returns the buffer that
 /// holds the fate of each, a cause of primary.glsl. [Aalund15 §5.2]
 graph::BufferRef store_directly(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
-                                const Primaries& primaries, const Photons& photons);
+                                const Primaries& primaries, const Photons& photons,
+                                const Parameters& parameters);
 
 }  // namespace ir::methods::ldm_indirect

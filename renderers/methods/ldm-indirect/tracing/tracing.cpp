@@ -63,13 +63,14 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
     const auto photons = declare_photons(builder, reserved_photons(most, parameters));
     begin_photons(builder, photons);
     std::optional<graph::BufferRef> fates;
-    if (has_direct_photons(parameters)) fates = store_directly(builder, gbuffer, primaries, photons);
+    if (has_direct_photons(parameters))
+        fates = store_directly(builder, gbuffer, primaries, photons, parameters);
 
     const auto chosen = ldm::chosen_maps(builder.inputs().inspection, *maps);
     ldm::show_directions(builder, maps);
     const auto layers = ldm::declare_layers(builder, *maps);
     const auto points = ldm::declare_points(builder, *maps, chosen);
-    const Splitter splitter(builder, gbuffer, maps, primaries, photons);
+    const Splitter splitter(builder, gbuffer, maps, primaries, photons, parameters);
     for (int batch = 0; batch < maps->layout.batches(); ++batch) {
         ldm::build_maps(builder, scene, maps, batch);
         if (has_indirect(parameters)) splitter.split(builder, batch);

@@ -4,6 +4,13 @@ layout(binding = 0) uniform sampler2D seen_position;
 layout(binding = 1) uniform sampler2D seen_normal;  // geometric
 
 uniform mat4 clip_from_world;
+uniform float splat_size, topological_bias, longest_axis, nearest_w;
+uniform float shortest_axis;  // m at 1 m along the view axis; of a parallel view everywhere
+
+/// Bounds the longer semi-axis of a footprint across the ray, m: at_start + distance * by_distance.
+struct Spread {
+    float at_start, by_distance;
+};
 
 struct Landing {
     uint cause;
@@ -11,13 +18,26 @@ struct Landing {
     vec3 normal_ws;  // of the receiver, on the viewer's side
 };
 
-/// The pixel that shows a point; false behind and beside the view.
+/// The pixel that shows a point, or the one nearest to it; false behind and beside the view.
 bool shown_at(vec3 position_ws, out ivec2 pixel) {
     vec4 clip = clip_from_world * vec4(position_ws, 1);
-    pixel = ivec2(0);
-    if (clip.w <= 0.0 || any(greaterThan(abs(clip.xy), vec2(clip.w)))) return false;
     vec2 size = vec2(textureSize(seen_position, 0));
-    pixel = clamp(ivec2(floor((vec2(clip.x, -clip.y) / clip.w * 0.5 + 0.5) * size)), ivec2(0), ivec2(size) - 1);
+    vec2 place = clamp(vec2(clip.x, -clip.y) / max(clip.w, nearest_w), vec2(-1), vec2(1));
+    pixel = clamp(ivec2(floor((place * 0.5 + 0.5) * size)), ivec2(0), ivec2(size) - 1);
+    return clip.w > 0.0 && all(lessThanEqual(abs(clip.xy), vec2(clip.w)));
+}
+
+/// Whether a footprint with a semi-axis of at most `longer` may light what the view shows: its ellipsoid lies in a
+/// sphere, and that not beyond the eye or a side of the view.
+bool may_reach_view(vec3 position_ws, float longer) {
+    mat4 rows = transpose(clip_from_world);
+    float least = shortest_axis * max(dot(rows[3], vec4(position_ws, 1)), nearest_w);
+    float radius = clamp(splat_size * longer, least, max(longest_axis, least)) / min(topological_bias, 1.0);
+    for (int side = 0; side < 5; ++side) {
+        vec4 plane = rows[3];
+        if (side < 4) plane += (side % 2 == 0 ? 1.0 : -1.0) * rows[side / 2];
+        if (dot(plane, vec4(position_ws, 1)) < -radius * length(plane.xyz)) return false;
+    }
     return true;
 }
 
@@ -28,8 +48,15 @@ float entry_error(vec3 normal, vec3 direction, vec3 step_u, vec3 step_v) {
     return min(slope, 8.0 * max(length(step_u), length(step_v)));
 }
 
-Landing hidden_landing(float distance, vec3 direction) {
-    return Landing(bool(params.reject_hidden) ? CAUSE_HIDDEN : CAUSE_STORED_HIDDEN, distance, -direction);
+/// Of a photon whose middle the view does not show, on a surface with this normal.
+/// DEVIATION [Aalund15 §4.2]: it is stored where its footprint may be seen; otherwise pictures are darker along
+/// their borders and behind things by what reaches over from there.
+Landing unseen_landing(bool is_inside, vec3 origin, vec3 direction, float distance, vec3 normal, Spread spread) {
+    if (bool(params.reject_hidden)) return Landing(is_inside ? CAUSE_HIDDEN : CAUSE_OUTSIDE, distance, vec3(0));
+    float longer = (spread.at_start + distance * spread.by_distance) / max(-dot(normal, direction), LEAST_FACING);
+    if (!is_inside && !may_reach_view(origin + distance * direction, longer))
+        return Landing(CAUSE_OUTSIDE, distance, vec3(0));
+    return Landing(CAUSE_STORED_HIDDEN, distance, normal);
 }
 
 /// `error`: what of the distance may be wrong because of the surface that the ray leaves; with steps of 0 the
@@ -38,26 +65,37 @@ Landing hidden_landing(float distance, vec3 direction) {
 /// the map's texels explain it, before depths are compared: entries stand for centres of texels, and
 /// sloped surfaces would hide from themselves. In a closed box of 4 m, 64 maps of 100² (200²), 39 % (12 %) of what
 /// arrived in view was lost as hidden, and is 0.05 % now.
-Landing landing(vec3 origin, vec3 direction, float distance, float error, vec3 step_u, vec3 step_v) {
+///
+/// `unseen_normal`: of the receiver, for what the nearest pixel does not know; maps know no normals. A footprint
+/// across the ray has a sphere for its ellipsoid, which lights any plane through its middle with all its flux.
+Landing landing(vec3 origin, vec3 direction, float distance, float error, vec3 step_u, vec3 step_v, Spread spread,
+                vec3 unseen_normal) {
     float moved = distance;
+    bool is_inside = false;
     for (int turn = 0; turn < 4; ++turn) {
         ivec2 pixel;
         vec3 place = origin + moved * direction;
-        if (!shown_at(place, pixel)) return Landing(CAUSE_OUTSIDE, distance, vec3(0));
+        is_inside = shown_at(place, pixel);
+        if (!is_inside && bool(params.reject_hidden)) return Landing(CAUSE_OUTSIDE, distance, vec3(0));
         vec3 normal = texelFetch(seen_normal, pixel, 0).xyz;
         if (normal == vec3(0)) break;
         vec4 seen = texelFetch(seen_position, pixel, 0);
         float facing = dot(normal, direction), gap = dot(normal, seen.xyz - place);
         bool is_near = abs(gap) <= params.visibility_tolerance * seen.w;
+        if (!is_inside && facing > -LEAST_FACING) break;
         if (is_near && facing > LEAST_FACING) return Landing(CAUSE_BACK, distance, vec3(0));
         if (is_near && abs(facing) <= LEAST_FACING) return Landing(CAUSE_DEGENERATE, distance, vec3(0));
         if (abs(facing) <= LEAST_FACING) break;
         float next = max(moved + gap / facing, 0.0);
         float allowed = error + entry_error(normal, direction, step_u, step_v);
         bool is_explained = abs(next - distance) <= allowed;
-        if (is_near) return Landing(CAUSE_STORED, is_explained ? next : moved, normal);
+        if (is_near) {
+            float at = is_explained ? next : moved;
+            return is_inside ? Landing(CAUSE_STORED, at, normal)
+                             : unseen_landing(false, origin, direction, at, normal, spread);
+        }
         if (!is_explained) break;
         moved = next;
     }
-    return hidden_landing(distance, direction);
+    return unseen_landing(is_inside, origin, direction, distance, unseen_normal, spread);
 }

@@ -25,13 +25,20 @@ uniform uint batch_maps, map_group, group_count;
 uniform uint first_item, end_item, first_primary;  // among all primary photons; of the chunk
 uniform uint chunk;
 
+/// Of the differential after the split, and of the region of directions that it is widened by.
+Spread spread_of(Primary p) {
+    float region = params.footprint == FOOTPRINT_WIDENED ? sqrt(2.0 / float(params.directions)) : 0.0;
+    return Spread(length(vec2(length(p.axis_u), length(p.axis_v))),
+                  length(vec3(length(p.turn_u), length(p.turn_v), region)));
+}
+
 Landing trace(Primary p, MapFrame frame, uint map, bool forward, vec3 direction) {
     if (dot(p.normal_ws, direction) <= 0.0) return Landing(CAUSE_BELOW, 0.0, vec3(0));
     LdmHit hit = ldm_trace(frame, map, p.position_ws, p.normal_ws, forward, LDM_FAR_QUANTA);
     if (!hit.found) return Landing(CAUSE_LEFT, 0.0, vec3(0));
     return landing(p.position_ws, direction, max(hit.distance, 0.0) * frame.direction.w,
                    entry_error(p.normal_ws, direction, frame.step_u.xyz, frame.step_v.xyz), frame.step_u.xyz,
-                   frame.step_v.xyz);
+                   frame.step_v.xyz, spread_of(p), -direction);
 }
 
 void main() {
