@@ -68,6 +68,7 @@ void print_progress(const engine::BenchmarkProgress& progress) {
 int run_benchmark(const Flags& flags) {
     const auto& benchmark = engine::find_benchmark(flags.name);
     const auto options = benchmark_options(flags);
+    if (!flags.csv.empty()) require_folder_of(flags.csv, "--csv");
     engine::BenchmarkCallbacks callbacks;
     callbacks.cancel = &interruption();
     callbacks.memory_budget = parse_bytes(flags.machine.memory);

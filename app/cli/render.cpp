@@ -55,12 +55,6 @@ void refuse_given(const CLI::App& command, const std::vector<std::string>& optio
         if (command.count(option) > 0) throw UsageError(option + " cannot be used " + why);
 }
 
-void require_folder_of(const std::string& file, const std::string& option) {
-    const auto folder = std::filesystem::absolute(file).parent_path();
-    if (!std::filesystem::is_directory(folder))
-        throw UsageError(option + " '" + file + "': there is no folder " + folder.string());
-}
-
 Settings parse_settings(const MethodDescription& method, const std::vector<std::string>& sets) {
     Settings settings;
     for (const auto& text : sets) {

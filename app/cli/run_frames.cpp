@@ -67,6 +67,12 @@ void warn_of_unmatched(const std::vector<std::string>& patterns, const FrameRepo
     }
 }
 
+void require_folder_of(const std::string& file, const std::string& option) {
+    const auto folder = std::filesystem::absolute(file).parent_path();
+    if (!std::filesystem::is_directory(folder))
+        throw UsageError(option + " '" + file + "': there is no folder " + folder.string());
+}
+
 void write_text(const std::filesystem::path& file, const std::string& text) {
     auto temporary = file;
     temporary += ".part";

@@ -21,6 +21,9 @@ void print_messages(const engine::Execution& execution, const FrameReport& repor
 /// Says which --dump patterns matched nothing.
 void warn_of_unmatched(const std::vector<std::string>& patterns, const FrameReport& report);
 
+/// Before work whose result goes to `file`: throws UsageError, naming `option`, where its folder is missing.
+void require_folder_of(const std::string& file, const std::string& option);
+
 /// Written to a temporary, then renamed. Throws Error.
 void write_text(const std::filesystem::path& file, const std::string& text);
 
