@@ -67,7 +67,7 @@ void add_footprints(ParameterTable<Parameters>& table) {
               .doc = "Longer semi-axes, as of light that grazes its receiver or of few directions, are cut "
                      "to this part of the radius of the scene's bounds, and the photon is as much "
                      "brighter; splat.long counts them.",
-              .unit = "of the scene's radius",
+              .unit = "radii",
               .hard = {1e-4, 10},
               .soft = {0.01, 1}});
 }

@@ -89,7 +89,8 @@ void measure(const graph::PassContext& p, graph::Slice slice, const StoredPhoton
 
 StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photons,
                              const Parameters& parameters) {
-    StoredPhotons result{photons.records, {}, upload_arrivals(builder, parameters), parameters};
+    StoredPhotons result{
+        photons.records, {}, upload_arrivals(builder, parameters), parameters, photons.count};
     graph::BufferDesc desc;
     desc.text = {.key = "splat.stored",
                  .label = "Photons to splat",

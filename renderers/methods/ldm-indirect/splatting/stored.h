@@ -11,6 +11,7 @@ struct StoredPhotons {
     graph::BufferRef stored;    ///< "splat.stored": how many, at most the capacity of records
     graph::BufferRef arrivals;  ///< "splat.arrivals": where light comes from
     Parameters parameters;
+    graph::CounterRef count = {};  ///< of records; may exceed their capacity
 };
 
 /// Declares the passes "upload arrivals" and "measure footprints", which counts those that are mended.

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/ldm-indirect/splatting/ways.h"
 #include "renderers/passes/scan/scan.h"
 
@@ -9,6 +10,7 @@ namespace {
 const std::string folder = "methods/ldm-indirect/splatting/";
 
 constexpr int tile = 16;                    ///< of gather_bins.comp
+constexpr int rows = 8;                     ///< pixels of an invocation; divides tile
 constexpr unsigned columns = 1024;          ///< parts of the photons that are binned side by side
 constexpr int most_bins = 4096;             ///< so that counts take 16 MiB at most
 constexpr std::int64_t most_turns = 60000;  ///< llvmpipe ends all loops of an invocation after 65,535
@@ -31,7 +33,7 @@ Bins bins_of(const scene::View& view) {
 }
 
 struct Lists {
-    graph::BufferRef counts, places, entries;
+    graph::BufferRef counts, places, entries, kernels;
     Bins bins;
 };
 
@@ -57,6 +59,37 @@ void bin(const graph::PassContext& p, graph::Slice slice, const SplatTask& task,
         program.dispatch(columns);
         p.barrier();
     }
+}
+
+graph::BufferRef make_kernels(graph::GraphBuilder& builder, const StoredPhotons& photons) {
+    const auto kernels =
+        builder.buffer({.text = {.key = "splat.kernels",
+                                 .label = "Kernels of photons",
+                                 .doc = "Place and filter of each photon as tiles read them: "
+                                        "centre, three rows of M, E_p π; to_source in w."},
+                        .fields = {{"rows", graph::FieldType::f32, 20}},
+                        .elements = expected_entries,
+                        .growable = true,
+                        .lower = "emission or directions"});
+    const auto count = builder.counter({.key = "splat.kernel_count",
+                                        .label = "Kernels",
+                                        .doc = "As many as there are photons.",
+                                        .growth_of = kernels});
+    auto pass = builder.pass("make kernels");
+    reads_footprints(pass, photons);
+    pass.counts(photons.count).counts(count).writes(kernels);
+    pass.execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+        const auto& program = p.program({{folder + "make_kernels.comp"}});
+        program.use();
+        bind_footprints(p, program, photons);
+        p.bind_buffer(3, kernels);
+        p.bind_counter(4, photons.count);
+        p.bind_counter(5, count);
+        program.set("capacity", static_cast<unsigned>(p.capacity(kernels)));
+        const auto range = photons_of(p, photons, slice);
+        gl::dispatch_items(program, range.first, range.end, "first", "end");
+    });
+    return kernels;
 }
 
 Lists sort_into_bins(graph::GraphBuilder& builder, const SplatTask& task) {
@@ -103,9 +136,11 @@ Lists sort_into_bins(graph::GraphBuilder& builder, const SplatTask& task) {
 void gather(const graph::PassContext& p, graph::Slice slice, const SplatTask& task, const Lists& lists,
             int tiles_across) {
     if (slice.first) p.clear(task.irradiance);
-    const auto& program = p.program({{folder + "gather_bins.comp"}, defines_of(lists.bins)});
+    auto defines = defines_of(lists.bins);
+    defines["ROWS"] = std::to_string(rows);
+    const auto& program = p.program({{folder + "gather_bins.comp"}, defines});
     program.use();
-    bind_footprints(p, program, task.photons);
+    p.bind_buffer(0, lists.kernels);
     p.bind_buffer(3, lists.places);
     p.bind_buffer(4, lists.entries);
     p.bind_texture(0, task.position);
@@ -119,7 +154,7 @@ void gather(const graph::PassContext& p, graph::Slice slice, const SplatTask& ta
     const auto longest = static_cast<std::int64_t>(p.capacity(task.photons.records));
     for (std::int64_t first = 0; first < longest; first += round_size) {
         program.set("round_first", static_cast<unsigned>(first));
-        program.dispatch((slice.end - slice.begin) * tile, tile);
+        program.dispatch((slice.end - slice.begin) * tile, tile / rows);
         p.barrier();
     }
 }
@@ -127,12 +162,13 @@ void gather(const graph::PassContext& p, graph::Slice slice, const SplatTask& ta
 }  // namespace
 
 void splat_tiles(graph::GraphBuilder& builder, const SplatTask& task) {
-    const auto lists = sort_into_bins(builder, task);
+    auto lists = sort_into_bins(builder, task);
+    lists.kernels = make_kernels(builder, task.photons);
     const auto& view = builder.inputs().view;
     const int across = (view.width + tile - 1) / tile, down = (view.height + tile - 1) / tile;
     auto pass = builder.pass("gather photons of tiles");
     reads_task(pass, task);
-    pass.reads(lists.places, lists.entries).writes(task.irradiance);
+    pass.reads(lists.places, lists.entries, lists.kernels).writes(task.irradiance);
     pass.execute_sliced(std::int64_t{across} * down, [=](graph::PassContext& p, graph::Slice slice) {
         gather(p, slice, task, lists, across);
     });
