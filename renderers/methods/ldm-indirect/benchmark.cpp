@@ -19,9 +19,15 @@ const std::vector<std::string> tracing{"RSM*",
                                        "store photons*"};
 const std::vector<std::string> packing{"indirect.part* sums", "indirect.part* bases", "indirect.part* places",
                                        "store photons*"};
-const std::vector<std::string> splatting{
-    "splat photons*",          "measure footprints",     "upload arrivals",         "atomic sums",
-    "count photons of tiles*", "list photons of tiles*", "gather photons of tiles*"};
+const std::vector<std::string> splatting{"splat photons*",
+                                         "measure footprints",
+                                         "upload arrivals",
+                                         "atomic sums",
+                                         "count photons of tiles*",
+                                         "list photons of tiles*",
+                                         "gather photons of tiles*",
+                                         "splat.bins*",
+                                         "make kernels"};
 
 struct Setting {
     int directions = 128, resolution = 200, emission = 32;

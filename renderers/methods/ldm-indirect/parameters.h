@@ -23,7 +23,7 @@ struct Parameters {
     float reserve = 0.25f;                ///< part of the photons that memory is reserved for at first
 
     // splatting/parameters.cpp
-    Splatting splatting = Splatting::quads;
+    Splatting splatting = Splatting::tiles;
     float splat_size = 1;            ///< s: scales a footprint's axes
     float topological_bias = 1;      ///< a'
     float least_axis_pixels = 0.5f;  ///< shorter axes are made so long, in pixels at the photon
