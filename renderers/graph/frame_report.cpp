@@ -14,6 +14,18 @@ std::string first_writer(const GraphBuilder& builder, Kind kind, int index) {
     return {};
 }
 
+/// By counter: whether a pass that counts with it did its work, in this frame or in the one whose results it
+/// keeps. The others would read 0, as if there were nothing to count.
+std::vector<bool> counted(const GraphBuilder& builder, const std::vector<bool>& ran,
+                          const std::vector<bool>& cached) {
+    std::vector<bool> result(builder.counters().size());
+    for (std::size_t i = 0; i < builder.passes().size(); ++i)
+        if (ran[i] || cached[i])
+            for (const auto counter : builder.passes()[i].counters)
+                result[static_cast<std::size_t>(counter.index)] = true;
+    return result;
+}
+
 ResourceReport described(const ResourceText& text, const MethodDescription& method) {
     ResourceReport report;
     report.key = text.key;
@@ -93,8 +105,9 @@ void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
     }
     report.peak_memory_bytes = std::max(report.peak_memory_bytes, report.memory_bytes);
     report.counters.clear();
+    const auto known = counted(*builder, ran, cached);
     for (std::size_t c = 0; c < counts.size(); ++c)
-        report.counters[builder->counters()[c].key] += static_cast<double>(counts[c]);
+        if (known[c]) report.counters[builder->counters()[c].key] += static_cast<double>(counts[c]);
     for (const auto& [key, value] : figures) report.counters[key] = value;
     report.figures = figures;
     report.counters["growth"] = growths;

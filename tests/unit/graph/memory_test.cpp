@@ -112,6 +112,34 @@ TEST_F(GraphTest, CountersOfOneKeyAreAddedUpAndStartFromZero) {
     }
 }
 
+TEST_F(GraphTest, CountersOfPassesThatDidNotRunAreNotReported) {
+    const Declare declare = [](GraphBuilder& builder) {
+        const auto found = builder.counter({.key = "found", .label = ""});
+        const auto tally = builder.counter({.key = "tally", .label = ""});
+        auto kept = buffer_of("kept", 1);
+        kept.fingerprint = "always the same";
+        const auto image = builder.image(image_of("image"));
+        const auto table = builder.buffer(buffer_of("table", 1)), once = builder.buffer(std::move(kept));
+        builder.pass("find", Queue::cpu).writes(once).counts(found).execute([=](PassContext& p) {
+            p.add(found, 5);
+        });
+        builder.pass("draw", Queue::cpu).reads(once).writes(image).execute([](PassContext&) {});
+        builder.pass("tell", Queue::cpu)
+            .reads(image)
+            .writes(table)
+            .counts(tally)
+            .execute([=](PassContext& p) { p.add(tally, 7); });
+    };
+    options.wanted = {"image"};
+    for (int i = 0; i < 2; ++i) {  // the second finds the results of the first
+        const auto report = run(declare);
+        EXPECT_EQ(report.counters.at("found"), 5);
+        EXPECT_EQ(report.counters.count("tally"), 0u) << "0 would say that there is nothing";
+    }
+    options.wanted = {"table"};
+    EXPECT_EQ(run(declare).counters.at("tally"), 7);
+}
+
 TEST_F(GraphTest, ImagesAreReadAsFloats) {
     run([](GraphBuilder& builder) {
         const auto bytes = builder.image(image_of("bytes", gl::Format::rgba8));
