@@ -121,9 +121,9 @@ float most_different(const Image& a, const Image& b) {
     return most;
 }
 
-// The method has no random numbers. Measured: flat pixels have 1.002 of their light; the picture has 0.95, as
-// footprints hang over edges; its RMSE is 0.20 of its mean, 0.06 of that the reference's noise. The mutant, a
-// tenth more light, is rejected.
+// The method has no random numbers. Measured: flat pixels have 1.002 of their light; the picture has 0.98, as
+// footprints hang over edges, and 0.95 if hidden photons are rejected; its RMSE is 0.20 of its mean at most,
+// 0.06 of that the reference's noise. The mutant, a tenth more light, is rejected.
 TEST(LdmIndirectPicture, IsAsBrightAsTheReferenceSays) {
     const auto truth = render(cornell("reference", {{"samples", std::int64_t{1024}}}));
     const auto flat = flat_pixels(truth.normal, truth.position, 3, 0.008f);
@@ -139,7 +139,7 @@ TEST(LdmIndirectPicture, IsAsBrightAsTheReferenceSays) {
     };
     const auto picture = render(cornell("ldm-indirect", maps(96, 100, 48))).image;
     EXPECT_NEAR(light(picture), 1, 0.02);
-    EXPECT_NEAR(mean(picture) / mean(truth.image), 0.95, 0.02);
+    EXPECT_NEAR(mean(picture) / mean(truth.image), 0.983, 0.015);
     EXPECT_LT(relative_rmse(picture, truth.image), 0.22);
     const auto brighter = render(cornell("ldm-indirect", maps(96, 100, 48), 1.1f)).image;
     EXPECT_GT(std::abs(light(brighter) - 1), 0.02);
