@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -33,7 +34,15 @@ QString amount_text(const ExplainOutput& output) {
     if (!output.available) return ExplainPanel::tr("not computed yet");
     if (output.elements < 0) return {};
     if (output.elements == 0) return ExplainPanel::tr("none");
+    if (output.elements == 1) return ExplainPanel::tr("1 element");
     return ExplainPanel::tr("%1 elements").arg(output.elements);
+}
+
+/// What is shown of a long text; the rest, such as the meaning of each field, is a tooltip.
+QString first_sentence(const QString& text) {
+    static const QRegularExpression full_stop(QStringLiteral("(?<!\\beq)(?<!\\bFig)\\. "));
+    const auto end = text.indexOf(full_stop);
+    return end < 0 ? text : text.left(end + 1);
 }
 
 /// The same widgets can show it.
@@ -203,8 +212,10 @@ void ExplainPanel::update_pixel() {
         const QString amount = amount_text(output);
         if (pixel_ && !amount.isEmpty()) details << amount;
         QString text = details.join(QStringLiteral(", "));
-        if (!output.doc.isEmpty()) text += QLatin1Char('\n') + output.doc;
+        if (!output.doc.isEmpty()) text += QLatin1Char('\n') + first_sentence(output.doc);
         row.details->setText(text);
+        row.name->setToolTip(QStringLiteral("<p>%1</p>").arg(output.doc.toHtmlEscaped()));
+        row.details->setToolTip(row.name->toolTip());
         row.show->setEnabled(pixel_.has_value() && output.elements != 0);
         row.show->setToolTip(!pixel_                ? tr("Choose a pixel first")
                              : ready                ? tr("Show %1 in the active view").arg(output.label)
