@@ -27,14 +27,20 @@ class Legend {
         y_ = 0;
         const QString label = QString::fromStdString(layer_.label);
         painter_.setFont(small_font(painter_, 12, true));
-        line(layer_.colour_by.empty() ? label
-                                      : label + QStringLiteral(" · ") + colour_text(layer_, info_.fields),
-             text_colour);
+        const QString field =
+            layer_.colour_by.empty() ? QString() : QStringLiteral(" · ") + colour_text(layer_, info_.fields);
+        line(label_beside(label, field) + field, text_colour);
         painter_.setFont(small_font(painter_, 11));
         if (!layer_.colour_by.empty() && info_.elements > 0) ramp();
         if (info_.elements > 0) line(amount_text(info_), dim_text_colour);
         if (!info_.note.empty()) paragraph(QString::fromStdString(info_.note));
         return y_;
+    }
+    /// Of a long name its end gives way, not the field, which stands nowhere else in the view.
+    QString label_beside(const QString& label, const QString& field) const {
+        const QFontMetricsF metrics(painter_.font());
+        const double room = inner_.width() - metrics.horizontalAdvance(field);
+        return metrics.elidedText(label, Qt::ElideRight, std::max(room, inner_.width() / 3));
     }
     void line(const QString& text, const QColor& colour) {
         if (painting_) write(text, colour, Qt::AlignLeft);
