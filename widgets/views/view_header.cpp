@@ -161,7 +161,7 @@ ViewHeader::SourceLine ViewHeader::make_line(const QString& name, ViewSource Vie
 
 void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
     mode_ = make_combo(first, QStringLiteral("mode"), tr("How pictures are put beside each other"), 64);
-    mode_->setMinimumContentsLength(5);
+    mode_->setMinimumContentsLength(8);
     for (const auto mode : all_modes()) mode_->addItem(mode_name(mode), int(mode));
     connect(mode_, &QComboBox::activated, this, [this](int index) {
         choose([&](ViewState& state) { state.mode = ViewMode(mode_->itemData(index).toInt()); });
