@@ -190,5 +190,16 @@ TEST_F(IndirectTracingTest, DirectPathsSplitNothing) {
     EXPECT_TRUE(told);
 }
 
+TEST(IndirectEnergy, BlocksKeepBothLoopsShort) {
+    for (const std::uint64_t count :
+         {1ull, 64ull, 6ull << 12, (1ull << 21) + 1, (64ull << 16) + 1, 12ull << 20, 1ull << 26}) {
+        const auto block = li::photons_of_energy_block(count);
+        EXPECT_GE(block, 64u);
+        EXPECT_LT(block, 65535u) << count;
+        EXPECT_LT((count + block - 1) / block, 65535u) << count;
+        EXPECT_GE(block * ((count + block - 1) / block), count);
+    }
+}
+
 }  // namespace
 }  // namespace ir::test

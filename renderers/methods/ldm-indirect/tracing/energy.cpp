@@ -1,5 +1,6 @@
 #include "renderers/methods/ldm-indirect/tracing/energy.h"
 
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/graph/output_text.h"
 
 namespace ir::methods::ldm_indirect {
@@ -7,8 +8,6 @@ namespace {
 
 using graph::FieldType;
 using graph::PassContext;
-
-constexpr std::uint64_t block_photons = 64;
 
 std::vector<graph::Field> row_fields() {
     return {{"cause", FieldType::u32},
@@ -39,10 +38,12 @@ std::vector<graph::CounterRef> declare_counters(graph::GraphBuilder& builder) {
 
 void sum_energy(graph::GraphBuilder& builder, const Primaries& primaries, bool splits,
                 std::optional<graph::BufferRef> direct_fates) {
+    const auto block_photons = photons_of_energy_block(primaries.count);
     const auto block_count = (primaries.count + block_photons - 1) / block_photons;
     const auto blocks = builder.buffer({.text = {.key = "indirect.energy_blocks",
                                                  .label = "Energy of blocks of photons",
-                                                 .doc = "The rows of indirect.energy of every 64 photons."},
+                                                 .doc = "The rows of indirect.energy of every " +
+                                                        std::to_string(block_photons) + " photons."},
                                         .fields = row_fields(),
                                         .elements = block_count * energy_rows,
                                         .lower = "emission"});
@@ -52,21 +53,23 @@ void sum_energy(graph::GraphBuilder& builder, const Primaries& primaries, bool s
     auto sum = builder.pass("sum energy");
     sum.reads(primaries.records, primaries.shares).writes(blocks);
     if (direct_fates) sum.reads(*direct_fates);
-    sum.execute([=, count = primaries.count](PassContext& context) {
-        gl::ProgramSource source{{"methods/ldm-indirect/tracing/energy.comp"}};
-        if (direct_fates) source.defines["DIRECT"] = "1";
-        const auto& program = context.program(source);
-        program.use();
-        context.bind_buffer(0, primaries.records);
-        context.bind_buffer(1, primaries.shares);
-        context.bind_buffer(2, blocks);
-        if (direct_fates) context.bind_buffer(3, *direct_fates);
-        program.set("primary_count", static_cast<unsigned>(count));
-        program.set("block_size", static_cast<unsigned>(block_photons));
-        program.set("block_count", static_cast<unsigned>(block_count));
-        program.set("splits", splits ? 1 : 0);
-        program.dispatch(static_cast<std::int64_t>(block_count) * energy_rows);
-    });
+    sum.execute_sliced(
+        static_cast<std::int64_t>(block_count * energy_rows),
+        [=, count = primaries.count](PassContext& context, graph::Slice slice) {
+            gl::ProgramSource source{{"methods/ldm-indirect/tracing/energy.comp"}};
+            if (direct_fates) source.defines["DIRECT"] = "1";
+            const auto& program = context.program(source);
+            program.use();
+            context.bind_buffer(0, primaries.records);
+            context.bind_buffer(1, primaries.shares);
+            context.bind_buffer(2, blocks);
+            if (direct_fates) context.bind_buffer(3, *direct_fates);
+            program.set("primary_count", static_cast<unsigned>(count));
+            program.set("block_size", static_cast<unsigned>(block_photons));
+            program.set("splits", splits ? 1 : 0);
+            gl::dispatch_items(program, slice.begin, slice.end);
+        },
+        4096);
     const auto counters = declare_counters(builder);
     auto pass = builder.pass("energy table");
     pass.reads(blocks).writes(table);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 
 #include "renderers/methods/ldm-indirect/tracing/emission.h"
@@ -26,6 +28,13 @@ enum EnergyCause {
     direct = 14
 };
 inline constexpr int energy_rows = 22;
+
+/// Primary photons that are summed in one invocation, before one more adds up the sums: both loops stay below
+/// the 65,535 turns after which software drivers leave a loop.
+constexpr std::uint64_t photons_of_energy_block(std::uint64_t primary_photons) {
+    constexpr std::uint64_t least = 64, most_blocks = 32768;
+    return std::max(least, (primary_photons + most_blocks - 1) / most_blocks);
+}
 
 /// Declares the table and its counters. `splits`: whether photons are split at all; `direct_fates`: where
 /// primary photons are stored themselves.

@@ -10,7 +10,8 @@ layout(std430, binding = 2) writeonly buffer Blocks { Row blocks[]; };
 layout(std430, binding = 3) readonly buffer Fates { uint fates[]; };
 #endif
 
-uniform uint primary_count, block_size, block_count;
+uniform uint first_item, end_item;  // rows of blocks
+uniform uint primary_count, block_size;
 uniform bool splits;
 
 struct Entry {
@@ -44,8 +45,8 @@ Entry entry_of(uint index, uint row) {
 }
 
 void main() {
-    uint item = gl_GlobalInvocationID.x;
-    if (item >= block_count * ROWS) return;
+    uint item = first_item + gl_GlobalInvocationID.x;
+    if (item >= end_item) return;
     uint block = item / ROWS, row = item % ROWS;
     Entry sum = Entry(vec3(0), 0u);
     for (uint i = block * block_size; i < min((block + 1u) * block_size, primary_count); ++i) {
