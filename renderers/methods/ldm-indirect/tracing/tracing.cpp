@@ -27,9 +27,12 @@ std::uint64_t most_photons(const Primaries& primaries, const Parameters& paramet
     return primaries.count * ((has_indirect(parameters) ? maps : 0) + has_direct_photons(parameters));
 }
 
+/// Of which memory is reserved at first: 256 MiB. What is stored beyond is found by growing once.
+constexpr std::uint64_t most_reserved = std::uint64_t{1} << 22;
+
 std::uint64_t reserved_photons(std::uint64_t most, const Parameters& parameters) {
-    return std::max<std::uint64_t>(
-        1, static_cast<std::uint64_t>(static_cast<double>(most) * static_cast<double>(parameters.reserve)));
+    const double part = static_cast<double>(most) * static_cast<double>(parameters.reserve);
+    return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(part), 1, most_reserved);
 }
 
 Photons declare_photons(graph::GraphBuilder& builder, std::uint64_t reserved) {
