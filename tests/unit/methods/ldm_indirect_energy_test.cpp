@@ -201,5 +201,22 @@ TEST(IndirectEnergy, BlocksKeepBothLoopsShort) {
     }
 }
 
+TEST_F(IndirectTracingTest, RefusesMorePhotonsThanAreCounted) {
+    auto settings = quick();
+    settings["emission"] = std::int64_t{1024};
+    settings["directions"] = std::int64_t{512};
+    const Shot shot(box({lamp({0.3f, 1.2f, -0.4f}), lamp({-0.3f, 1.2f, -0.4f})}),
+                    camera({0, 1.5f, 1.9f}, {0, 1.5f, 0}), 16, 16);
+    try {
+        trace(shot, settings);
+        FAIL() << "6,442,450,944 photons do not fit into 32 bits";
+    } catch (const Error& error) {
+        const std::string text = error.what();
+        EXPECT_EQ(text.find('\n'), std::string::npos);
+        for (const auto* part : {"6442450944", "counted", "'emission'", "'directions'"})
+            EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
+}
+
 }  // namespace
 }  // namespace ir::test

@@ -1,7 +1,9 @@
 #include "renderers/methods/ldm-indirect/tracing.h"
 
 #include <algorithm>
+#include <limits>
 
+#include "renderers/core/error.h"
 #include "renderers/graph/output_text.h"
 #include "renderers/methods/ldm-indirect/tracing/energy.h"
 #include "renderers/methods/ldm-indirect/tracing/splitting.h"
@@ -25,6 +27,16 @@ bool has_direct_photons(const Parameters& parameters) {
 std::uint64_t most_photons(const Primaries& primaries, const Parameters& parameters) {
     const auto maps = static_cast<std::uint64_t>(parameters.maps.directions);
     return primaries.count * ((has_indirect(parameters) ? maps : 0) + has_direct_photons(parameters));
+}
+
+/// Counters hold 32 bits, scans 2^26 items.
+void refuse_beyond_counters(const Primaries& primaries, std::uint64_t most, const Parameters& parameters) {
+    constexpr std::uint64_t most_primaries = std::uint64_t{1} << 26;
+    if (primaries.count <= most_primaries && most <= std::numeric_limits<std::uint32_t>::max()) return;
+    throw Error("indirect light: " + std::to_string(primaries.count) + " photons of lights, up to " +
+                std::to_string(most) + " after they are split into " +
+                std::to_string(parameters.maps.directions) +
+                " directions, are more than can be counted (2^26, 2^32); lower 'emission' or 'directions'");
 }
 
 /// Of which memory is reserved at first: 256 MiB. What is stored beyond is found by growing once.
@@ -63,6 +75,7 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
     const auto maps = ldm::declare_maps(builder, ldm::options_of(parameters.maps));
     const auto primaries = emit_photons(builder, scene, images, *maps);
     const auto most = most_photons(primaries, parameters);
+    refuse_beyond_counters(primaries, most, parameters);
     const auto photons = declare_photons(builder, reserved_photons(most, parameters));
     begin_photons(builder, photons);
     std::optional<graph::BufferRef> fates;
