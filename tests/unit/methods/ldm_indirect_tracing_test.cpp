@@ -159,7 +159,11 @@ TEST_F(DifferentialsTest, EqualTracedNeighbouringRays) {
     }
 }
 
+// Half-axes h e_k, h² = 2/N, of a cone across d are seen after t m on a plane with normal n as
+// a_k = t h (e_k − (e_k·n)/(d·n) d). Along q in the plane, w = q − (q·d)/(d·n) n is perpendicular to d, hence
+// Σ(q·a_k)² = t² h² Σ(w·e_k)² = t² h² |w|² = t² (2/N) (1 + ((q·d)/(d·n))²).
 TEST_F(IndirectTracingTest, WidenedFootprintsCoverTheRegion) {
+    constexpr double directions = 32;
     auto settings = quick();
     const Shot shot(planes({spot({0, 0.5f, 0}, {0, 1, 0}, 20)}), camera({0, 1, 3.9f}, {0, 0, 0}), 64, 64);
     settings["footprint"] = std::string("widened");
@@ -171,20 +175,28 @@ TEST_F(IndirectTracingTest, WidenedFootprintsCoverTheRegion) {
     ASSERT_EQ(wide.size(), published.size());
     ASSERT_GT(wide.size(), 100u);
     const auto map_frames = frames();
-    double worst = 0;
+    const auto all = primaries();
+    double worst = 0, least_facing = 1, most_facing = 0;
     for (std::size_t i = 0; i < wide.size(); ++i) {
         const auto d = direction_of(wide[i], map_frames), n = normal_of(wide[i]);
-        // Second moments along any direction q of the plane add: |q·a|² summed over the half-axes.
-        const auto q = glm::normalize(glm::cross(n, glm::dvec3(0.3, 0.5, 0.9)));
-        const auto moment = [&](const li::Photon& p) {
-            return std::pow(glm::dot(q, glm::dvec3(p.axis_u)), 2) +
-                   std::pow(glm::dot(q, glm::dvec3(p.axis_v)), 2);
-        };
-        EXPECT_GE(moment(wide[i]), moment(published[i]) * 0.999);
+        const double facing = std::abs(glm::dot(d, n)),
+                     t = double(wide[i].path_length) - double(all.at(wide[i].source).path_length);
+        for (const auto& across : {glm::dvec3(0.3, 0.5, 0.9), glm::dvec3(0.9, 0.1, -0.4)}) {
+            const auto q = glm::normalize(glm::cross(n, across));
+            const auto moment = [&](const li::Photon& p) {
+                return std::pow(glm::dot(q, glm::dvec3(p.axis_u)), 2) +
+                       std::pow(glm::dot(q, glm::dvec3(p.axis_v)), 2);
+            };
+            const double added = 2 / directions * t * t * (1 + std::pow(glm::dot(q, d) / facing, 2));
+            worst = std::max(worst, std::abs((moment(wide[i]) - moment(published[i])) / added - 1));
+        }
         EXPECT_NEAR(glm::dot(glm::dvec3(wide[i].axis_u), n), 0, 1e-3);
-        worst = std::max(worst, std::abs(glm::dot(d, n)));
+        least_facing = std::min(least_facing, facing);
+        most_facing = std::max(most_facing, facing);
     }
-    EXPECT_GT(worst, 0.5);
+    EXPECT_LT(worst, 0.01);
+    EXPECT_LT(least_facing, 0.65);
+    EXPECT_GT(most_facing, 0.8);
 }
 
 }  // namespace
