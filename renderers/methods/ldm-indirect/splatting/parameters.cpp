@@ -15,7 +15,7 @@ void add_ways(ParameterTable<Parameters>& table) {
                            "them, and blending adds."},
                           {"tiles", "Tiles",
                            "Compute shaders list the photons of each tile of 16 × 16 pixels in order, and "
-                           "pixels add up their tile's. On llvmpipe 3 to 4 times as fast as quads."},
+                           "pixels add up their tile's. On llvmpipe 1.4 to 4 times as fast as quads."},
                           {"image-atomics", "Image atomics",
                            "A compute shader adds stored photons to pixels by atomic additions, whose order, "
                            "and rounding, differ from run to run. Not within the pass that traces."}},
