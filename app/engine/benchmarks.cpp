@@ -254,10 +254,12 @@ class BenchmarkRun {
     void time_peer(const graph::Benchmark::Peer& peer, BenchmarkRow& row) {
         std::map<std::string, std::vector<double>> by_part;
         std::vector<double> totals;
+        const CancelToken never;
+        const auto& cancel = callbacks_.cancel ? *callbacks_.cancel : never;
         for (int i = 0; i <= report_.repeats; ++i) {
             begin_repeat(i);
             double total = 0;
-            for (const auto& [part, ms] : peer.run(execution_->graph(), execution_->inputs())) {
+            for (const auto& [part, ms] : peer.run(execution_->graph(), execution_->inputs(), cancel)) {
                 total += ms;
                 if (i > 0) by_part[part].push_back(ms);
             }

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "renderers/core/progress.h"
 #include "renderers/core/value.h"
 #include "renderers/graph/frame_inputs.h"
 
@@ -73,8 +74,10 @@ struct Benchmark {
     struct Peer {
         std::string label;
         /// Runs once on the frame that `graph` rendered last; milliseconds by part ("build", "trace", …).
-        /// Called repeatedly; may throw as a method does.
-        std::function<std::map<std::string, double>(const Graph& graph, const FrameInputs& inputs)> run;
+        /// Called repeatedly; may throw as a method does, and Cancelled when `cancel` says so.
+        std::function<std::map<std::string, double>(const Graph& graph, const FrameInputs& inputs,
+                                                    const CancelToken& cancel)>
+            run;
     };
     std::string name, doc;
     std::string scene = "builtin:atrium";

@@ -32,7 +32,8 @@ std::vector<glm::vec3> vectors_of(const graph::Graph& graph, const std::string& 
 
 /// Milliseconds that Embree takes for the lines of `directions` maps, up to `max_distance` metres.
 graph::Benchmark::Peer embree(int directions, float max_distance) {
-    const auto run = [=](const graph::Graph& graph, const graph::FrameInputs& inputs) {
+    const auto run = [=](const graph::Graph& graph, const graph::FrameInputs& inputs,
+                         const CancelToken& cancel) {
         const auto positions = vectors_of(graph, "gbuffer.position");
         const auto normals = vectors_of(graph, "gbuffer.geometric_normal");
         std::vector<glm::vec3> lines;
@@ -41,7 +42,7 @@ graph::Benchmark::Peer embree(int directions, float max_distance) {
             lines.emplace_back(-direction.centre);
         }
         const auto timing = passes::time_embree_ao(*inputs.scene, *inputs.world, positions, normals, lines,
-                                                   max_distance, inputs.threads);
+                                                   max_distance, inputs.threads, cancel);
         return std::map<std::string, double>{{"build", timing.build_ms}, {"trace", timing.trace_ms}};
     };
     return {"embree", run};

@@ -71,12 +71,13 @@ class Group {
 };
 
 Count trace_all(const Bvh& bvh, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
-                std::span<const glm::vec3> directions, float max_distance) {
+                std::span<const glm::vec3> directions, float max_distance, const CancelToken& cancel) {
     tbb::enumerable_thread_specific<Count> counts;
     const auto groups = (positions.size() + lanes - 1) / lanes;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups), [&](const auto& range) {
         auto& count = counts.local();
         for (auto g = range.begin(); g != range.end(); ++g) {
+            if (cancel.is_cancelled()) return;
             const auto first = g * lanes, size = std::min(lanes, positions.size() - first);
             Group group(positions.subspan(first, size), normals.subspan(first, size), max_distance);
             for (const auto& direction : directions) {
@@ -86,6 +87,7 @@ Count trace_all(const Bvh& bvh, std::span<const glm::vec3> positions, std::span<
             }
         }
     });
+    cancel.check();
     Count total;
     for (const auto& count : counts) total.rays += count.rays, total.blocked += count.blocked;
     return total;
@@ -95,7 +97,8 @@ Count trace_all(const Bvh& bvh, std::span<const glm::vec3> positions, std::span<
 
 EmbreeTiming time_embree_ao(const scene::Scene& scene, const scene::World& world,
                             std::span<const glm::vec3> positions_ws, std::span<const glm::vec3> normals_ws,
-                            std::span<const glm::vec3> directions_ws, float max_distance, int threads) {
+                            std::span<const glm::vec3> directions_ws, float max_distance, int threads,
+                            const CancelToken& cancel) {
     if (positions_ws.size() != normals_ws.size()) {
         throw Error("ray tracing benchmark: as many normals as positions are needed");
     }
@@ -105,8 +108,9 @@ EmbreeTiming time_embree_ao(const scene::Scene& scene, const scene::World& world
     const Bvh bvh(scene, world, threads, Bvh::Edges::fast);
     timing.build_ms = milliseconds_since(start);
     const auto traced_from = std::chrono::steady_clock::now();
-    const auto count =
-        arena.execute([&] { return trace_all(bvh, positions_ws, normals_ws, directions_ws, max_distance); });
+    cancel.check();
+    const auto count = arena.execute(
+        [&] { return trace_all(bvh, positions_ws, normals_ws, directions_ws, max_distance, cancel); });
     timing.trace_ms = milliseconds_since(traced_from);
     timing.rays = count.rays;
     timing.blocked = count.blocked;

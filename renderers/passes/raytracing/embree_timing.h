@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
+#include "renderers/core/progress.h"
 #include "renderers/scene/world.h"
 
 namespace ir::passes {
@@ -20,9 +21,11 @@ struct EmbreeTiming {
 /// where the directions come in ± pairs), a ray. Without limit of distance (infinity) any hit answers; within
 /// `max_distance` metres it is the closest one, on whose distance smooth visibility depends. Rays are grouped
 /// in Embree's favour: 16 consecutive positions in one direction, marked as coherent; so let neighbours stand
-/// together. Unit geometric normals; a zero normal (background) gets no rays. `threads` 0 = all.
+/// together. Unit geometric normals; a zero normal (background) gets no rays. `threads` 0 = all. Throws
+/// Cancelled.
 EmbreeTiming time_embree_ao(const scene::Scene& scene, const scene::World& world,
                             std::span<const glm::vec3> positions_ws, std::span<const glm::vec3> normals_ws,
-                            std::span<const glm::vec3> directions_ws, float max_distance, int threads);
+                            std::span<const glm::vec3> directions_ws, float max_distance, int threads,
+                            const CancelToken& cancel = {});
 
 }  // namespace ir::passes

@@ -205,6 +205,31 @@ TEST_F(LdmAo, StoragesGiveEqualPictures) {
     }
 }
 
+TEST_F(LdmAo, PackedArraysRoundDepthsAndLittleElse) {
+    const std::string packed = "packed-arrays";
+    load("builtin:atrium");
+    const auto settings = with(maps(16, 100), "max_distance", 2.0);
+    const auto exact = render(world_.cameras.front(), 48, 36, settings);
+    const auto rounded = render(world_.cameras.front(), 48, 36, with(settings, "storage", packed));
+    double squares = 0, sum = 0;
+    for (std::size_t i = 0; i < exact.pixels.size(); ++i) {
+        const double difference = rounded.pixels[i] - exact.pixels[i];
+        squares += difference * difference, sum += difference;
+    }
+    const double rms = std::sqrt(squares / double(exact.pixels.size()));
+    std::printf("RMS difference of packed arrays %.4f, mean %.4f\n", rms, sum / double(exact.pixels.size()));
+    EXPECT_GT(rms, 0);
+    EXPECT_LT(rms, 0.015);
+    EXPECT_NEAR(sum / double(exact.pixels.size()), 0, 0.003);
+
+    load("builtin:plane");
+    const auto open = render(world_.cameras.front(), 32, 24, with(maps(32, 100), "storage", packed));
+    for (const float value : open.pixels) ASSERT_EQ(value, 1);
+
+    load("builtin:crevice");
+    EXPECT_EQ(mean(render(camera("wall-2"), 32, 32, with(maps(32, 200), "storage", packed))), 0);
+}
+
 TEST_F(LdmAo, FixedArraysThatAreTooShortLoseOccludersAndSaySo) {
     load("builtin:atrium");
     const auto settings = with(maps(8, 50), "max_distance", 2.0);

@@ -39,10 +39,11 @@ NamedBenchmark sample_benchmark() {
                           {"broken", {{"source", std::string("nonsense")}}},
                           {"colours", {{"as_colour", true}}}};
     benchmark.total_of = {"view normals"};
-    benchmark.peers = {{"clock", [](const graph::Graph& graph, const graph::FrameInputs&) {
-                            EXPECT_TRUE(graph.read_image("gbuffer.position"));
-                            return std::map<std::string, double>{{"build", 1.5}, {"trace", 0.5}};
-                        }}};
+    benchmark.peers = {
+        {"clock", [](const graph::Graph& graph, const graph::FrameInputs&, const CancelToken&) {
+             EXPECT_TRUE(graph.read_image("gbuffer.position"));
+             return std::map<std::string, double>{{"build", 1.5}, {"trace", 0.5}};
+         }}};
     using Norm = Column::Difference::Norm;
     benchmark.columns = {
         {.label = "Total", .unit = "ms", .source = Column::PassTime{}},
@@ -118,9 +119,10 @@ TEST(Benchmark, WhatFailsIsARowAndTheOthersRun) {
 TEST(Benchmark, PeersRunThoughTheLastVariantFailed) {
     auto named = sample_benchmark();
     std::swap(named.benchmark.variants[1], named.benchmark.variants[2]);
-    named.benchmark.peers.push_back({"mute", [](const auto&, const auto&) -> std::map<std::string, double> {
-                                         throw Error("no tongue");
-                                     }});
+    named.benchmark.peers.push_back(
+        {"mute", [](const auto&, const auto&, const auto&) -> std::map<std::string, double> {
+             throw Error("no tongue");
+         }});
     const auto report = run_benchmark(benchmark_machine(), named, quick());
     ASSERT_EQ(report.rows.size(), 5u);
     EXPECT_EQ(report.rows[4].problem, "no tongue");

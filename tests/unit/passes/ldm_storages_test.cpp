@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <optional>
 
 #include "ldm_fixture.h"
 #include "renderers/passes/ldm/packed_storage.h"
@@ -54,6 +55,25 @@ class LdmStorages : public testing::Test {
         EXPECT_EQ(build.report.counters["ldm.dropped"] + build.report.counters["ldm.merged"],
                   total(expected) - total(found));
         EXPECT_GE(build.report.counters["ldm.bytes"], packed_bits / 8.0 * total(found));
+        const auto bytes = known_bytes(options, total(found));
+        if (bytes && build.report.counters["batches"] == 1) {
+            EXPECT_EQ(build.report.counters["ldm.bytes"], *bytes);
+        }
+    }
+
+    /// What the published layouts take: of lists a head for each texel and 8 bytes for each node, of arrays a
+    /// word for each row, 16 bits for each offset (one more than texels, in whole words) and for each depth.
+    static std::optional<double> known_bytes(const Options& options, std::size_t nodes) {
+        const double rows = double(options.directions) * options.resolution;
+        switch (options.storage) {
+            case StorageKind::linked_lists:
+            case StorageKind::lists_then_sort:
+                return 4 * rows * options.resolution + 8.0 * double(nodes);
+            case StorageKind::arrays:
+                return 4 * rows * (1 + (options.resolution + 2) / 2) + 2.0 * double(nodes);
+            default:
+                return {};
+        }
     }
 
     /// All storages, with both builders, against the oracle. `after` is called with each, its lists and the
