@@ -49,16 +49,31 @@ graph::Benchmark in_atrium(const char* name, const char* doc, int width, int hei
     for (const auto& part : {construction, tracing, splatting})
         benchmark.total_of.insert(benchmark.total_of.end(), part.begin(), part.end());
     benchmark.columns = {
-        {.label = "Maps", .unit = "ms", .source = Column::PassTime{construction}},
-        {.label = "Tracing", .unit = "ms", .source = Column::PassTime{tracing}},
+        {.label = "Maps",
+         .unit = "ms",
+         .doc = "Building the layered depth maps.",
+         .source = Column::PassTime{construction}},
+        {.label = "Tracing",
+         .unit = "ms",
+         .doc = "The lights' images, emission, splitting, tracing and storing.",
+         .source = Column::PassTime{tracing}},
         {.label = "of that packing",
          .unit = "ms",
          .doc = "Prefix sums and storing in a fixed order.",
          .source = Column::PassTime{packing}},
-        {.label = "Splatting", .unit = "ms", .source = Column::PassTime{splatting}},
-        {.label = "Total", .unit = "ms", .source = Column::PassTime{}},
-        {.label = "Photons", .source = Column::Counter{"indirect.count"}, .best = Column::Best::none},
-        {.label = "Memory", .unit = "B", .source = Column::MemoryBytes{}},
+        {.label = "Splatting",
+         .unit = "ms",
+         .doc = "From stored photons to irradiance.",
+         .source = Column::PassTime{splatting}},
+        {.label = "Total", .unit = "ms", .doc = "Maps, tracing and splatting.", .source = Column::PassTime{}},
+        {.label = "Photons",
+         .doc = "That were stored.",
+         .source = Column::Counter{"indirect.count"},
+         .best = Column::Best::none},
+        {.label = "Memory",
+         .unit = "B",
+         .doc = "Of all buffers and images of a frame.",
+         .source = Column::MemoryBytes{}},
     };
     return benchmark;
 }
