@@ -47,6 +47,21 @@ ResourceReport described(const ResourceText& text, const MethodDescription& meth
     return report;
 }
 
+/// One line for each counter that is called "….dropped" and is not 0: such a counter says that the picture
+/// lacks something, which a number in a list would say too softly.
+std::vector<std::string> what_was_dropped(const GraphBuilder& builder,
+                                          const std::map<std::string, double>& counts) {
+    const std::string_view ending = ".dropped";
+    std::vector<std::string> lines;
+    for (const auto& counter : builder.counters()) {
+        const auto found = counts.find(counter.key);
+        if (!counter.key.ends_with(ending) || found == counts.end() || found->second == 0) continue;
+        lines.push_back(counter.label + ": " + std::to_string(static_cast<std::uint64_t>(found->second)) +
+                        ". " + counter.doc);
+    }
+    return lines;
+}
+
 }  // namespace
 
 void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
@@ -130,6 +145,7 @@ void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
             report.messages.push_back({severity, description.id, text});
     };
     for (const auto& note : notes) say(Severity::note, note);
+    for (const auto& lost : what_was_dropped(*builder, report.counters)) say(Severity::warning, lost);
     for (const auto& warning : warnings) say(Severity::warning, warning);
     for (auto& message : device.take_messages()) report.messages.push_back(std::move(message));
 }

@@ -73,6 +73,10 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
         {.key = "ldm.chunk_strips", .label = "Strips of the largest chunk", .growth_of = maps.large});
 }
 
+bool is_fixed(StorageKind kind) {
+    return kind == StorageKind::fixed_arrays || kind == StorageKind::fixed_arrays_presorted;
+}
+
 void declare_counters(graph::GraphBuilder& builder, Maps& maps) {
     maps.generated = builder.counter({.key = "ldm.fragments",
                                       .label = "Fragments",
@@ -81,8 +85,11 @@ void declare_counters(graph::GraphBuilder& builder, Maps& maps) {
     maps.dropped = builder.counter(
         {.key = "ldm.dropped",
          .label = "Dropped fragments",
-         .doc =
-             "Beyond 60,000 layers at one texel, or beyond the layers that a storage of fixed arrays has."});
+         .doc = is_fixed(maps.options.storage)
+                    ? "Beyond the fixed layers of a texel: hits are missing from the picture. Raise "
+                      "fixed_layers, "
+                      "or choose a storage without such a limit."
+                    : "Beyond 60,000 layers at one texel: hits are missing from the picture."});
     maps.texels = builder.counter({.key = "ldm.texels", .label = "Texels", .doc = "Of all maps."});
     // A counter has 32 bits, which the bytes of all maps may exceed: each batch has its own, and the report
     // adds up those of one key.

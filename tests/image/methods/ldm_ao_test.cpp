@@ -241,6 +241,9 @@ TEST_F(LdmAo, FixedArraysThatAreTooShortLoseOccludersAndSaySo) {
             const double open =
                 mean(render(world_.cameras.front(), 48, 36, with(fixed, "storage", std::string(storage))));
             EXPECT_GT(report.counters["ldm.dropped"], 0);
+            EXPECT_TRUE(std::any_of(report.messages.begin(), report.messages.end(), [](const Message& m) {
+                return m.severity == Severity::warning && m.text.find("fixed_layers") != std::string::npos;
+            }));
             EXPECT_GE(open, exact);
             EXPECT_LT(open, previous) << layers;
             previous = open;
