@@ -201,6 +201,27 @@ TEST(IndirectEnergy, BlocksKeepBothLoopsShort) {
     }
 }
 
+TEST_F(IndirectTracingTest, BlackSurfacesSplitNothing) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 1, 0}, 4);
+    small.square({0, 2, 0}, {0, -1, 0}, 4);
+    const auto eye = camera({0, 1, 3.9f}, {0, 0, 0});
+    const auto lit_floor = [&](float floor) {
+        return with(small.scene(), {spot({0, 1.5f, 0}, {0, -1, 0}, 40)}, glm::vec3(floor));
+    };
+    trace(Shot(lit_floor(0.5f), eye, 32, 32), quick());
+    const auto grey = energy();
+    EXPECT_GT(photons().size(), 100u);
+    trace(Shot(lit_floor(0), eye, 32, 32), quick());
+    expect_balanced("black floor");
+    const auto black = energy();
+    EXPECT_EQ(photons().size(), 0u);
+    for (int row = li::indirect; row < li::direct; ++row)
+        EXPECT_EQ(black[static_cast<std::size_t>(row)].photons, 0u) << row;
+    EXPECT_EQ(black[li::absorbed].photons, grey[li::absorbed].photons);
+    EXPECT_NEAR(flux(black[li::absorbed]).r, 2 * flux(grey[li::absorbed]).r, 1e-4);
+}
+
 TEST_F(IndirectTracingTest, RefusesMorePhotonsThanAreCounted) {
     auto settings = quick();
     settings["emission"] = std::int64_t{1024};

@@ -47,7 +47,7 @@ void main() {
     if (index >= end_item) return;
     Primary p = primaries[index];
     uint local = index - first_primary, slot = local * batch_maps + first_map, stored = 0u;
-    bool splits = p.fate == PRIMARY_SPLITS;
+    bool splits = p.fate == PRIMARY_SPLITS && reflected_flux(p) != vec3(0);  // black and unlit surfaces do not
     for (uint i = 0u; i < map_count; ++i) {
         uint row = 6u * i;
         MapFrame frame = MapFrame(frame_rows[row], frame_rows[row + 1u], frame_rows[row + 2u], frame_rows[row + 3u],
