@@ -48,15 +48,15 @@ vec3 contribution_of(Photon photon, Footprint f, vec3 x) {
 }
 
 void write(uint place, uint i, Photon photon, Footprint f, vec3 x) {
-    bool is_direct = (photon.leg & DIRECT) != 0u;
+    bool is_direct = (photon.leg & LEG_DIRECT) != 0u;
     found[place].centre = components(f.centre_ws);
     found[place].axis_u = components(f.p_ws);
     found[place].axis_v = components(f.q_ws);
     found[place].contribution = components(contribution_of(photon, f, x));
     found[place].flux = components(photon.flux);
-    found[place].map = is_direct ? 0xffffu : photon.leg & 0xffffu;
-    found[place].side = is_direct ? 0 : (photon.leg & AGAINST_OR_ALONG) != 0u ? 1 : -1;
-    found[place].light = photon.leg >> 24u;
+    found[place].map = is_direct ? LEG_MAP : photon.leg & LEG_MAP;
+    found[place].side = is_direct ? 0 : (photon.leg & LEG_ALONG) != 0u ? 1 : -1;
+    found[place].light = photon.leg >> LEG_LIGHT_SHIFT;
     found[place].source = photon.source;
     found[place].path_length = photon.path_length;
     found[place].distance_m = distance(f.centre_ws, x);

@@ -19,8 +19,6 @@ uniform float splat_size, topological_bias, least_axis_pixels, longest_axis;
 uniform uint map_count, light_count;
 uniform bool count_indirect, count_direct;
 
-const uint AGAINST_OR_ALONG = 1u << 16, DIRECT = 1u << 17;
-
 struct Footprint {
     bool counts;        // false: nothing to splat
     uint mended;        // see MENDED_...
@@ -39,7 +37,7 @@ const uint MENDED_SHORT = 1u, MENDED_LONG = 2u, MENDED_DEGENERATE = 4u, NOT_FINI
 bool not_finite(vec3 v) { return any(isnan(v)) || any(isinf(v)); }
 
 bool is_asked_for(Photon photon) {
-    return (photon.leg & DIRECT) != 0u ? count_direct : count_indirect;
+    return (photon.leg & LEG_DIRECT) != 0u ? count_direct : count_indirect;
 }
 
 /// Semi-axes of the ellipse with the conjugate radii u and v, the longer first.
@@ -57,13 +55,13 @@ float pixel_at(vec3 position_ws) {
 }
 
 vec3 source_direction(Photon photon) {
-    uint item = photon.leg & 0xffffu;
-    if ((photon.leg & DIRECT) == 0u) {
+    uint item = photon.leg & LEG_MAP;
+    if ((photon.leg & LEG_DIRECT) == 0u) {
         vec3 along = arrivals[min(item, map_count - 1u)].xyz;
-        return (photon.leg & AGAINST_OR_ALONG) != 0u ? -along : along;
+        return (photon.leg & LEG_ALONG) != 0u ? -along : along;
     }
     if (light_count == 0u) return vec3(0);
-    vec4 light = arrivals[map_count + min(photon.leg >> 24u, light_count - 1u)];
+    vec4 light = arrivals[map_count + min(photon.leg >> LEG_LIGHT_SHIFT, light_count - 1u)];
     return light.w > 0.5 ? normalize(light.xyz - photon.position_ws) : -light.xyz;
 }
 

@@ -30,9 +30,9 @@ void main() {
     put(word + 12u, p.flux);
     shown[word + 15u] = floatBitsToUint(dot(p.flux, vec3(0.2126, 0.7152, 0.0722)));
     shown[word + 16u] = floatBitsToUint(p.path_length);
-    shown[word + 17u] = p.leg & 0xffffu;
-    shown[word + 18u] = uint((p.leg >> 16u & 1u) != 0u ? 1 : -1);
-    shown[word + 19u] = p.leg >> 24u;
-    shown[word + 20u] = p.leg >> 17u & 1u;
+    shown[word + 17u] = p.leg & LEG_MAP;
+    shown[word + 18u] = uint((p.leg & LEG_ALONG) != 0u ? 1 : -1);
+    shown[word + 19u] = p.leg >> LEG_LIGHT_SHIFT;
+    shown[word + 20u] = uint((p.leg & LEG_DIRECT) != 0u);
     shown[word + 21u] = p.source;
 }

@@ -32,7 +32,7 @@ Photon photon(Primary p, uint map, float t, uint packed_normal) {
     result.source = p.source;
     result.axis_u = axes.u;
     result.axis_v = axes.v;
-    result.leg = map | (cosine > 0.0 ? 1u << 16u : 0u) | p.light << 24u;
+    result.leg = map | (cosine > 0.0 ? LEG_ALONG : 0u) | p.light << LEG_LIGHT_SHIFT;
     result.path_length = p.path_length + t;
     result.flux = reflected_flux(p) * (abs(cosine) / p.cosine_sum);
     result.normal = packed_normal;

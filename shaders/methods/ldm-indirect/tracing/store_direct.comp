@@ -17,6 +17,6 @@ void main() {
     Primary p = primaries[index];
     float distance = uintBitsToFloat(hits[index].x);
     photons[places[index]] = Photon(p.position_ws + (distance - p.path_length) * p.direction_ws, p.source, p.axis_u,
-                                    1u << 17u | p.light << 24u, p.axis_v, distance, arrived_flux(p),
+                                    LEG_DIRECT | p.light << LEG_LIGHT_SHIFT, p.axis_v, distance, arrived_flux(p),
                                     hits[index].y);
 }
