@@ -192,5 +192,26 @@ TEST_F(IndirectSplatting, LightFromBehindTheSurfaceIsNotAdded) {
         }
 }
 
+TEST_F(IndirectSplatting, DirectionsAreUploadedOnceForAWorld) {
+    const Shot shot(lit_square(), looking({0, 0, 4}, {0, 0, 0}), 16, 16);
+    const auto uploads = [&](const char* world, int directions) {
+        IndirectRun run{.photons = {FreePhoton{}}, .parameters = free_parameters()};
+        run.parameters.maps.directions = directions;
+        auto inputs = shot.inputs();
+        inputs.world_fingerprint = world;
+        graph::FrameOptions options;
+        options.wanted = run.wanted;
+        const auto report = graph().run(method(run), {}, inputs, options);
+        const auto pass = std::find_if(report.passes.begin(), report.passes.end(),
+                                       [](const auto& row) { return row.name == "upload arrivals"; });
+        return pass != report.passes.end() && pass->slices > 0;
+    };
+    EXPECT_TRUE(uploads("a", 32));
+    EXPECT_FALSE(uploads("a", 32));
+    EXPECT_TRUE(uploads("a", 64));
+    EXPECT_TRUE(uploads("b", 64)) << "its lights may have moved";
+    EXPECT_FALSE(uploads("b", 64));
+}
+
 }  // namespace
 }  // namespace ir::test

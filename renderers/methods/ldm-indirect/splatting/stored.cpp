@@ -33,6 +33,9 @@ graph::BufferRef upload_arrivals(graph::GraphBuilder& builder, const Parameters&
                      "(w 0)."};
     desc.fields = {{"arrival", graph::FieldType::f32, 4}};
     desc.elements = arrivals.size();
+    const auto& world = builder.inputs().world_fingerprint;
+    desc.fingerprint =
+        world.empty() ? "" : world + " from " + std::to_string(parameters.maps.directions) + " directions";
     const auto buffer = builder.buffer(std::move(desc));
     builder.pass("upload arrivals").writes(buffer).execute([=](graph::PassContext& p) {
         p.upload(buffer, std::as_bytes(std::span(arrivals)));
