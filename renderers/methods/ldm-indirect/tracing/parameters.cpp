@@ -43,8 +43,8 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
         .add(&Parameters::reserve,
              {.key = "reserve",
               .label = "Memory reserved",
-              .doc = "Part of the photons that memory is reserved for at first. It grows where more are "
-                     "stored.",
+              .doc = "Part of the photons that memory is reserved for at first, for at most 4,194,304 of "
+                     "them. It grows where more are stored.",
               .hard = {0, 1},
               .soft = {0.001, 1},
               .effect = Effect::cost,
