@@ -196,8 +196,8 @@ void DocumentDock::add_comparison() {
 
 void DocumentDock::add_experiment() {
     const auto* method = session_.method();
-    if (!method && session_.registry().methods().empty()) return;
-    if (!method) method = session_.registry().methods().front();
+    if (!method) method = session_.first_method();
+    if (!method) return;
     const auto* now = session_.experiment();
     std::string added;
     const bool is_added = session_.edit([&](const Project& project) {

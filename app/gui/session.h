@@ -55,6 +55,8 @@ class Session : public QObject {
     const projects::Experiment* experiment() const;
     const projects::Experiment* experiment(const std::string& id) const;
     const MethodDescription* method() const;  ///< of the experiment; null when unknown
+    /// That experiments begin with where nothing else is known: the first by title. Null where there is none.
+    const MethodDescription* first_method() const;
     void select_experiment(const std::string& id);
 
     /// Applies an edit made by `make(project)`; errors become messages. Returns whether the document changed.

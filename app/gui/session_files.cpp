@@ -1,4 +1,7 @@
 #include "app/gui/session.h"
+
+#include <algorithm>
+
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
 
@@ -32,9 +35,17 @@ void Session::open(const std::filesystem::path& path) {
                                      : std::make_unique<projects::OpenProject>(path, registry_));
 }
 
+const MethodDescription* Session::first_method() const {
+    const auto& methods = registry_.methods();
+    const auto first = std::min_element(methods.begin(), methods.end(),
+                                        [](const auto* a, const auto* b) { return a->title < b->title; });
+    return first == methods.end() ? nullptr : *first;
+}
+
 void Session::create_from_scene(const std::string& source) {
-    if (registry_.methods().empty()) throw Error("this build has no methods");
-    const auto& method = *registry_.methods().front();
+    const auto* first = first_method();
+    if (!first) throw Error("this build has no methods");
+    const auto& method = *first;
     projects::Project start;
     const auto scene = scene_item(start, source, {});
     start.name = scene.name;
