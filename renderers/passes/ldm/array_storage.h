@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/passes/ldm/storage.h"
+#include "renderers/passes/ldm/sorted_depths.h"
 
 namespace ir::passes::ldm {
 
@@ -15,10 +15,10 @@ class ArrayStorage : public Storage {
 
     std::map<std::string, std::string> defines(const graph::PassContext& context,
                                                int first_binding) const override;
-    std::vector<graph::BufferRef> buffers() const override { return {rows_, offsets_, depths_}; }
-    std::vector<graph::BufferRef> scratch() const override { return {unsorted_, deep_texels_}; }
+    std::vector<graph::BufferRef> buffers() const override { return {rows_, offsets_, sorted_.depths}; }
+    std::vector<graph::BufferRef> scratch() const override { return {sorted_.unsorted, sorted_.deep_texels}; }
     std::vector<graph::CounterRef> counters() const override {
-        return {depth_words_asked_, offset_words_asked_, unsorted_asked_, most_layers_};
+        return {sorted_.words_asked, offset_words_asked_, sorted_.unsorted_asked, sorted_.most_layers};
     }
     bool needs_arrivals() const override { return true; }
     void begin_batch(const graph::PassContext&) const override {}
@@ -27,7 +27,7 @@ class ArrayStorage : public Storage {
     std::uint64_t table_bytes(const graph::PassContext& context) const override;
     double fragment_bytes() const override { return 2; }
 
-    graph::BufferRef depths() const { return depths_; }
+    graph::BufferRef depths() const { return sorted_.depths; }
 
   private:
     bool is_wide(const graph::PassContext& context) const;
@@ -39,8 +39,9 @@ class ArrayStorage : public Storage {
 
     Layout layout_;
     Holds holds_;
-    graph::BufferRef rows_, offsets_, depths_, unsorted_, deep_texels_;
-    graph::CounterRef depth_words_asked_, offset_words_asked_, unsorted_asked_, most_layers_;
+    SortedDepths sorted_;
+    graph::BufferRef rows_, offsets_;
+    graph::CounterRef offset_words_asked_;
 };
 
 }  // namespace ir::passes::ldm

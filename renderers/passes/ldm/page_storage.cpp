@@ -1,5 +1,7 @@
 #include "renderers/passes/ldm/page_storage.h"
 
+#include "renderers/passes/ldm/sorted_depths.h"
+
 namespace ir::passes::ldm {
 
 PageStorage::PageStorage(graph::GraphBuilder& builder, const Layout& layout) : layout_(layout) {
@@ -22,13 +24,7 @@ PageStorage::PageStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                              .elements = texels * (expected_layers + page_depths - 1) / page_depths,
                              .growable = true,
                              .lower = lower});
-    deep_texels_ = builder.buffer({.text = {.key = "ldm.deep_texels",
-                                            .label = "Deep texels of a chunk",
-                                            .doc = "Texels with more than 16 layers, of the chunk that was "
-                                                   "built last.",
-                                            .semantic = Semantic::id},
-                                   .fields = {{"texel", FieldType::u32}},
-                                   .elements = chunk_texels});
+    deep_texels_ = declare_deep_texels(builder, layout);
     ranks_ = builder.buffer({.text = {.key = "ldm.ranks",
                                       .label = "Ranks of fragments",
                                       .doc = "Of the fragments of the deepest texels of the chunk that was "

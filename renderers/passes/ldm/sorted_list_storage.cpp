@@ -1,17 +1,13 @@
 #include "renderers/passes/ldm/sorted_list_storage.h"
 
+#include "renderers/passes/ldm/sorted_depths.h"
+
 namespace ir::passes::ldm {
 
 SortedListStorage::SortedListStorage(graph::GraphBuilder& builder, const Layout& layout)
     : ListStorage(builder, layout) {
     const std::uint64_t texels = layout.chunk_maps * layout.map_texels();
-    deep_texels_ = builder.buffer({.text = {.key = "ldm.deep_texels",
-                                            .label = "Deep texels of a chunk",
-                                            .doc = "Texels with more than 16 layers, of the chunk that was "
-                                                   "built last.",
-                                            .semantic = Semantic::id},
-                                   .fields = {{"texel", graph::FieldType::u32}},
-                                   .elements = texels});
+    deep_texels_ = declare_deep_texels(builder, layout);
     successors_ = builder.buffer({.text = {.key = "ldm.successors",
                                            .label = "Successors of nodes",
                                            .doc = "Of the fragments of the deepest texels of the chunk that "

@@ -1,20 +1,10 @@
 #include "renderers/passes/ldm/sparse_storage.h"
 
 namespace ir::passes::ldm {
-namespace {
 
-using graph::FieldType;
-
-const std::string lower = "directions or resolution";
-
-}  // namespace
-
-SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout) : layout_(layout) {
-    declare_tables(builder);
-    declare_depths(builder);
-}
-
-void SparseStorage::declare_tables(graph::GraphBuilder& builder) {
+SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout)
+    : layout_(layout), sorted_(declare_sorted_depths(builder, layout)) {
+    using graph::FieldType;
     words_ = builder.buffer(
         {.text = {.key = "ldm.texel_words",
                   .label = "Texels with fragments",
@@ -33,7 +23,7 @@ void SparseStorage::declare_tables(graph::GraphBuilder& builder) {
                         .fields = {{"pair", FieldType::u32}},
                         .elements = layout_.batch_maps * layout_.map_texels() / 2 + 1,
                         .growable = true,
-                        .lower = lower});
+                        .lower = "directions or resolution"});
     sums_ = builder.buffer(
         {.text = {.key = "ldm.word_sums",
                   .label = "Sums of a chunk",
@@ -45,41 +35,6 @@ void SparseStorage::declare_tables(graph::GraphBuilder& builder) {
                                            .label = "Words of offsets",
                                            .doc = "Of the largest batch of maps.",
                                            .growth_of = offsets_});
-}
-
-void SparseStorage::declare_depths(graph::GraphBuilder& builder) {
-    depths_ = builder.buffer({.text = {.key = "ldm.depths",
-                                       .label = "Depths",
-                                       .doc = "Sorted depths in quanta, texel by texel; two per word.",
-                                       .semantic = Semantic::depth},
-                              .fields = {{"pair", FieldType::u32}},
-                              .elements = layout_.batch_maps * layout_.map_texels() * expected_layers / 2,
-                              .growable = true,
-                              .lower = lower});
-    unsorted_ = builder.buffer({.text = {.key = "ldm.unsorted",
-                                         .label = "Depths of a chunk",
-                                         .doc = "Depths of the chunk that was built last, texel by texel.",
-                                         .semantic = Semantic::depth},
-                                .fields = {{"depth", FieldType::u32}},
-                                .elements = layout_.chunk_maps * layout_.map_texels() * expected_layers,
-                                .growable = true,
-                                .lower = lower});
-    deep_texels_ =
-        builder.buffer({.text = {.key = "ldm.deep_texels",
-                                 .label = "Deep texels of a chunk",
-                                 .doc = "Texels with more than 16 layers, of the chunk that was built last.",
-                                 .semantic = Semantic::id},
-                        .fields = {{"texel", FieldType::u32}},
-                        .elements = layout_.chunk_maps * layout_.map_texels()});
-    depth_words_asked_ = builder.counter({.key = "ldm.depth_words",
-                                          .label = "Words of depths",
-                                          .doc = "Of the largest batch of maps.",
-                                          .growth_of = depths_});
-    unsorted_asked_ = builder.counter(
-        {.key = "ldm.chunk_depths", .label = "Depths of the largest chunk", .growth_of = unsorted_});
-    most_layers_ = builder.counter({.key = "ldm.max_layers",
-                                    .label = "Most layers",
-                                    .doc = "Length of the longest sequence of depths."});
 }
 
 std::map<std::string, std::string> SparseStorage::defines(const graph::PassContext&,
@@ -106,40 +61,14 @@ void SparseStorage::place(const graph::PassContext& context, const Chunk& chunk)
     context.barrier();
 }
 
-void SparseStorage::sort(const graph::PassContext& context, const FragmentList& list,
-                         const Chunk& chunk) const {
-    const auto use = [&](const char* file) -> const gl::Program& {
-        const auto& program = context.program({{file}});
-        program.use();
-        program.set("row_count", static_cast<unsigned>(chunk.maps * layout_.resolution));
-        program.set("resolution", static_cast<unsigned>(layout_.resolution));
-        return program;
-    };
-    use("passes/ldm/array_scatter.comp");
-    dispatch_indirect(context, list.state, fragment_groups_word);
-    context.barrier();
-    use("passes/ldm/array_sort.comp").dispatch(chunk.maps * static_cast<std::int64_t>(layout_.map_texels()));
-    context.barrier();
-    use("passes/ldm/array_sort_deep.comp");
-    dispatch_indirect(context, list.state, deep_groups_word);
-    context.barrier();
-    use("passes/ldm/array_sort_deepest.comp");
-    dispatch_indirect(context, list.state, deepest_groups_word);
-    context.barrier();
-}
-
 void SparseStorage::store(const graph::PassContext& context, const FragmentList& list,
                           const Chunk& chunk) const {
     bind(context, 13);
     context.bind_buffer(6, sums_);
-    context.bind_buffer(7, deep_texels_);
-    context.bind_buffer(8, unsorted_);
-    context.bind_counter(9, depth_words_asked_);
+    sorted_.bind(context);
     context.bind_counter(10, offset_words_asked_);
-    context.bind_counter(11, unsorted_asked_);
-    context.bind_counter(12, most_layers_);
     place(context, chunk);
-    sort(context, list, chunk);
+    sorted_.scatter_and_sort(context, list, chunk, layout_);
 }
 
 std::uint64_t SparseStorage::table_bytes(const graph::PassContext&) const {

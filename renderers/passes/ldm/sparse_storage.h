@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/passes/ldm/storage.h"
+#include "renderers/passes/ldm/sorted_depths.h"
 
 namespace ir::passes::ldm {
 
@@ -18,10 +18,12 @@ class SparseStorage : public Storage {
 
     std::map<std::string, std::string> defines(const graph::PassContext& context,
                                                int first_binding) const override;
-    std::vector<graph::BufferRef> buffers() const override { return {words_, offsets_, depths_}; }
-    std::vector<graph::BufferRef> scratch() const override { return {sums_, unsorted_, deep_texels_}; }
+    std::vector<graph::BufferRef> buffers() const override { return {words_, offsets_, sorted_.depths}; }
+    std::vector<graph::BufferRef> scratch() const override {
+        return {sums_, sorted_.unsorted, sorted_.deep_texels};
+    }
     std::vector<graph::CounterRef> counters() const override {
-        return {depth_words_asked_, offset_words_asked_, unsorted_asked_, most_layers_};
+        return {sorted_.words_asked, offset_words_asked_, sorted_.unsorted_asked, sorted_.most_layers};
     }
     bool needs_arrivals() const override { return true; }
     void begin_batch(const graph::PassContext&) const override {}
@@ -36,14 +38,12 @@ class SparseStorage : public Storage {
     std::uint64_t map_words() const { return (layout_.map_texels() + 31) / 32; }
     /// And one that ends the last map.
     std::uint64_t batch_words() const { return layout_.batch_maps * map_words() + 1; }
-    void declare_tables(graph::GraphBuilder& builder);
-    void declare_depths(graph::GraphBuilder& builder);
     void place(const graph::PassContext& context, const Chunk& chunk) const;
-    void sort(const graph::PassContext& context, const FragmentList& list, const Chunk& chunk) const;
 
     Layout layout_;
-    graph::BufferRef words_, offsets_, depths_, sums_, unsorted_, deep_texels_;
-    graph::CounterRef depth_words_asked_, offset_words_asked_, unsorted_asked_, most_layers_;
+    SortedDepths sorted_;
+    graph::BufferRef words_, offsets_, sums_;
+    graph::CounterRef offset_words_asked_;
 };
 
 }  // namespace ir::passes::ldm

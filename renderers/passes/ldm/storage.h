@@ -67,8 +67,8 @@ class Storage {
 
     /// Whether the list must hold the order of arrival at each texel (define LDM_ARRIVALS).
     virtual bool needs_arrivals() const { return false; }
-    /// Bits of a depth that are kept; with less than 16, depths stand for the middle of what is rounded to them
-    /// (shaders/passes/ldm/packed_depth.glsl), and equal ones of a texel for one.
+    /// Bits of a depth that are kept; with less than 16, depths stand for the middle of what is rounded to
+    /// them (shaders/passes/ldm/packed_depth.glsl), and equal ones of a texel for one.
     virtual int depth_bits() const { return 16; }
     /// Empties the maps of a batch.
     virtual void begin_batch(const graph::PassContext& context) const = 0;

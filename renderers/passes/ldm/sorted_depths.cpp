@@ -1,0 +1,81 @@
+#include "renderers/passes/ldm/sorted_depths.h"
+
+namespace ir::passes::ldm {
+
+using graph::FieldType;
+
+graph::BufferRef declare_deep_texels(graph::GraphBuilder& builder, const Layout& layout) {
+    return builder.buffer(
+        {.text = {.key = "ldm.deep_texels",
+                  .label = "Deep texels of a chunk",
+                  .doc = "Texels with more than 16 layers, of the chunk that was built last.",
+                  .semantic = Semantic::id},
+         .fields = {{"texel", FieldType::u32}},
+         .elements = layout.chunk_maps * layout.map_texels()});
+}
+
+SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& layout) {
+    const std::string lower = "directions or resolution";
+    SortedDepths sorted;
+    sorted.depths = builder.buffer({.text = {.key = "ldm.depths",
+                                             .label = "Depths",
+                                             .doc = "Sorted depths in quanta, texel by texel; two per word.",
+                                             .semantic = Semantic::depth},
+                                    .fields = {{"pair", FieldType::u32}},
+                                    .elements = layout.batch_maps * layout.map_texels() * expected_layers / 2,
+                                    .growable = true,
+                                    .lower = lower});
+    sorted.unsorted =
+        builder.buffer({.text = {.key = "ldm.unsorted",
+                                 .label = "Depths of a chunk",
+                                 .doc = "Depths of the chunk that was built last, texel by texel.",
+                                 .semantic = Semantic::depth},
+                        .fields = {{"depth", FieldType::u32}},
+                        .elements = layout.chunk_maps * layout.map_texels() * expected_layers,
+                        .growable = true,
+                        .lower = lower});
+    sorted.deep_texels = declare_deep_texels(builder, layout);
+    sorted.words_asked = builder.counter({.key = "ldm.depth_words",
+                                          .label = "Words of depths",
+                                          .doc = "Of the largest batch of maps.",
+                                          .growth_of = sorted.depths});
+    sorted.unsorted_asked = builder.counter(
+        {.key = "ldm.chunk_depths", .label = "Depths of the largest chunk", .growth_of = sorted.unsorted});
+    sorted.most_layers = builder.counter({.key = "ldm.max_layers",
+                                          .label = "Most layers",
+                                          .doc = "Length of the longest sequence of depths."});
+    return sorted;
+}
+
+void SortedDepths::bind(const graph::PassContext& context) const {
+    context.bind_buffer(7, deep_texels);
+    context.bind_buffer(8, unsorted);
+    context.bind_counter(9, words_asked);
+    context.bind_counter(11, unsorted_asked);
+    context.bind_counter(12, most_layers);
+}
+
+void SortedDepths::scatter_and_sort(const graph::PassContext& context, const FragmentList& list,
+                                    const Chunk& chunk, const Layout& layout,
+                                    const std::map<std::string, std::string>& defines) const {
+    const auto use = [&](const char* file) -> const gl::Program& {
+        const auto& program = context.program({{file}, defines});
+        program.use();
+        program.set("row_count", static_cast<unsigned>(chunk.maps * layout.resolution));
+        program.set("resolution", static_cast<unsigned>(layout.resolution));
+        return program;
+    };
+    use("passes/ldm/array_scatter.comp");
+    dispatch_indirect(context, list.state, fragment_groups_word);
+    context.barrier();
+    use("passes/ldm/array_sort.comp").dispatch(chunk.maps * static_cast<std::int64_t>(layout.map_texels()));
+    context.barrier();
+    use("passes/ldm/array_sort_deep.comp");
+    dispatch_indirect(context, list.state, deep_groups_word);
+    context.barrier();
+    use("passes/ldm/array_sort_deepest.comp");
+    dispatch_indirect(context, list.state, deepest_groups_word);
+    context.barrier();
+}
+
+}  // namespace ir::passes::ldm

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "renderers/passes/ldm/storage.h"
+
+namespace ir::passes::ldm {
+
+/// "ldm.deep_texels": texels of a chunk with more layers than one invocation sorts in registers.
+graph::BufferRef declare_deep_texels(graph::GraphBuilder& builder, const Layout& layout);
+
+/// Depths of a batch one after another, sorted at each texel: what contiguous storages share, however they
+/// keep where a texel's depths begin.
+struct SortedDepths {
+    graph::BufferRef depths;    ///< "ldm.depths": 16 bits each, two per word
+    graph::BufferRef unsorted;  ///< "ldm.unsorted": of the chunk that was built last
+    graph::BufferRef deep_texels;
+    graph::CounterRef words_asked, unsorted_asked, most_layers;
+
+    /// Binding points 7 to 9, 11 and 12, as shaders/passes/ldm/array_builder.glsl and array_bases.comp name
+    /// them.
+    void bind(const graph::PassContext& context) const;
+    /// Once the chunk's "ldm.counts" say where each texel begins: puts its fragments there, and sorts them.
+    void scatter_and_sort(const graph::PassContext& context, const FragmentList& list, const Chunk& chunk,
+                          const Layout& layout, const std::map<std::string, std::string>& defines = {}) const;
+};
+
+SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& layout);
+
+}  // namespace ir::passes::ldm
