@@ -65,8 +65,9 @@ Json json_of(const ParameterDescription& p) {
     for (const auto& choice : p.choices) {
         const bool supported = p.supported.empty() || std::find(p.supported.begin(), p.supported.end(),
                                                                 choice.key) != p.supported.end();
-        if (supported)
-            json["choices"].push_back({{"key", choice.key}, {"label", choice.label}, {"doc", choice.doc}});
+        if (!supported) continue;
+        json["choices"].push_back({{"key", choice.key}, {"label", choice.label}, {"doc", choice.doc}});
+        if (choice.effect == Effect::cost) json["choices"].back()["effect"] = "cost";
     }
     json["doc"] = p.doc;
     if (!p.citation.empty()) json["citation"] = p.citation;

@@ -25,6 +25,8 @@ enum class OnChange { nothing, reset_history, reallocate, recompile };
 
 struct Choice {
     std::string key, label, doc;
+    /// cost: one of several ways to the same picture, though other choices of the parameter change it.
+    Effect effect = Effect::image;
 };
 
 /// Closed interval of a numeric parameter; infinite where not given.

@@ -47,15 +47,13 @@ ResourceReport described(const ResourceText& text, const MethodDescription& meth
     return report;
 }
 
-/// One line for each counter that is called "….dropped" and is not 0: such a counter says that the picture
-/// lacks something, which a number in a list would say too softly.
-std::vector<std::string> what_was_dropped(const GraphBuilder& builder,
-                                          const std::map<std::string, double>& counts) {
-    const std::string_view ending = ".dropped";
+/// One line for each counter of losses that is not 0.
+std::vector<std::string> what_was_lost(const GraphBuilder& builder,
+                                       const std::map<std::string, double>& counts) {
     std::vector<std::string> lines;
     for (const auto& counter : builder.counters()) {
         const auto found = counts.find(counter.key);
-        if (!counter.key.ends_with(ending) || found == counts.end() || found->second == 0) continue;
+        if (!counter.is_loss || found == counts.end() || found->second == 0) continue;
         lines.push_back(counter.label + ": " + std::to_string(static_cast<std::uint64_t>(found->second)) +
                         ". " + counter.doc);
     }
@@ -145,7 +143,7 @@ void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
             report.messages.push_back({severity, description.id, text});
     };
     for (const auto& note : notes) say(Severity::note, note);
-    for (const auto& lost : what_was_dropped(*builder, report.counters)) say(Severity::warning, lost);
+    for (const auto& lost : what_was_lost(*builder, report.counters)) say(Severity::warning, lost);
     for (const auto& warning : warnings) say(Severity::warning, warning);
     for (auto& message : device.take_messages()) report.messages.push_back(std::move(message));
 }

@@ -81,6 +81,9 @@ struct ObjectDesc {
 struct CounterDesc {
     std::string key, label, doc = {};
     BufferRef growth_of = {};
+    /// Counts what the picture lacks: where it is not 0 the frame warns with the label, the number and the
+    /// doc, which says what to do.
+    bool is_loss = false;
 };
 
 }  // namespace ir::graph

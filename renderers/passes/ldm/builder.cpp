@@ -89,7 +89,8 @@ void declare_counters(graph::GraphBuilder& builder, Maps& maps) {
                     ? "Beyond the fixed layers of a texel: hits are missing from the picture. Raise "
                       "fixed_layers, "
                       "or choose a storage without such a limit."
-                    : "Beyond 60,000 layers at one texel: hits are missing from the picture."});
+                    : "Beyond 60,000 layers at one texel: hits are missing from the picture.",
+         .is_loss = true});
     maps.texels = builder.counter({.key = "ldm.texels", .label = "Texels", .doc = "Of all maps."});
     // A counter has 32 bits, which the bytes of all maps may exceed: each batch has its own, and the report
     // adds up those of one key.

@@ -34,22 +34,27 @@ void add_maps(ParameterTable<MapParameters>& table) {
              .citation = "Aalund15 §2.1",
              .choices =
                  {{"linked-lists", "Linked lists",
-                   "Pre-sorted per-pixel singly linked lists, as published: 8 bytes per fragment."},
+                   "Pre-sorted per-pixel singly linked lists, as published: 8 bytes per fragment.",
+                   Effect::cost},
                   {"arrays", "Arrays",
                    "Contiguous sorted arrays (count, prefix sum, scatter, sort): 2 bytes per fragment. The "
-                   "default: smaller and, measured on a software rasteriser, faster than lists."},
+                   "default: smaller and, measured on a software rasteriser, faster than lists.",
+                   Effect::cost},
                   {"sparse-arrays", "Sparsity-aware arrays",
                    "Contiguous sorted arrays whose offsets are kept, and summed, for texels with fragments "
-                   "alone (S-buffer)."},
+                   "alone (S-buffer).",
+                   Effect::cost},
                   {"packed-arrays", "Packed arrays",
                    "Contiguous sorted arrays of 11-bit depths and one byte of offsets per texel: the least "
                    "memory, 1.5 bytes per fragment on Sponza. Depths are rounded to 32 quanta (1/2044 of the "
                    "scene), so that hits move by up to 16; entries equal after that are one; self-hit "
                    "tolerances are at least 17 quanta."},
                   {"lists-then-sort", "Linked lists, sorted after",
-                   "Per-pixel singly linked lists in order of arrival, and a pass that sorts them."},
+                   "Per-pixel singly linked lists in order of arrival, and a pass that sorts them.",
+                   Effect::cost},
                   {"pages", "Linked pages",
-                   "Paged per-pixel singly linked lists: several depths per node, sorted after."},
+                   "Paged per-pixel singly linked lists: several depths per node, sorted after.",
+                   Effect::cost},
                   {"fixed-arrays", "Fixed arrays, sorted after",
                    "A fixed number of layers per texel; those that arrive after it is full are dropped and "
                    "counted. "
@@ -58,10 +63,12 @@ void add_maps(ParameterTable<MapParameters>& table) {
                    "A fixed number of layers per texel, sorted while they arrive: the nearest ones along the "
                    "map's direction stay, the others are dropped and counted."},
                   {"hash", "Hash table",
-                   "One table for all texels, entries found by hashing texel and age (HA-buffer)."},
+                   "One table for all texels, entries found by hashing texel and age (HA-buffer).",
+                   Effect::cost},
                   {"depth-peeling", "Depth peeling",
                    "Layer by layer, each the nearest beyond the one before: slow and exact, what the others "
-                   "are tested against."}},
+                   "are tested against.",
+                   Effect::cost}},
              .on_change = OnChange::reallocate})
         .add(&MapParameters::fixed_layers,
              {.key = "fixed_layers",

@@ -177,19 +177,17 @@ bool same_outputs(const Frame& a, const Frame& b) {
     return a.buffers == b.buffers;
 }
 
-/// Whether no two frames are the same; of choices, whether none is the same as all others: some are ways to
-/// the same picture (storages without a limit), and differ only from those that are not.
-bool tell_apart(const std::vector<Frame>& frames, bool choices) {
-    const auto differs = [&](const Frame& one) {
-        const auto others = frames.size() - 1;
-        const auto different = static_cast<std::size_t>(std::count_if(
-            frames.begin(), frames.end(), [&](const Frame& other) { return !same_outputs(one, other); }));
-        return choices ? different > 0 : different == others;
-    };
-    return std::all_of(frames.begin(), frames.end(), differs);
+/// Mean absolute difference that a cost parameter may make: builders may differ in single fragments.
+constexpr double cost_tolerance = 1e-3;
+
+/// Whether the choice gives the same picture as others of its parameter.
+bool is_way_to_the_same(const ParameterDescription& p, const Value& value) {
+    return std::any_of(p.choices.begin(), p.choices.end(), [&](const Choice& choice) {
+        return choice.effect == Effect::cost && value == Value(choice.key);
+    });
 }
 
-/// Whether the parameter's values give different outputs somewhere.
+/// Whether the parameter's values give different outputs somewhere, and those that should not do not.
 bool changes_outputs(const graph::Method& method, const ParameterDescription& p) {
     const auto quick = quick_settings(method.description);
     for (const bool middle : {false, true}) {
@@ -198,11 +196,21 @@ bool changes_outputs(const graph::Method& method, const ParameterDescription& p)
         for (const auto& scene : scenes) {
             const Shot run{.scene = scene, .frames = middle ? 2 : 1};
             std::vector<Frame> frames;
+            std::vector<bool> same_picture;
+            bool all_differ = true;
             for (const auto& value : tried_values(p)) {
                 settings[p.key] = value;
                 frames.push_back(render(method, settings, run));
+                same_picture.push_back(is_way_to_the_same(p, value));
+                for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+                    if (same_picture[i] && same_picture.back())
+                        EXPECT_LT(difference(frames[i], frames.back()), cost_tolerance)
+                            << p.key << " = " << to_string(value) << " on " << scene;
+                    else
+                        all_differ = all_differ && !same_outputs(frames[i], frames.back());
+                }
             }
-            if (tell_apart(frames, p.type == ParameterType::choice)) return true;
+            if (all_differ) return true;
         }
     }
     return false;
@@ -223,9 +231,6 @@ std::string costs(const FrameReport& report) {
     for (const auto& resource : report.resources) text += ";" + resource.key + std::to_string(resource.bytes);
     return text;
 }
-
-/// Mean absolute difference that a cost parameter may make: builders may differ in single fragments.
-constexpr double cost_tolerance = 1e-3;
 
 TEST_P(EveryMethod, EveryCostParameterChangesOnlyCosts) {
     for (const auto& p : description().parameters) {
