@@ -4,7 +4,6 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/scene/light_data.h"
-#include "renderers/passes/shadow/shadow_maps.h"
 
 namespace ir::passes {
 namespace {
@@ -77,7 +76,7 @@ DirectLight direct_light(GraphBuilder& builder, const SceneBuffers& scene, const
     desc.text = {"direct.radiance",  "Direct light", "Reflected towards the eye; emission is left out",
                  Semantic::radiance, "W/(m² sr)",    {}};
     desc.format = gl::Format::rgba32f;
-    const DirectLight result{builder.image(desc), shadow.maps};
+    const DirectLight result{builder.image(desc), shadow};
     const Inputs in{scene, gbuffer, shadow, options};
     builder.pass("direct light")
         .reads(scene.materials, scene.lights, shadow.views, shadow.maps, gbuffer.position, gbuffer.normal,

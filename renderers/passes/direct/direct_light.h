@@ -3,15 +3,16 @@
 #include "renderers/core/transport.h"
 #include "renderers/graph/builder.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
+#include "renderers/passes/shadow/shadow_maps.h"
 
 namespace ir::passes {
 
 /// Direct light of the scene's point, spot and directional lights with shadow maps.
 struct DirectLight {
-    graph::ImageRef radiance;     ///< "direct.radiance" rgba32f: reflected towards the eye, no emission;
-                                  ///< unlit materials show their base colour
-    graph::ImageRef shadow_maps;  ///< "shadow.maps" depth32f stack: one layer per directional light or spot,
-                                  ///< six per point light and per spot wider than 70 degrees about its axis
+    graph::ImageRef radiance;  ///< "direct.radiance" rgba32f: reflected towards the eye, no emission;
+                               ///< unlit materials show their base colour
+    ShadowMaps shadow;         ///< one layer per directional light or spot, six per point light and per spot
+                               ///< wider than 70 degrees about its axis
 };
 
 struct DirectLightOptions {

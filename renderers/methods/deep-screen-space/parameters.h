@@ -1,0 +1,54 @@
+#pragma once
+
+#include "renderers/core/transport.h"
+#include "renderers/passes/bounce/directions.h"
+#include "renderers/passes/bounce/reconstruction.h"
+#include "renderers/passes/bounce/reprojection.h"
+
+namespace ir::methods::deep_screen_space {
+
+/// random: [Nalbach15 §4.3]; barycentric: the tessellator's own pattern, without thinning [Nalbach14].
+enum class Placement { random, barycentric };
+enum class Discard { mended, printed };
+enum class Backs { lit, black };
+enum class Shells { full_discs, shells };
+enum class Influence { constant, estimated };
+
+/// Groups stand in the order of the pipeline; each is described in the file that is named beside it.
+struct Parameters {
+    // parameters.cpp
+    bool visibility = true;  ///< by bounced z-buffer; else additive, as published in 2014
+    Transport transport{.max_distance = 1};
+    passes::bounce::DirectionParameters directions;
+    passes::bounce::ReconstructionParameters reconstruction;
+    passes::ReprojectionParameters reprojection;
+    float ambient = 0.5f;
+
+    // surfels/parameters.cpp
+    float surfel_radius = 1.5f;  ///< pixels: of the ideal surfel, seen face on
+    Placement placement = Placement::random;
+    float fine_area = 0.5f;  ///< part of the ideal area that fine surfels aim at
+    bool thinning = true;
+    Discard discard = Discard::mended;
+    Backs backs = Backs::lit;
+    bool glossy_senders = true;
+    bool frustum_culling = true;
+    float reserve = 4;  ///< surfels per pixel that memory is reserved for at first
+
+    // splatting/parameters.cpp
+    int levels = 5;          ///< l_max
+    float shell_radius = 0;  ///< m: d, of the first shell; counts where there is no maximum distance. 0: 1/64
+                             ///< of the diagonal of the scene's bounds
+    Shells shells = Shells::full_discs;
+    float coverage = 3;  ///< area of a disc that rays are tested against, in areas of its surfel
+    bool splat_culling = true;
+    Influence influence = Influence::estimated;  ///< without visibility
+    float trade_off = 0.01f;                     ///< ε
+};
+
+ParameterTable<Parameters> parameter_table();
+
+void add_surfel_parameters(ParameterTable<Parameters>& table);
+void add_splatting_parameters(ParameterTable<Parameters>& table);
+
+}  // namespace ir::methods::deep_screen_space

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "renderers/core/transport.h"
+#include "renderers/graph/builder.h"
+#include "renderers/passes/gbuffer/gbuffer.h"
+
+/// The bounced z-buffer: every sample of a pixel asks for the first surface along one direction of its own,
+/// and whatever is splatted onto the pixel competes there by distance. [Nalbach15 §3]
+namespace ir::passes::bounce {
+
+/// How directions of ambient occlusion are spread over the hemisphere; light is always sampled by BRDF times
+/// cosine.
+enum class Distribution { uniform, cosine };
+
+/// What every method with a bounced z-buffer lets people choose of its directions.
+struct DirectionParameters {
+    int samples = 4;  ///< per pixel, 1 … 16
+    Distribution distribution = Distribution::uniform;
+    float least_roughness = 0.05f;  ///< smoother receivers are taken for this rough
+};
+/// `active_when` holds for `samples`; the other two are active where `paths` makes them count.
+ParameterTable<DirectionParameters> direction_parameters(const Condition& active_when);
+
+struct DirectionOptions {
+    DirectionParameters parameters;
+    bool light = false;  ///< by BRDF times cosine in place of `distribution`
+    Transport::Materials materials = Transport::Materials::gltf;
+    bool vary = false;  ///< other directions in each frame, for what averages over frames
+};
+
+/// The direction buffer. [Nalbach15 §3.1]
+struct Directions {
+    graph::ImageRef directions;  ///< "bounce.directions" rgba32f stack, a layer per sample: xyz unit ω_p,
+                                 ///< world space; w its density α_p, 1/sr; 0: the pixel has no such sample
+    int samples = 0;
+    DirectionOptions options;
+};
+
+/// Declares the pass "directions". The same seed gives the same directions.
+Directions directions(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
+                      const DirectionOptions& options);
+
+std::vector<OutputDescription> direction_outputs(const Condition& active_when);
+
+}  // namespace ir::passes::bounce

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "renderers/passes/blur/blur.h"
+#include "renderers/passes/bounce/samples.h"
+
+namespace ir::passes::bounce {
+
+/// published: Σ w f L cos/α over Σ w [Nalbach15 §3.3]; ratio: Σ w V cos/α over Σ w cos/α, ambient occlusion
+/// only.
+enum class Estimator { ratio, published };
+
+struct ReconstructionParameters {
+    Estimator estimator = Estimator::ratio;
+    BlurParameters blur{.blur_radius = 3};
+    float material_tolerance = 0.1f;  ///< difference of roughness or metalness at which weights are 1/e
+};
+ParameterTable<ReconstructionParameters> reconstruction_parameters();
+
+/// Declares the pass "reconstruction" and the image that `text` describes, of the view's size: accessibility
+/// (r32f, background 1) or, where directions are of light, the radiance that the receiver reflects of what
+/// its samples and its neighbours' met (rgba32f, W/(m² sr), background 0).
+///
+/// f_r and ⟨n, ω⟩ are taken once per sample with the receiving pixel's own surface, so that textures and
+/// bumps survive; weights are those of passes::blur (the same code) times a Gaussian of materials'
+/// differences. [Nalbach15 §3.3]
+graph::ImageRef reconstruct(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
+                            const Directions& directions, const Samples& samples,
+                            const ReconstructionParameters& parameters, graph::ResourceText text);
+
+/// "bounce.explain.rays": the picked pixel's own samples as lines from the pixel's point to what they met,
+/// with density, distance, what came in and what it adds to the pixel.
+void explain_rays(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
+                  const Directions& directions, const Samples& samples,
+                  const ReconstructionParameters& parameters);
+std::vector<OutputDescription> reconstruction_outputs(const Condition& active_when);
+
+}  // namespace ir::passes::bounce

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "renderers/passes/bounce/directions.h"
+
+namespace ir::passes::bounce {
+
+/// What the rays of the direction buffer met after everything was splatted; layers as "bounce.directions".
+struct Samples {
+    graph::ImageRef
+        distance;  ///< "bounce.distance" r32f stack, m: |x_p − y| of the nearest hit; negative: no hit
+    graph::ImageRef incoming;  ///< "bounce.incoming" stack. Ambient occlusion: r32f, V (1 open). Light:
+                               ///< rgba32f, RGB L_in towards x_p in W/(m² sr), 0 without a hit
+};
+
+/// The two stacks' descriptions, for methods that write them: `declare_distance` alone, and `incoming` made
+/// of it by `visibility_of`, serve ambient occlusion.
+graph::ImageRef declare_distance(graph::GraphBuilder& builder, int samples);
+graph::ImageRef declare_incoming_light(graph::GraphBuilder& builder, int samples);
+
+/// Declares "bounce.incoming" for ambient occlusion and the pass "visibility": 1 without a hit and from
+/// `transport.max_distance` on (0: no limit), below it as `transport.falloff` says.
+graph::ImageRef visibility_of(graph::GraphBuilder& builder, graph::ImageRef distance, int samples,
+                              const Transport& transport);
+
+std::vector<OutputDescription> sample_outputs(const Condition& active_when);
+
+}  // namespace ir::passes::bounce
