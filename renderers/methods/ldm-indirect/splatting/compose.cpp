@@ -2,7 +2,7 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-indirect/splatting/outputs.h"
-#include "renderers/passes/direct/direct_light.h"
+#include "renderers/passes/direct/compose.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -17,14 +17,6 @@ struct Parts {
     bool splatted, unlit, emission, lambert;
     glm::vec3 background;
 };
-
-glm::vec3 background_of(graph::GraphBuilder& builder, const Parameters& parameters) {
-    if (parameters.transport.paths != Paths::full || !parameters.transport.environment_light) return {};
-    const auto& environment = builder.inputs().scene->environment;
-    if (!environment.map) return environment.constant;
-    builder.note("the environment map is not drawn behind the scene: only constant environments are");
-    return {};
-}
 
 std::optional<passes::DirectLight> direct_of(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                                              const passes::GBuffer& gbuffer, const Parameters& parameters) {
@@ -74,7 +66,7 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
                 .unlit = paths != Paths::indirect && by_photons,
                 .emission = paths == Paths::full,
                 .lambert = parameters.transport.materials == Transport::Materials::lambert,
-                .background = background_of(builder, parameters)};
+                .background = passes::visible_environment(builder, parameters.transport)};
     const auto radiance = output_image(builder, "radiance"),
                indirect = output_image(builder, "indirect.radiance");
     auto pass = builder.pass("compose");

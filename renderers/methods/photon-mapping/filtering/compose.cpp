@@ -1,7 +1,7 @@
 #include <optional>
 
 #include "renderers/methods/photon-mapping/filtering/stages.h"
-#include "renderers/passes/direct/direct_light.h"
+#include "renderers/passes/direct/compose.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -57,14 +57,6 @@ void show(graph::GraphBuilder& builder, const Inputs& in, graph::ImageRef result
     });
 }
 
-glm::vec3 seen_environment(graph::GraphBuilder& builder, const Parameters& parameters) {
-    if (parameters.transport.paths != Paths::full || !parameters.transport.environment_light) return {};
-    const auto& environment = builder.inputs().scene->environment;
-    if (!environment.map) return environment.constant;
-    builder.note("the environment map is not drawn behind the scene: only constant environments are");
-    return {};
-}
-
 void set_view(const gl::Program& program, const scene::View& view) {
     const bool orthographic = view.clip_from_view[3][3] != 0;
     const auto axis = -glm::vec3(glm::transpose(view.view_from_world)[2]);
@@ -116,7 +108,7 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
              const Filtered& filtered, const Parameters& parameters) {
     const auto paths = parameters.transport.paths;
     Inputs in{scene, gbuffer, filtered, {}, parameters, paths != Paths::direct, paths == Paths::full};
-    in.background = seen_environment(builder, parameters);
+    in.background = passes::visible_environment(builder, parameters.transport);
     if (paths != Paths::indirect)
         in.direct =
             passes::direct_light(builder, scene, gbuffer, {.materials = parameters.transport.materials});

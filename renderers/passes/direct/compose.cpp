@@ -1,0 +1,82 @@
+#include "renderers/passes/direct/compose.h"
+
+#include <optional>
+#include <stdexcept>
+
+#include "renderers/graph/output_text.h"
+#include "renderers/graph/pass_context.h"
+
+namespace ir::passes {
+namespace {
+
+using Paths = Transport::Paths;
+
+/// What the picture is made of; what the paths leave out is none.
+struct Parts {
+    graph::ImageRef geometric_normal;
+    std::optional<graph::ImageRef> indirect, direct, emission;
+    glm::vec3 background{0};
+};
+
+/// Calls `use(texture unit, name of its define, image)` for each part that there is.
+template <class Use>
+void for_each_part(const Parts& parts, Use use) {
+    if (parts.indirect) use(1, "INDIRECT", *parts.indirect);
+    if (parts.direct) use(2, "DIRECT", *parts.direct);
+    if (parts.emission) use(3, "EMISSION", *parts.emission);
+}
+
+void add_up(const graph::PassContext& context, const Parts& parts, graph::ImageRef radiance) {
+    gl::ProgramSource source{{"passes/direct/compose.comp"}};
+    for_each_part(parts, [&](int, const char* define, graph::ImageRef) { source.defines[define] = "1"; });
+    const auto& program = context.program(source);
+    program.use();
+    context.bind_texture(0, parts.geometric_normal);
+    for_each_part(parts,
+                  [&](int unit, const char*, graph::ImageRef image) { context.bind_texture(unit, image); });
+    context.bind_storage_image(0, radiance);
+    program.set("background", parts.background);
+    const auto shape = context.shape(radiance);
+    program.dispatch(shape.width, shape.height);
+}
+
+}  // namespace
+
+OutputDescription radiance_output(const Condition& active_when) {
+    return {.key = "radiance",
+            .label = "Radiance",
+            .semantic = Semantic::radiance,
+            .unit = "W/(m² sr)",
+            .doc = "Towards the eye: emission, direct light and indirect light, as the paths say.",
+            .active_when = active_when};
+}
+
+graph::ImageRef compose_light(graph::GraphBuilder& builder, const GBuffer& gbuffer, const DirectLight& direct,
+                              graph::ImageRef indirect, const Transport& transport) {
+    const auto paths = transport.paths;
+    if (paths == Paths::ao) throw std::logic_error("compose_light: ambient occlusion is no radiance");
+    Parts parts{.geometric_normal = gbuffer.geometric_normal,
+                .background = visible_environment(builder, transport)};
+    if (paths != Paths::direct) parts.indirect = indirect;
+    if (paths != Paths::indirect) parts.direct = direct.radiance;
+    if (paths == Paths::full) parts.emission = gbuffer.emission;
+    graph::ImageDesc desc;
+    desc.text = graph::text_of({radiance_output()}, "radiance");
+    desc.format = gl::Format::rgba32f;
+    const auto radiance = builder.image(std::move(desc));
+    auto pass = builder.pass("compose");
+    pass.reads(parts.geometric_normal);
+    for_each_part(parts, [&](int, const char*, graph::ImageRef image) { pass.reads(image); });
+    pass.writes(radiance).execute([=](graph::PassContext& p) { add_up(p, parts, radiance); });
+    return radiance;
+}
+
+glm::vec3 visible_environment(graph::GraphBuilder& builder, const Transport& transport) {
+    if (transport.paths != Paths::full || !transport.environment_light) return {};
+    const auto& environment = builder.inputs().scene->environment;
+    if (!environment.map) return environment.constant;
+    builder.note("the environment map is not drawn behind the scene: only constant environments are");
+    return {};
+}
+
+}  // namespace ir::passes
