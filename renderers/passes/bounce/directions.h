@@ -12,14 +12,24 @@ namespace ir::passes::bounce {
 /// cosine.
 enum class Distribution { uniform, cosine };
 
+/// stratified: the samples of a pixel, and of its frames, are spread evenly; independent: each for itself.
+enum class Spread { stratified, independent };
+
+inline constexpr int max_samples = 16;
+
 /// What every method with a bounced z-buffer lets people choose of its directions.
 struct DirectionParameters {
-    int samples = 4;  ///< per pixel, 1 … 16
+    int samples = 4;  ///< per pixel, 1 … max_samples
+    Spread spread = Spread::stratified;
     Distribution distribution = Distribution::uniform;
     float least_roughness = 0.05f;  ///< smoother receivers are taken for this rough
 };
-/// `active_when` holds for `samples`; the other two are active where `paths` makes them count.
-ParameterTable<DirectionParameters> direction_parameters(const Condition& active_when);
+
+/// What a method computes: without light it has no parameters that only light needs.
+enum class Effects { ambient_occlusion, light };
+
+/// `active_when` holds for `samples` and `spread`; the others are active where `paths` makes them count.
+ParameterTable<DirectionParameters> direction_parameters(const Condition& active_when, Effects effects);
 
 struct DirectionOptions {
     DirectionParameters parameters;
@@ -30,8 +40,11 @@ struct DirectionOptions {
 
 /// The direction buffer. [Nalbach15 §3.1]
 struct Directions {
-    graph::ImageRef directions;  ///< "bounce.directions" rgba32f stack, a layer per sample: xyz unit ω_p,
-                                 ///< world space; w its density α_p, 1/sr; 0: the pixel has no such sample
+    /// "bounce.directions" rgba32f stack, a layer per sample: xyz unit ω_p, world space; w its density α_p,
+    /// 1/sr. All 0: nothing comes from there: background, unlit receivers of light, and directions of light
+    /// that left the surface on no side. Those of ambient occlusion may point below the triangle's plane,
+    /// where all is closed, as in the reference.
+    graph::ImageRef directions;
     int samples = 0;
     DirectionOptions options;
 };

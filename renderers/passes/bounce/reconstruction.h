@@ -14,7 +14,8 @@ struct ReconstructionParameters {
     BlurParameters blur{.blur_radius = 3};
     float material_tolerance = 0.1f;  ///< difference of roughness or metalness at which weights are 1/e
 };
-ParameterTable<ReconstructionParameters> reconstruction_parameters();
+/// `material_tolerance` and, where there is a choice, `estimator` are active where `paths` makes them count.
+ParameterTable<ReconstructionParameters> reconstruction_parameters(Effects effects);
 
 /// Declares the pass "reconstruction" and the image that `text` describes, of the view's size: accessibility
 /// (r32f, background 1) or, where directions are of light, the radiance that the receiver reflects of what

@@ -13,13 +13,16 @@ struct Samples {
 };
 
 /// The two stacks' descriptions, for methods that write them: `declare_distance` alone, and `incoming` made
-/// of it by `visibility_of`, serve ambient occlusion.
+/// of it by `visibility_of`, serve ambient occlusion. Writers leave negative distances and no light where
+/// there is no direction.
 graph::ImageRef declare_distance(graph::GraphBuilder& builder, int samples);
 graph::ImageRef declare_incoming_light(graph::GraphBuilder& builder, int samples);
 
 /// Declares "bounce.incoming" for ambient occlusion and the pass "visibility": 1 without a hit and from
-/// `transport.max_distance` on (0: no limit), below it as `transport.falloff` says.
-graph::ImageRef visibility_of(graph::GraphBuilder& builder, graph::ImageRef distance, int samples,
+/// `transport.max_distance` on (0: no limit), below it as `transport.falloff` says. Directions below the
+/// triangle's plane are closed whatever was met. [Nalbach15 §3.2]
+graph::ImageRef visibility_of(graph::GraphBuilder& builder, const GBuffer& gbuffer,
+                              const Directions& directions, graph::ImageRef distance,
                               const Transport& transport);
 
 std::vector<OutputDescription> sample_outputs(const Condition& active_when);

@@ -1,0 +1,111 @@
+#include "renderers/passes/bounce/directions.h"
+
+#include "renderers/graph/output_text.h"
+#include "renderers/passes/bounce/receiver.h"
+
+namespace ir::passes::bounce {
+namespace {
+
+const Condition only_ao{"paths", {std::string("ao")}};
+const Condition only_indirect{"paths", {std::string("indirect"), std::string("full")}};
+
+gl::ProgramSource source_of(const Receivers& receivers) {
+    gl::ProgramSource source{{"passes/bounce/directions.comp"}};
+    receivers.define(source);
+    const auto& parameters = receivers.options.parameters;
+    source.defines["COSINE"] = parameters.distribution == Distribution::cosine ? "1" : "0";
+    source.defines["STRATIFIED"] = parameters.spread == Spread::stratified ? "1" : "0";
+    return source;
+}
+
+void add_choices(ParameterTable<DirectionParameters>& table, const Condition& active_when) {
+    table
+        .add(&DirectionParameters::samples,
+             {.key = "samples",
+              .label = "Samples",
+              .doc = "Directions per pixel, each of which asks for the nearest surface along it.",
+              .citation = "Nalbach15 §3.1",
+              .hard = {1, max_samples},
+              .soft = {1, max_samples},
+              .active_when = active_when})
+        .add(&DirectionParameters::spread,
+             {.key = "spread",
+              .label = "Spread of samples",
+              .doc = "How the directions of one pixel lie to each other. Each by itself is as likely as "
+                     "before.",
+              .citation = "Kollig02",
+              .choices = {{"stratified", "Stratified",
+                           "Spread evenly over the hemisphere or the lobes, over the frames, too: less "
+                           "noise."},
+                          {"independent", "Independent", "Each drawn by itself, as published."}},
+              .active_when = active_when})
+        .add(
+            &DirectionParameters::distribution,
+            {.key = "distribution",
+             .label = "Distribution of directions",
+             .doc = "Where the rays of ambient occlusion go. Light is always sampled by BRDF times cosine.",
+             .citation = "Nalbach15 §3.1",
+             .choices = {{"uniform", "Uniform", "Density 1/2π over the hemisphere, as published."},
+                         {"cosine", "Cosine",
+                          "Density cosθ/π: no ray is spent where it counts little, so there is less noise."}},
+             .active_when = only_ao});
+}
+
+}  // namespace
+
+ParameterTable<DirectionParameters> direction_parameters(const Condition& active_when, Effects effects) {
+    ParameterTable<DirectionParameters> table;
+    add_choices(table, active_when);
+    if (effects == Effects::ambient_occlusion) return table;
+    table.add(
+        &DirectionParameters::least_roughness,
+        {.key = "least_roughness",
+         .label = "Least roughness",
+         .doc = "Smoother receivers reflect as if they were this rough. A mirror's one direction has no "
+                "density, and what its neighbours met would be of no use to it.",
+         .hard = {0.032, 1},
+         .soft = {0.032, 0.5},
+         .active_when = only_indirect});
+    return table;
+}
+
+std::vector<OutputDescription> direction_outputs(const Condition& active_when) {
+    return {{.key = "bounce.directions",
+             .label = "Directions",
+             .kind = OutputKind::stack,
+             .semantic = Semantic::normal,
+             .doc = "The direction buffer, a layer per sample: where the pixel's ray goes (RGB, unit, world "
+                    "space) and with which density it was chosen (A, 1/sr). 0: no ray. Rays of ambient "
+                    "occlusion that point below the triangle's plane count as closed.",
+             .active_when = active_when}};
+}
+
+Directions directions(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
+                      const DirectionOptions& options) {
+    Directions result;
+    result.samples = options.parameters.samples;
+    result.options = options;
+    graph::ImageDesc desc;
+    desc.text = graph::text_of(direction_outputs({}), "bounce.directions");
+    desc.layers = result.samples;
+    result.directions = builder.image(std::move(desc));
+
+    const Receivers receivers{scene, gbuffer, options};
+    auto pass = builder.pass("directions");
+    receivers.declare_reads(pass);
+    pass.writes(result.directions);
+    execute_by_tiles(pass, builder, [=](graph::PassContext& context) -> const gl::Program& {
+        const auto& program = context.program(source_of(receivers));
+        const auto& inputs = context.inputs();
+        program.use();
+        receivers.bind(context, program);
+        context.bind_storage_image(0, result.directions);
+        program.set("seed_low", static_cast<unsigned>(inputs.seed));
+        program.set("seed_high", static_cast<unsigned>(inputs.seed >> 32));
+        program.set("frame", options.vary ? static_cast<unsigned>(inputs.frame) : 0u);
+        return program;
+    });
+    return result;
+}
+
+}  // namespace ir::passes::bounce

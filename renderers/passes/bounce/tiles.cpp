@@ -1,0 +1,34 @@
+#include "renderers/passes/bounce/tiles.h"
+
+#include <algorithm>
+
+namespace ir::passes::bounce {
+namespace {
+
+constexpr std::int64_t tile_side = 8;
+constexpr std::int64_t most_groups = 65535;  // of a dispatch, on every device
+
+std::int64_t tiles(std::int64_t pixels) {
+    return (pixels + tile_side - 1) / tile_side;
+}
+
+}  // namespace
+
+void execute_by_tiles(graph::PassBuilder& pass, const graph::GraphBuilder& builder,
+                      std::function<const gl::Program&(graph::PassContext&)> bind) {
+    const auto across = tiles(builder.inputs().view.width),
+               count = across * tiles(builder.inputs().view.height);
+    pass.execute_sliced(
+        count,
+        [=](graph::PassContext& context, graph::Slice slice) {
+            const auto& program = bind(context);
+            program.set("tiles_across", static_cast<int>(across));
+            for (auto first = slice.begin; first < slice.end; first += most_groups) {
+                program.set("first_tile", static_cast<int>(first));
+                program.dispatch(tile_side * std::min(most_groups, slice.end - first), tile_side);
+            }
+        },
+        std::max<std::int64_t>(1, count / 8));
+}
+
+}  // namespace ir::passes::bounce

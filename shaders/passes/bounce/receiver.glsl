@@ -1,0 +1,54 @@
+// What a pixel shows, as a receiver of light. With LIGHT 1 also how it scatters: MATERIALS as
+// Transport::Materials counts; renderers/passes/bounce/receiver.h binds.
+
+layout(binding = 0) uniform sampler2D position_texture;
+layout(binding = 1) uniform sampler2D normal_texture;
+layout(binding = 2) uniform sampler2D geometric_normal_texture;
+
+struct Receiver {
+    bool exists;
+    vec3 position, normal, geometric_normal;
+};
+
+/// Half floats are not quite of unit length; where they differ from the triangle's normal by rounding alone,
+/// they are the same, so that nothing of an open plane's hemisphere lies below it.
+vec3 shading_normal(vec3 stored, vec3 geometric_normal) {
+    float size = length(stored);
+    if (size < 0.5) return geometric_normal;
+    vec3 n = stored / size;
+    return dot(n, geometric_normal) > 1.0 - 1e-6 ? geometric_normal : n;
+}
+
+Receiver receiver_at(ivec2 pixel) {
+    vec3 geometric_normal = texelFetch(geometric_normal_texture, pixel, 0).xyz;
+    return Receiver(geometric_normal != vec3(0.0), texelFetch(position_texture, pixel, 0).xyz,
+                    shading_normal(texelFetch(normal_texture, pixel, 0).xyz, geometric_normal), geometric_normal);
+}
+
+#if LIGHT
+#include "lib/material.glsl"
+#include "lib/scattering.glsl"
+
+layout(binding = 3) uniform sampler2D albedo_texture;
+layout(binding = 4) uniform sampler2D material_texture;
+layout(std430, binding = 0) readonly buffer Materials { Material materials[]; };
+
+uniform vec3 eye_ws;
+uniform vec3 view_axis_ws;  // of an orthographic view; 0 for a perspective one
+uniform float least_roughness;
+
+bool is_unlit(vec4 material) { return material.z > 0.5; }
+
+vec3 viewer_of(Receiver receiver) {
+    return view_axis_ws == vec3(0.0) ? normalize(eye_ws - receiver.position) : -view_axis_ws;
+}
+
+// DEVIATION [Nalbach15 §3.1]: surfaces smoother than `least_roughness` are taken for this rough, here and where
+// they reflect, since a mirror's direction has no density and its neighbours' directions would be of no use to
+// it. The reference follows mirrors without counting them as a scattering.
+Scatterer scatterer_of(Receiver receiver, vec3 colour, vec4 material) {
+    int index = int(clamp(material.w + 0.5, 0.0, float(materials.length() - 1)));
+    return make_scatterer(receiver.normal, receiver.geometric_normal, colour, material.x,
+                          max(material.y, least_roughness), materials[index].ior, MATERIALS);
+}
+#endif
