@@ -2,6 +2,8 @@
 // the same way. See renderers/passes/blur/blur.h.
 layout(local_size_x = 8, local_size_y = 8) in;
 
+#include "passes/blur/weights.glsl"
+
 layout(binding = 0) uniform sampler2D image;
 layout(binding = 1) uniform sampler2D position_texture;
 layout(binding = 2) uniform sampler2D normal_texture;
@@ -9,34 +11,17 @@ layout(binding = 3) uniform sampler2D geometric_normal_texture;
 layout(binding = 0) uniform writeonly image2D result;
 
 uniform ivec2 axis;
-uniform int radius;  // pixels
-uniform float plane_tolerance, normal_power;
 
 struct Surface {
     bool exists;
-    vec3 position, normal, geometric_normal;
+    BlurSurface at;
 };
 
 Surface surface_at(ivec2 pixel) {
     vec3 geometric_normal = texelFetch(geometric_normal_texture, pixel, 0).xyz;
-    return Surface(geometric_normal != vec3(0.0), texelFetch(position_texture, pixel, 0).xyz,
-                   texelFetch(normal_texture, pixel, 0).xyz, geometric_normal);
-}
-
-/// Symmetric in both surfaces, and without units: a step as high as it is far away is one of 45 degrees at any
-/// scale.
-float off_plane(Surface a, Surface b) {
-    vec3 way = b.position - a.position;
-    float size = length(way);
-    if (size == 0.0) return 0.0;
-    return max(abs(dot(way, a.geometric_normal)), abs(dot(way, b.geometric_normal))) / size;
-}
-
-float weight_of(Surface a, Surface b, int offset) {
-    float sigma = 0.5 * float(radius), x = float(offset) / sigma;
-    float s = off_plane(a, b) / plane_tolerance;
-    float facing = normal_power > 0.0 ? pow(clamp(dot(a.normal, b.normal), 0.0, 1.0), normal_power) : 1.0;
-    return exp(-0.5 * x * x - s * s) * facing;
+    return Surface(geometric_normal != vec3(0.0),
+                   BlurSurface(texelFetch(position_texture, pixel, 0).xyz,
+                               texelFetch(normal_texture, pixel, 0).xyz, geometric_normal));
 }
 
 bool is_finite(vec4 v) {
@@ -62,7 +47,7 @@ void main() {
         Surface there = surface_at(place);
         vec4 value = texelFetch(image, place, 0);
         if (!there.exists || !is_finite(value)) continue;
-        float w = weight_of(here, there, i);
+        float w = blur_weight(here.at, there.at, vec2(i * axis));
         sum += w * (value - base);
         weights += w;
     }
