@@ -17,10 +17,12 @@ ParameterTable<Parameters> parameter_table() {
                   transport_parameters({.paths = {"ao", "indirect", "full"},
                                         .keys = {"max_distance", "falloff", "materials", "normal_maps",
                                                  "environment_light"}}));
-    table.include(&Parameters::directions, passes::bounce::direction_parameters({"visibility", {true}}));
+    table.include(&Parameters::directions, passes::bounce::direction_parameters(
+                                               {"visibility", {true}}, passes::bounce::Effects::light));
     add_surfel_parameters(table);
     add_splatting_parameters(table);
-    table.include(&Parameters::reconstruction, passes::bounce::reconstruction_parameters());
+    table.include(&Parameters::reconstruction,
+                  passes::bounce::reconstruction_parameters(passes::bounce::Effects::light));
     table.include(&Parameters::reprojection, passes::reprojection_parameters());
     table.add(&Parameters::ambient, passes::ambient_parameter());
     return table;
