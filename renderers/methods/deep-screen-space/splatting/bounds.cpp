@@ -1,0 +1,53 @@
+#include "renderers/methods/deep-screen-space/splatting/bounds.h"
+
+#include <bit>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/deep-screen-space/splatting/hierarchy_outputs.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, int levels) {
+    graph::ImageDesc desc;
+    desc.text = hierarchy_text(key);
+    desc.format = gl::Format::rgba32f;
+    desc.levels = levels;
+    return builder.image(std::move(desc));
+}
+
+void reduce(const graph::PassContext& p, const passes::GBuffer& gbuffer, const Hierarchy& hierarchy,
+            int level) {
+    gl::ProgramSource source{{"methods/deep-screen-space/splatting/bounds.comp"}};
+    if (level == 0) source.defines["FIRST"] = "1";
+    const auto& program = p.program(source);
+    program.use();
+    p.bind_storage_image(0, hierarchy.least, level);
+    p.bind_storage_image(1, hierarchy.most, level);
+    if (level == 0) {
+        p.bind_texture(0, gbuffer.position);
+    } else {
+        p.bind_storage_image(2, hierarchy.least, level - 1);
+        p.bind_storage_image(3, hierarchy.most, level - 1);
+    }
+    const auto shape = p.shape(hierarchy.least);
+    program.dispatch(shape.level_width(level), shape.level_height(level));
+    p.barrier();
+}
+
+}  // namespace
+
+void bound_positions(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, Hierarchy& hierarchy) {
+    const auto& view = builder.inputs().view;
+    const int levels = std::bit_width(static_cast<unsigned>(std::max(view.width, view.height)));
+    hierarchy.least = declare(builder, "hierarchy.least", levels);
+    hierarchy.most = declare(builder, "hierarchy.most", levels);
+    builder.pass("bounds of positions")
+        .reads(gbuffer.position)
+        .writes(hierarchy.least, hierarchy.most)
+        .execute([=](graph::PassContext& p) {
+            for (int level = 0; level < levels; ++level) reduce(p, gbuffer, hierarchy, level);
+        });
+}
+
+}  // namespace ir::methods::deep_screen_space

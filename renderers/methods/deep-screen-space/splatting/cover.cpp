@@ -1,0 +1,36 @@
+#include "renderers/methods/deep-screen-space/splatting/cover.h"
+
+#include "renderers/methods/deep-screen-space/splatting/hierarchy_outputs.h"
+
+namespace ir::methods::deep_screen_space {
+
+graph::ImageRef count_cover(graph::GraphBuilder& builder, const Splats& splats, const std::string& weight) {
+    graph::ImageDesc desc;
+    desc.text = hierarchy_text("splats.cover");
+    desc.format = gl::Format::rg32f;
+    desc.extent = graph::Extent::fixed(splats.hierarchy.width, splats.hierarchy.height);
+    desc.layers = splats.samples * splats.hierarchy.levels;
+    const auto cover = builder.image(std::move(desc));
+    gl::ProgramSource source{
+        {"methods/deep-screen-space/splatting/splat.vert", "methods/deep-screen-space/splatting/cover.frag"}};
+    if (!weight.empty()) source.defines["WEIGHT"] = weight;
+    auto uncounted = splats;
+    uncounted.drawn = uncounted.culled = {};
+    auto pass = builder.pass("count splats of places").writes(cover);
+    draw_splats(pass, uncounted,
+                [=](const graph::PassContext& p, const SplatLayer& layer) -> const gl::Program& {
+                    const int index = layer.sample * splats.hierarchy.levels + layer.level;
+                    if (layer.is_first && index == 0) p.clear(cover);
+                    p.bind_framebuffer({{cover, index}});
+                    const auto& program = p.program(source);
+                    program.use();
+                    bind_receivers(p, program, splats, layer);
+                    p.api().Enable(GL_BLEND);
+                    p.api().BlendEquation(GL_FUNC_ADD);
+                    p.api().BlendFunc(GL_ONE, GL_ONE);
+                    return program;
+                });
+    return cover;
+}
+
+}  // namespace ir::methods::deep_screen_space

@@ -1,0 +1,104 @@
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/deep-screen-space/splatting.h"
+#include "renderers/methods/deep-screen-space/splatting/bounds.h"
+#include "renderers/methods/deep-screen-space/splatting/hierarchy_outputs.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+const std::string folder = "methods/deep-screen-space/splatting/";
+
+unsigned folded(std::uint64_t seed) {
+    return static_cast<unsigned>(seed) ^ static_cast<unsigned>(seed >> 32);
+}
+
+int padded(int size, int levels) {
+    const int step = 1 << (levels - 1);
+    return (size + step - 1) / step * step;
+}
+
+graph::ImageRef declare(graph::GraphBuilder& builder, const Hierarchy& hierarchy, const std::string& key,
+                        gl::Format format, const std::string& fingerprint = {}) {
+    graph::ImageDesc desc;
+    desc.text = hierarchy_text(key);
+    desc.format = format;
+    desc.extent = graph::Extent::fixed(hierarchy.width, hierarchy.height);
+    desc.layers = hierarchy.levels;
+    desc.fingerprint = fingerprint;
+    return builder.image(std::move(desc));
+}
+
+void lay_out(graph::GraphBuilder& builder, Hierarchy& hierarchy) {
+    const auto& inputs = builder.inputs();
+    const glm::ivec2 view(inputs.view.width, inputs.view.height);
+    const auto fingerprint = std::to_string(view.x) + " x " + std::to_string(view.y) + ", " +
+                             std::to_string(hierarchy.levels) + " levels, seed " +
+                             std::to_string(inputs.seed);
+    const auto layout = hierarchy.layout =
+        declare(builder, hierarchy, "hierarchy.layout", gl::Format::r32ui, fingerprint);
+    const auto places = hierarchy.places =
+        declare(builder, hierarchy, "hierarchy.places", gl::Format::r32ui, fingerprint);
+    builder.pass("framebuffer layout").writes(layout, places).execute([=](graph::PassContext& p) {
+        const auto& program = p.program({{folder + "layout.comp"}});
+        program.use();
+        p.bind_storage_image(0, layout);
+        p.bind_storage_image(1, places);
+        program.set("seed", folded(p.inputs().seed));
+        program.set("view_size", view);
+        const auto shape = p.shape(places);
+        program.dispatch(shape.width, shape.height, shape.layers);
+    });
+}
+
+void shuffle_surfaces(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, Hierarchy& hierarchy) {
+    hierarchy.positions = declare(builder, hierarchy, "hierarchy.positions", gl::Format::rgba32f);
+    hierarchy.normals = declare(builder, hierarchy, "hierarchy.normals", gl::Format::rgba32f);
+    builder.pass("shuffle")
+        .reads(hierarchy.layout, gbuffer.position, gbuffer.normal)
+        .writes(hierarchy.positions, hierarchy.normals)
+        .execute([=](graph::PassContext& p) {
+            const auto& program = p.program({{folder + "shuffle.comp"}});
+            program.use();
+            p.bind_texture(0, hierarchy.layout);
+            p.bind_texture(1, gbuffer.position);
+            p.bind_texture(2, gbuffer.normal);
+            p.bind_storage_image(0, hierarchy.positions);
+            p.bind_storage_image(1, hierarchy.normals);
+            program.dispatch(hierarchy.width, hierarchy.height, hierarchy.levels);
+        });
+}
+
+/// Only for people: the colours of the picture, shuffled.
+void shuffle_colours(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
+                     const Hierarchy& hierarchy) {
+    const auto colours = declare(builder, hierarchy, "hierarchy.colours", gl::Format::rgba16f);
+    builder.pass("shuffle colours")
+        .reads(hierarchy.layout, gbuffer.albedo)
+        .writes(colours)
+        .execute([=](graph::PassContext& p) {
+            const auto& program = p.program({{folder + "shuffle_colours.comp"}});
+            program.use();
+            p.bind_texture(0, hierarchy.layout);
+            p.bind_texture(1, gbuffer.albedo);
+            p.bind_storage_image(0, colours);
+            program.dispatch(hierarchy.width, hierarchy.height, hierarchy.levels);
+        });
+}
+
+}  // namespace
+
+Hierarchy shuffle(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
+                  const Parameters& parameters) {
+    const auto& view = builder.inputs().view;
+    Hierarchy hierarchy;
+    hierarchy.levels = parameters.levels;
+    hierarchy.width = padded(view.width, parameters.levels);
+    hierarchy.height = padded(view.height, parameters.levels);
+    lay_out(builder, hierarchy);
+    shuffle_surfaces(builder, gbuffer, hierarchy);
+    shuffle_colours(builder, gbuffer, hierarchy);
+    bound_positions(builder, gbuffer, hierarchy);
+    return hierarchy;
+}
+
+}  // namespace ir::methods::deep_screen_space

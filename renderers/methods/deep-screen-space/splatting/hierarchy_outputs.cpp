@@ -1,0 +1,68 @@
+#include "renderers/methods/deep-screen-space/splatting/hierarchy_outputs.h"
+
+#include "renderers/graph/output_text.h"
+#include "renderers/methods/deep-screen-space/splatting.h"
+
+namespace ir::methods::deep_screen_space {
+
+std::vector<OutputDescription> hierarchy_outputs() {
+    return {
+        {.key = "hierarchy.colours",
+         .label = "Sub-images",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::albedo,
+         .doc = "The picture's base colours on each level of the hierarchical framebuffer: level l (a layer) "
+                "is 2^l × 2^l small pictures side by side, each with one pixel, at random, of every "
+                "neighbourhood of 2^l × 2^l. Black: padding and background."},
+        {.key = "hierarchy.layout",
+         .label = "Layout of the levels",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::id,
+         .doc = "Which pixel of the view stands at a place of a level: x + 65536 y; 4294967295 is padding. "
+                "A layer per level."},
+        {.key = "hierarchy.places",
+         .label = "Places on the levels",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::id,
+         .doc = "Where a pixel of the (padded) view stands on a level: x + 65536 y. A layer per level."},
+        {.key = "hierarchy.positions",
+         .label = "Shuffled positions",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::position,
+         .unit = "m",
+         .doc = "Positions of the view's surfaces at their places on each level; alpha 0: no surface."},
+        {.key = "hierarchy.normals",
+         .label = "Shuffled normals",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::normal,
+         .doc = "Shading normals of the view's surfaces at their places on each level."},
+        {.key = "hierarchy.least",
+         .label = "Least positions",
+         .kind = OutputKind::pyramid,
+         .semantic = Semantic::position,
+         .unit = "m",
+         .doc =
+             "Least x, y and z of all surfaces seen below a texel, on each mip level: with the greatest ones "
+             "the box that splats are culled against. 3e38: no surface."},
+        {.key = "hierarchy.most",
+         .label = "Greatest positions",
+         .kind = OutputKind::pyramid,
+         .semantic = Semantic::position,
+         .unit = "m",
+         .doc =
+             "Greatest x, y and z of all surfaces seen below a texel, on each mip level; -3e38: no surface."},
+        {.key = "splats.cover",
+         .label = "Splats of places",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::count,
+         .doc = "Red: how many splats cover a place of the hierarchical framebuffer, which is what is paid; "
+                "green: how many of them have its surface within reach. A layer for each sample and, within "
+                "it, level."},
+    };
+}
+
+graph::ResourceText hierarchy_text(const std::string& key) {
+    return graph::text_of(hierarchy_outputs(), key);
+}
+
+}  // namespace ir::methods::deep_screen_space

@@ -1,0 +1,207 @@
+#include "renderers/methods/deep-screen-space/splatting/splats.h"
+
+#include <algorithm>
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+using graph::FieldType;
+using graph::PassContext;
+
+const std::string folder = "methods/deep-screen-space/splatting/";
+
+/// Of the surfels: so finely can each layer's work be sliced.
+constexpr std::int64_t parts = 256;
+/// Surfels whose rectangles are known at a time.
+constexpr std::uint64_t most_at_once = 1 << 16;
+
+bool is_perspective(const scene::View& view) {
+    return view.clip_from_view[3][3] == 0;
+}
+
+bool is_counted(const Splats& splats) {
+    return splats.drawn.index >= 0;
+}
+
+void count_surfels(graph::GraphBuilder& builder, const Surfels& surfels, graph::BufferRef stored) {
+    builder.pass("count surfels")
+        .reads(surfels.records)
+        .writes(stored)
+        .counts(surfels.count)
+        .execute([=](PassContext& p) {
+            const auto& program = p.program({{folder + "stored.comp"}});
+            program.use();
+            p.bind_buffer(0, stored);
+            p.bind_counter(1, surfels.count);
+            program.set("capacity", static_cast<unsigned>(p.capacity(surfels.records)));
+            program.dispatch(1);
+        });
+}
+
+/// Pixels of a view-space point: scale · (x/−z, y/−z), or of x and y in parallel views, plus offset.
+void set_pixel_mapping(const gl::Program& program, const scene::View& view) {
+    const auto& clip = view.clip_from_view;
+    const glm::vec2 half = 0.5f * glm::vec2(view.width, -view.height);
+    const glm::vec2 shift = is_perspective(view) ? -glm::vec2(clip[2]) : glm::vec2(clip[3]);
+    program.set("pixel_scale", half * glm::vec2(clip[0][0], clip[1][1]));
+    program.set("pixel_offset", half * shift + 0.5f * glm::vec2(view.width, view.height));
+}
+
+void set_influence(const gl::Program& program, const Splats& splats) {
+    const auto& parameters = splats.parameters;
+    const bool estimated = !parameters.visibility && parameters.influence == Influence::estimated;
+    const bool light = parameters.transport.paths != Transport::Paths::ao;
+    program.set("shell_radius", splats.reach.shell_radius);
+    program.set("trade_off", estimated ? parameters.trade_off : 0.0f);
+    program.set("dark_is_idle", !parameters.visibility && light ? 1 : 0);
+}
+
+/// The program has to be in use.
+void set_layer(const PassContext& p, const gl::Program& program, const Splats& splats,
+               const SplatLayer& layer) {
+    const auto& parameters = splats.parameters;
+    set_influence(program, splats);
+    set_sphere_bounds(program, p.inputs().view);
+    program.set("hierarchy_size", glm::ivec2(splats.hierarchy.width, splats.hierarchy.height));
+    program.set("level", static_cast<unsigned>(layer.level));
+    program.set("sample_index", static_cast<unsigned>(layer.sample));
+    program.set("seed", splat_seed(p.inputs().seed));
+    program.set("culls", parameters.splat_culling ? 1 : 0);
+    program.set("shells", !parameters.visibility || parameters.shells == Shells::shells ? 1 : 0);
+}
+
+void find_rectangles(const PassContext& p, const Splats& splats, const SplatLayer& layer, std::uint64_t first,
+                     std::uint64_t end) {
+    gl::ProgramSource source{{folder + "rectangles.comp"}};
+    if (is_counted(splats)) source.defines["COUNTS"] = "1";
+    const auto& program = p.program(source);
+    program.use();
+    p.bind_buffer(9, splats.stored);
+    p.bind_buffer(10, splats.surfels);
+    p.bind_buffer(11, splats.rectangles);
+    p.bind_buffer(12, splats.command);
+    if (is_counted(splats)) {
+        p.bind_counter(13, splats.drawn);
+        p.bind_counter(14, splats.culled);
+    }
+    p.bind_texture(14, splats.hierarchy.least);
+    p.bind_texture(15, splats.hierarchy.most);
+    set_layer(p, program, splats, layer);
+    program.set("first", static_cast<unsigned>(first));
+    program.set("end", static_cast<unsigned>(end));
+    program.dispatch(static_cast<std::int64_t>(end - first));
+    p.barrier();
+}
+
+void draw_layer(const PassContext& p, const Splats& splats, const SplatLayer& layer, const BindLayer& bind) {
+    const auto& program = bind(p, layer);
+    for (auto first = layer.first; first < layer.end; first += most_at_once) {
+        const auto end = std::min(layer.end, first + most_at_once);
+        find_rectangles(p, splats, layer, first, end);
+        program.use();
+        program.set("first_surfel", static_cast<unsigned>(first));
+        program.set("framebuffer_size", glm::vec2(splats.hierarchy.width, splats.hierarchy.height));
+        p.bind_empty_vertex_array();
+        p.api().BindBuffer(GL_DRAW_INDIRECT_BUFFER, p.buffer(splats.command));
+        p.api().DrawArraysIndirect(GL_TRIANGLES, nullptr);
+        p.api().BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+    }
+}
+
+/// A slice may end within one layer and go on in the next.
+void draw_slice(const PassContext& p, graph::Slice slice, const Splats& splats, const BindLayer& bind) {
+    const auto capacity = p.capacity(splats.surfels);
+    const auto surfel_at = [&](std::int64_t part) {
+        return capacity * static_cast<std::uint64_t>(part) / static_cast<std::uint64_t>(parts);
+    };
+    for (auto item = slice.begin; item < slice.end;) {
+        const auto index = item / parts, begin = item % parts;
+        const auto end = std::min(parts, begin + slice.end - item);
+        SplatLayer layer;
+        layer.sample = static_cast<int>(index) / splats.hierarchy.levels;
+        layer.level = static_cast<int>(index) % splats.hierarchy.levels;
+        layer.first = surfel_at(begin);
+        layer.end = surfel_at(end);
+        layer.is_first = begin == 0;
+        draw_layer(p, splats, layer, bind);
+        item += end - begin;
+    }
+}
+
+}  // namespace
+
+unsigned splat_seed(std::uint64_t seed) {
+    return static_cast<unsigned>(seed) ^ static_cast<unsigned>(seed >> 32);
+}
+
+void set_sphere_bounds(const gl::Program& program, const scene::View& view) {
+    set_pixel_mapping(program, view);
+    program.set("view_from_world", view.view_from_world);
+    program.set("near_plane", view.near_plane);
+    program.set("far_plane", view.far_plane);
+    program.set("perspective", is_perspective(view) ? 1 : 0);
+    program.set("view_size", glm::ivec2(view.width, view.height));
+}
+
+Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, const Surfels& surfels,
+                      const Parameters& parameters, int samples) {
+    Splats splats;
+    splats.hierarchy = hierarchy;
+    splats.surfels = surfels.records;
+    splats.reach = reach_of(parameters, *builder.inputs().world);
+    splats.parameters = parameters;
+    splats.samples = samples;
+    splats.stored = builder.buffer({.text = {.key = "splats.surfels",
+                                             .label = "Surfels to splat",
+                                             .doc = "Those made, as far as the buffer reaches.",
+                                             .semantic = Semantic::count},
+                                    .fields = {{"surfels", FieldType::u32}},
+                                    .elements = 1});
+    splats.rectangles = builder.buffer(
+        {.text = {.key = "splats.rectangles",
+                  .label = "Rectangles of splats",
+                  .doc = "First place of the surfels drawn last, and the one after the last: x + 65536 y."},
+         .fields = {{"first", FieldType::u32}, {"after", FieldType::u32}},
+         .elements = most_at_once});
+    splats.command = builder.buffer({.text = {.key = "splats.command",
+                                              .label = "Command of the draw",
+                                              .doc = "Vertices of the last draw of splats."},
+                                     .fields = {{"vertices", FieldType::u32},
+                                                {"instances", FieldType::u32},
+                                                {"first_vertex", FieldType::u32},
+                                                {"base_instance", FieldType::u32}},
+                                     .elements = 1});
+    splats.drawn = builder.counter({.key = "splats.drawn",
+                                    .label = "Splats drawn",
+                                    .doc = "On all levels, for all samples: rectangles of places in which "
+                                           "something may be affected."});
+    splats.culled =
+        builder.counter({.key = "splats.culled",
+                         .label = "Splats culled",
+                         .doc = "Splats in the picture whose rectangles show nothing within reach "
+                                "of the surfel, by the bounds of positions."});
+    count_surfels(builder, surfels, splats.stored);
+    return splats;
+}
+
+void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer& bind) {
+    pass.reads(splats.surfels, splats.stored, splats.hierarchy.layout, splats.hierarchy.positions,
+               splats.hierarchy.normals, splats.hierarchy.least, splats.hierarchy.most)
+        .writes(splats.rectangles, splats.command);
+    if (is_counted(splats)) pass.counts(splats.drawn).counts(splats.culled);
+    pass.execute_sliced(splats.samples * splats.hierarchy.levels * parts,
+                        [=](PassContext& p, graph::Slice slice) { draw_slice(p, slice, splats, bind); });
+}
+
+void bind_receivers(const PassContext& context, const gl::Program& program, const Splats& splats,
+                    const SplatLayer& layer) {
+    context.bind_texture(0, splats.hierarchy.layout);
+    context.bind_texture(1, splats.hierarchy.positions);
+    context.bind_texture(2, splats.hierarchy.normals);
+    context.bind_buffer(10, splats.surfels);
+    set_influence(program, splats);
+    program.set("level", layer.level);
+    program.set("sample_index", layer.sample);
+}
+
+}  // namespace ir::methods::deep_screen_space

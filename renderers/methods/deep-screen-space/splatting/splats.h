@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/deep-screen-space/reach.h"
+#include "renderers/methods/deep-screen-space/splatting.h"
+
+namespace ir::methods::deep_screen_space {
+
+/// What all draws of splats share.
+struct Splats {
+    Hierarchy hierarchy;
+    graph::BufferRef surfels;         ///< Surfels::records
+    graph::BufferRef stored;          ///< "splats.surfels": how many there are to read
+    graph::BufferRef rectangles;      ///< "splats.rectangles": of the surfels drawn last
+    graph::BufferRef command;         ///< "splats.command"
+    graph::CounterRef drawn, culled;  ///< "splats.drawn", "splats.culled"; none: draws are not counted
+    Reach reach{};
+    Parameters parameters;
+    int samples = 1;  ///< layers are (sample, level) pairs; sample-major
+};
+
+/// Declares the pass "count surfels" and what draws need. `samples`: 1 without visibility.
+Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, const Surfels& surfels,
+                      const Parameters& parameters, int samples);
+
+/// A part of the surfels that is to be drawn into one layer.
+struct SplatLayer {
+    int sample = 0, level = 0;
+    std::uint64_t first = 0, end = 0;  ///< surfels, as far as they are stored
+    bool is_first = true;              ///< the first part of this layer: time to clear
+};
+
+/// Binds the framebuffer of a layer (of the hierarchy's size), the program, which has "splat.vert" for its
+/// vertex stage, and what its other stages read; sets blending and depth test.
+using BindLayer = std::function<const gl::Program&(const graph::PassContext&, const SplatLayer&)>;
+
+/// Adds to `pass`, which declares all else that `bind` touches, the draws of all surfels into all layers, one
+/// layer after the other, each in the order of the surfels.
+///
+/// Before each draw a compute pass finds the rectangle of places that a surfel can affect: of the sphere of
+/// radius d · 2^l around its centre, in one sub-image that is chosen at random. [Nalbach15 §4.1]
+/// The draws use buffers 9 … 14 and texture units 14 and 15; units below stay as `bind` left them.
+void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer& bind);
+
+/// Sets the uniforms of splat_common.glsl for a program in use, and binds what it reads: the hierarchy's
+/// layout, positions and normals as texture units 0 … 2, and the surfels as buffer 10.
+void bind_receivers(const graph::PassContext& context, const gl::Program& program, const Splats& splats,
+                    const SplatLayer& layer);
+
+/// The seed of a frame as random_sub_image() of sub_image.glsl takes it.
+unsigned splat_seed(std::uint64_t seed);
+/// Sets the uniforms of sphere_bounds.glsl.
+void set_sphere_bounds(const gl::Program& program, const scene::View& view);
+
+}  // namespace ir::methods::deep_screen_space

@@ -1,0 +1,35 @@
+// One level of the pyramid of positions' bounds. Sides are halved and rounded down, as mip levels are: the last
+// texel of an odd row also covers what would be left over.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+#ifdef FIRST
+layout(binding = 0) uniform sampler2D position_texture;
+#else
+layout(binding = 2, rgba32f) uniform readonly image2D finer_least;
+layout(binding = 3, rgba32f) uniform readonly image2D finer_most;
+#endif
+layout(binding = 0) uniform writeonly image2D least_image;
+layout(binding = 1) uniform writeonly image2D most_image;
+
+const vec4 NOTHING = vec4(3e38);
+
+void main() {
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy), size = imageSize(least_image);
+    if (any(greaterThanEqual(texel, size))) return;
+    vec4 least = NOTHING, most = -NOTHING;
+#ifdef FIRST
+    vec4 position = texelFetch(position_texture, texel, 0);
+    if (position.w > 0.0) least = most = vec4(position.xyz, 1);
+#else
+    ivec2 finer_size = imageSize(finer_least);
+    ivec2 begin = 2 * texel;
+    ivec2 end = mix(min(begin + 2, finer_size), finer_size, equal(texel, size - 1));
+    for (int y = begin.y; y < end.y; ++y)
+        for (int x = begin.x; x < end.x; ++x) {
+            least = min(least, imageLoad(finer_least, ivec2(x, y)));
+            most = max(most, imageLoad(finer_most, ivec2(x, y)));
+        }
+#endif
+    imageStore(least_image, texel, vec4(least.xyz, 1));
+    imageStore(most_image, texel, vec4(most.xyz, 1));
+}

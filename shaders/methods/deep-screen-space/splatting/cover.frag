@@ -1,0 +1,16 @@
+// How many splats cover a place, and how many of them have its surface within reach.
+#include "methods/deep-screen-space/splatting/splat_common.glsl"
+
+#ifndef WEIGHT
+#define WEIGHT 1.0  // tests tell surfels apart
+#endif
+
+layout(location = 0) out vec2 out_cover;
+
+void main() {
+    Receiver receiver = own_receiver();
+    Surfel surfel = surfels[surfel_index];
+    bool is_reached = receiver.exists && distance(receiver.position, surfel.centre_ws) <=
+                                             ldexp(surfel_reach(surfel), level);
+    out_cover = WEIGHT * vec2(1, is_reached ? 1 : 0);
+}

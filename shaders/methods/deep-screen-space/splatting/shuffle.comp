@@ -1,0 +1,24 @@
+// Gives each place of each level the surface of the pixel that stands there.  [Nalbach15 §4.1]
+layout(local_size_x = 8, local_size_y = 8) in;
+
+#include "methods/deep-screen-space/splatting/places.glsl"
+
+layout(binding = 0) uniform usampler2DArray layout_texture;
+layout(binding = 1) uniform sampler2D position_texture;
+layout(binding = 2) uniform sampler2D normal_texture;
+layout(binding = 0) uniform writeonly image2DArray positions;
+layout(binding = 1) uniform writeonly image2DArray normals;
+
+void main() {
+    ivec3 place = ivec3(gl_GlobalInvocationID);
+    if (any(greaterThanEqual(place, textureSize(layout_texture, 0)))) return;
+    uint packed = texelFetch(layout_texture, place, 0).x;
+    vec4 position = vec4(0), normal = vec4(0);
+    if (packed != PADDING) {
+        position = texelFetch(position_texture, unpacked_place(packed), 0);
+        position.w = position.w > 0.0 ? 1.0 : 0.0;
+        normal = vec4(texelFetch(normal_texture, unpacked_place(packed), 0).xyz, 0);
+    }
+    imageStore(positions, place, position);
+    imageStore(normals, place, normal);
+}

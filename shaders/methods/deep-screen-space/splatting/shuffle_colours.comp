@@ -1,0 +1,17 @@
+// The picture's colours at their places on each level, for people to look at.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+#include "methods/deep-screen-space/splatting/places.glsl"
+
+layout(binding = 0) uniform usampler2DArray layout_texture;
+layout(binding = 1) uniform sampler2D albedo_texture;
+layout(binding = 0) uniform writeonly image2DArray colours;
+
+void main() {
+    ivec3 place = ivec3(gl_GlobalInvocationID);
+    if (any(greaterThanEqual(place, textureSize(layout_texture, 0)))) return;
+    uint packed = texelFetch(layout_texture, place, 0).x;
+    vec4 colour = vec4(0);
+    if (packed != PADDING) colour = vec4(texelFetch(albedo_texture, unpacked_place(packed), 0).xyz, 1);
+    imageStore(colours, place, colour);
+}

@@ -1,0 +1,29 @@
+// Whether any surface seen in a range of pixels lies within a sphere.  [Nalbach15 §4.3]
+
+layout(binding = 14) uniform sampler2D least_texture;
+layout(binding = 15) uniform sampler2D most_texture;
+
+/// The box touches the ball around `centre` and does not lie within `inner` of it.
+bool is_box_reached(vec3 least, vec3 most, vec3 centre, float radius, float inner) {
+    if (least.x > most.x) return false;
+    vec3 nearest = max(max(least - centre, centre - most), 0.0);
+    vec3 farthest = max(abs(least - centre), abs(most - centre));
+    // As far as rounding goes.
+    return length(nearest) <= 1.0001 * radius && length(farthest) >= 0.9999 * inner;
+}
+
+/// On the finest mip level on which the range touches at most 2 × 2 texels.
+// DEVIATION [Nalbach15 §4.3]: there all pixels fall into one texel, which for a range across the picture's
+// middle is the last one, with the bounds of everything.
+bool is_range_reached(ivec2 first, ivec2 last, vec3 centre, float radius, float inner) {
+    ivec2 extent = last - first;
+    int level = min(findMSB(max(extent.x, extent.y)) + 1, textureQueryLevels(least_texture) - 1);
+    ivec2 size = textureSize(least_texture, level);
+    ivec2 begin = min(first >> level, size - 1), end = min(last >> level, size - 1);
+    for (int y = begin.y; y <= end.y; ++y)
+        for (int x = begin.x; x <= end.x; ++x)
+            if (is_box_reached(texelFetch(least_texture, ivec2(x, y), level).xyz,
+                               texelFetch(most_texture, ivec2(x, y), level).xyz, centre, radius, inner))
+                return true;
+    return false;
+}
