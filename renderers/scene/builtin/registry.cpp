@@ -127,7 +127,7 @@ std::string hash_of(const std::string& text) {
 const std::vector<Description>& descriptions() {
     static const std::vector<Description> all = {atrium(),   cornell(), furnace(),    plane(),
                                                  corner(),   crevice(), conference(), still_life(),
-                                                 corridor(), hairball()};
+                                                 corridor(), hairball(), graveyard(), dominoes()};
     return all;
 }
 

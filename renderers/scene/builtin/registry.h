@@ -42,5 +42,7 @@ Description conference();
 Description still_life();
 Description corridor();
 Description hairball();
+Description graveyard();
+Description dominoes();
 
 }  // namespace ir::scene::builtin
