@@ -52,7 +52,7 @@ ImageRef blur(graph::GraphBuilder& builder, const GBuffer& gbuffer, ImageRef ima
     return result;
 }
 
-ParameterTable<BlurParameters> blur_parameters() {
+ParameterTable<BlurParameters> blur_parameters(int most_radius) {
     const Condition blurred{"blur", {true}};
     ParameterTable<BlurParameters> table;
     table
@@ -65,7 +65,7 @@ ParameterTable<BlurParameters> blur_parameters() {
                                             .label = "Blur radius",
                                             .doc = "Pixels on either side that are averaged.",
                                             .unit = "px",
-                                            .hard = {0, 64},
+                                            .hard = {0, static_cast<double>(most_radius)},
                                             .soft = {1, 16},
                                             .active_when = blurred})
         .add(&BlurParameters::blur_plane_tolerance,

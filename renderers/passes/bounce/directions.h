@@ -32,7 +32,7 @@ enum class Effects { ambient_occlusion, light };
 ParameterTable<DirectionParameters> direction_parameters(const Condition& active_when, Effects effects);
 
 struct DirectionOptions {
-    DirectionParameters parameters;
+    DirectionParameters parameters = {};
     bool light = false;  ///< by BRDF times cosine in place of `distribution`
     Transport::Materials materials = Transport::Materials::gltf;
     bool vary = false;  ///< other directions in each frame, for what averages over frames

@@ -5,8 +5,8 @@
 
 namespace ir::passes::bounce {
 
-/// published: Σ w f L cos/α over Σ w [Nalbach15 §3.3]; ratio: Σ w V cos/α over Σ w cos/α, ambient occlusion
-/// only.
+/// published: Σ w f L cos/α over Σ w [Nalbach15 §3.3]; its accessibility may exceed 1. ratio: Σ w V cos/α
+/// over Σ w cos/α, ambient occlusion only.
 enum class Estimator { ratio, published };
 
 struct ReconstructionParameters {
@@ -28,11 +28,14 @@ graph::ImageRef reconstruct(graph::GraphBuilder& builder, const SceneBuffers& sc
                             const Directions& directions, const Samples& samples,
                             const ReconstructionParameters& parameters, graph::ResourceText text);
 
-/// "bounce.explain.rays": the picked pixel's own samples as lines from the pixel's point to what they met,
-/// with density, distance, what came in and what it adds to the pixel.
+/// What the picked pixel is made of, as lines from a pixel's point to what its ray met, or as far as
+/// `miss_length` (m; 0: a tenth of the scene's diagonal): "bounce.explain.rays" its own samples,
+/// "bounce.explain.neighbours" those of the other pixels that count for it. All contributions together are
+/// the pixel.
 void explain_rays(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
                   const Directions& directions, const Samples& samples,
-                  const ReconstructionParameters& parameters);
+                  const ReconstructionParameters& parameters, float miss_length = 0);
+
 std::vector<OutputDescription> reconstruction_outputs(const Condition& active_when);
 
 }  // namespace ir::passes::bounce

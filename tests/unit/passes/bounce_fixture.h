@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
+#include "renderers/graph/pass_context.h"
 #include "renderers/passes/bounce/reconstruction.h"
 #include "renderers/passes/scattering/bsdf.h"
 #include "renderers/scene/frame.h"
@@ -58,6 +60,43 @@ struct Wall {
     }
 };
 
+/// What a ray meets, as a test makes it up.
+struct Met {
+    float distance = -1;    ///< m; negative: nothing
+    glm::vec3 radiance{0};  ///< W/(m² sr), for light
+};
+using Meeting = std::function<Met(glm::ivec2 pixel, int sample, glm::vec4 direction)>;
+
+struct BounceRun {
+    bounce::DirectionOptions options;
+    bounce::ReconstructionParameters reconstruction;
+    Transport transport{.max_distance = 1};
+    Meeting meeting = [](glm::ivec2, int, glm::vec4) { return Met{}; };
+    std::uint64_t seed = 1;
+    Inspection inspection = {};
+
+    static BounceRun with(int samples, bounce::Spread spread, int blur_radius) {
+        BounceRun run;
+        run.options.parameters.samples = samples;
+        run.options.parameters.spread = spread;
+        run.reconstruction.blur.blur = blur_radius > 0;
+        run.reconstruction.blur.blur_radius = blur_radius;
+        return run;
+    }
+};
+
+/// Standard deviation and mean of a list of numbers.
+struct Moments {
+    double mean = 0, deviation = 0;
+    std::size_t n = 0;
+    explicit Moments(const std::vector<float>& values) : n(values.size()) {
+        for (const double v : values) mean += v / static_cast<double>(n);
+        for (const double v : values) deviation += (v - mean) * (v - mean) / static_cast<double>(n - 1);
+        deviation = std::sqrt(deviation);
+    }
+    double standard_error() const { return deviation / std::sqrt(static_cast<double>(n)); }
+};
+
 class BounceTest : public PassTest {
   protected:
     /// Only G-buffer and directions.
@@ -71,6 +110,28 @@ class BounceTest : public PassTest {
             bounce::directions(builder, scene, passes::gbuffer(builder, scene), options);
         });
     }
+    /// Directions, what the run says that they meet, and "result" reconstructed of it.
+    void reconstruct(const Shot& shot, const BounceRun& r) {
+        auto inputs = shot.inputs();
+        inputs.seed = r.seed;
+        inputs.inspection = r.inspection;
+        run(inputs, [&](graph::GraphBuilder& builder) {
+            const auto scene = passes::upload_scene(builder);
+            const auto gbuffer = passes::gbuffer(builder, scene);
+            const auto directions = bounce::directions(builder, scene, gbuffer, r.options);
+            const auto samples = meet(builder, gbuffer, directions, r);
+            bounce::reconstruct(builder, scene, gbuffer, directions, samples, r.reconstruction,
+                                {"result", "Result"});
+            bounce::explain_rays(builder, scene, gbuffer, directions, samples, r.reconstruction, 0.5f);
+        });
+    }
+    std::vector<float> result(int channel = 0) const {
+        const auto image = read("result");
+        std::vector<float> values;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) values.push_back(image.at(x, y, channel));
+        return values;
+    }
     std::vector<glm::vec4> all_directions(int samples) const {
         std::vector<glm::vec4> result;
         for (int layer = 0; layer < samples; ++layer) {
@@ -81,6 +142,35 @@ class BounceTest : public PassTest {
                                         image.at(x, y, 3));
         }
         return result;
+    }
+
+  private:
+    static bounce::Samples meet(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
+                                const bounce::Directions& directions, const BounceRun& r) {
+        bounce::Samples samples;
+        samples.distance = bounce::declare_distance(builder, directions.samples);
+        if (r.options.light) samples.incoming = bounce::declare_incoming_light(builder, directions.samples);
+        auto pass = builder.pass("meet", graph::Queue::cpu);
+        pass.reads(directions.directions).writes(samples.distance);
+        if (r.options.light) pass.writes(samples.incoming);
+        pass.execute([=, &r](graph::PassContext& context) {
+            const int width = context.inputs().view.width;
+            for (int layer = 0; layer < directions.samples; ++layer) {
+                const auto from = context.pixels<glm::vec4>(directions.directions, layer);
+                const auto distances = context.pixels<float>(samples.distance, layer);
+                for (std::size_t i = 0; i < from.size(); ++i) {
+                    const auto met =
+                        r.meeting({static_cast<int>(i) % width, static_cast<int>(i) / width}, layer, from[i]);
+                    distances[i] = met.distance;
+                    if (r.options.light)
+                        context.pixels<glm::vec4>(samples.incoming, layer)[i] = glm::vec4(met.radiance, 0);
+                }
+            }
+        });
+        if (!r.options.light)
+            samples.incoming =
+                bounce::visibility_of(builder, gbuffer, directions, samples.distance, r.transport);
+        return samples;
     }
 };
 

@@ -1,0 +1,110 @@
+#include <algorithm>
+
+#include "renderers/graph/output_text.h"
+#include "renderers/passes/bounce/filter.h"
+
+namespace ir::passes::bounce {
+namespace {
+
+using graph::FieldType;
+
+const std::string fields =
+    " hit: 1 where something was met; rays that met nothing are drawn as far as they were asked for. "
+    "distance: metres to it, negative without. density: with which the direction was chosen, 1/sr. incoming: "
+    "openness, or the radiance that arrives, W/(m² sr). contribution: what the sample adds to the pixel, of "
+    "both "
+    "lists together the pixel. weight: of a sample beside those of the pixel itself. apart: pixels between "
+    "the "
+    "two. Empty while no pixel is picked, and where the pixel shows no surface that is reconstructed.";
+
+struct Lines {
+    graph::BufferRef elements;
+    graph::CounterRef count;
+};
+
+/// Struct Line of shaders/passes/bounce/explain.comp.
+Lines declare(graph::GraphBuilder& builder, const std::string& key, int channels, int elements) {
+    const auto text = graph::text_of(reconstruction_outputs({}), key);
+    Lines lines;
+    // Growable, so that counters tell how many elements are in use.
+    lines.elements = builder.buffer({.text = text,
+                                     .kind = OutputKind::line_set,
+                                     .fields = {{"start", FieldType::f32, 3},
+                                                {"end", FieldType::f32, 3},
+                                                {"distance", FieldType::f32},
+                                                {"density", FieldType::f32},
+                                                {"incoming", FieldType::f32, channels},
+                                                {"contribution", FieldType::f32, channels},
+                                                {"weight", FieldType::f32},
+                                                {"apart", FieldType::f32},
+                                                {"hit", FieldType::u32},
+                                                {"sample", FieldType::u32}},
+                                     .elements = static_cast<std::uint64_t>(std::max(1, elements)),
+                                     .growable = true});
+    lines.count = builder.counter({.key = key + "_count",
+                                   .label = text.label,
+                                   .doc = "0 while no pixel is picked, and where the pixel shows no surface.",
+                                   .growth_of = lines.elements});
+    return lines;
+}
+
+float length_of_misses(const scene::World& world, float asked) {
+    return asked > 0 ? asked : 0.2f * world.bounds.radius();
+}
+
+}  // namespace
+
+std::vector<OutputDescription> reconstruction_outputs(const Condition& active_when) {
+    return {
+        {.key = "bounce.explain.rays",
+         .label = "Rays of the pixel",
+         .kind = OutputKind::line_set,
+         .unit = "m",
+         .doc = "The picked pixel's own samples, from its point to what they met." + fields,
+         .explains = true,
+         .active_when = active_when},
+        {.key = "bounce.explain.neighbours",
+         .label = "Rays of neighbours",
+         .kind = OutputKind::line_set,
+         .unit = "m",
+         .doc = "The samples of other pixels that the reconstruction takes for the picked one, from their "
+                "points to what they met." +
+                fields,
+         .explains = true,
+         .active_when = active_when}};
+}
+
+void explain_rays(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
+                  const Directions& directions, const Samples& samples,
+                  const ReconstructionParameters& parameters, float miss_length) {
+    const Filter filter{{scene, gbuffer, directions.options}, directions, samples, parameters};
+    const int side = 2 * options_of(parameters.blur).radius + 1;
+    const int channels = directions.options.light ? 3 : 1;
+    const auto own = declare(builder, "bounce.explain.rays", channels, directions.samples),
+               others = declare(builder, "bounce.explain.neighbours", channels,
+                                (side * side - 1) * directions.samples);
+    auto pass = builder.pass("explain rays");
+    filter.declare_reads(pass);
+    pass.reads(samples.distance);
+    for (const auto& lines : {own, others}) pass.writes(lines.elements).counts(lines.count);
+    pass.execute([=](graph::PassContext& context) {
+        gl::ProgramSource source{{"passes/bounce/explain.comp"}};
+        filter.define(source);
+        const auto& program = context.program(source);
+        program.use();
+        filter.bind(context, program);
+        context.bind_texture(7, samples.distance);
+        context.bind_buffer(1, own.elements);
+        context.bind_counter(2, own.count);
+        context.bind_buffer(3, others.elements);
+        context.bind_counter(4, others.count);
+        const auto& inputs = context.inputs();
+        const auto& pick = inputs.inspection;
+        const bool inside = pick.has_pixel() && pick.x < inputs.view.width && pick.y < inputs.view.height;
+        program.set("picked", inside ? glm::ivec2(pick.x, pick.y) : glm::ivec2(-1));
+        program.set("miss_length", length_of_misses(*inputs.world, miss_length));
+        program.dispatch(1);
+    });
+}
+
+}  // namespace ir::passes::bounce

@@ -1,0 +1,70 @@
+#include "renderers/passes/bounce/reconstruction.h"
+
+#include "renderers/passes/bounce/filter.h"
+
+namespace ir::passes::bounce {
+namespace {
+
+const Condition only_ao{"paths", {std::string("ao")}};
+const Condition only_indirect{"paths", {std::string("indirect"), std::string("full")}};
+
+/// (2 · 30 + 1)² neighbours with 16 samples take 63,257 turns of a shader's loops; llvmpipe stops at 65,535.
+constexpr int most_radius = 30;
+static_assert((2 * most_radius + 1) * (2 * most_radius + 1) * (max_samples + 1) < 65535);
+
+}  // namespace
+
+ParameterTable<ReconstructionParameters> reconstruction_parameters(Effects effects) {
+    using P = ReconstructionParameters;
+    ParameterTable<P> table;
+    table.add(&P::estimator,
+              {.key = "estimator",
+               .label = "Estimator",
+               .doc = "How samples become accessibility. Light always takes the published one.",
+               .citation = "Nalbach15 §3.3",
+               .choices = {{"ratio", "Ratio",
+                            "Divided by what all samples would give if all were open: an open plane is "
+                            "exactly 1, whatever the directions."},
+                           {"published", "Published",
+                            "Divided by the samples' number. Right on average, also with few samples, but "
+                            "even an open plane is noisy, and pixels may exceed 1."}},
+               .active_when = only_ao});
+    table.include(&P::blur, blur_parameters(most_radius));
+    if (effects == Effects::ambient_occlusion) return table;
+    table.add(&P::material_tolerance,
+              {.key = "material_tolerance",
+               .label = "Blur across materials",
+               .doc = "Difference of roughness or of metalness at which a neighbour's weight has fallen to "
+                      "1/e: its directions are chosen for another BRDF. Base colours do not count, so that "
+                      "textures do not add noise.",
+               .citation = "Nalbach15 §3.3",
+               .hard = {1e-3, 1e3},
+               .soft = {0.01, 1},
+               .active_when = only_indirect});
+    return table;
+}
+
+graph::ImageRef reconstruct(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
+                            const Directions& directions, const Samples& samples,
+                            const ReconstructionParameters& parameters, graph::ResourceText text) {
+    const Filter filter{{scene, gbuffer, directions.options}, directions, samples, parameters};
+    graph::ImageDesc desc;
+    desc.text = std::move(text);
+    desc.format = directions.options.light ? gl::Format::rgba32f : gl::Format::r32f;
+    const auto result = builder.image(std::move(desc));
+    auto pass = builder.pass("reconstruction");
+    filter.declare_reads(pass);
+    pass.writes(result);
+    execute_by_tiles(pass, builder, [=](graph::PassContext& context) -> const gl::Program& {
+        gl::ProgramSource source{{"passes/bounce/reconstruct.comp"}};
+        filter.define(source);
+        const auto& program = context.program(source);
+        program.use();
+        filter.bind(context, program);
+        context.bind_storage_image(0, result);
+        return program;
+    });
+    return result;
+}
+
+}  // namespace ir::passes::bounce

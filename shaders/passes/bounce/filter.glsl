@@ -1,0 +1,143 @@
+// What a sample of a neighbour adds to a pixel: its weight, and what the pixel's own surface makes of it.
+// [Nalbach15 §3.3]
+#include "passes/blur/weights.glsl"
+#include "passes/bounce/receiver.glsl"
+
+#ifndef PI
+#define PI 3.14159265358979323846
+#endif
+
+layout(binding = 5) uniform sampler2DArray directions;
+layout(binding = 6) uniform sampler2DArray incoming;
+
+uniform int samples;
+
+#if LIGHT
+#define Value vec3
+uniform float material_tolerance;
+#else
+#define Value float
+#endif
+
+/// The pixel that is reconstructed.
+struct Target {
+    ivec2 pixel;
+    Receiver receiver;
+#if LIGHT
+    vec2 material;  // metallic, roughness
+    Scatterer scatterer;
+    SeenScatterer seen;
+#endif
+};
+
+/// Of one sample: nominator and denominator of the estimate, without the neighbour's weight.
+struct Part {
+    Value value;
+    float share;
+};
+
+BlurSurface blur_surface(Receiver r) { return BlurSurface(r.position, r.normal, r.geometric_normal); }
+
+#if LIGHT
+
+vec2 filtered_material(vec4 material) { return vec2(material.x, max(material.y, least_roughness)); }
+
+/// False where nothing is to be reconstructed.
+bool target_at(ivec2 pixel, out Target target) {
+    target.pixel = pixel;
+    target.receiver = receiver_at(pixel);
+    if (!target.receiver.exists) return false;
+    vec4 material = texelFetch(material_texture, pixel, 0);
+    target.material = filtered_material(material);
+    target.scatterer = scatterer_of(target.receiver, texelFetch(albedo_texture, pixel, 0).rgb, material);
+    target.seen = seen_from(target.scatterer, viewer_of(target.receiver));
+    return !is_unlit(material);
+}
+
+/// 0: the pixel has no samples.
+float material_weight(Target target, ivec2 pixel) {
+    vec4 material = texelFetch(material_texture, pixel, 0);
+    if (is_unlit(material)) return 0.0;
+#if MATERIALS == 2  // SCATTERING_LAMBERT
+    return 1.0;
+#else
+    vec2 difference = (filtered_material(material) - target.material) / material_tolerance;
+    return exp(-dot(difference, difference));
+#endif
+}
+
+/// f_r L ⟨n, ω⟩ / α. Directions that left their surface on no side have no light, but they are samples.
+Part part_of(Target target, vec4 direction, vec3 radiance) {
+    Part part = Part(vec3(0.0), 1.0);
+    if (direction.w > 0.0 && is_above(target.scatterer, direction.xyz))
+        part.value = scattering_value(target.scatterer, target.seen, direction.xyz,
+                                      dot(target.receiver.normal, direction.xyz)) *
+                     radiance / direction.w;
+    return part;
+}
+
+Value incoming_at(ivec3 place, vec4 direction) {
+    return direction.w > 0.0 ? texelFetch(incoming, place, 0).rgb : vec3(0.0);
+}
+
+#else
+
+bool target_at(ivec2 pixel, out Target target) {
+    target.pixel = pixel;
+    target.receiver = receiver_at(pixel);
+    return target.receiver.exists;
+}
+
+/// Which directions are asked for does not depend on the material, so neither does what they are worth.
+float material_weight(Target target, ivec2 pixel) { return 1.0; }
+
+/// V ⟨n, ω⟩ / (π α), and for the ratio the same with V = 1. Below the pixel's triangle all is closed.
+Part part_of(Target target, vec4 direction, float visibility) {
+    if (direction.w == 0.0) return Part(0.0, 0.0);
+    float open = max(dot(target.receiver.normal, direction.xyz), 0.0) / (PI * direction.w);
+    if (dot(target.receiver.geometric_normal, direction.xyz) <= 0.0) visibility = 0.0;
+#if RATIO
+    return Part(visibility * open, open);
+#else
+    return Part(visibility * open, 1.0);
+#endif
+}
+
+Value incoming_at(ivec3 place, vec4 direction) { return texelFetch(incoming, place, 0).x; }
+
+#endif
+
+/// w(p, q), 1 for the pixel itself.
+float neighbour_weight(Target target, ivec2 pixel) {
+    if (pixel == target.pixel) return 1.0;
+    Receiver there = receiver_at(pixel);
+    if (!there.exists) return 0.0;
+    return blur_weight(blur_surface(target.receiver), blur_surface(there), vec2(pixel - target.pixel)) *
+           material_weight(target, pixel);
+}
+
+bool is_finite(Value v) {
+#if LIGHT
+    return !any(isnan(v)) && !any(isinf(v));
+#else
+    return !isnan(v) && !isinf(v);
+#endif
+}
+
+/// Of the sample at a place of the stacks; not finite values count for nothing.
+Part part_at(Target target, ivec3 place) {
+    vec4 direction = texelFetch(directions, place, 0);
+    Part part = part_of(target, direction, incoming_at(place, direction));
+    if (!is_finite(part.value)) return Part(Value(0.0), 0.0);
+    return part;
+}
+
+/// Among (2 radius + 1)² neighbours, rows first.
+ivec2 neighbour(Target target, int index) {
+    int across = 2 * radius + 1;
+    return target.pixel + ivec2(index % across, index / across) - radius;
+}
+
+bool is_inside(ivec2 pixel) {
+    return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(position_texture, 0)));
+}
