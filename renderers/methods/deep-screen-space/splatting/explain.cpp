@@ -1,0 +1,188 @@
+#include "renderers/methods/deep-screen-space/splatting/explain.h"
+
+#include <algorithm>
+
+#include "renderers/gl/dispatch_items.h"
+#include "renderers/graph/output_text.h"
+#include "renderers/methods/deep-screen-space/splatting/explain_records.h"
+#include "renderers/passes/bounce/tiles.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+const std::string folder = "methods/deep-screen-space/splatting/";
+constexpr std::uint64_t expected_candidates = 4096;
+/// Of the surfels: so finely can the search be sliced.
+constexpr std::int64_t parts = 256;
+
+/// Candidates and sums are first what the device found, and then what the host made of it: buffers of their
+/// own in between would be kept where their keys are asked for, and the explanation of another pixel would
+/// find them done.
+struct Explained {
+    graph::BufferRef elements;
+    graph::CounterRef count;
+};
+
+Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputKind kind,
+                  std::vector<graph::Field> fields, std::uint64_t elements) {
+    const auto text = graph::text_of(explanation_outputs(), "splats.explain." + what);
+    Explained e;
+    e.elements = builder.buffer({.text = text,
+                                 .kind = kind,
+                                 .fields = std::move(fields),
+                                 .elements = elements,
+                                 .growable = true,
+                                 .cleared = true});
+    e.count = builder.counter({.key = "splats.explain." + what + "_count",
+                               .label = text.label,
+                               .doc = "0 while nothing is picked, and where the pixel shows no surface.",
+                               .growth_of = e.elements});
+    return e;
+}
+
+glm::ivec2 picked_pixel(const graph::FrameInputs& inputs) {
+    const auto& picked = inputs.inspection;
+    const bool inside = picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
+    return inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1);
+}
+
+void dispatch_surfels(const graph::PassContext& p, const gl::Program& program, const Splats& splats,
+                      graph::Slice slice) {
+    const auto capacity = static_cast<std::int64_t>(p.capacity(splats.surfels));
+    gl::dispatch_items(program, capacity * slice.begin / parts, capacity * slice.end / parts);
+}
+
+/// What explain_splat.glsl declares.
+void bind_splats(const graph::PassContext& p, const gl::Program& program, const VisibleSplats& visible) {
+    const auto& splats = visible.splats;
+    p.bind_buffer(0, splats.surfels);
+    p.bind_buffer(1, splats.stored);
+    p.bind_texture(0, splats.hierarchy.places);
+    p.bind_texture(1, visible.gbuffer.position);
+    p.bind_texture(2, visible.directions.directions);
+    p.bind_texture(3, visible.gbuffer.geometric_normal);
+    p.bind_texture(4, visible.winner);
+    set_splat_level(program, splats);
+    set_sphere_bounds(program, p.inputs().view);
+    program.set("seed", splat_seed(p.inputs().seed));
+    program.set("levels", splats.hierarchy.levels);
+    program.set("samples", splats.samples);
+    program.set("hierarchy_size", glm::ivec2(splats.hierarchy.width, splats.hierarchy.height));
+}
+
+void read_splats(graph::PassBuilder& pass, const VisibleSplats& visible) {
+    pass.reads(visible.splats.surfels, visible.splats.stored, visible.splats.hierarchy.places,
+               visible.gbuffer.position, visible.directions.directions, visible.gbuffer.geometric_normal,
+               visible.winner);
+}
+
+void search(const graph::PassContext& p, graph::Slice slice, const VisibleSplats& visible,
+            const Explained& candidates, const Explained& levels) {
+    const auto& program = p.program({{folder + "explain_pixel.comp"}});
+    program.use();
+    bind_splats(p, program, visible);
+    p.bind_texture(5, visible.depth);
+    p.bind_buffer(2, candidates.elements);
+    p.bind_buffer(3, levels.elements);
+    p.bind_counter(4, candidates.count);
+    p.bind_counter(5, levels.count);
+    program.set("picked", picked_pixel(p.inputs()));
+    dispatch_surfels(p, program, visible.splats, slice);
+}
+
+/// None of what was not found.
+void judge_found(const graph::PassContext& p, const Explained& candidates, const Explained& levels,
+                 int level_count) {
+    const auto sums = p.elements<LevelSum>(levels.elements);
+    const auto found = p.elements<SplatCandidate>(candidates.elements);
+    std::size_t count = 0;
+    for (const auto& sum : sums)
+        for (std::size_t i = 1; i < sum.outcomes.size(); ++i) count += sum.outcomes[i];
+    judge(found.first(std::min(found.size(), count)), sums, level_count);
+}
+
+void explain_pixel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
+    const int levels = visible.splats.hierarchy.levels;
+    const auto candidates =
+        declare(builder, "candidates", OutputKind::glyphs, candidate_fields(), expected_candidates);
+    const auto sums = declare(builder, "levels", OutputKind::table, level_sum_fields(),
+                              static_cast<std::uint64_t>(visible.splats.samples * levels));
+    auto pass = builder.pass("explain splats onto the pixel");
+    read_splats(pass, visible);
+    pass.reads(visible.depth)
+        .writes(candidates.elements, sums.elements)
+        .counts(candidates.count)
+        .counts(sums.count)
+        .execute_sliced(parts, [=](graph::PassContext& p, graph::Slice slice) {
+            search(p, slice, visible, candidates, sums);
+        });
+    builder.pass("judge splats onto the pixel", graph::Queue::cpu)
+        .reads(candidates.elements, sums.elements)
+        .writes(candidates.elements, sums.elements)
+        .execute([=](graph::PassContext& p) { judge_found(p, candidates, sums, levels); });
+}
+
+graph::BufferRef choose_surfel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
+    const auto choice =
+        builder.buffer({.text = {.key = "splats.explain.choice",
+                                 .label = "Surfel explained",
+                                 .doc = "Complements of the bits of its squared distance from the picked "
+                                        "pixel's point, and of its index; 0: none."},
+                        .fields = {{"distance", graph::FieldType::u32}, {"surfel", graph::FieldType::u32}},
+                        .elements = 1,
+                        .cleared = true});
+    for (const char* find : {"1", "2"})
+        builder.pass(std::string("choose the surfel, step ") + find)
+            .reads(visible.splats.surfels, visible.splats.stored, visible.gbuffer.position)
+            .writes(choice)
+            .execute_sliced(parts, [=](graph::PassContext& p, graph::Slice slice) {
+                gl::ProgramSource source{{folder + "explain_choice.comp"}};
+                source.defines["FIND"] = find;
+                const auto& program = p.program(source);
+                program.use();
+                p.bind_buffer(0, visible.splats.surfels);
+                p.bind_buffer(1, visible.splats.stored);
+                p.bind_buffer(2, choice);
+                p.bind_texture(0, visible.gbuffer.position);
+                program.set("picked", picked_pixel(p.inputs()));
+                program.set("chosen",
+                            static_cast<unsigned>(std::max(0, p.inputs().inspection.item("surfel"))));
+                dispatch_surfels(p, program, visible.splats, slice);
+            });
+    return choice;
+}
+
+void explain_surfel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
+    const int levels = visible.splats.hierarchy.levels;
+    const auto choice = choose_surfel(builder, visible);
+    const auto sums = declare(builder, "surfel", OutputKind::glyphs, surfel_sum_fields(),
+                              static_cast<std::uint64_t>(levels));
+    graph::ImageDesc desc;
+    desc.text = graph::text_of(explanation_outputs(), "splats.explain.cover");
+    desc.format = gl::Format::r16f;
+    desc.layers = levels;
+    const auto cover = builder.image(std::move(desc));
+    auto pass = builder.pass("explain splats of the surfel");
+    read_splats(pass, visible);
+    pass.reads(choice, visible.hit_level).writes(sums.elements, cover).counts(sums.count);
+    passes::bounce::execute_by_tiles(pass, builder, [=](graph::PassContext& p) -> const gl::Program& {
+        const auto& program = p.program({{folder + "explain_surfel.comp"}});
+        program.use();
+        bind_splats(p, program, visible);
+        p.bind_buffer(2, choice);
+        p.bind_buffer(3, sums.elements);
+        p.bind_counter(4, sums.count);
+        p.bind_texture(5, visible.hit_level);
+        p.bind_storage_image(0, cover);
+        return program;
+    });
+}
+
+}  // namespace
+
+void explain_splats(graph::GraphBuilder& builder, const VisibleSplats& visible) {
+    explain_pixel(builder, visible);
+    explain_surfel(builder, visible);
+}
+
+}  // namespace ir::methods::deep_screen_space

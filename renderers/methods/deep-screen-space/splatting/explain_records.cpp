@@ -1,0 +1,69 @@
+#include "renderers/methods/deep-screen-space/splatting/explain_records.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+using graph::FieldType;
+
+/// LESS in the order of the surfels.
+void keep_nearest(const SplatCandidate& candidate, LevelSum& sum) {
+    const bool nearer =
+        sum.found == 0 || std::tuple(candidate.z, candidate.surfel) < std::tuple(sum.found_z, sum.found);
+    if (!nearer) return;
+    sum.found = candidate.surfel;
+    sum.found_z = candidate.z;
+}
+
+void mark_finest(std::span<LevelSum> sums, int levels) {
+    for (std::size_t first = 0; first < sums.size(); first += static_cast<std::size_t>(levels))
+        for (auto& sum : sums.subspan(first, static_cast<std::size_t>(levels)))
+            if (sum.found != 0) {
+                sum.is_nearest = 1;
+                break;
+            }
+}
+
+}  // namespace
+
+std::vector<graph::Field> candidate_fields() {
+    return {{"centre", FieldType::f32, 3}, {"normal", FieldType::f32, 3}, {"radius", FieldType::f32},
+            {"surfel", FieldType::u32},    {"sample", FieldType::u32},    {"level", FieldType::u32},
+            {"shell", FieldType::u32},     {"outcome", FieldType::u32},   {"distance", FieldType::f32},
+            {"z", FieldType::f32}};
+}
+
+std::vector<graph::Field> level_sum_fields() {
+    return {{"sample", FieldType::u32},  {"level", FieldType::u32},   {"splats", FieldType::u32},
+            {"outside", FieldType::u32}, {"missed", FieldType::u32},  {"too_far", FieldType::u32},
+            {"own", FieldType::u32},     {"hits", FieldType::u32},    {"found", FieldType::u32},
+            {"kept", FieldType::u32},    {"nearest", FieldType::u32}, {"found_z", FieldType::f32},
+            {"kept_z", FieldType::f32}};
+}
+
+std::vector<graph::Field> surfel_sum_fields() {
+    return {{"centre", FieldType::f32, 3}, {"normal", FieldType::f32, 3},  {"radius", FieldType::f32},
+            {"surfel", FieldType::u32},    {"level", FieldType::u32},      {"splats", FieldType::u32},
+            {"hits", FieldType::u32},      {"level_wins", FieldType::u32}, {"wins", FieldType::u32}};
+}
+
+void judge(std::span<SplatCandidate> candidates, std::span<LevelSum> sums, int levels) {
+    const auto sum_of = [&](const SplatCandidate& c) -> LevelSum& {
+        return sums[c.sample * static_cast<std::size_t>(levels) + c.level];
+    };
+    for (auto& sum : sums) sum.found_z = 1;
+    for (const auto& c : candidates)
+        if (c.outcome == SplatOutcome::hit) keep_nearest(c, sum_of(c));
+    mark_finest(sums, levels);
+    for (auto& c : candidates)
+        if (c.outcome == SplatOutcome::hit && sum_of(c).found == c.surfel)
+            c.outcome = sum_of(c).is_nearest ? SplatOutcome::wins : SplatOutcome::level;
+    std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+        return std::tuple(a.sample, b.outcome, a.level, a.z, a.surfel) <
+               std::tuple(b.sample, a.outcome, b.level, b.z, b.surfel);
+    });
+}
+
+}  // namespace ir::methods::deep_screen_space

@@ -1,0 +1,64 @@
+#include "renderers/methods/deep-screen-space/splatting/visible.h"
+#include "renderers/passes/bounce/tiles.h"
+#include "renderers/passes/scene/hit_surfaces.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+struct Senders {
+    passes::SceneBuffers scene;
+    passes::ShadowMaps shadow;
+    passes::HitSurfaces surfaces;  ///< only with glossy senders
+    bool glossy;
+};
+
+gl::ProgramSource source_of(const VisibleSplats& visible, const Senders& senders) {
+    const auto& parameters = visible.splats.parameters;
+    gl::ProgramSource source{{"methods/deep-screen-space/splatting/resolve.comp"}};
+    source.defines["BLACK_BACKS"] = parameters.backs == Backs::black ? "1" : "0";
+    source.defines["GLOSSY_SENDERS"] = senders.glossy ? "1" : "0";
+    source.defines["MATERIALS"] = std::to_string(static_cast<int>(parameters.transport.materials));
+    return source;
+}
+
+const gl::Program& bind(const graph::PassContext& p, const VisibleSplats& visible, const Senders& senders,
+                        graph::ImageRef incoming) {
+    const auto& program = p.program(source_of(visible, senders));
+    program.use();
+    p.bind_buffer(0, visible.splats.surfels);
+    p.bind_texture(0, visible.nearest);
+    p.bind_texture(1, visible.directions.directions);
+    p.bind_storage_image(0, incoming);
+    if (!senders.glossy) return program;
+    p.bind_buffer(1, senders.scene.lights);
+    p.bind_buffer(2, senders.shadow.views);
+    p.bind_texture(2, senders.shadow.maps);
+    senders.surfaces.bind(p, 3);
+    program.set("light_count", static_cast<int>(p.inputs().world->lights.size()));
+    program.set("normal_maps", visible.splats.parameters.transport.normal_maps ? 1 : 0);
+    return program;
+}
+
+}  // namespace
+
+graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                              const passes::ShadowMaps& shadow, const VisibleSplats& visible) {
+    const auto& parameters = visible.splats.parameters;
+    const bool glossy =
+        parameters.glossy_senders && parameters.transport.materials != Transport::Materials::lambert;
+    Senders senders{scene, shadow, {}, glossy};
+    if (glossy) senders.surfaces = passes::hit_surfaces(builder, scene);
+    const auto incoming = passes::bounce::declare_incoming_light(builder, visible.splats.samples);
+    auto pass = builder.pass("light of the winners");
+    pass.reads(visible.splats.surfels, visible.nearest, visible.directions.directions).writes(incoming);
+    if (glossy) {
+        pass.reads(scene.lights, shadow.views, shadow.maps);
+        senders.surfaces.read_by(pass);
+    }
+    passes::bounce::execute_by_tiles(pass, builder, [=](graph::PassContext& p) -> const gl::Program& {
+        return bind(p, visible, senders, incoming);
+    });
+    return incoming;
+}
+
+}  // namespace ir::methods::deep_screen_space

@@ -1,0 +1,90 @@
+#include "renderers/methods/deep-screen-space/splatting/visible.h"
+
+#include "renderers/methods/deep-screen-space/splatting/explain.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+graph::ImageRef declare_layers(graph::GraphBuilder& builder, const Splats& splats, const std::string& key,
+                               gl::Format format) {
+    graph::ImageDesc desc;
+    desc.text = visible_text(key);
+    desc.format = format;
+    desc.extent = graph::Extent::fixed(splats.hierarchy.width, splats.hierarchy.height);
+    desc.layers = splats.samples * splats.hierarchy.levels;
+    return builder.image(std::move(desc));
+}
+
+/// Of a stack's layer.
+void clear_layer(const gl::Api& gl) {
+    constexpr GLuint nobody[4] = {};
+    constexpr float farthest = 1;
+    gl.ClearBufferuiv(GL_COLOR, 0, nobody);
+    gl.ClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+/// LESS: of equal depths the first surfel wins, in every run.
+const gl::Program& bind_layer(const graph::PassContext& p, const VisibleSplats& visible,
+                              const SplatLayer& layer) {
+    const int index = layer.sample * visible.splats.hierarchy.levels + layer.level;
+    const graph::PassContext::Attachment depth{visible.depth, index};
+    p.bind_framebuffer({{visible.winner, index}}, &depth);
+    const auto& gl = p.api();
+    gl.Disable(GL_BLEND);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_LESS);
+    gl.DepthMask(GL_TRUE);
+    if (layer.is_first) clear_layer(gl);
+    const auto& program = p.program({{"methods/deep-screen-space/splatting/splat.vert",
+                                      "methods/deep-screen-space/splatting/visible.frag"}});
+    program.use();
+    p.bind_texture(0, visible.splats.hierarchy.layout);
+    p.bind_texture(1, visible.splats.hierarchy.positions);
+    p.bind_texture(2, visible.directions.directions);
+    p.bind_texture(3, visible.gbuffer.geometric_normal);
+    p.bind_buffer(10, visible.splats.surfels);
+    set_splat_level(program, visible.splats);
+    program.set("level", layer.level);
+    program.set("sample_index", layer.sample);
+    return program;
+}
+
+}  // namespace
+
+void set_splat_level(const gl::Program& program, const Splats& splats) {
+    const auto& parameters = splats.parameters;
+    program.set("first_shell", splats.reach.shell_radius);
+    program.set("coverage", parameters.coverage);
+    program.set("max_distance", parameters.transport.max_distance);
+    program.set("full_discs", parameters.shells == Shells::full_discs ? 1 : 0);
+}
+
+passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                                      const passes::GBuffer& gbuffer, const passes::ShadowMaps& shadow,
+                                      const passes::bounce::Directions& directions,
+                                      const Hierarchy& hierarchy, const Surfels& surfels,
+                                      const Parameters& parameters) {
+    VisibleSplats visible;
+    visible.splats = declare_splats(builder, hierarchy, surfels, parameters, directions.samples);
+    visible.gbuffer = gbuffer;
+    visible.directions = directions;
+    visible.depth = declare_layers(builder, visible.splats, "splats.depth", gl::Format::depth32f);
+    visible.winner = declare_layers(builder, visible.splats, "splats.winner", gl::Format::r32ui);
+    auto pass = builder.pass("splat");
+    pass.reads(directions.directions, gbuffer.geometric_normal).writes(visible.depth, visible.winner);
+    draw_splats(pass, visible.splats,
+                [=](const graph::PassContext& p, const SplatLayer& layer) -> const gl::Program& {
+                    return bind_layer(p, visible, layer);
+                });
+    passes::bounce::Samples samples;
+    samples.distance = combine_levels(builder, visible);
+    samples.incoming = parameters.transport.paths == Transport::Paths::ao
+                           ? passes::bounce::visibility_of(builder, gbuffer, directions, samples.distance,
+                                                           parameters.transport)
+                           : resolve_light(builder, scene, shadow, visible);
+    show_levels(builder, visible, samples.distance);
+    explain_splats(builder, visible);
+    return samples;
+}
+
+}  // namespace ir::methods::deep_screen_space

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "renderers/methods/deep-screen-space/splatting/splats.h"
+
+namespace ir::methods::deep_screen_space {
+
+/// What the splats with visibility of a frame are, and who won: between the steps of splat_visible.
+struct VisibleSplats {
+    Splats splats;
+    passes::GBuffer gbuffer;
+    passes::bounce::Directions directions;
+    graph::ImageRef depth;  ///< "splats.depth" depth32f stack, z, a layer per sample and level (sample-major)
+    graph::ImageRef winner;     ///< "splats.winner" r32ui stack likewise: 1 + surfel; 0: none
+    graph::ImageRef nearest;    ///< "splats.nearest" r32ui stack of the view, a layer per sample: 1 + surfel
+    graph::ImageRef hit_level;  ///< "splats.hit_level" r16f likewise: level of the nearest, -1: none
+};
+
+/// The image or buffer's text, by its key among visible_outputs().
+graph::ResourceText visible_text(const std::string& key);
+
+/// Sets the uniforms of shaders/methods/deep-screen-space/splatting/visible_level.glsl.
+void set_splat_level(const gl::Program& program, const Splats& splats);
+
+/// Declares the pass "combine levels" and what it writes: `nearest`, `hit_level` and the result,
+/// "bounce.distance". [Nalbach15 §4.2]
+graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visible);
+
+/// Declares the pass "light of the winners" and "bounce.incoming": what they send towards x_p.
+graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                              const passes::ShadowMaps& shadow, const VisibleSplats& visible);
+
+/// Declares what only people look at: levels unshuffled, radiance of the winners on each level, implied ε.
+void show_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ImageRef distance);
+
+}  // namespace ir::methods::deep_screen_space

@@ -1,0 +1,89 @@
+#include "renderers/graph/output_text.h"
+#include "renderers/methods/deep-screen-space/splatting/visible.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+const std::string layer_order = " A layer per sample and level: sample × levels + level.";
+const std::string sub_images = " Pixels stand in the sub-images of their level.";
+const std::string unshuffled = " Pixels stand where they are seen.";
+
+std::vector<OutputDescription> of_samples() {
+    return {
+        {.key = "splats.hit_level",
+         .label = "Level of the hit",
+         .kind = OutputKind::stack,
+         .doc = "The finest level of the hierarchical framebuffer on which a surfel was hit, which is the "
+                "one that "
+                "counts; -1: none. A layer per sample."},
+        {.key = "splats.nearest",
+         .label = "Surfels that were hit",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::id,
+         .doc = "1 + index of the surfel that the sample's ray met; 0: none. A layer per sample."},
+        {.key = "splats.epsilon",
+         .label = "Implied ε",
+         .kind = OutputKind::stack,
+         .colour_map = "viridis",
+         .doc = "How coarse what was hit is: (r 2^k / t)², with the surfel's radius r, the shell k that its "
+                "disc was "
+                "enlarged for, and the distance t. Large values tell where enlarged discs do not follow the "
+                "surface "
+                "or reach through others. 0: no hit. A layer per sample."},
+    };
+}
+
+std::vector<OutputDescription> of_levels() {
+    return {
+        {.key = "splats.depth",
+         .label = "Bounced z in sub-images",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::depth,
+         .doc = "t²/r² of the nearest surfel along the pixel's ray, r the level's reach d 2^l; 1: none." +
+                sub_images + layer_order},
+        {.key = "splats.winner",
+         .label = "Winners in sub-images",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::id,
+         .doc = "1 + index of the surfel with the least z; 0: none." + sub_images + layer_order},
+        {.key = "splats.radiance",
+         .label = "Radiance in sub-images",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "What the winners store for the side that was hit: without their highlights, 0 for ambient "
+                "occlusion. "
+                "Alpha 0: none." +
+                sub_images + layer_order},
+        {.key = "splats.level_depth",
+         .label = "Bounced z by level",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::depth,
+         .doc = "t²/r² of the nearest surfel along the pixel's ray, r the level's reach d 2^l; 1: none." +
+                unshuffled + layer_order},
+        {.key = "splats.level_radiance",
+         .label = "Radiance by level",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "What the winners store for the side that was hit: without their highlights, 0 for ambient "
+                "occlusion. "
+                "Alpha 0: none." +
+                unshuffled + layer_order},
+    };
+}
+
+}  // namespace
+
+std::vector<OutputDescription> visible_outputs() {
+    auto outputs = of_samples();
+    for (auto& output : of_levels()) outputs.push_back(std::move(output));
+    for (auto& output : outputs) output.active_when = {"visibility", {true}};
+    return outputs;
+}
+
+graph::ResourceText visible_text(const std::string& key) {
+    return graph::text_of(visible_outputs(), key);
+}
+
+}  // namespace ir::methods::deep_screen_space

@@ -1,0 +1,74 @@
+// All splats onto one pixel, found over all surfels.
+layout(local_size_x = 64) in;
+
+#include "methods/deep-screen-space/splatting/explain_splat.glsl"
+
+/// As fields of "splats.explain.candidates".
+struct Candidate {
+    float centre[3], normal[3], radius;
+    uint surfel, sample_index, level, shell, outcome;
+    float distance_m, z;
+};
+layout(std430, binding = 2) writeonly buffer Candidates { Candidate candidates[]; };
+/// As fields of "splats.explain.levels"; the host fills in what was found.
+struct LevelSum {
+    uint sample_index, level, splats, outcomes[5], found, kept, is_nearest;
+    float found_z, kept_z;
+};
+layout(std430, binding = 3) buffer Sums { LevelSum sums[]; };
+layout(std430, binding = 4) buffer CandidateCount { uint candidate_count; };
+layout(std430, binding = 5) buffer SumCount { uint sum_count; };
+
+layout(binding = 5) uniform sampler2DArray depths;
+
+uniform uint first_item, end_item;
+uniform ivec2 picked;  // negative: none
+
+void write_candidate(Surfel s, uint index, int sample_index, int level, ExplainedSplat e) {
+    uint at = atomicAdd(candidate_count, 1u);
+    if (at >= uint(candidates.length())) return;
+    candidates[at] =
+        Candidate(float[3](s.centre_ws.x, s.centre_ws.y, s.centre_ws.z),
+                  float[3](s.normal_ws.x, s.normal_ws.y, s.normal_ws.z), e.hit.disc_radius, index + 1u,
+                  uint(sample_index), uint(level), uint(e.shell), uint(e.hit.outcome),
+                  isinf(e.hit.distance_m) || isnan(e.hit.distance_m) ? 0.0 : e.hit.distance_m, e.hit.z);
+}
+
+void explain(Surfel s, uint index, int level, int sample_index, ivec2 place, vec3 x_ws, vec3 normal_ws) {
+    if (!is_in_sub_image(s, level, sample_index, place)) return;
+    vec4 direction = texelFetch(directions, ivec3(picked, sample_index), 0);
+    if (direction == vec4(0)) return;
+    ExplainedSplat e = explained_splat(s, level, x_ws, direction.xyz, normal_ws);
+    int row = sample_index * levels + level;
+    atomicAdd(sums[row].splats, 1u);
+    atomicAdd(sums[row].outcomes[e.hit.outcome - SPLAT_OUTSIDE], 1u);
+    if (e.hit.outcome != SPLAT_OUTSIDE) write_candidate(s, index, sample_index, level, e);
+}
+
+/// What the framebuffer holds.
+void begin_sums() {
+    for (int row = 0; row < samples * levels && row < sums.length(); ++row) {
+        ivec3 at = ivec3(place_of(picked, row % levels), row);
+        sums[row].sample_index = uint(row / levels);
+        sums[row].level = uint(row % levels);
+        sums[row].kept = texelFetch(winners, at, 0).x;
+        sums[row].kept_z = texelFetch(depths, at, 0).x;
+    }
+    atomicAdd(sum_count, uint(samples * levels));
+}
+
+void main() {
+    if (picked.x < 0) return;
+    vec3 normal_ws = texelFetch(geometric_normals, picked, 0).xyz;
+    if (normal_ws == vec3(0)) return;
+    uint i = first_item + gl_GlobalInvocationID.x;
+    if (i == 0u) begin_sums();
+    if (i >= min(end_item, stored) || sums.length() < samples * levels) return;
+    Surfel s = surfels[i];
+    vec3 x_ws = texelFetch(positions, picked, 0).xyz;
+    for (int level = 0; level < levels; ++level) {
+        if (!is_in_range(splat_range(s, level), picked, level)) continue;
+        ivec2 place = place_of(picked, level);
+        for (int j = 0; j < samples; ++j) explain(s, i, level, j, place, x_ws, normal_ws);
+    }
+}
