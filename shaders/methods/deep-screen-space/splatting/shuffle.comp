@@ -12,12 +12,12 @@ layout(binding = 1) uniform writeonly image2DArray normals;
 void main() {
     ivec3 place = ivec3(gl_GlobalInvocationID);
     if (any(greaterThanEqual(place, textureSize(layout_texture, 0)))) return;
-    uint packed = texelFetch(layout_texture, place, 0).x;
+    uint word = texelFetch(layout_texture, place, 0).x;
     vec4 position = vec4(0), normal = vec4(0);
-    if (packed != PADDING) {
-        position = texelFetch(position_texture, unpacked_place(packed), 0);
+    if (word != PADDING) {
+        position = texelFetch(position_texture, unpacked_place(word), 0);
         position.w = position.w > 0.0 ? 1.0 : 0.0;
-        normal = vec4(texelFetch(normal_texture, unpacked_place(packed), 0).xyz, 0);
+        normal = vec4(texelFetch(normal_texture, unpacked_place(word), 0).xyz, 0);
     }
     imageStore(positions, place, position);
     imageStore(normals, place, normal);

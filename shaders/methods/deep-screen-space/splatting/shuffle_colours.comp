@@ -10,8 +10,8 @@ layout(binding = 0) uniform writeonly image2DArray colours;
 void main() {
     ivec3 place = ivec3(gl_GlobalInvocationID);
     if (any(greaterThanEqual(place, textureSize(layout_texture, 0)))) return;
-    uint packed = texelFetch(layout_texture, place, 0).x;
+    uint word = texelFetch(layout_texture, place, 0).x;
     vec4 colour = vec4(0);
-    if (packed != PADDING) colour = vec4(texelFetch(albedo_texture, unpacked_place(packed), 0).xyz, 1);
+    if (word != PADDING) colour = vec4(texelFetch(albedo_texture, unpacked_place(word), 0).xyz, 1);
     imageStore(colours, place, colour);
 }

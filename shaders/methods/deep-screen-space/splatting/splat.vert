@@ -14,9 +14,9 @@ const uint CORNER_Y = 0x2cu;  // 0 0 1 1 0 1
 void main() {
     uint vertex = uint(gl_VertexID), corner = vertex % 6u;
     surfel_index = first_surfel + vertex / 6u;
-    uvec2 packed = rectangles[vertex / 6u];
-    uint x = (CORNER_X >> corner & 1u) == 0u ? packed.x & 0xffffu : packed.y & 0xffffu;
-    uint y = (CORNER_Y >> corner & 1u) == 0u ? packed.x >> 16 : packed.y >> 16;
+    uvec2 word = rectangles[vertex / 6u];
+    uint x = (CORNER_X >> corner & 1u) == 0u ? word.x & 0xffffu : word.y & 0xffffu;
+    uint y = (CORNER_Y >> corner & 1u) == 0u ? word.x >> 16 : word.y >> 16;
     vec2 place = vec2(x, y) / framebuffer_size;
     gl_Position = vec4(2.0 * place.x - 1.0, 1.0 - 2.0 * place.y, 0, 1);
 }

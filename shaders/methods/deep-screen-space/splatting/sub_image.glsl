@@ -3,6 +3,6 @@
 
 /// Column and row; never of the surfel's place in the buffer, which depends on what else is there.
 uvec2 random_sub_image(uint identity, uint level, uint sample_index, uint seed) {
-    uint random = pcg4d(uvec4(identity, level, sample_index, seed)).x;
-    return uvec2(random, random >> level) & ((1u << level) - 1u);
+    uvec2 random = pcg4d(uvec4(identity, level, sample_index, seed)).xy;
+    return (random >> 16) << level >> 16;
 }

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/deep-screen-space/splatting.h"
+#include "tests/unit/passes/pass_fixture.h"
+#include "tests/unit/passes/small_world.h"
+
+namespace ir::test {
+
+namespace dss = methods::deep_screen_space;
+
+/// As pcg4d of shaders/lib/random.glsl.
+inline glm::uvec4 pcg4d(glm::uvec4 v) {
+    v = v * 1664525u + 1013904223u;
+    const auto mix = [&] {
+        v.x += v.y * v.w;
+        v.y += v.z * v.x;
+        v.z += v.x * v.y;
+        v.w += v.y * v.z;
+    };
+    mix();
+    v ^= v >> 16u;
+    mix();
+    return v;
+}
+
+/// A disc that sends `radiance` to both sides.
+inline dss::Surfel disc(glm::vec3 centre, glm::vec3 normal, float radius, std::uint32_t identity = 0,
+                        glm::vec3 radiance = glm::vec3(1)) {
+    dss::Surfel surfel{};
+    surfel.centre_ws = centre;
+    surfel.normal_ws = glm::normalize(normal);
+    surfel.radius = radius;
+    surfel.identity = pcg4d({identity, 1, 2, 3}).x;
+    surfel.radiance_front = surfel.radiance_back = radiance;
+    return surfel;
+}
+
+/// A square of half side `half` as n × n discs, each in the middle of its cell and of the cell's area.
+inline std::vector<dss::Surfel> discs_of_square(glm::vec3 centre, glm::vec3 u, glm::vec3 v, float half, int n,
+                                                glm::vec3 radiance = glm::vec3(1)) {
+    std::vector<dss::Surfel> surfels;
+    const float cell = 2 * half / static_cast<float>(n);
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            const auto at = centre + ((static_cast<float>(x) + 0.5f) * cell - half) * u +
+                            ((static_cast<float>(y) + 0.5f) * cell - half) * v;
+            surfels.push_back(disc(at, glm::cross(u, v), cell / std::sqrt(3.14159265f),
+                                   static_cast<std::uint32_t>(surfels.size()), radiance));
+        }
+    return surfels;
+}
+
+class DeepScreenSpaceTest : public PassTest {
+  protected:
+    /// Declares surfels with these contents. `capacity`: 0: as many as there are; `uncounted` is added to the
+    /// counter: surfels that found no place.
+    static dss::Surfels upload(graph::GraphBuilder& builder, const std::vector<dss::Surfel>& records,
+                               std::uint64_t capacity = 0, std::uint32_t uncounted = 0) {
+        graph::BufferDesc desc;
+        desc.text = {.key = "surfels", .label = "Surfels"};
+        desc.kind = OutputKind::glyphs;
+        desc.fields = dss::surfel_fields();
+        desc.elements = capacity ? capacity : std::max<std::size_t>(1, records.size());
+        dss::Surfels surfels;
+        surfels.records = builder.buffer(std::move(desc));
+        surfels.count = builder.counter({.key = "surfels.count", .label = "Surfels"});
+        builder.pass("upload surfels")
+            .writes(surfels.records)
+            .counts(surfels.count)
+            .execute([=](graph::PassContext& p) {
+                const auto there = std::min<std::size_t>(records.size(), p.capacity(surfels.records));
+                p.upload(surfels.records, std::as_bytes(std::span(records).first(there)));
+                const auto count = static_cast<std::uint32_t>(records.size()) + uncounted;
+                p.bind_counter(0, surfels.count);
+                GLint64 start = 0;
+                p.api().GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, 0, &start);
+                p.api().BufferSubData(GL_SHADER_STORAGE_BUFFER, start, sizeof count, &count);
+            });
+        return surfels;
+    }
+};
+
+inline scene::Camera looking(glm::vec3 eye, glm::vec3 target, bool orthographic = false, float height = 4) {
+    scene::Camera camera;
+    camera.eye = eye;
+    camera.target = target;
+    camera.up = std::abs(glm::normalize(target - eye).y) > 0.9f ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
+    camera.orthographic = orthographic;
+    camera.height = height;
+    return camera;
+}
+
+}  // namespace ir::test
