@@ -1,0 +1,101 @@
+#include "renderers/methods/ambient-occlusion-volumes/bounced.h"
+
+#include <algorithm>
+
+#include "renderers/graph/output_text.h"
+
+namespace ir::methods::ambient_occlusion_volumes {
+namespace {
+
+struct BouncedPass {
+    Volumes volumes;
+    passes::bounce::Directions directions;
+    Bounced result;
+    graph::ImageRef depth;  ///< z = |x − y|² / r²
+
+    void bind(const graph::PassContext& context, int layer) const {
+        const graph::PassContext::Attachment z{depth, layer};
+        context.bind_framebuffer({{result.winner, layer}, {result.distance, layer}}, &z);
+    }
+
+    void clear(const graph::PassContext& context) const {
+        const unsigned nobody[4] = {0, 0, 0, 0};
+        const float no_hit[4] = {-1, -1, -1, -1}, far = 1;
+        for (int layer = 0; layer < directions.samples; ++layer) {
+            bind(context, layer);
+            context.api().ClearBufferuiv(GL_COLOR, 0, nobody);
+            context.api().ClearBufferfv(GL_COLOR, 1, no_hit);
+            context.api().ClearBufferfv(GL_DEPTH, 0, &far);
+        }
+    }
+
+    /// Items are triangles, once for each sample.
+    void run(const graph::PassContext& context, graph::Slice slice) const {
+        if (slice.first) clear(context);
+        const auto& program = context.program(drawing_with("bounced.frag"));
+        program.use();
+        bind_volumes(context, program, volumes);
+        context.bind_texture(5, directions.directions);
+        const auto& gl = context.api();
+        gl.Enable(GL_DEPTH_TEST);
+        gl.DepthFunc(GL_LESS);
+        for (auto begin = slice.begin; begin < slice.end;) {
+            const auto layer = begin / volumes.triangles, first = layer * volumes.triangles;
+            const auto end = std::min(slice.end, first + volumes.triangles);
+            bind(context, static_cast<int>(layer));
+            program.set("layer", static_cast<int>(layer));
+            draw_volumes(context, program, begin - first, end - first);
+            begin = end;
+        }
+        gl.Disable(GL_DEPTH_TEST);
+    }
+};
+
+graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl::Format format,
+                        int samples) {
+    graph::ImageDesc desc;
+    desc.text = graph::text_of(bounced_outputs(), key);
+    desc.format = format;
+    desc.layers = samples;
+    return builder.image(std::move(desc));
+}
+
+}  // namespace
+
+Bounced find_nearest(graph::GraphBuilder& builder, const Volumes& volumes,
+                     const passes::bounce::Directions& directions) {
+    BouncedPass bounced{volumes, directions, {}, {}};
+    bounced.result.distance = passes::bounce::declare_distance(builder, directions.samples);
+    bounced.result.winner = declare(builder, "volumes.winner", gl::Format::r32ui, directions.samples);
+    bounced.depth = declare(builder, "volumes.depth", gl::Format::depth32f, directions.samples);
+    auto pass = builder.pass("bounced z");
+    read_volumes(pass, volumes);
+    pass.reads(directions.directions)
+        .writes(bounced.result.distance, bounced.result.winner, bounced.depth)
+        .execute_sliced(
+            volumes.triangles * directions.samples,
+            [bounced](graph::PassContext& context, graph::Slice slice) { bounced.run(context, slice); });
+    return bounced.result;
+}
+
+std::vector<OutputDescription> bounced_outputs() {
+    const Condition bounced{"visibility", {true}};
+    return {
+        {.key = "volumes.winner",
+         .label = "Nearest triangles",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::id,
+         .doc = "A layer for each sample: 1 + the number of the triangle that the pixel's ray meets first; 0 "
+                "where it meets none within the maximum distance.",
+         .active_when = bounced},
+        {.key = "volumes.depth",
+         .label = "Bounced z",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::depth,
+         .doc = "A layer for each sample: |x − y|² / d_max² of the point y that the pixel's ray meets first; "
+                "1 where it meets nothing.",
+         .active_when = bounced},
+    };
+}
+
+}  // namespace ir::methods::ambient_occlusion_volumes

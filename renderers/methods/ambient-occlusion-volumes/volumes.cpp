@@ -1,0 +1,177 @@
+#include "renderers/methods/ambient-occlusion-volumes/volumes.h"
+
+#include <algorithm>
+
+#include "renderers/passes/gbuffer/pixel_rays.h"
+#include "renderers/passes/raytracing/ray_offset.h"
+
+namespace ir::methods::ambient_occlusion_volumes {
+namespace {
+
+using graph::Field;
+using graph::FieldType;
+
+/// Boxes of what tiles of the picture show.
+struct Tiles {
+    graph::ImageRef low, high;
+    int side = 0;  ///< pixels
+};
+
+/// At least 8 pixels a side, at most 64 tiles along each: an invocation may look at all of them.
+Tiles declare_tiles(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer) {
+    const auto& view = builder.inputs().view;
+    Tiles tiles;
+    tiles.side = std::max(8, (std::max(view.width, view.height) + 63) / 64);
+    const auto declare = [&](const char* key, const char* label) {
+        graph::ImageDesc desc;
+        desc.text = {key, label,
+                     "Of the positions that a tile of the picture shows; w: 1 where it shows anything",
+                     Semantic::position, "m"};
+        desc.extent = graph::Extent::fixed((view.width + tiles.side - 1) / tiles.side,
+                                           (view.height + tiles.side - 1) / tiles.side);
+        return builder.image(std::move(desc));
+    };
+    tiles.low = declare("volumes.tiles.low", "Least position of tiles");
+    tiles.high = declare("volumes.tiles.high", "Largest position of tiles");
+    builder.pass("picture bounds")
+        .reads(gbuffer.position)
+        .writes(tiles.low, tiles.high)
+        .execute([=](graph::PassContext& context) {
+            const auto& program = context.program({{"methods/ambient-occlusion-volumes/bounds.comp"}});
+            program.use();
+            context.bind_texture(0, gbuffer.position);
+            context.bind_storage_image(0, tiles.low);
+            context.bind_storage_image(1, tiles.high);
+            program.set("side", tiles.side);
+            const auto shape = context.shape(tiles.low);
+            program.dispatch(shape.width, shape.height);
+        });
+    return tiles;
+}
+
+/// Buffers 0 … 7, and what is said of all triangles.
+void bind_triangles(const graph::PassContext& context, const gl::Program& program, const Volumes& volumes) {
+    const auto& scene = volumes.scene;
+    const graph::BufferRef buffers[] = {
+        scene.positions,          scene.indices,   scene.uv0,     scene.uv1,
+        scene.triangle_materials, scene.materials, scene.opacity, scene.opacity_words};
+    int binding = 0;
+    for (const auto buffer : buffers) context.bind_buffer(binding++, buffer);
+    program.set("opaque_triangles", context.inputs().world->opaque_triangles);
+    program.set("reach", volumes.reach);
+    program.set("both_sides", volumes.both_sides ? 1 : 0);
+    program.set("least_offset", passes::least_ray_offset_m);
+    program.set("offset_scale", passes::relative_ray_offset);
+}
+
+void read_triangles(graph::PassBuilder& pass, const passes::SceneBuffers& scene) {
+    pass.reads(scene.positions, scene.indices, scene.uv0, scene.uv1, scene.triangle_materials,
+               scene.materials, scene.opacity, scene.opacity_words);
+}
+
+bool is_orthographic(const scene::View& view) {
+    return view.clip_from_view[2][3] == 0;
+}
+
+void set_hull(const graph::PassContext& context, const gl::Program& program) {
+    const auto& view = context.inputs().view;
+    const glm::vec3 axis = -glm::vec3(glm::transpose(view.view_from_world)[2]);
+    const auto rays = passes::pixel_rays(view);
+    program.set("viewer_ws", is_orthographic(view) ? glm::vec4(-axis, 0) : glm::vec4(view.eye_ws, 1));
+    program.set("view_axis_ws", axis);
+    program.set("pixel_size",
+                glm::vec2(std::max(glm::length(rays.origin_dx), glm::length(rays.origin_dy)),
+                          std::max(glm::length(rays.direction_dx), glm::length(rays.direction_dy))));
+    program.set("clip_from_world", view.clip_from_world());
+}
+
+struct CullPass {
+    Volumes volumes;
+    Tiles tiles;
+    graph::CounterRef drawn, culled;
+
+    void run(const graph::PassContext& context, graph::Slice slice) const {
+        const auto& program = context.method_program({{"methods/ambient-occlusion-volumes/cull.comp"}});
+        program.use();
+        bind_triangles(context, program, volumes);
+        set_hull(context, program);
+        context.bind_buffer(8, volumes.occluders);
+        context.bind_counter(9, drawn);
+        context.bind_counter(10, culled);
+        context.bind_texture(0, tiles.low);
+        context.bind_texture(1, tiles.high);
+        const auto& view = context.inputs().view;
+        program.set("side", tiles.side);
+        program.set("size_px", glm::vec2(view.width, view.height));
+        program.set("first_triangle", static_cast<unsigned>(slice.begin));
+        program.set("end_triangle", static_cast<unsigned>(slice.end));
+        program.dispatch(slice.end - slice.begin);
+    }
+};
+
+void cull(graph::GraphBuilder& builder, const Volumes& volumes, const Tiles& tiles) {
+    CullPass cull{volumes, tiles, {}, {}};
+    cull.drawn = builder.counter({.key = "volumes.drawn", .label = "Volumes drawn"});
+    cull.culled = builder.counter({.key = "volumes.culled",
+                                   .label = "Volumes culled",
+                                   .doc = "Nothing that the picture shows lies in them, or their triangle "
+                                          "has no area."});
+    auto pass = builder.pass("cull volumes");
+    read_triangles(pass, volumes.scene);
+    pass.reads(tiles.low, tiles.high).writes(volumes.occluders).counts(cull.drawn).counts(cull.culled);
+    pass.execute_sliced(volumes.triangles, [cull](graph::PassContext& context, graph::Slice slice) {
+        cull.run(context, slice);
+    });
+}
+
+}  // namespace
+
+Volumes declare_volumes(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                        const passes::GBuffer& gbuffer, const Parameters& parameters) {
+    const auto& world = *builder.inputs().world;
+    Volumes volumes{.scene = scene,
+                    .gbuffer = gbuffer,
+                    .occluders = {},
+                    .triangles = static_cast<std::int64_t>(world.triangles()),
+                    .reach = reach_of(parameters, world),
+                    .both_sides = both_sides(parameters)};
+    volumes.occluders = builder.buffer(
+        {.text = {.key = "volumes.occluders",
+                  .label = "Occluders",
+                  .doc = "Whether a triangle's volume is drawn, and the mean of the triangle's mask."},
+         .fields = {{"drawn", FieldType::u32}, {"coverage", FieldType::f32}},
+         .elements = std::max<std::uint64_t>(1, world.triangles())});
+    cull(builder, volumes, declare_tiles(builder, gbuffer));
+    return volumes;
+}
+
+void read_volumes(graph::PassBuilder& pass, const Volumes& volumes) {
+    read_triangles(pass, volumes.scene);
+    const auto& g = volumes.gbuffer;
+    pass.reads(volumes.occluders, g.position, g.normal, g.geometric_normal);
+}
+
+void bind_volumes(const graph::PassContext& context, const gl::Program& program, const Volumes& volumes) {
+    bind_triangles(context, program, volumes);
+    context.bind_buffer(8, volumes.occluders);
+    context.bind_texture(0, volumes.gbuffer.position);
+    context.bind_texture(1, volumes.gbuffer.normal);
+    context.bind_texture(2, volumes.gbuffer.geometric_normal);
+}
+
+gl::ProgramSource drawing_with(const std::string& fragments) {
+    const std::string folder = "methods/ambient-occlusion-volumes/";
+    return {{folder + "volume.vert", folder + "volume.geom", folder + fragments}};
+}
+
+void draw_volumes(const graph::PassContext& context, const gl::Program& program, std::int64_t begin,
+                  std::int64_t end) {
+    if (begin == end) return;
+    set_hull(context, program);
+    context.bind_empty_vertex_array();
+    context.api().Enable(GL_DEPTH_CLAMP);  // near and far plane cut no volume
+    context.api().DrawArrays(GL_POINTS, static_cast<GLint>(begin), static_cast<GLsizei>(end - begin));
+    context.api().Disable(GL_DEPTH_CLAMP);
+}
+
+}  // namespace ir::methods::ambient_occlusion_volumes

@@ -1,0 +1,88 @@
+// The triangles in whose volumes the picked pixel's point lies: first which, then what each of them does.
+layout(local_size_x = 64) in;
+#define TRIANGLE_BINDING 0
+#define LIGHT 0
+#include "methods/ambient-occlusion-volumes/triangle.glsl"
+#include "methods/ambient-occlusion-volumes/occlusion.glsl"
+#include "methods/ambient-occlusion-volumes/ray.glsl"
+#include "passes/bounce/receiver.glsl"
+
+layout(std430, binding = 8) readonly buffer Occluders { Occluder occluders[]; };
+layout(std430, binding = 9) buffer Concerned { uint concerned[]; };
+
+uniform ivec2 picked;  // negative: none
+uniform uint triangle_count;
+uniform int both_sides;
+
+#if WRITE
+layout(std430, binding = 10) readonly buffer Places { uint places[]; };
+layout(std430, binding = 11) writeonly buffer Explained { uint explained[]; };
+const uint WORDS = 14u;
+
+#if BOUNCED
+layout(binding = 5) uniform sampler2DArray directions;
+layout(binding = 6) uniform usampler2DArray winners;
+#endif
+
+struct Rays {
+    uint hits, won;
+    float distance;  // of the nearest; -1: none
+};
+
+Rays rays_against(uint triangle, mat3 corners, vec3 origin) {
+    Rays rays = Rays(0u, 0u, -1.0);
+#if BOUNCED
+    for (int i = 0; i < textureSize(directions, 0).z; ++i) {
+        vec4 direction = texelFetch(directions, ivec3(picked, i), 0);
+        if (direction.w == 0.0) continue;
+        float t = hit_distance(triangle, corners, origin, direction.xyz, reach);
+        if (t < 0.0) continue;
+        ++rays.hits;
+        if (texelFetch(winners, ivec3(picked, i), 0).x == triangle + 1u) ++rays.won;
+        rays.distance = rays.distance < 0.0 ? t : min(rays.distance, t);
+    }
+#endif
+    return rays;
+}
+
+void write(uint triangle, Volume v, Receiver receiver, vec3 x) {
+    uint word = WORDS * places[triangle];
+    if (word + WORDS > uint(explained.length())) return;
+    vec3 centre = (v.corners[0] + v.corners[1] + v.corners[2]) / 3.0;
+    float area = 0.5 * length(cross(v.corners[1] - v.corners[0], v.corners[2] - v.corners[0]));
+    float factor = form_factor_of(v, x, receiver.normal);
+    float weight = occluders[triangle].coverage * falloff_weight(v, x);
+    Rays rays = rays_against(triangle, mat3(v.corners[0], v.corners[1], v.corners[2]), x);
+    for (int i = 0; i < 3; ++i) {
+        explained[word + uint(i)] = floatBitsToUint(centre[i]);
+        explained[word + 3u + uint(i)] = floatBitsToUint(v.normal[i]);
+    }
+    explained[word + 6u] = floatBitsToUint(sqrt(area / 3.14159265358979));
+    explained[word + 7u] = triangle;
+    explained[word + 8u] = floatBitsToUint(factor);
+    explained[word + 9u] = floatBitsToUint(weight);
+    explained[word + 10u] = floatBitsToUint(weight * factor);
+    explained[word + 11u] = rays.hits;
+    explained[word + 12u] = rays.won;
+    explained[word + 13u] = floatBitsToUint(rays.distance);
+}
+#endif
+
+void main() {
+    uint triangle = gl_GlobalInvocationID.x;
+    if (triangle >= triangle_count) return;
+#if !WRITE
+    concerned[triangle] = 0u;
+#endif
+    if (picked.x < 0) return;
+    Receiver receiver = receiver_at(picked);
+    if (!receiver.exists || occluders[triangle].drawn == 0u) return;
+    mat3 corners = corners_ws(triangle);
+    Volume v = volume_of(corners[0], corners[1], corners[2]);
+    vec3 x = origin_over(receiver.position, receiver.geometric_normal);
+#if WRITE
+    if (concerned[triangle] != 0u) write(triangle, v, receiver, x);
+#else
+    if (is_within(v, x, reach, both_sides != 0)) concerned[triangle] = 1u;
+#endif
+}
