@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "renderers/core/parameter.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 
@@ -12,12 +14,19 @@ struct ReprojectionParameters {
 };
 ParameterTable<ReprojectionParameters> reprojection_parameters();
 
-/// Declares the pass "reprojection" and the image that `text` describes, of the format of `image`:
-/// exponential average along `gbuffer.velocity`, restarted where the last frame showed another surface; at
-/// first the plain mean of the frames there are. Without `reprojection` gives `image` under the new key.
-graph::ImageRef reproject(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::ImageRef image,
+/// Declares the picture that `text` describes. `produce` declares a frame's picture by itself, as the text
+/// that it is given says, of one or four float channels and the size of the view; without `reprojection` that
+/// is all.
+///
+/// With it "KEY.frame" is what was produced, and the pass "reprojection" averages: exponentially along
+/// `gbuffer.velocity`, at first as the plain mean of the frames there are. The first frame is `produce`'s,
+/// bit by bit. Texels of the last frame count where they lie within a pixel's width of the plane in which the
+/// point was then, and face the same way; where none does the average starts again.
+graph::ImageRef reproject(graph::GraphBuilder& builder, const GBuffer& gbuffer,
+                          const std::function<graph::ImageRef(graph::ResourceText)>& produce,
                           const ReprojectionParameters& parameters, graph::ResourceText text);
 
+/// "reprojection.frames".
 std::vector<OutputDescription> reprojection_outputs();
 
 }  // namespace ir::passes

@@ -1,0 +1,112 @@
+#include "renderers/passes/bounce/reprojection.h"
+
+#include "renderers/graph/output_text.h"
+#include "renderers/passes/bounce/tiles.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
+
+namespace ir::passes {
+namespace {
+
+const Condition reprojected{"reprojection", {true}};
+
+struct Images {
+    graph::ImageRef now, average, surfaces, frames;
+};
+
+graph::ImageRef declare(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format) {
+    graph::ImageDesc desc;
+    desc.text = std::move(text);
+    desc.format = format;
+    return builder.image(std::move(desc));
+}
+
+graph::ResourceText of_this_frame(graph::ResourceText text) {
+    text.key += ".frame";
+    text.label += ", this frame";
+    text.doc = "Before it is averaged with the last frames.";
+    return text;
+}
+
+void bind(const graph::PassContext& context, const gl::Program& program, const GBuffer& gbuffer,
+          const Images& images, const ReprojectionParameters& parameters) {
+    const auto& inputs = context.inputs();
+    context.bind_texture(0, images.now);
+    context.bind_texture(1, gbuffer.position);
+    context.bind_texture(2, gbuffer.geometric_normal);
+    context.bind_texture(3, gbuffer.velocity);
+    context.bind_previous_texture(4, images.average);
+    context.bind_previous_texture(5, images.surfaces);
+    context.bind_previous_texture(6, images.frames);
+    context.bind_storage_image(0, images.average);
+    context.bind_storage_image(1, images.surfaces);
+    context.bind_storage_image(2, images.frames);
+    program.set("has_history", context.has_previous() ? 1 : 0);
+    program.set("history", parameters.history);
+    program.set("depth_row", -glm::vec4(glm::transpose(inputs.view.view_from_world)[2]));
+    set_pixel_rays(program, inputs.previous_view);
+}
+
+}  // namespace
+
+ParameterTable<ReprojectionParameters> reprojection_parameters() {
+    ParameterTable<ReprojectionParameters> table;
+    table
+        .add(
+            &ReprojectionParameters::reprojection,
+            {.key = "reprojection",
+             .label = "Average over frames",
+             .doc = "Each frame draws other random numbers and is blended with the last one's picture, which "
+                    "follows the motion of camera and scene and starts again where something else was seen.",
+             .citation = "Nalbach15 §5; Scherzer12"})
+        .add(
+            &ReprojectionParameters::history,
+            {.key = "history",
+             .label = "Weight of history",
+             .doc = "Part of a pixel that past frames may make up. Up to 1 / (1 − weight) frames their plain "
+                    "mean is taken.",
+             .hard = {0, 0.9999},
+             .soft = {0, 0.99},
+             .active_when = reprojected});
+    return table;
+}
+
+std::vector<OutputDescription> reprojection_outputs() {
+    return {{.key = "reprojection.frames",
+             .label = "Frames averaged",
+             .semantic = Semantic::count,
+             .doc =
+                 "For how many frames the pixel's surface has been followed, this one counted: 1 where the "
+                 "average started again, 0 without a surface.",
+             .active_when = reprojected}};
+}
+
+graph::ImageRef reproject(graph::GraphBuilder& builder, const GBuffer& gbuffer,
+                          const std::function<graph::ImageRef(graph::ResourceText)>& produce,
+                          const ReprojectionParameters& parameters, graph::ResourceText text) {
+    if (!parameters.reprojection) return produce(std::move(text));
+    Images images;
+    images.now = produce(of_this_frame(text));
+    const auto format = builder.images().at(static_cast<std::size_t>(images.now.index)).format;
+    images.average = declare(builder, std::move(text), format);
+    images.surfaces =
+        declare(builder,
+                {"reprojection.surfaces", "Surfaces for the next frame",
+                 "Geometric normal, octahedral in 2 x 16 bits, and the bits of the depth along the view axis "
+                 "(m); infinite where there is no surface"},
+                gl::Format::rg32ui);
+    images.frames =
+        declare(builder, graph::text_of(reprojection_outputs(), "reprojection.frames"), gl::Format::r32f);
+    auto pass = builder.pass("reprojection");
+    pass.reads(images.now, gbuffer.position, gbuffer.geometric_normal, gbuffer.velocity)
+        .reads_previous(images.average, images.surfaces, images.frames)
+        .writes(images.average, images.surfaces, images.frames);
+    bounce::execute_by_tiles(pass, builder, [=](graph::PassContext& context) -> const gl::Program& {
+        const auto& program = context.program({{"passes/bounce/reproject.comp"}});
+        program.use();
+        bind(context, program, gbuffer, images, parameters);
+        return program;
+    });
+    return images.average;
+}
+
+}  // namespace ir::passes
