@@ -1,0 +1,132 @@
+#include "renderers/methods/deep-screen-space/surfels/fine.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "renderers/graph/output_text.h"
+#include "renderers/methods/deep-screen-space/surfels/capture.h"
+#include "renderers/methods/deep-screen-space/surfels/view.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+using graph::FieldType;
+using graph::PassContext;
+using graph::Slice;
+
+gl::ProgramSource source_of(const Parameters& parameters) {
+    const std::string folder = "methods/deep-screen-space/surfels/";
+    gl::ProgramSource source{{folder + "fine.vert", folder + "fine.tesc", folder + "fine.tese"}};
+    source.defines["RANDOM_PLACEMENT"] = parameters.placement == Placement::random ? "1" : "0";
+    source.feedback = {"fine_centre",       "fine_triangle", "fine_normal", "fine_radius",
+                       "fine_barycentrics", "fine_identity", "fine_patch",  "fine_ideal_part"};
+    return source;
+}
+
+/// Points of one draw: llvmpipe numbers the vertices that a draw is tessellated into by 16 bits, and without
+/// a word makes the first ones again.
+constexpr std::int64_t points_of_draw = 1 << 15;
+constexpr std::int64_t most_draws = std::int64_t{1} << 11;  ///< scan_in_place has no more points
+
+/// Draws that there is room for.
+std::int64_t draws_of(const PassContext& context, const Growing& fine) {
+    const auto points = static_cast<std::int64_t>(context.capacity(fine.buffer));
+    return std::min(most_draws, points / points_of_draw + 1);
+}
+
+void write_commands(const PassContext& context, const Patches& patches, graph::BufferRef commands) {
+    const auto& program = context.program({{"methods/deep-screen-space/surfels/commands.comp"},
+                                           {{"POINTS_OF_DRAW", std::to_string(points_of_draw) + "u"}}});
+    program.use();
+    context.bind_buffer(0, patches.points.buffer);
+    context.bind_counter(1, patches.list.count);
+    context.bind_buffer(2, commands);
+    context.bind_counter(3, patches.points.count);
+    const auto capacity =
+        std::min(context.capacity(patches.list.buffer), context.capacity(patches.points.buffer));
+    program.set("capacity", static_cast<unsigned>(capacity));
+    program.set("command_count", static_cast<unsigned>(most_draws));
+    program.dispatch(most_draws);
+}
+
+void draw(const PassContext& context, graph::BufferRef commands, std::int64_t first, std::int64_t end) {
+    constexpr std::int64_t stride = 16;
+    const auto& gl = context.api();
+    context.bind_empty_framebuffer(1, 1);
+    context.bind_empty_vertex_array();
+    gl.Enable(GL_RASTERIZER_DISCARD);
+    gl.PatchParameteri(GL_PATCH_VERTICES, 1);
+    gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, context.buffer(commands));
+    gl.MultiDrawArraysIndirect(GL_PATCHES, reinterpret_cast<const void*>(first * stride),
+                               static_cast<GLsizei>(end - first), stride);
+    gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+    gl.Disable(GL_RASTERIZER_DISCARD);
+}
+
+}  // namespace
+
+Growing declare_fine(graph::GraphBuilder& builder, std::uint64_t reserve) {
+    return growing(builder,
+                   {.text = graph::text_of(surfel_outputs(), "surfels.fine"),
+                    .kind = OutputKind::glyphs,
+                    .fields = {{"centre", FieldType::f32, 3},
+                               {"triangle", FieldType::u32},
+                               {"normal", FieldType::f32, 3},
+                               {"radius"},
+                               {"barycentrics", FieldType::u32},
+                               {"identity", FieldType::u32},
+                               {"patch", FieldType::u32},
+                               {"part"}}},
+                   {.key = "surfels.fine",
+                    .label = "Fine surfels",
+                    .doc = "That the tessellator makes, before thinning."},
+                   reserve);
+}
+
+void tessellate(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Patches& patches,
+                const Growing& fine, const Parameters& parameters) {
+    const auto commands =
+        builder.buffer({.text = {.key = "surfels.draws",
+                                 .label = "Draws of patches",
+                                 .doc = "Consecutive patches with about as many points each."},
+                        .fields = {{"vertices", FieldType::u32},
+                                   {"instances", FieldType::u32},
+                                   {"first_vertex", FieldType::u32},
+                                   {"base_instance", FieldType::u32}},
+                        .elements = most_draws});
+    builder.pass("divide draws")
+        .reads(patches.points.buffer, patches.list.buffer)
+        .writes(commands)
+        .counts(patches.list.count)
+        .counts(patches.points.count)
+        .execute([=](PassContext& context) { write_commands(context, patches, commands); });
+    const auto capture = std::make_shared<std::unique_ptr<Capture>>();
+    builder.pass("fine surfels")
+        .reads(scene.positions, scene.indices, patches.list.buffer, commands)
+        .writes(fine.buffer)
+        .execute_sliced(
+            most_draws,
+            [=](PassContext& context, Slice slice) {
+                const auto& program = context.program(source_of(parameters));
+                program.use();
+                set_ideal(program, context.inputs(), parameters);
+                program.set("seed", folded_seed(context.inputs()));
+                context.bind_buffer(0, scene.positions);
+                context.bind_buffer(1, scene.indices);
+                context.bind_buffer(2, patches.list.buffer);
+                if (slice.first)
+                    *capture = std::make_unique<Capture>(
+                        context.api(), context.buffer(fine.buffer),
+                        static_cast<std::int64_t>(context.capacity(fine.buffer) * sizeof(FineSurfel)));
+                const auto end = std::min(slice.end, draws_of(context, fine));
+                if (slice.begin < end) {
+                    (*capture)->resume();
+                    draw(context, commands, slice.begin, end);
+                    (*capture)->pause();
+                }
+                if (slice.last) capture->reset();
+            },
+            1);
+}
+
+}  // namespace ir::methods::deep_screen_space

@@ -1,0 +1,41 @@
+#include "renderers/methods/deep-screen-space/surfels.h"
+
+namespace ir::methods::deep_screen_space {
+
+std::vector<OutputDescription> surfel_outputs() {
+    return {
+        {.key = "surfels",
+         .label = "Surfels",
+         .kind = OutputKind::glyphs,
+         .unit = "m",
+         .doc = "The discs that stand for the scene's surfaces [Nalbach15 fig. 7]. radius: m, of a disc as "
+                "large as "
+                "the piece of surface that it stands for. radiance_front, radiance_back: RGB, W/(m² sr), "
+                "what it "
+                "sends on the side of its normal and on the other one: the diffuse part of direct light, and "
+                "emission where all light is computed; 0 for ambient occlusion. triangle: of the scene; "
+                "barycentrics: "
+                "weights of its second and third corner, 16 bits each. identity: a hash of its place, of "
+                "which all "
+                "random choices about it are made."},
+        {.key = "surfels.fine",
+         .label = "Fine surfels",
+         .kind = OutputKind::glyphs,
+         .unit = "m",
+         .doc =
+             "Before thinning, as tessellation makes them; also where an alpha mask has holes. part: of the "
+             "ideal area; those below 1 are kept with this probability. patch: in the list of patches; "
+             "radius, "
+             "triangle, barycentrics, identity: as of the surfels."},
+        {.key = "surfels.counts",
+         .label = "Counts of surfels",
+         .kind = OutputKind::table,
+         .semantic = Semantic::count,
+         .doc = "triangles: of the scene; left: after culling; patches: after splitting; fine, kept: surfels "
+                "before "
+                "and after thinning; fine_area, kept_area: their areas together, m²; fine_part, kept_part: "
+                "their area "
+                "in parts of the ideal area, on average."}};
+}
+
+}  // namespace ir::methods::deep_screen_space

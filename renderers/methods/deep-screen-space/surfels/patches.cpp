@@ -1,0 +1,194 @@
+#include "renderers/methods/deep-screen-space/surfels/patches.h"
+
+#include <algorithm>
+
+#include "renderers/gl/dispatch_items.h"
+#include "renderers/methods/deep-screen-space/surfels/view.h"
+#include "renderers/passes/scan/scan.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+using graph::FieldType;
+using graph::GraphBuilder;
+using graph::PassContext;
+using graph::Slice;
+
+constexpr std::int64_t first_slice = 4096;
+
+std::vector<graph::Field> patch_fields() {
+    return {{"triangle", FieldType::u32},
+            {"splits", FieldType::u32},
+            {"place", FieldType::u32},
+            {"level", FieldType::u32}};
+}
+
+struct Splitting {
+    passes::SceneBuffers scene;
+    Growing parts;    ///< that the first round leaves
+    Growing words;    ///< patches of each part, then their places
+    Growing patches;  ///< of the second round
+    Growing points;   ///< of each patch, then their places
+    graph::CounterRef triangles, coarse;
+    float reach;
+    Parameters parameters;
+};
+
+const gl::Program& use(const PassContext& context, const Splitting& s, int round, bool packs) {
+    const auto& program = context.program({{"methods/deep-screen-space/surfels/split.comp"},
+                                           {{"ROUND", std::to_string(round)}, {"PACKS", packs ? "1" : "0"}}});
+    program.use();
+    set_ideal(program, context.inputs(), s.parameters);
+    set_frustum(program, context.inputs(), s.reach, s.parameters);
+    // the published pattern of 2014 has no smaller surfels to choose from
+    program.set("fine_part", s.parameters.placement == Placement::random ? s.parameters.fine_area : 1.0f);
+    context.bind_buffer(0, s.scene.positions);
+    context.bind_buffer(1, s.scene.indices);
+    return program;
+}
+
+void first_round(GraphBuilder& builder, const Splitting& s) {
+    const auto triangles = static_cast<std::int64_t>(builder.inputs().world->triangles());
+    const auto counts =
+        builder.buffer({.text = {.key = "surfels.parts.counts",
+                                 .label = "Parts of triangles",
+                                 .doc = "How many parts of each triangle are left."},
+                        .fields = {{"count", FieldType::u32}},
+                        .elements = static_cast<std::uint64_t>(std::max<std::int64_t>(1, triangles)),
+                        .cleared = true});
+    builder.pass("cull triangles")
+        .reads(s.scene.positions, s.scene.indices)
+        .writes(counts)
+        .execute_sliced(
+            triangles,
+            [=](PassContext& context, Slice slice) {
+                const auto& program = use(context, s, 1, false);
+                context.bind_buffer(4, counts);
+                gl::dispatch_items(program, slice.begin, slice.end);
+            },
+            first_slice);
+    const auto places = passes::exclusive_scan(
+        builder, "surfels.parts", counts, static_cast<std::uint64_t>(std::max<std::int64_t>(1, triangles)),
+        s.parts.count);
+    builder.pass("split triangles")
+        .reads(s.scene.positions, s.scene.indices, places)
+        .writes(s.parts.buffer)
+        .counts(s.triangles)
+        .execute_sliced(
+            triangles,
+            [=](PassContext& context, Slice slice) {
+                const auto& program = use(context, s, 1, true);
+                context.bind_buffer(4, places);
+                context.bind_buffer(5, s.parts.buffer);
+                context.bind_counter(6, s.triangles);
+                program.set("capacity", static_cast<unsigned>(context.capacity(s.parts.buffer)));
+                gl::dispatch_items(program, slice.begin, slice.end);
+            },
+            first_slice);
+}
+
+/// Parts that there is room for.
+std::uint64_t capacity_of(const PassContext& context, const Splitting& s) {
+    return std::min(context.capacity(s.parts.buffer), context.capacity(s.words.buffer));
+}
+
+void dispatch_parts(const PassContext& context, const gl::Program& program, const Splitting& s,
+                    std::uint64_t items, Slice slice) {
+    context.bind_buffer(2, s.parts.buffer);
+    context.bind_counter(3, s.parts.count);
+    context.bind_buffer(4, s.words.buffer);
+    const auto range = items_of(items, slice);
+    gl::dispatch_items(program, range.first, range.end);
+}
+
+void second_round(GraphBuilder& builder, const Splitting& s) {
+    builder.pass("cull parts of triangles")
+        .reads(s.scene.positions, s.scene.indices, s.parts.buffer)
+        .writes(s.words.buffer)
+        .counts(s.parts.count)
+        .counts(s.words.count)
+        .execute_sliced(
+            packing_parts,
+            [=](PassContext& context, Slice slice) {
+                const auto& program = use(context, s, 2, false);
+                context.bind_counter(8, s.words.count);
+                program.set("part_capacity", static_cast<unsigned>(context.capacity(s.parts.buffer)));
+                dispatch_parts(context, program, s, context.capacity(s.words.buffer), slice);
+            },
+            1);
+    scan_in_place(builder, "surfels.patches", s.words.buffer, s.patches.count);
+    builder.pass("split parts of triangles")
+        .reads(s.scene.positions, s.scene.indices, s.parts.buffer, s.words.buffer)
+        .writes(s.patches.buffer, s.points.buffer)
+        .counts(s.parts.count)
+        .counts(s.coarse)
+        .execute_sliced(
+            packing_parts,
+            [=](PassContext& context, Slice slice) {
+                const auto& program = use(context, s, 2, true);
+                context.bind_buffer(5, s.patches.buffer);
+                context.bind_buffer(6, s.points.buffer);
+                context.bind_counter(7, s.coarse);
+                program.set("capacity", static_cast<unsigned>(context.capacity(s.patches.buffer)));
+                program.set("point_capacity", static_cast<unsigned>(context.capacity(s.points.buffer)));
+                program.set("part_capacity", static_cast<unsigned>(capacity_of(context, s)));
+                dispatch_parts(context, program, s, capacity_of(context, s), slice);
+            },
+            1);
+}
+
+}  // namespace
+
+Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, graph::CounterRef fine_count,
+                    float reach, std::uint64_t reserve, const Parameters& parameters) {
+    Splitting s;
+    s.scene = scene;
+    s.parts =
+        growing(builder,
+                {.text = {.key = "surfels.parts.list",
+                          .label = "Parts of triangles, after the first round",
+                          .doc = "Triangles that are left, or similar parts of those that are too large."},
+                 .fields = patch_fields()},
+                {.key = "surfels.parts", .label = "Parts of triangles, after the first round"}, reserve);
+    s.words =
+        growing(builder,
+                {.text = {.key = "surfels.patches.places",
+                          .label = "Places of patches",
+                          .doc = "For each part of the first round how many patches are before its own."},
+                 .fields = {{"place", FieldType::u32}}},
+                {.key = "surfels.patches.words", .label = "Parts of triangles with places"}, reserve);
+    s.patches = growing(builder,
+                        {.text = {.key = "surfels.patches.list",
+                                  .label = "Patches",
+                                  .doc = "What the tessellator divides. splits: parts along each side of the "
+                                         "triangle; place: column and row of the part, 12 bits each, and "
+                                         "whether it is turned; level: of tessellation."},
+                         .fields = patch_fields()},
+                        {.key = "surfels.patches",
+                         .label = "Patches",
+                         .doc = "Triangles, or parts of them, that the tessellator divides."},
+                        reserve);
+    s.points = growing(builder,
+                       {.text = {.key = "surfels.points",
+                                 .label = "Points of patches",
+                                 .doc = "How many fine surfels are before those of each patch."},
+                        .fields = {{"place", FieldType::u32}},
+                        .cleared = true},
+                       {.key = "surfels.patches.points", .label = "Patches with places of points"}, reserve);
+    s.triangles = builder.counter({.key = "surfels.triangles",
+                                   .label = "Triangles left",
+                                   .doc = "That are not culled, nor without area."});
+    s.coarse =
+        builder.counter({.key = "surfels.coarse",
+                         .label = "Patches divided too little",
+                         .doc = "Whose surfels are larger than fine_area asks for: the triangle is too "
+                                "large to be split far enough."});
+    s.reach = reach;
+    s.parameters = parameters;
+    first_round(builder, s);
+    second_round(builder, s);
+    scan_in_place(builder, "surfels.fine", s.points.buffer, fine_count);
+    return {s.patches, s.points, s.triangles};
+}
+
+}  // namespace ir::methods::deep_screen_space

@@ -1,0 +1,98 @@
+#include "renderers/methods/deep-screen-space/surfels/thinning.h"
+
+#include <algorithm>
+
+#include "renderers/gl/dispatch_items.h"
+#include "renderers/graph/output_text.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+using graph::FieldType;
+using graph::PassContext;
+using graph::Slice;
+
+const char* thinning_of(const Parameters& parameters) {
+    if (!parameters.thinning || parameters.placement == Placement::barycentric) return "0";
+    return parameters.discard == Discard::mended ? "1" : "2";
+}
+
+struct Thinning {
+    passes::SceneBuffers scene;
+    Growing fine, words;
+    Parameters parameters;
+};
+
+const gl::Program& use(const PassContext& context, const Thinning& t, const char* file) {
+    const auto& program = context.program({{std::string("methods/deep-screen-space/surfels/") + file},
+                                           {{"THINNING", thinning_of(t.parameters)}}});
+    program.use();
+    context.bind_buffer(0, t.fine.buffer);
+    context.bind_counter(1, t.fine.count);
+    context.bind_buffer(2, t.words.buffer);
+    int binding = 4;
+    for (const auto buffer : {t.scene.opacity, t.scene.opacity_words, t.scene.uv0, t.scene.uv1,
+                              t.scene.indices, t.scene.triangle_materials, t.scene.materials})
+        context.bind_buffer(binding++, buffer);
+    program.set("capacity", static_cast<unsigned>(
+                                std::min(context.capacity(t.fine.buffer), context.capacity(t.words.buffer))));
+    return program;
+}
+
+void dispatch(const PassContext& context, const gl::Program& program, const Thinning& t, Slice slice) {
+    const auto range = items_of(context.capacity(t.words.buffer), slice);
+    gl::dispatch_items(program, range.first, range.end);
+}
+
+graph::PassBuilder reads(graph::PassBuilder pass, const Thinning& t) {
+    pass.reads(t.fine.buffer, t.scene.opacity, t.scene.opacity_words, t.scene.uv0, t.scene.uv1,
+               t.scene.indices, t.scene.triangle_materials, t.scene.materials)
+        .counts(t.fine.count);
+    return pass;
+}
+
+}  // namespace
+
+Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Growing& fine,
+             std::uint64_t reserve, const Parameters& parameters) {
+    const auto words = growing(builder,
+                               {.text = {.key = "surfels.places",
+                                         .label = "Places of surfels",
+                                         .doc = "For each fine surfel how many of those before it are kept."},
+                                .fields = {{"place", FieldType::u32}}},
+                               {.key = "surfels.fine.words", .label = "Fine surfels with places"}, reserve);
+    const auto kept =
+        growing(builder,
+                {.text = graph::text_of(surfel_outputs(), "surfels"),
+                 .kind = OutputKind::glyphs,
+                 .fields = surfel_fields()},
+                {.key = "surfels.kept", .label = "Surfels", .doc = "That are left by thinning."}, reserve);
+    const Thinning t{scene, fine, words, parameters};
+    reads(builder.pass("thin surfels"), t)
+        .writes(words.buffer)
+        .counts(words.count)
+        .execute_sliced(
+            packing_parts,
+            [=](PassContext& context, Slice slice) {
+                const auto& program = use(context, t, "keep.comp");
+                context.bind_counter(3, words.count);
+                dispatch(context, program, t, slice);
+            },
+            1);
+    scan_in_place(builder, "surfels", words.buffer, kept.count);
+    reads(builder.pass("pack surfels"), t)
+        .reads(words.buffer)
+        .writes(kept.buffer)
+        .execute_sliced(
+            packing_parts,
+            [=](PassContext& context, Slice slice) {
+                const auto& program = use(context, t, "thin.comp");
+                context.bind_buffer(3, kept.buffer);
+                program.set("surfel_capacity", static_cast<unsigned>(context.capacity(kept.buffer)));
+                dispatch(context, program, t, slice);
+            },
+            1);
+    return {kept.buffer, kept.count};
+}
+
+}  // namespace ir::methods::deep_screen_space

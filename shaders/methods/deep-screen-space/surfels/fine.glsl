@@ -1,0 +1,21 @@
+// A fine surfel, as transform feedback leaves it: 12 words (renderers/methods/deep-screen-space/surfels/fine.h).
+// Declare FINE_BINDING before including.
+
+layout(std430, binding = FINE_BINDING) readonly buffer FineSurfels { uvec4 fine_words[]; };
+
+struct FineSurfel {
+    vec3 centre_ws;
+    uint triangle;
+    vec3 normal_ws;
+    float radius;
+    uint barycentrics, identity, patch_index;
+    float part;  // of the ideal area
+};
+
+FineSurfel fine_surfel(uint index) {
+    uvec4 a = fine_words[3u * index], b = fine_words[3u * index + 1u], c = fine_words[3u * index + 2u];
+    return FineSurfel(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w), c.x, c.y, c.z,
+                      uintBitsToFloat(c.w));
+}
+
+float fine_area_of(FineSurfel s) { return 3.14159265 * s.radius * s.radius; }

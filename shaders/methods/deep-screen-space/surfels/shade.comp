@@ -1,0 +1,60 @@
+// Direct light that surfels send on, on both sides. [Nalbach15 §4.3, fig. 6 d]
+// EMITS: and what they emit. MATERIALS: as Transport::Materials counts.
+layout(local_size_x = 64) in;
+#define HIT_SURFACE_BINDING 0
+#include "passes/scene/hit_surface.glsl"
+#include "lib/brdf.glsl"
+#define SHADOW_VIEWS 6
+#define SHADOW_MAPS 0
+#include "passes/shadow/shadow.glsl"
+#include "methods/deep-screen-space/records.glsl"
+#include "methods/deep-screen-space/surfels/diffuse.glsl"
+
+layout(std430, binding = 5) readonly buffer Lights { Light lights[]; };
+layout(std430, binding = 7) buffer Surfels { Surfel surfels[]; };
+layout(std430, binding = 8) readonly buffer SurfelCount { uint surfel_count; };
+
+uniform uint first_item, end_item;
+uniform int light_count, normal_maps;
+
+vec3 reflected(HitSurface s, vec3 position_ws) {
+    vec3 albedo = diffuse_albedo(s), sum = vec3(0);
+    if (albedo == vec3(0)) return sum;
+    for (int i = 0; i < light_count; ++i) {
+        if (!is_punctual(lights[i])) continue;
+        Arrival light = arrival(lights[i], position_ws);
+        float cosine = dot(s.shading_normal_ws, light.direction_ws);
+        if (cosine <= 0.0 || dot(s.geometric_normal_ws, light.direction_ws) <= 0.0 || light.irradiance == vec3(0))
+            continue;
+        float visible = shadow_visibility(lights[i], position_ws, s.geometric_normal_ws, light.direction_ws, 0);
+        sum += below_interface(s, light.direction_ws) * light.irradiance * (cosine * visible);
+    }
+    return albedo / PI * sum;
+}
+
+#if EMITS
+vec3 emitted(uint triangle, vec2 weights) {
+    Material m = hit_materials[hit_triangle_materials[triangle]];
+    if (m.emission_slot.texture < 0 || m.emission == vec3(0)) return m.emission;
+    HitCorners c;
+    c.first = 4u * uvec3(hit_indices[3u * triangle], hit_indices[3u * triangle + 1u], hit_indices[3u * triangle + 2u]);
+    c.weights = vec3(1.0 - weights.x - weights.y, weights);
+    vec4 uv = hit_mix(c, 3u);
+    return m.emission * texture_at(m.emission_slot.texture, transformed_uv(m.emission_slot, uv.xy, uv.zw)).rgb;
+}
+#endif
+
+void main() {
+    uint item = first_item + gl_GlobalInvocationID.x;
+    if (item >= end_item || item >= surfel_count) return;
+    Surfel surfel = surfels[item];
+    vec2 weights = unpackUnorm2x16(surfel.barycentrics);
+    vec3 emission = vec3(0);
+#if EMITS
+    emission = emitted(surfel.triangle, weights);
+#endif
+    HitSurface front = hit_surface(surfel.triangle, weights.x, weights.y, -surfel.normal_ws, normal_maps != 0);
+    HitSurface back = hit_surface(surfel.triangle, weights.x, weights.y, surfel.normal_ws, normal_maps != 0);
+    surfels[item].radiance_front = emission + reflected(front, surfel.centre_ws);
+    surfels[item].radiance_back = emission + reflected(back, surfel.centre_ws);
+}

@@ -1,0 +1,53 @@
+// Which fine surfels are kept. [Nalbach15 §4.3, fig. 6 c]
+#define COVERAGE_OPACITY 4
+#define COVERAGE_OPACITY_WORDS 5
+#include "lib/coverage.glsl"
+#include "lib/material.glsl"
+#include "lib/random.glsl"
+#define SCENE_UV0 6
+#define SCENE_UV1 7
+#define SCENE_INDICES 8
+#define SCENE_TRIANGLE_MATERIALS 9
+#include "passes/scene/scene.glsl"
+#define FINE_BINDING 0
+#include "methods/deep-screen-space/surfels/fine.glsl"
+
+layout(std430, binding = 1) readonly buffer FineCount { uint fine_count; };
+layout(std430, binding = 10) readonly buffer Materials { Material materials[]; };
+
+/// Whether the triangle's alpha mask has a surface there.
+bool is_there(FineSurfel s) {
+    uint material = scene_triangle_materials[s.triangle];
+    if (opacity[material].width == 0) return true;
+    uvec3 corners = scene_triangle(s.triangle);
+    vec2 w = unpackUnorm2x16(s.barycentrics);
+    vec3 weights = vec3(1.0 - w.x - w.y, w);
+    vec2 uv0 = weights.x * scene_uv0[corners.x] + weights.y * scene_uv0[corners.y] + weights.z * scene_uv0[corners.z];
+    vec2 uv1 = weights.x * scene_uv1[corners.x] + weights.y * scene_uv1[corners.y] + weights.z * scene_uv1[corners.z];
+    return is_covered(material, transformed_uv(materials[material].base_colour_slot, uv0, uv1));
+}
+
+#if THINNING == 1
+/// DEVIATION [Nalbach15 §4.3]: surfels are discarded with probability max(1 - A/A*, 0), and what is kept stands for
+/// max(A, A*). As printed, max(1 - A*/A, 0), fine surfels, which are smaller than the ideal, would all be kept, and
+/// each at its ideal area: with the fine ones at half of the ideal twice the mesh's area.
+float kept_probability(float part) { return part; }
+#elif THINNING == 2
+float kept_probability(float part) { return 1.0 / part; }
+#endif
+
+/// The surfel's area, m²: 0 where it is discarded or an alpha mask has a hole.
+float kept_area(FineSurfel s) {
+    if (!is_there(s)) return 0.0;
+    float area = fine_area_of(s);
+#if THINNING
+    // All 32 bits: probabilities of tiny triangles are tiny.
+    if (float(pcg(s.identity)) * (1.0 / 4294967296.0) >= kept_probability(s.part)) return 0.0;
+#if THINNING == 1
+    area /= min(s.part, 1.0);
+#else
+    area /= s.part;
+#endif
+#endif
+    return area;
+}

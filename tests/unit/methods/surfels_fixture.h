@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstring>
+
+#include "renderers/methods/deep-screen-space/surfels.h"
+#include "renderers/methods/deep-screen-space/surfels/counts.h"
+#include "renderers/methods/deep-screen-space/surfels/fine.h"
+#include "tests/unit/passes/pass_fixture.h"
+#include "tests/unit/passes/small_world.h"
+
+namespace ir::test {
+
+namespace dss = methods::deep_screen_space;
+
+/// What a run differs in.
+struct SurfelRun {
+    dss::Parameters parameters;
+    float reach = 1;
+    std::uint64_t seed = 0;
+    double initial_capacity = 1;
+};
+
+/// Surfels of a scene, without what splats them.
+class SurfelTest : public PassTest {
+  protected:
+    FrameReport make(const Shot& shot, const SurfelRun& run) {
+        graph::Method method;
+        method.description.id = "test";
+        method.description.outputs = dss::surfel_outputs();
+        method.setup = [&](graph::GraphBuilder& builder, const Settings&) {
+            const auto scene = passes::upload_scene(builder);
+            const auto shadow = passes::shadow_maps(builder, scene, 256);
+            dss::make_surfels(builder, scene, shadow, run.reach, run.parameters);
+        };
+        graph::FrameOptions options;
+        options.wanted = {"surfels", "surfels.*"};
+        options.initial_capacity = run.initial_capacity;
+        auto inputs = shot.inputs();
+        inputs.seed = run.seed;
+        const auto report = graph().run(method, {}, inputs, options);
+        for (const auto& message : report.messages)
+            EXPECT_NE(message.severity, Severity::error) << message.text;
+        return report;
+    }
+
+    template <class T>
+    std::vector<T> elements(const std::string& key) {
+        const auto device = graph().device_buffer(key);
+        const auto bytes = graph().read_buffer(key);
+        if (!device || !bytes) throw std::runtime_error("no buffer " + key);
+        std::vector<T> result(device->elements);
+        std::memcpy(result.data(), bytes->data(), sizeof(T) * result.size());
+        return result;
+    }
+    std::vector<dss::Surfel> surfels() { return elements<dss::Surfel>("surfels"); }
+    std::vector<dss::FineSurfel> fine() { return elements<dss::FineSurfel>("surfels.fine"); }
+    dss::SurfelCounts counts() { return elements<dss::SurfelCounts>("surfels.counts").at(0); }
+
+    template <class Record>
+    static double area(const Record& record) {
+        return 3.14159265358979 * record.radius * record.radius;
+    }
+    template <class Record>
+    static double area(const std::vector<Record>& records) {
+        double sum = 0;
+        for (const auto& record : records) sum += area(record);
+        return sum;
+    }
+    static double area(const scene::World& world, std::size_t triangle) {
+        const auto corner = [&](std::size_t i) {
+            return glm::dvec3(world.positions[world.indices[3 * triangle + i]]);
+        };
+        return 0.5 * glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+    }
+    static double area(const scene::World& world) {
+        double sum = 0;
+        for (std::size_t i = 0; i < world.triangles(); ++i) sum += area(world, i);
+        return sum;
+    }
+
+    static scene::Camera camera(glm::vec3 eye, glm::vec3 target, bool orthographic = false) {
+        scene::Camera result;
+        result.eye = eye;
+        result.target = target;
+        result.orthographic = orthographic;
+        result.height = 4;
+        return result;
+    }
+    /// All surfels of everything, wherever the camera looks.
+    static SurfelRun whole() {
+        SurfelRun run;
+        run.parameters.frustum_culling = false;
+        return run;
+    }
+};
+
+}  // namespace ir::test
