@@ -14,6 +14,9 @@ const std::string folder = "methods/deep-screen-space/splatting/";
 constexpr std::int64_t parts = 256;
 /// Surfels whose rectangles are known at a time.
 constexpr std::uint64_t most_at_once = 1 << 16;
+/// Without mip levels in its sampler a texture has one.
+constexpr scene::Sampler all_levels{scene::Wrap::clamp_to_edge, scene::Wrap::clamp_to_edge,
+                                    scene::Filter::nearest, scene::Filter::nearest, true};
 
 bool is_perspective(const scene::View& view) {
     return view.clip_from_view[3][3] == 0;
@@ -84,8 +87,8 @@ void find_rectangles(const PassContext& p, const Splats& splats, const SplatLaye
         p.bind_counter(13, splats.drawn);
         p.bind_counter(14, splats.culled);
     }
-    p.bind_texture(14, splats.hierarchy.least);
-    p.bind_texture(15, splats.hierarchy.most);
+    p.bind_texture(14, splats.hierarchy.least, all_levels);
+    p.bind_texture(15, splats.hierarchy.most, all_levels);
     set_layer(p, program, splats, layer);
     program.set("first", static_cast<unsigned>(first));
     program.set("end", static_cast<unsigned>(end));

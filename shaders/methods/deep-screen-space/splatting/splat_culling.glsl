@@ -1,4 +1,5 @@
-// Whether any surface seen in a range of pixels lies within a sphere.  [Nalbach15 §4.3]
+// Whether any surface seen in a range of pixels lies within a sphere; after sphere_bounds.glsl.
+// [Nalbach15 §4.3]
 
 layout(binding = 14) uniform sampler2D least_texture;
 layout(binding = 15) uniform sampler2D most_texture;
@@ -18,7 +19,8 @@ bool is_box_reached(vec3 least, vec3 most, vec3 centre, float radius, float inne
 bool is_range_reached(ivec2 first, ivec2 last, vec3 centre, float radius, float inner) {
     ivec2 extent = last - first;
     int level = min(findMSB(max(extent.x, extent.y)) + 1, textureQueryLevels(least_texture) - 1);
-    ivec2 size = textureSize(least_texture, level);
+    // Not textureSize: software rasterisers give all invocations the size of the first one's level.
+    ivec2 size = max(view_size >> level, 1);
     ivec2 begin = min(first >> level, size - 1), end = min(last >> level, size - 1);
     for (int y = begin.y; y <= end.y; ++y)
         for (int x = begin.x; x <= end.x; ++x)
