@@ -1,6 +1,6 @@
 // From samples to pixels: each pixel makes of its own samples and its neighbours' what its surface reflects, or how
-// open it is. One loop over neighbours and one over their samples, (2 radius + 1)² (samples + 1) turns in all,
-// which stay below 65,535, where llvmpipe stops. [Nalbach15 §3.3]
+// open it is. One loop over neighbours and one over their samples, (2 radius + 1)² (samples + 2) turns in all
+// as llvmpipe counts them, which stay below 65,535, where it stops. [Nalbach15 §3.3]
 #include "passes/bounce/tiles.glsl"
 #include "passes/bounce/filter.glsl"
 

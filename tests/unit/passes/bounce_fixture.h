@@ -111,11 +111,11 @@ class BounceTest : public PassTest {
         });
     }
     /// Directions, what the run says that they meet, and "result" reconstructed of it.
-    void reconstruct(const Shot& shot, const BounceRun& r) {
+    FrameReport reconstruct(const Shot& shot, const BounceRun& r) {
         auto inputs = shot.inputs();
         inputs.seed = r.seed;
         inputs.inspection = r.inspection;
-        run(inputs, [&](graph::GraphBuilder& builder) {
+        return run(inputs, [&](graph::GraphBuilder& builder) {
             const auto scene = passes::upload_scene(builder);
             const auto gbuffer = passes::gbuffer(builder, scene);
             const auto directions = bounce::directions(builder, scene, gbuffer, r.options);
