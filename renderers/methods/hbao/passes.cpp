@@ -1,7 +1,6 @@
 #include "renderers/methods/hbao/passes.h"
 
 #include <algorithm>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
@@ -100,11 +99,7 @@ void bind_march(const graph::PassContext& context, const gl::Program& program,
     context.bind_texture(2, gbuffer.geometric_normal);
     const auto& view = context.inputs().view;
     passes::set_pixel_rays(program, view);
-    const glm::vec3 half_size(0.5f * static_cast<float>(view.width), 0.5f * static_cast<float>(view.height),
-                              1);
-    auto pixel_from_clip = glm::scale(glm::mat4(1), half_size);
-    pixel_from_clip = glm::scale(glm::translate(pixel_from_clip, {1, 1, 0}), {1, -1, 1});
-    program.set("pixel_from_world", pixel_from_clip * view.clip_from_world());
+    program.set("pixel_from_world", passes::pixel_from_world(view));
 }
 
 }  // namespace ir::methods::hbao

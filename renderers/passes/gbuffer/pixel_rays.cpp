@@ -1,5 +1,7 @@
 #include "renderers/passes/gbuffer/pixel_rays.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace ir::passes {
 
 PixelRays pixel_rays(const scene::View& view) {
@@ -28,6 +30,14 @@ PixelRays pixel_rays(const scene::View& view) {
         rays.direction_dy = to_world(0, step.y, 0);
     }
     return rays;
+}
+
+glm::mat4 pixel_from_world(const scene::View& view) {
+    const glm::vec3 half_size(0.5f * static_cast<float>(view.width), 0.5f * static_cast<float>(view.height),
+                              1);
+    auto pixel_from_clip = glm::scale(glm::mat4(1), half_size);
+    pixel_from_clip = glm::scale(glm::translate(pixel_from_clip, {1, 1, 0}), {1, -1, 1});
+    return pixel_from_clip * view.clip_from_world();
 }
 
 void set_pixel_rays(const gl::Program& program, const scene::View& view) {

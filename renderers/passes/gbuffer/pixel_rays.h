@@ -14,6 +14,9 @@ struct PixelRays {
 };
 PixelRays pixel_rays(const scene::View& view);
 
+/// Homogeneous pixels, from the upper left corner, of points in world space; w as in clip space.
+glm::mat4 pixel_from_world(const scene::View& view);
+
 /// Sets the uniforms that shaders/lib/pixel_rays.glsl declares.
 void set_pixel_rays(const gl::Program& program, const scene::View& view);
 

@@ -1,0 +1,114 @@
+#include "renderers/methods/ssdo/explain.h"
+
+#include "renderers/graph/output_text.h"
+
+namespace ir::methods::ssdo {
+namespace {
+
+using graph::Field;
+using graph::FieldType;
+
+const std::string empty_without_surface =
+    " Empty while no pixel is picked, and where the pixel shows no surface.";
+const std::string roles =
+    "role: 0 outside of the picture; 1 open; 2 an occluder that sends light; 3 an occluder turned away; 4 an "
+    "occluder below the pixel's horizon; 5 one beyond the maximum distance. sent, sky: W/(m² sr), RGB, what "
+    "the sample adds to the pixel's indirect and environment light before the blur.";
+
+struct Explained {
+    graph::BufferRef elements;
+    graph::CounterRef count;
+};
+
+Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputKind kind,
+                  std::vector<Field> fields, int elements) {
+    const auto text = graph::text_of(explanation_outputs(), "ssdo.explain." + what);
+    Explained e;
+    // Growable, so that counters tell how many elements are in use.
+    e.elements = builder.buffer({.text = text,
+                                 .kind = kind,
+                                 .fields = std::move(fields),
+                                 .elements = static_cast<std::uint64_t>(elements),
+                                 .growable = true});
+    e.count = builder.counter({.key = "ssdo.explain." + what + "_count",
+                               .label = text.label,
+                               .doc = "0 while no pixel is picked, and where the pixel shows no surface.",
+                               .growth_of = e.elements});
+    return e;
+}
+
+Explained declare_samples(graph::GraphBuilder& builder, int samples) {
+    return declare(builder, "samples", OutputKind::point_set,
+                   {{"position", FieldType::f32, 3},
+                    {"role", FieldType::u32},
+                    {"step", FieldType::f32},
+                    {"sent", FieldType::f32, 3},
+                    {"sky", FieldType::f32, 3},
+                    {"sample", FieldType::u32}},
+                   samples);
+}
+
+Explained declare_lines(graph::GraphBuilder& builder, int samples) {
+    return declare(builder, "lines", OutputKind::line_set,
+                   {{"start", FieldType::f32, 3},
+                    {"end", FieldType::f32, 3},
+                    {"role", FieldType::u32},
+                    {"distance", FieldType::f32},
+                    {"sent", FieldType::f32, 3},
+                    {"pixel", FieldType::i32, 2},
+                    {"sample", FieldType::u32}},
+                   samples);
+}
+
+}  // namespace
+
+std::vector<OutputDescription> explanation_outputs() {
+    return {
+        {.key = "ssdo.explain.samples",
+         .label = "Samples",
+         .kind = OutputKind::point_set,
+         .semantic = Semantic::position,
+         .unit = "m",
+         .doc = "Where the picked pixel's steps end, and what became of them. step: its length, m. " + roles +
+                empty_without_surface,
+         .explains = true},
+        {.key = "ssdo.explain.lines",
+         .label = "Lines to the occluders",
+         .kind = OutputKind::line_set,
+         .unit = "m",
+         .doc = "From the picked pixel's point to what occludes each sample, or along its step where nothing "
+                "does. pixel: where the sample ended in the picture, -1 outside. distance: m, from the "
+                "pixel's point to the occluder, 0 without one. " +
+                roles + empty_without_surface,
+         .explains = true},
+    };
+}
+
+SelectorDescription sample_selector() {
+    return {.key = "sample",
+            .label = "Sample",
+            .doc = "One of the directions over each pixel's hemisphere.",
+            .count = "samples"};
+}
+
+void explain(graph::GraphBuilder& builder, const Inputs& inputs, graph::ImageRef senders) {
+    const int all = inputs.parameters.samples;
+    const auto samples = declare_samples(builder, all), lines = declare_lines(builder, all);
+    auto pass = builder.pass("explain");
+    declare_reads(pass, inputs, senders);
+    for (const auto& e : {samples, lines}) pass.writes(e.elements).counts(e.count);
+    pass.execute([=](graph::PassContext& context) {
+        const auto& program = use_samples(context, "methods/ssdo/explain.comp", inputs, senders);
+        const auto& view = context.inputs().view;
+        const auto& picked = context.inputs().inspection;
+        const bool inside = picked.has_pixel() && picked.x < view.width && picked.y < view.height;
+        program.set("picked", inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1));
+        context.bind_buffer(1, samples.elements);
+        context.bind_buffer(2, lines.elements);
+        context.bind_counter(3, samples.count);
+        context.bind_counter(4, lines.count);
+        program.dispatch(1);
+    });
+}
+
+}  // namespace ir::methods::ssdo

@@ -1,0 +1,128 @@
+#include "renderers/methods/ssdo/gather.h"
+
+#include <algorithm>
+
+#include "renderers/graph/output_text.h"
+#include "renderers/passes/bounce/receiver.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
+
+namespace ir::methods::ssdo {
+namespace {
+
+/// Far below the 65,535 turns after which drivers may stop an invocation's loops; slices grow by themselves.
+constexpr int samples_per_dispatch = 16;
+
+graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl::Format format) {
+    graph::ImageDesc desc;
+    desc.text = graph::text_of(gathered_outputs(), key);
+    desc.format = format;
+    return builder.image(std::move(desc));
+}
+
+passes::bounce::Receivers receivers_of(const Inputs& inputs) {
+    passes::bounce::DirectionOptions options;
+    options.parameters.least_roughness = 0;
+    options.light = true;
+    options.materials = inputs.parameters.transport.materials;
+    return {inputs.scene, inputs.gbuffer, options};
+}
+
+/// Runs `shader` over all samples, some at a time; it adds to `sums`, the images that it writes.
+void add_samples(graph::PassBuilder& pass, const std::string& shader, const Inputs& inputs,
+                 graph::ImageRef senders, const std::vector<graph::ImageRef>& sums) {
+    declare_reads(pass, inputs, senders);
+    for (const auto image : sums) pass.writes(image);
+    const int all = inputs.parameters.samples;
+    pass.execute_sliced((all + samples_per_dispatch - 1) / samples_per_dispatch,
+                        [=](graph::PassContext& context, graph::Slice slice) {
+                            const auto& program = use_samples(context, shader, inputs, senders);
+                            for (std::size_t i = 0; i < sums.size(); ++i)
+                                context.bind_storage_image(static_cast<int>(i), sums[i]);
+                            const auto shape = context.shape(sums.front());
+                            for (auto i = static_cast<int>(slice.begin); i < static_cast<int>(slice.end);
+                                 ++i) {
+                                program.set("first_sample", i * samples_per_dispatch);
+                                program.set("end_sample", std::min(all, (i + 1) * samples_per_dispatch));
+                                program.dispatch(shape.width, shape.height);
+                                context.barrier();
+                            }
+                        },
+                        1);
+}
+
+}  // namespace
+
+float reach_of(const graph::GraphBuilder& builder, const Parameters& parameters) {
+    if (parameters.transport.max_distance > 0) return parameters.transport.max_distance;
+    const auto& bounds = builder.inputs().world->bounds;
+    const auto diagonal = glm::length(bounds.max - bounds.min);
+    return diagonal > 0 ? diagonal : 1.0f;  // without triangles there is nothing to reach
+}
+
+Sky gather_sky(graph::GraphBuilder& builder, const Inputs& inputs) {
+    const Sky sky{declare(builder, "ssdo.sky.raw", gl::Format::rgba32f),
+                  declare(builder, "ssdo.accessibility", gl::Format::r32f),
+                  declare(builder, "ssdo.cut", gl::Format::r32f)};
+    auto pass = builder.pass("directional occlusion");
+    add_samples(pass, "methods/ssdo/sky.comp", inputs, {}, {sky.raw, sky.accessibility, sky.cut});
+    return sky;
+}
+
+graph::ImageRef gather_indirect(graph::GraphBuilder& builder, const Inputs& inputs, graph::ImageRef senders) {
+    const auto raw = declare(builder, "ssdo.indirect.raw", gl::Format::rgba32f);
+    auto pass = builder.pass("indirect light");
+    add_samples(pass, "methods/ssdo/senders.comp", inputs, senders, {raw});
+    return raw;
+}
+
+std::vector<OutputDescription> gathered_outputs() {
+    return {
+        {.key = "ssdo.indirect.raw",
+         .label = "Indirect light before the blur",
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "Reflected to the eye of what each pixel's own samples met. A: how many occluders sent."},
+        {.key = "ssdo.sky.raw",
+         .label = "Environment light before the blur",
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "Reflected to the eye of the environment that each pixel's own samples saw."},
+        {.key = "ssdo.accessibility",
+         .label = "Accessibility",
+         .semantic = Semantic::accessibility,
+         .doc =
+             "Cosine-weighted part of the samples that no surface of the picture hides. Where occluders "
+             "are thick it tends to visibility that grows linearly with their distance, up to the radius."},
+        {.key = "ssdo.cut",
+         .label = "Cut off by the picture's edge",
+         .semantic = Semantic::probability,
+         .doc = "Part of the samples that ended outside of the picture: nothing there occludes or sends."},
+    };
+}
+
+void declare_reads(graph::PassBuilder& pass, const Inputs& inputs, graph::ImageRef senders) {
+    receivers_of(inputs).declare_reads(pass);
+    pass.reads(inputs.environment);
+    if (senders.index >= 0) pass.reads(senders);
+}
+
+const gl::Program& use_samples(const graph::PassContext& context, const std::string& shader,
+                               const Inputs& inputs, graph::ImageRef senders) {
+    const auto receivers = receivers_of(inputs);
+    gl::ProgramSource source{{shader}};
+    receivers.define(source);
+    source.defines.erase("LIGHT");  // samples.glsl says so itself
+    const auto& program = context.method_program(source);
+    program.use();
+    receivers.bind(context, program);
+    context.bind_texture(5, inputs.environment);
+    if (senders.index >= 0) context.bind_texture(6, senders);
+    const auto& view = context.inputs().view;
+    passes::set_pixel_rays(program, view);
+    program.set("pixel_from_world", passes::pixel_from_world(view));
+    program.set("reach", inputs.reach);
+    program.set("seed", static_cast<unsigned>(context.inputs().seed));
+    return program;
+}
+
+}  // namespace ir::methods::ssdo

@@ -1,0 +1,96 @@
+#include "renderers/methods/ssdo/light.h"
+
+#include "renderers/graph/output_text.h"
+#include "renderers/graph/pass_context.h"
+
+namespace ir::methods::ssdo {
+namespace {
+
+graph::ImageRef declare(graph::GraphBuilder& builder, graph::ResourceText text) {
+    graph::ImageDesc desc;
+    desc.text = std::move(text);
+    desc.format = gl::Format::rgba32f;
+    return builder.image(std::move(desc));
+}
+
+/// Divides by the materials' reflectance, or multiplies with it.
+void modulate(graph::GraphBuilder& builder, const std::string& name, const passes::GBuffer& gbuffer,
+              graph::ImageRef from, graph::ImageRef to, bool remove) {
+    builder.pass(name)
+        .reads(from, gbuffer.albedo, gbuffer.material)
+        .writes(to)
+        .execute([=](graph::PassContext& context) {
+            gl::ProgramSource source{{"methods/ssdo/modulate.comp"}};
+            if (remove) source.defines["REMOVE"] = "1";
+            const auto& program = context.method_program(source);
+            program.use();
+            context.bind_texture(0, from);
+            context.bind_texture(1, gbuffer.albedo);
+            context.bind_texture(2, gbuffer.material);
+            context.bind_storage_image(0, to);
+            const auto shape = context.shape(to);
+            program.dispatch(shape.width, shape.height);
+        });
+}
+
+}  // namespace
+
+graph::ImageRef blurred(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, graph::ImageRef raw,
+                        const std::string& key, const Parameters& parameters) {
+    const auto text = graph::text_of(light_outputs(), key);
+    const auto bare =
+        declare(builder, {key + ".bare", text.label + ", without materials", "Before the blur."});
+    modulate(builder, "remove materials: " + key, gbuffer, raw, bare, true);
+    const auto even = passes::blur(builder, gbuffer, bare, passes::options_of(parameters.blur),
+                                   {key + ".even", text.label + ", blurred without materials"});
+    const auto result = declare(builder, text);
+    modulate(builder, "put materials back: " + key, gbuffer, even, result, false);
+    return result;
+}
+
+Lit add_sky(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const passes::DirectLight& direct,
+            const graph::ImageRef* sky) {
+    const Lit lit{declare(builder, graph::text_of(light_outputs(), "ssdo.direct")),
+                  declare(builder, graph::text_of(light_outputs(), "ssdo.senders"))};
+    const bool has_sky = sky != nullptr;
+    const auto added = has_sky ? *sky : direct.radiance;
+    builder.pass("add environment light")
+        .reads(direct.radiance, added, gbuffer.material)
+        .writes(lit.seen, lit.senders)
+        .execute([=](graph::PassContext& context) {
+            gl::ProgramSource source{{"methods/ssdo/direct.comp"}};
+            if (has_sky) source.defines["SKY"] = "1";
+            const auto& program = context.program(source);
+            program.use();
+            context.bind_texture(0, direct.radiance);
+            context.bind_texture(1, added);
+            context.bind_texture(2, gbuffer.material);
+            context.bind_storage_image(0, lit.seen);
+            context.bind_storage_image(1, lit.senders);
+            const auto shape = context.shape(lit.seen);
+            program.dispatch(shape.width, shape.height);
+        });
+    return lit;
+}
+
+std::vector<OutputDescription> light_outputs() {
+    const auto radiance = [](std::string key, std::string label, std::string doc) {
+        return OutputDescription{.key = std::move(key),
+                                 .label = std::move(label),
+                                 .semantic = Semantic::radiance,
+                                 .unit = "W/(m² sr)",
+                                 .doc = std::move(doc)};
+    };
+    return {
+        radiance("ssdo.indirect", "Indirect light", "Reflected to the eye of what occluders send, blurred."),
+        radiance("ssdo.sky", "Environment light",
+                 "Reflected to the eye of the environment, as far as samples find it open, blurred."),
+        radiance("ssdo.direct", "Direct light",
+                 "Lights with shadow maps, and the environment with directional occlusion; and the base "
+                 "colour of unlit surfaces."),
+        radiance("ssdo.senders", "What pixels send",
+                 "Direct light without unlit surfaces: what an occluder's pixel sends in all directions."),
+    };
+}
+
+}  // namespace ir::methods::ssdo

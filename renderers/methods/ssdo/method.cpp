@@ -1,0 +1,89 @@
+// Screen-space directional occlusion and one bounce of indirect light: for each pixel steps of random length
+// over the hemisphere, looked up in the picture. What is in front of a step's end occludes and sends its
+// pixel's light. [Ritschel09]
+#include "renderers/graph/method.h"
+
+#include <algorithm>
+
+#include "renderers/methods/ssdo/benchmark.h"
+#include "renderers/methods/ssdo/environment.h"
+#include "renderers/methods/ssdo/explain.h"
+#include "renderers/methods/ssdo/gather.h"
+#include "renderers/methods/ssdo/light.h"
+#include "renderers/passes/direct/compose.h"
+
+namespace ir::methods::ssdo {
+namespace {
+
+MethodDescription description() {
+    MethodDescription d;
+    d.id = "ssdo";
+    d.title = "Screen-space directional occlusion";
+    d.summary =
+        "Steps of random length over each pixel's hemisphere, looked up in the picture: what is open lets "
+        "the "
+        "environment's light in, what is not sends the light that its pixel shows. Cheap and independent of "
+        "the scene's size. What is hidden, beyond the picture's edge or turned away from the camera sends "
+        "nothing, nothing in between shadows indirect light, and all surfaces are infinitely thick.";
+    d.papers = {"Ritschel09"};
+    d.selectors = {sample_selector()};
+    d.outputs = {passes::radiance_output()};
+    for (const auto& part : {light_outputs(), gathered_outputs(), explanation_outputs()})
+        d.outputs.insert(d.outputs.end(), part.begin(), part.end());
+    d.outputs.push_back(
+        {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."});
+    d.stages = {{"ssdo.indirect.raw", 0, "Before the blur"}, {"ssdo.indirect", 0, "Blurred"}};
+    return d;
+}
+
+void note_what_is_left_out(graph::GraphBuilder& builder, const Inputs& inputs) {
+    if (inputs.parameters.transport.max_distance == 0)
+        builder.note("ssdo: max_distance is 0, so steps are up to " + std::to_string(inputs.reach) +
+                     " m long, the diagonal of the scene's bounds: few of many samples find what is near");
+    std::size_t emissive = 0;
+    const auto& scene = *builder.inputs().scene;
+    for (const auto& range : builder.inputs().world->ranges) {
+        const auto& emission = scene.materials.at(static_cast<std::size_t>(range.material)).emission;
+        if (std::max({emission.r, emission.g, emission.b}) > 0) emissive += range.triangle_count;
+    }
+    if (emissive > 0)
+        builder.note("ssdo: " + std::to_string(emissive) +
+                     " emissive triangles are seen but light nothing: only lights and the environment do");
+}
+
+bool has_sky(const graph::GraphBuilder& builder, const Parameters& parameters) {
+    const auto& environment = builder.inputs().scene->environment;
+    return parameters.transport.environment_light &&
+           (environment.map != nullptr || environment.constant != glm::vec3(0));
+}
+
+void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
+    const auto scene = passes::upload_scene(builder);
+    const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
+    auto direct =
+        passes::direct_light(builder, scene, gbuffer, {.materials = parameters.transport.materials});
+    const bool lit_by_sky = has_sky(builder, parameters);
+    const Inputs inputs{scene, gbuffer, environment(builder, lit_by_sky), parameters,
+                        reach_of(builder, parameters)};
+    note_what_is_left_out(builder, inputs);
+    const auto sky = blurred(builder, gbuffer, gather_sky(builder, inputs).raw, "ssdo.sky", parameters);
+    const auto lit = add_sky(builder, gbuffer, direct, lit_by_sky ? &sky : nullptr);
+    const auto raw = gather_indirect(builder, inputs, lit.senders);
+    const auto indirect = blurred(builder, gbuffer, raw, "ssdo.indirect", parameters);
+    explain(builder, inputs, lit.senders);
+    direct.radiance = lit.seen;
+    passes::compose_light(builder, gbuffer, direct, indirect, parameters.transport);
+}
+
+}  // namespace
+
+const graph::Method& method() {
+    static const auto instance = [] {
+        auto made = graph::make_method<Parameters>(description(), parameter_table(), setup);
+        made.benchmarks = benchmarks();
+        return made;
+    }();
+    return instance;
+}
+
+}  // namespace ir::methods::ssdo

@@ -1,0 +1,74 @@
+#include "renderers/methods/ssdo/parameters.h"
+
+namespace ir::methods::ssdo {
+namespace {
+
+const Condition published{"estimator", {std::string("published")}};
+
+void add_estimator(ParameterTable<Parameters>& table) {
+    table
+        .add(
+            &Parameters::estimator,
+            {.key = "estimator",
+             .label = "Estimator",
+             .doc = "How much light an occluder sends for each sample that found it.",
+             .citation = "Ritschel09 §3.2",
+             .choices = {{"density", "By density",
+                          "Divided by the density with which samples find the occluder's pixel: converges to "
+                          "the light from all that the picture shows within the radius, whatever is in "
+                          "between."},
+                         {"published", "Published",
+                          "Each stands for the area A_s = π r² / N, its distance no less than the least "
+                          "distance: converges to something else, which depends on the view."}}})
+        .add(&Parameters::strength,
+             {.key = "strength",
+              .label = "Strength",
+              .doc = "Factor of the published area A_s, by which people adjust the colour bleeding.",
+              .citation = "Ritschel09 §3.2",
+              .hard = {0, 1e3},
+              .soft = {0, 4},
+              .active_when = published})
+        .add(&Parameters::least_distance,
+             {.key = "least_distance",
+              .label = "Least distance",
+              .doc = "Distances below it count as it in the published estimator, as a part of the radius. "
+                     "The paper clamps to 1 of a unit that it does not name: if it is the radius, pictures "
+                     "are far too dark.",
+              .citation = "Ritschel09 §3.2",
+              .hard = {1e-4, 1},
+              .soft = {0.05, 1},
+              .active_when = published});
+}
+
+}  // namespace
+
+ParameterTable<Parameters> parameter_table() {
+    ParameterTable<Parameters> table;
+    table.add(
+        &Parameters::samples,
+        {.key = "samples",
+         .label = "Samples",
+         .doc = "Directions over the hemisphere of each pixel, with one step of random length along each.",
+         .citation = "Ritschel09 §3.1",
+         .hard = {1, 4096},
+         .soft = {4, 64}});
+    table.include(
+        &Parameters::transport,
+        transport_parameters({.paths = {"direct", "indirect", "full"},
+                              .keys = {"max_distance", "materials", "normal_maps", "environment_light"}}));
+    add_estimator(table);
+    table.add(
+        &Parameters::turning,
+        {.key = "turning",
+         .label = "Turning",
+         .doc = "How directions and steps are shifted from pixel to pixel, so that what few samples miss "
+                "becomes a pattern that the blur takes away. The same in every frame.",
+         .citation = "Ritschel09 §3.1",
+         .choices = {{"none", "None", "All pixels step alike: banding in place of noise."},
+                     {"pattern", "4×4 pattern", "Sixteen shifts that repeat."},
+                     {"hash", "Hash", "Another shift for each pixel, by the seed."}}});
+    table.include(&Parameters::blur, passes::blur_parameters());
+    return table;
+}
+
+}  // namespace ir::methods::ssdo

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "renderers/core/transport.h"
+#include "renderers/passes/blur/blur.h"
+
+namespace ir::methods::ssdo {
+
+/// Counts from 0 in the order of the choices of "estimator".
+enum class Estimator { density, published };
+/// The same of "turning".
+enum class Turning { none, pattern, hash };
+
+struct Parameters {
+    int samples = 16;
+    Transport transport{.paths = Transport::Paths::indirect, .max_distance = 1};
+    Estimator estimator = Estimator::density;
+    float strength = 1;
+    float least_distance = 0.2f;
+    Turning turning = Turning::pattern;
+    passes::BlurParameters blur{.blur_radius = 3};
+};
+
+ParameterTable<Parameters> parameter_table();
+
+}  // namespace ir::methods::ssdo

@@ -1,0 +1,194 @@
+// Samples about a pixel's point and what became of them. [Ritschel09 §3]
+//
+// Sample i is a step of random length λ in (0, r] along one of N directions over the hemisphere of the triangle's
+// normal, equally dense in solid angle. The point where it ends is looked up in the picture: behind the surface that
+// is seen there, that surface is an occluder; else the direction is open.
+//
+// DEVIATION [Ritschel09 §3.1]: behind is decided by the plane of the pixel's triangle, not by the pixel's depth, which
+// lets floors seen at grazing angles occlude themselves by the steps between pixels.
+#define LIGHT 1
+#include "lib/pixel_rays.glsl"
+#include "lib/random.glsl"
+#include "passes/bounce/receiver.glsl"
+
+layout(binding = 5) uniform sampler2D environment_texture;  // equirectangular
+layout(binding = 6) uniform sampler2D senders_texture;
+
+uniform mat4 pixel_from_world;  // homogeneous; pixels from the upper left corner
+uniform float reach;            // r, m
+uniform uint seed;
+
+// What became of a sample; explain.cpp says it in words.
+const uint OUTSIDE = 0u, OPEN = 1u, SENDS = 2u, TURNED_AWAY = 3u, BELOW = 4u, BEYOND = 5u;
+
+struct Point {
+    bool exists;
+    ivec2 pixel;
+    vec3 position, geometric_normal;
+    mat3 frame;  // about the geometric normal
+    bool is_lit;
+    Scatterer scatterer;
+    SeenScatterer seen;
+    vec3 shift;  // of the directions' heights, azimuths and of the steps, as parts of one
+};
+
+struct Sample {
+    uint role;
+    vec3 direction;    // of the step
+    vec3 end;          // of the step, world space
+    ivec2 pixel;       // that shows what is there
+    vec3 occluder;     // its point
+    vec3 to_occluder;  // unit
+    float distance;    // m, from x to it
+    float sending;     // cosine at it
+};
+
+/// The three numbers of the 4×4 pattern come from Bayer's matrix, read in three ways.
+vec3 pattern_shift(ivec2 pixel) {
+    const int bayer[16] = int[](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);
+    ivec2 p = pixel & 3;
+    ivec3 place = ivec3(4 * p.y + p.x, 4 * ((p.x + 1) & 3) + p.y, 4 * ((p.y + p.x + 2) & 3) + ((p.x + 3) & 3));
+    return (vec3(bayer[place.x], bayer[place.y], bayer[place.z]) + 0.5) / 16.0;
+}
+
+vec3 shift_of(ivec2 pixel) {
+    if (params.turning == TURNING_NONE) return vec3(0.5);
+    if (params.turning == TURNING_PATTERN) return pattern_shift(pixel);
+    return unit_float(pcg3d(uvec3(pixel, seed)));
+}
+
+bool is_perspective() { return ray_origin_dx == vec3(0.0); }
+
+Point point_at(ivec2 pixel) {
+    Receiver receiver = receiver_at(pixel);
+    Point x;
+    x.pixel = pixel;
+    x.exists = receiver.exists;
+    if (!x.exists) return x;
+    x.position = receiver.position;
+    x.geometric_normal = receiver.geometric_normal;
+    x.frame = frame_of(x.geometric_normal);
+    x.shift = shift_of(pixel);
+    vec4 material = texelFetch(material_texture, pixel, 0);
+    x.is_lit = !is_unlit(material);
+    x.scatterer = scatterer_of(receiver, texelFetch(albedo_texture, pixel, 0).rgb, material);
+    x.seen = seen_from(x.scatterer, viewer_of(receiver));
+    return x;
+}
+
+/// Heights in equal strata, azimuths and lengths by the R2 sequence: a shifted lattice. [Roberts18]
+vec4 step_of(Point x, int i) {
+    float height = 1.0 - (float(i) + x.shift.x) / float(params.samples);
+    float azimuth = 2.0 * PI * fract(float(i) * 0.7548776662 + x.shift.y);
+    float length_part = 1.0 - fract(float(i) * 0.5698402910 + x.shift.z);
+    float radius = sqrt(max(1.0 - height * height, 0.0));
+    return vec4(x.frame * vec3(radius * cos(azimuth), radius * sin(azimuth), height), length_part * reach);
+}
+
+/// Σ of the directions' cosines with the geometric normal; N/2 up to the shift.
+float all_cosines(Point x) { return 0.5 * float(params.samples + 1) - x.shift.x; }
+
+/// What an occluder is to x.
+uint role_of_occluder(Point x, Sample s) {
+    if (params.estimator == ESTIMATOR_DENSITY && params.max_distance > 0.0 && s.distance > params.max_distance)
+        return BEYOND;
+    if (!is_above(x.scatterer, s.to_occluder)) return BELOW;
+    return s.sending > 0.0 ? SENDS : TURNED_AWAY;
+}
+
+Sample sample_of(Point x, int i) {
+    vec4 way = step_of(x, i);
+    Sample s;
+    s.role = OUTSIDE;
+    s.direction = way.xyz;
+    s.end = x.position + way.w * way.xyz;
+    s.pixel = ivec2(-1);
+    s.occluder = s.end;
+    s.to_occluder = s.direction;
+    s.distance = s.sending = 0.0;
+    vec4 projected = pixel_from_world * vec4(s.end, 1.0);
+    if (projected.w <= 0.0) return s;
+    vec2 place = projected.xy / projected.w;
+    ivec2 size = textureSize(position_texture, 0);
+    if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, vec2(size)))) return s;
+    s.pixel = ivec2(place);
+    s.role = OPEN;
+    vec4 surface = texelFetch(position_texture, s.pixel, 0);
+    if (surface.w <= 0.0) return s;
+    vec3 normal = texelFetch(geometric_normal_texture, s.pixel, 0).xyz;
+    float rounding = 2e-6 * (length(x.position) + way.w);
+    if (dot(s.end - surface.xyz, normal) >= -rounding) return s;
+    s.occluder = surface.xyz;
+    s.distance = distance(surface.xyz, x.position);
+    s.to_occluder = (surface.xyz - x.position) / max(s.distance, 1e-30);
+    s.sending = -dot(normal, s.to_occluder);
+    s.role = role_of_occluder(x, s);
+    return s;
+}
+
+bool is_occluded(Sample s) { return s.role >= SENDS; }
+
+/// f cosθ for light from a direction.
+vec3 scattered_to_eye(Point x, vec3 direction) {
+    if (!x.is_lit || !is_above(x.scatterer, direction)) return vec3(0.0);
+    return scattering_value(x.scatterer, x.seen, direction, dot(x.scatterer.n, direction));
+}
+
+/// As renderers/passes/lights/equirectangular.h.
+vec3 environment(vec3 direction) {
+    ivec2 size = textureSize(environment_texture, 0);
+    float u = atan(-direction.z, -direction.x) / (2.0 * PI);
+    vec2 uv = vec2(u < 0.0 ? u + 1.0 : u, atan(length(direction.xz), direction.y) / PI);
+    return texelFetch(environment_texture, min(ivec2(uv * vec2(size)), size - 1), 0).rgb;
+}
+
+/// L_dir = Σ f L_in V cosθ Δω.  [Ritschel09 eq. 1]
+/// DEVIATION [Ritschel09 eq. 1]: there Δω = 2π / N; here π / Σ cosθ, which tends to it and makes an open plane exact.
+vec3 sky_of(Point x, Sample s) {
+    if (is_occluded(s)) return vec3(0.0);
+    return PI / all_cosines(x) * scattered_to_eye(x, s.direction) * environment(s.direction);
+}
+
+/// ∫ dt / (h² + t²)
+float inverse_square_integral(float h, float t0, float t1) { return atan(h * (t1 - t0), h * h + t0 * t1) / h; }
+
+/// Density, per area of the seen surface, with which samples of x find the occluder: that of the steps' ends,
+/// 1 / (2π r |s − x|²) in the hemisphere, integrated over all s behind it on the eye's ray, between t0 and t1 from
+/// the ray's point nearest to x, where it is h away.
+/// Steps that end on a piece below r/20 at the rim of the ball count as if it were that long: without a limit rare
+/// samples would count without bound. So light fades over the last twentieth of the radius.
+float density_of(Point x, Sample s) {
+    vec2 place = vec2(s.pixel) + 0.5;
+    vec3 v = normalize(pixel_ray_direction(place)), from_occluder = x.position - s.occluder;
+    float t0 = -dot(v, from_occluder);
+    float h = max(length(from_occluder + t0 * v), 1e-4 * s.distance);
+    float rim = sqrt(max(reach * reach - h * h, 0.0)), falling = -dot(x.geometric_normal, v);
+    float t1 = max(rim, t0 + 0.05 * reach);
+    if (falling > 0.0) t1 = min(t1, t0 - dot(x.geometric_normal, from_occluder) / falling);
+    if (t1 <= t0) return 0.0;
+    float inverse_squares = inverse_square_integral(h, t0, t1), integral = inverse_squares;
+    if (is_perspective()) {  // ∫ τ² / (h² + t²) dt over τ² at the occluder, τ = t + c the distance from the eye
+        float at_occluder = distance(s.occluder, pixel_ray_origin(place)), c = at_occluder - t0;
+        integral = (t1 - t0) + c * log((h * h + t1 * t1) / (h * h + t0 * t0)) + (c * c - h * h) * inverse_squares;
+        integral /= at_occluder * at_occluder;
+    }
+    float cosine = -dot(v, texelFetch(geometric_normal_texture, s.pixel, 0).xyz);
+    return max(cosine * integral, 0.0) / (2.0 * PI * reach);
+}
+
+/// The area that a sample's occluder stands for over the square of its distance.
+float area_by_distance(Point x, Sample s) {
+    if (params.estimator == ESTIMATOR_PUBLISHED) {
+        float d = max(s.distance, params.least_distance * reach);
+        return params.strength * PI * reach * reach / (float(params.samples) * d * d);
+    }
+    float density = density_of(x, s);
+    return density > 0.0 ? 1.0 / (float(params.samples) * density * s.distance * s.distance) : 0.0;
+}
+
+/// L_ind = Σ f L_pixel A_s cosθ_s cosθ_r / d².  [Ritschel09 eq. 2]
+vec3 sent_by(Point x, Sample s) {
+    if (s.role != SENDS) return vec3(0.0);
+    return area_by_distance(x, s) * s.sending * scattered_to_eye(x, s.to_occluder) *
+           texelFetch(senders_texture, s.pixel, 0).rgb;
+}
