@@ -14,7 +14,7 @@ using Paths = Transport::Paths;
 /// What the picture is made of; what the paths leave out is none.
 struct Parts {
     graph::ImageRef geometric_normal;
-    std::optional<graph::ImageRef> indirect, direct, emission;
+    std::optional<graph::ImageRef> indirect = {}, direct = {}, emission = {};
     glm::vec3 background{0};
 };
 
