@@ -1,0 +1,253 @@
+// Screen-space directional occlusion against closed forms where the picture shows all, and its own errors
+// where it does not.
+#include <cmath>
+#include <numbers>
+
+#include "renderers/passes/lights/environment_light.h"
+#include "tests/unit/methods/ssdo_fixture.h"
+
+namespace ir::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+TEST_F(SsdoTest, AnOpenPlaneIsExactlyOpenAndReceivesNothing) {
+    for (const char* camera : {"top", "above"})
+        for (const double radius : {0.0, 0.5}) {
+            Shot shot("builtin:plane", camera, 48, 48);
+            shot.scene.environment = {{0.5f, 1, 2}, nullptr};
+            const auto indirect = render(shot, {{"max_distance", radius}});
+            const auto open = read("ssdo.accessibility"), sky = read("ssdo.sky.raw"),
+                       albedo = read("gbuffer.albedo");
+            for (int y = 0; y < 48; ++y)
+                for (int x = 0; x < 48; ++x) {
+                    ASSERT_EQ(open.at(x, y), 1) << camera << radius;
+                    ASSERT_EQ(indirect.at(x, y, 0), 0) << camera << radius;
+                    ASSERT_NEAR(sky.at(x, y, 2), 2 * albedo.at(x, y, 2), 1e-5);
+                }
+        }
+}
+
+/// ∫ cosθ / π (1 − t / r)⁺ dω over the directions to an endless wall at distance d, t the way to it: what
+/// steps of uniform length in (0, r] find behind it.
+double occlusion_by_wall(double d, double r) {
+    constexpr int n = 200;
+    double sum = 0;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            const double height = (i + 0.5) / n, azimuth = pi * ((j + 0.5) / n - 0.5);
+            const double t = d / (std::sqrt(1 - height * height) * std::cos(azimuth));
+            sum += height / pi * std::max(1 - t / r, 0.0) * pi / (n * n);
+        }
+    return sum;
+}
+
+TEST_F(SsdoTest, NearAWallAccessibilityTendsToALinearFallOff) {
+    for (const bool orthographic : {true, false}) {
+        const auto eye = glm::vec3(1, 1, 0) * (orthographic ? 6.0f : 3.0f);
+        const Shot shot(scene::load_scene("builtin:corner?size=8"),
+                        ssdo_camera(eye, {0, 0, 0}, {0, 1, 0}, orthographic ? 2.0f : 0.0f), 64, 64);
+        const auto open = render(shot, many_samples(256, 0.5), "ssdo.accessibility");
+        const auto position = read("gbuffer.position"), normal = read("gbuffer.geometric_normal");
+        double bias = 0, squares = 0;
+        int n = 0;
+        for (int y = 0; y < 64; ++y)
+            for (int x = 16; x < 48; ++x) {
+                const double d = position.at(x, y, 0);
+                if (normal.at(x, y, 1) < 0.5f || d > 0.6 || d < 0.03) continue;
+                const double error = open.at(x, y) - 1 + occlusion_by_wall(d, 0.5);
+                bias += error;
+                squares += error * error;
+                ++n;
+            }
+        ASSERT_GT(n, 100);
+        EXPECT_NEAR(bias / n, 0, 0.003) << orthographic;
+        EXPECT_LT(std::sqrt(squares / n), 0.02) << orthographic;
+    }
+}
+
+/// Mean over floor pixels of light received over ρ L F, and its largest value over the wall's radiance.
+struct Received {
+    double ratio = 0, largest = 0;
+    int n = 0;
+};
+
+class SsdoWallTest : public SsdoTest {
+  protected:
+    Received received(bool orthographic, const Settings& settings, double radius) {
+        const Shot shot(
+            lit_wall(),
+            ssdo_camera({3.2f, 2.4f, 0.7f}, {0.6f, 0.3f, 0}, {0, 1, 0}, orthographic ? 2.6f : 0.0f), 96, 96);
+        const auto indirect = render(shot, settings);
+        const auto position = read("gbuffer.position"), normal = read("gbuffer.geometric_normal"),
+                   senders = read("ssdo.senders");
+        double wall = 0, sum = 0, expected = 0;
+        Received result;
+        for (std::size_t i = 0; i < 96 * 96; ++i)  // one radiance all over
+            if (normal.pixels[4 * i] > 0.9f) wall = senders.pixels[4 * i];
+        EXPECT_GT(wall, 0.1);
+        for (int y = 0; y < 96; ++y)
+            for (int x = 0; x < 96; ++x) {
+                const double from_wall = position.at(x, y, 0);
+                if (normal.at(x, y, 1) < 0.9f || from_wall < 0.05) continue;
+                sum += indirect.at(x, y, 0);
+                expected += 0.8 * wall * wall_form_factor(from_wall, position.at(x, y, 2), radius);
+                result.largest = std::max(result.largest, indirect.at(x, y, 0) / wall);
+                ++result.n;
+            }
+        result.ratio = sum / expected;
+        return result;
+    }
+};
+
+TEST_F(SsdoWallTest, TheDensityEstimatorTendsToTheFormFactorAndThePublishedOneDoesNot) {
+    for (const bool orthographic : {false, true}) {
+        const auto unlimited = received(orthographic, many_samples(128, 0), 1e9);
+        ASSERT_GT(unlimited.n, 1000);
+        EXPECT_NEAR(unlimited.ratio, 1, 0.02) << orthographic;
+        EXPECT_LT(unlimited.largest, 0.8) << "no floor sees more than half a wall; the rest is noise";
+        const auto limited = received(orthographic, many_samples(128, 0.7), 0.7);
+        EXPECT_NEAR(limited.ratio, 1, 0.04) << "light fades over the last twentieth of the radius";
+        auto settings = many_samples(128, 0.7);
+        settings["estimator"] = std::string("published");
+        settings["least_distance"] = 1.0;
+        const auto clamped = received(orthographic, settings, 0.7);
+        settings["least_distance"] = 0.01;
+        const auto published = received(orthographic, settings, 0.7);
+        std::printf("ortho %d: density %.4f, within 0.7 m %.4f; published %.3f, clamped to r %.3f\n",
+                    orthographic, unlimited.ratio, limited.ratio, published.ratio, clamped.ratio);
+        EXPECT_GT(std::abs(published.ratio - 1), 0.1);
+        EXPECT_LT(clamped.ratio, 0.5);
+    }
+}
+
+TEST_F(SsdoTest, SidesThatTheCameraDoesNotSeeOccludeButSendNothing) {
+    SmallWorld world;
+    world.square({0, 0, 0}, {0, 1, 0}, 4);
+    world.quad({-0.3f, 0.3f, 0.3f}, {0.3f, 0.3f, 0.3f}, {0.3f, 0.3f, -0.3f}, {-0.3f, 0.3f, -0.3f});
+    auto scene = world.scene();
+    scene.lights = lit_wall().lights;
+    const Shot shot(scene, ssdo_camera({0, 5, 0}, {0, 0, 0}, {0, 0, -1}, 2), 64, 64);
+    Inspection picked;
+    picked.x = 18;
+    picked.y = 32;
+    const auto indirect = render(shot, many_samples(64, 1), "ssdo.indirect.raw", picked);
+    for (const float value : indirect.pixels)
+        if (value != 0) FAIL() << "the plate's top sends down";
+    EXPECT_LT(read("ssdo.accessibility").at(18, 32), 0.95f);
+    const auto lines = explained("ssdo.explain.lines");
+    int turned_away = 0;
+    for (std::size_t i = 0; i < 64; ++i) {
+        std::uint32_t role;
+        std::memcpy(&role, &lines.at(14 * i + 6), 4);
+        turned_away += role == 3;
+    }
+    EXPECT_GT(turned_away, 2);
+}
+
+TEST_F(SsdoTest, WhatLiesOutsideOfThePictureIsMissedAndCounted) {
+    const Shot shot(lit_wall(), ssdo_camera({0.35f, 3, 0}, {0.35f, 0, 0}, {0, 0, -1}, 0.5f), 32, 32);
+    const auto indirect = render(shot, many_samples(64, 1));
+    EXPECT_EQ(*std::max_element(indirect.pixels.begin(), indirect.pixels.end()), 0);
+    EXPECT_GT(read("ssdo.cut").at(0, 16), 0.3f);
+    EXPECT_EQ(read("ssdo.accessibility").at(0, 16), 1);
+    EXPECT_GT(wall_form_factor(0.1, 0, 1), 0.2);
+}
+
+TEST_F(SsdoTest, WhatExplainsAPixelAddsUpToIt) {
+    Shot shot("builtin:cornell", "", 64, 64);
+    shot.scene.environment = {{0.5f, 1, 2}, nullptr};
+    for (const char* estimator : {"density", "published"})
+        for (const char* materials : {"lambert", "gltf"}) {
+            Settings settings = many_samples(70, 0.3);
+            settings["estimator"] = std::string(estimator);
+            settings["materials"] = std::string(materials);
+            Inspection picked;
+            picked.x = 20;
+            picked.y = 55;
+            const auto raw = render(shot, settings, "ssdo.indirect.raw", picked), sky = read("ssdo.sky.raw");
+            const auto samples = explained("ssdo.explain.samples");
+            double sent = 0, seen = 0;
+            for (std::size_t i = 0; i < 70; ++i) {
+                sent += samples.at(12 * i + 5);
+                seen += samples.at(12 * i + 10);
+            }
+            EXPECT_GT(sent, 0);
+            EXPECT_NEAR(sent, raw.at(20, 55, 0), 1e-5 * sent);
+            EXPECT_NEAR(seen, sky.at(20, 55, 2), 1e-5 * seen);
+            EXPECT_EQ(report.counters.at("ssdo.explain.lines_count"), 70);
+        }
+}
+
+TEST_F(SsdoTest, PicturesAreTheSumsOfTheirParts) {
+    Shot shot("builtin:cornell", "", 48, 48);
+    shot.scene.environment = {{0.5f, 1, 2}, nullptr};
+    for (const char* paths : {"direct", "indirect", "full"}) {
+        const auto radiance = render(shot, {{"paths", std::string(paths)}}, "radiance");
+        const auto direct = read("ssdo.direct"), indirect = read("ssdo.indirect"),
+                   emission = read("gbuffer.emission"), normal = read("gbuffer.geometric_normal");
+        const bool full = std::string(paths) == "full";
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 48; ++x)
+                for (int c = 0; c < 3; ++c) {
+                    float expected = full ? shot.scene.environment.constant[c] : 0;
+                    if (rgb(normal, x, y) != glm::vec3(0)) {
+                        expected = full ? emission.at(x, y, c) : 0;
+                        if (std::string(paths) != "indirect") expected += direct.at(x, y, c);
+                        if (std::string(paths) != "direct") expected += indirect.at(x, y, c);
+                    }
+                    ASSERT_NEAR(radiance.at(x, y, c), expected, 1e-5 * (1 + expected)) << paths;
+                }
+    }
+}
+
+TEST_F(SsdoTest, AnEnvironmentMapLightsAnOpenSlopeByItsIntegral) {
+    Image map(32, 16, 3);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 32; ++x)
+            for (int c = 0; c < 3; ++c)
+                map.at(x, y, c) = x > 20 && x < 24 && y > 3 && y < 8 ? 10.0f : 0.1f * c;
+    SmallWorld world;
+    const auto normal = glm::normalize(glm::vec3(0.3f, 1, 0.5f));
+    world.square({0, 0, 0}, normal, 1);
+    auto scene = world.scene();
+    scene.environment = {{}, std::make_shared<Image>(map)};
+    const Shot shot(scene, ssdo_camera(3.0f * normal, {0, 0, 0}, {1, 0, 0}, 1), 16, 16);
+    const auto sky = render(shot, many_samples(4096, 1), "ssdo.sky.raw");
+    const passes::EnvironmentLight light(scene.environment);
+    glm::dvec3 expected(0);
+    constexpr int n = 400;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < 2 * n; ++j) {
+            const double height = -1 + (i + 0.5) * 2 / n, azimuth = pi * (j + 0.5) / n;
+            const double across = std::sqrt(1 - height * height);
+            const glm::vec3 way(across * std::cos(azimuth), height, across * std::sin(azimuth));
+            expected += glm::dvec3(light.radiance(way)) * double(std::max(glm::dot(way, normal), 0.0f)) / pi *
+                        (2.0 / n) * (pi / n);
+        }
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(sky.at(8, 8, c), expected[c], 0.02 * expected[c]) << c;
+}
+
+TEST_F(SsdoTest, TheSamePictureTwiceAndAnotherByAnotherSeed) {
+    const Shot shot("builtin:cornell", "", 32, 32);
+    const auto a = render(shot, many_samples(70, 0.3)), b = render(shot, many_samples(70, 0.3));
+    EXPECT_EQ(std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)), 0);
+    EXPECT_NE(render(shot, many_samples(70, 0.3), "ssdo.indirect.raw", {}, 2).pixels, a.pixels);
+}
+
+TEST_F(SsdoTest, TheBlurTakesNoiseAwayAndLeavesMaterials) {
+    const Shot shot("builtin:cornell", "", 64, 64);
+    const auto many = render(shot, many_samples(1024, 0.3), "ssdo.indirect");
+    const auto blurred = render(shot, {{"samples", std::int64_t{8}}, {"max_distance", 0.3}}, "ssdo.indirect"),
+               raw = read("ssdo.indirect.raw");
+    const auto error = [&](const Image& image) {
+        double sum = 0;
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            if (i % 4 != 3) sum += std::pow(image.pixels[i] - many.pixels[i], 2);
+        return std::sqrt(sum);
+    };
+    EXPECT_LT(error(blurred), 0.7 * error(raw));
+}
+
+}  // namespace
+}  // namespace ir::test
