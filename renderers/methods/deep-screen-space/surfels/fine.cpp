@@ -23,30 +23,34 @@ gl::ProgramSource source_of(const Parameters& parameters) {
     return source;
 }
 
-/// Points of one draw: llvmpipe numbers the vertices that a draw is tessellated into by 16 bits, and without
-/// a word makes the first ones again.
+/// Points of one draw, but for those of its last patch: llvmpipe numbers the vertices that a draw is
+/// tessellated into by 16 bits, and without a word makes the first ones again.
 constexpr std::int64_t points_of_draw = 1 << 15;
 constexpr std::int64_t most_draws = std::int64_t{1} << 11;  ///< scan_in_place has no more points
 
-/// Draws that there is room for.
-std::int64_t draws_of(const PassContext& context, const Growing& fine) {
-    const auto points = static_cast<std::int64_t>(context.capacity(fine.buffer));
-    return std::min(most_draws, points / points_of_draw + 1);
+/// Draws of each part of the pass.
+std::int64_t draws_of_part(const PassContext& context, graph::BufferRef fine) {
+    const auto draws = static_cast<std::int64_t>(context.capacity(fine)) / points_of_draw + 1;
+    return (std::min(most_draws, draws) + packing_parts - 1) / packing_parts;
 }
 
-void write_commands(const PassContext& context, const Patches& patches, graph::BufferRef commands) {
-    const auto& program = context.program({{"methods/deep-screen-space/surfels/commands.comp"},
-                                           {{"POINTS_OF_DRAW", std::to_string(points_of_draw) + "u"}}});
+void write_commands(const PassContext& context, const Patches& patches, const Growing& fine,
+                    graph::BufferRef commands) {
+    const auto& program = context.program({{"methods/deep-screen-space/surfels/commands.comp"}});
     program.use();
     context.bind_buffer(0, patches.points.buffer);
     context.bind_counter(1, patches.list.count);
     context.bind_buffer(2, commands);
     context.bind_counter(3, patches.points.count);
+    context.bind_counter(4, fine.count);
     const auto capacity =
         std::min(context.capacity(patches.list.buffer), context.capacity(patches.points.buffer));
     program.set("capacity", static_cast<unsigned>(capacity));
-    program.set("command_count", static_cast<unsigned>(most_draws));
-    program.dispatch(most_draws);
+    program.set("fine_capacity", static_cast<unsigned>(context.capacity(fine.buffer)));
+    const auto draws = packing_parts * draws_of_part(context, fine.buffer);
+    program.set("command_count", static_cast<unsigned>(draws));
+    program.dispatch(draws);
+    context.barrier();
 }
 
 void draw(const PassContext& context, graph::BufferRef commands, std::int64_t first, std::int64_t end) {
@@ -94,19 +98,17 @@ void tessellate(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                                    {"first_vertex", FieldType::u32},
                                    {"base_instance", FieldType::u32}},
                         .elements = most_draws});
-    builder.pass("divide draws")
-        .reads(patches.points.buffer, patches.list.buffer)
-        .writes(commands)
-        .counts(patches.list.count)
-        .counts(patches.points.count)
-        .execute([=](PassContext& context) { write_commands(context, patches, commands); });
     const auto capture = std::make_shared<std::unique_ptr<Capture>>();
     builder.pass("fine surfels")
-        .reads(scene.positions, scene.indices, patches.list.buffer, commands)
-        .writes(fine.buffer)
+        .reads(scene.positions, scene.indices, patches.list.buffer, patches.points.buffer)
+        .writes(fine.buffer, commands)
+        .counts(patches.list.count)
+        .counts(patches.points.count)
+        .counts(fine.count)
         .execute_sliced(
-            most_draws,
+            packing_parts,
             [=](PassContext& context, Slice slice) {
+                if (slice.first) write_commands(context, patches, fine, commands);
                 const auto& program = context.program(source_of(parameters));
                 program.use();
                 set_ideal(program, context.inputs(), parameters);
@@ -118,12 +120,10 @@ void tessellate(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                     *capture = std::make_unique<Capture>(
                         context.api(), context.buffer(fine.buffer),
                         static_cast<std::int64_t>(context.capacity(fine.buffer) * sizeof(FineSurfel)));
-                const auto end = std::min(slice.end, draws_of(context, fine));
-                if (slice.begin < end) {
-                    (*capture)->resume();
-                    draw(context, commands, slice.begin, end);
-                    (*capture)->pause();
-                }
+                const auto draws = draws_of_part(context, fine.buffer);
+                (*capture)->resume();
+                draw(context, commands, draws * slice.begin, draws * slice.end);
+                (*capture)->pause();
                 if (slice.last) capture->reset();
             },
             1);

@@ -29,11 +29,11 @@ void dispatch(const graph::PassContext& context, const gl::Program& program, gra
 
 }  // namespace
 
-ItemRange items_of(std::uint64_t capacity, graph::Slice slice) {
-    const auto at = [&](std::int64_t part) {
-        return static_cast<std::int64_t>(capacity * static_cast<std::uint64_t>(part) / packing_parts);
-    };
-    return {at(slice.begin), at(slice.end)};
+void dispatch_parts(const gl::Program& program, std::uint64_t capacity, graph::Slice slice) {
+    constexpr std::int64_t block = 64;
+    const auto blocks = (static_cast<std::int64_t>(capacity) + block - 1) / block;
+    program.set("first_part", static_cast<unsigned>(slice.begin));
+    program.dispatch(block * (slice.end - slice.begin), (blocks + packing_parts - 1) / packing_parts);
 }
 
 Growing growing(graph::GraphBuilder& builder, graph::BufferDesc desc, graph::CounterDesc counter,

@@ -8,14 +8,12 @@
 
 namespace ir::methods::deep_screen_space {
 
-/// Passes over items whose number only the device knows are divided into so many parts of the capacity.
+/// Passes over items whose number only the device knows are divided into so many parts (parts.glsl).
 constexpr std::int64_t packing_parts = 256;
 
-struct ItemRange {
-    std::int64_t first, end;
-};
-/// The items of a slice of `packing_parts`.
-ItemRange items_of(std::uint64_t capacity, graph::Slice slice);
+/// Runs a compute program in use, with groups of 64 that include parts.glsl, for a slice of the parts of a
+/// list with this capacity.
+void dispatch_parts(const gl::Program& program, std::uint64_t capacity, graph::Slice slice);
 
 /// Declares a growable buffer with the counter that makes it grow, of `reserve` elements at first.
 struct Growing {

@@ -1,6 +1,5 @@
 #include "renderers/methods/deep-screen-space/surfels/shading.h"
 
-#include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/deep-screen-space/surfels/packing.h"
 #include "renderers/passes/scene/hit_surfaces.h"
 
@@ -32,8 +31,8 @@ void shade(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, cons
                 context.bind_texture(0, shadow.maps);
                 program.set("light_count", static_cast<int>(context.inputs().world->lights.size()));
                 program.set("normal_maps", normal_maps ? 1 : 0);
-                const auto range = items_of(context.capacity(surfels.records), slice);
-                gl::dispatch_items(program, range.first, range.end);
+                program.set("capacity", static_cast<unsigned>(context.capacity(surfels.records)));
+                dispatch_parts(program, context.capacity(surfels.records), slice);
             },
             1);
 }

@@ -1,8 +1,5 @@
 #include "renderers/methods/deep-screen-space/surfels/thinning.h"
 
-#include <algorithm>
-
-#include "renderers/gl/dispatch_items.h"
 #include "renderers/graph/output_text.h"
 
 namespace ir::methods::deep_screen_space {
@@ -17,6 +14,9 @@ const char* thinning_of(const Parameters& parameters) {
     return parameters.discard == Discard::mended ? "1" : "2";
 }
 
+/// Consecutive fine surfels of one invocation: so much fewer words are to be scanned.
+constexpr std::uint64_t run = 16;
+
 struct Thinning {
     passes::SceneBuffers scene;
     Growing fine, words;
@@ -24,8 +24,9 @@ struct Thinning {
 };
 
 const gl::Program& use(const PassContext& context, const Thinning& t, const char* file) {
-    const auto& program = context.program({{std::string("methods/deep-screen-space/surfels/") + file},
-                                           {{"THINNING", thinning_of(t.parameters)}}});
+    const auto& program =
+        context.program({{std::string("methods/deep-screen-space/surfels/") + file},
+                         {{"THINNING", thinning_of(t.parameters)}, {"RUN", std::to_string(run) + "u"}}});
     program.use();
     context.bind_buffer(0, t.fine.buffer);
     context.bind_counter(1, t.fine.count);
@@ -34,14 +35,13 @@ const gl::Program& use(const PassContext& context, const Thinning& t, const char
     for (const auto buffer : {t.scene.opacity, t.scene.opacity_words, t.scene.uv0, t.scene.uv1,
                               t.scene.indices, t.scene.triangle_materials, t.scene.materials})
         context.bind_buffer(binding++, buffer);
-    program.set("capacity", static_cast<unsigned>(
-                                std::min(context.capacity(t.fine.buffer), context.capacity(t.words.buffer))));
+    program.set("capacity", static_cast<unsigned>(context.capacity(t.fine.buffer)));
+    program.set("word_capacity", static_cast<unsigned>(context.capacity(t.words.buffer)));
     return program;
 }
 
 void dispatch(const PassContext& context, const gl::Program& program, const Thinning& t, Slice slice) {
-    const auto range = items_of(context.capacity(t.words.buffer), slice);
-    gl::dispatch_items(program, range.first, range.end);
+    dispatch_parts(program, context.capacity(t.words.buffer), slice);
 }
 
 graph::PassBuilder reads(graph::PassBuilder pass, const Thinning& t) {
@@ -55,12 +55,14 @@ graph::PassBuilder reads(graph::PassBuilder pass, const Thinning& t) {
 
 Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Growing& fine,
              std::uint64_t reserve, const Parameters& parameters) {
-    const auto words = growing(builder,
-                               {.text = {.key = "surfels.places",
-                                         .label = "Places of surfels",
-                                         .doc = "For each fine surfel how many of those before it are kept."},
-                                .fields = {{"place", FieldType::u32}}},
-                               {.key = "surfels.fine.words", .label = "Fine surfels with places"}, reserve);
+    const auto words =
+        growing(builder,
+                {.text = {.key = "surfels.places",
+                          .label = "Places of surfels",
+                          .doc = "For each run of 16 fine surfels how many of those before it are kept."},
+                 .fields = {{"place", FieldType::u32}}},
+                {.key = "surfels.fine.words", .label = "Runs of fine surfels with places"},
+                (reserve + run - 1) / run);
     const auto kept =
         growing(builder,
                 {.text = graph::text_of(surfel_outputs(), "surfels"),

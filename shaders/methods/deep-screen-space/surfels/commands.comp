@@ -1,5 +1,5 @@
-// Draws of consecutive patches that the tessellator makes of, each, about as many points: those whose first point
-// is one of the command's. At most POINTS_OF_DRAW, and what the last patch has beyond them.
+// Draws of consecutive patches with about as many points each: all points that there is room for are divided among
+// the commands, and a patch belongs to the one that has its first point.
 layout(local_size_x = 64) in;
 
 struct Command {
@@ -10,7 +10,10 @@ layout(std430, binding = 1) readonly buffer PatchCount { uint patch_count; };
 layout(std430, binding = 2) writeonly buffer Commands { Command commands[]; };
 layout(std430, binding = 3) writeonly buffer WordCount { uint word_count; };
 
-uniform uint command_count, capacity;
+layout(std430, binding = 4) readonly buffer FineCount { uint fine_count; };
+
+uniform uint command_count;
+uniform uint capacity, fine_capacity;  // of patches, of fine surfels
 
 /// The first patch that has so many points before it.
 uint patch_at(uint point) {
@@ -29,6 +32,7 @@ void main() {
     uint item = gl_GlobalInvocationID.x;
     if (item == 0u) word_count = patch_count;
     if (item >= command_count) return;
-    uint first = patch_at(item * POINTS_OF_DRAW);
-    commands[item] = Command(patch_at((item + 1u) * POINTS_OF_DRAW) - first, 1u, first, 0u);
+    uint share = (min(fine_count, fine_capacity) + command_count - 1u) / command_count;
+    uint first = patch_at(item * share), end = patch_at((item + 1u) * share);
+    commands[item] = Command(end - first, 1u, first, 0u);
 }

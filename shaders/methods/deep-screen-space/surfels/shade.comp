@@ -8,13 +8,14 @@ layout(local_size_x = 64) in;
 #define SHADOW_MAPS 0
 #include "passes/shadow/shadow.glsl"
 #include "methods/deep-screen-space/records.glsl"
+#include "methods/deep-screen-space/surfels/parts.glsl"
 #include "methods/deep-screen-space/surfels/diffuse.glsl"
 
 layout(std430, binding = 5) readonly buffer Lights { Light lights[]; };
 layout(std430, binding = 7) buffer Surfels { Surfel surfels[]; };
 layout(std430, binding = 8) readonly buffer SurfelCount { uint surfel_count; };
 
-uniform uint first_item, end_item;
+uniform uint capacity;
 uniform int light_count, normal_maps;
 
 vec3 reflected(HitSurface s, vec3 position_ws) {
@@ -45,16 +46,17 @@ vec3 emitted(uint triangle, vec2 weights) {
 #endif
 
 void main() {
-    uint item = first_item + gl_GlobalInvocationID.x;
-    if (item >= end_item || item >= surfel_count) return;
+    uint item = item_of_part();
+    if (item >= min(surfel_count, capacity)) return;
     Surfel surfel = surfels[item];
     vec2 weights = unpackUnorm2x16(surfel.barycentrics);
     vec3 emission = vec3(0);
 #if EMITS
     emission = emitted(surfel.triangle, weights);
 #endif
-    HitSurface front = hit_surface(surfel.triangle, weights.x, weights.y, -surfel.normal_ws, normal_maps != 0);
-    HitSurface back = hit_surface(surfel.triangle, weights.x, weights.y, surfel.normal_ws, normal_maps != 0);
-    surfels[item].radiance_front = emission + reflected(front, surfel.centre_ws);
-    surfels[item].radiance_back = emission + reflected(back, surfel.centre_ws);
+    HitSurface side = hit_surface(surfel.triangle, weights.x, weights.y, -surfel.normal_ws, normal_maps != 0);
+    surfels[item].radiance_front = emission + reflected(side, surfel.centre_ws);
+    side.geometric_normal_ws = -side.geometric_normal_ws;
+    side.shading_normal_ws = -side.shading_normal_ws;
+    surfels[item].radiance_back = emission + reflected(side, surfel.centre_ws);
 }

@@ -6,6 +6,9 @@ layout(local_size_x = 64) in;
 #include "passes/scene/scene.glsl"
 #include "methods/deep-screen-space/surfels/ideal.glsl"
 #include "methods/deep-screen-space/surfels/patch.glsl"
+#if ROUND == 2
+#include "methods/deep-screen-space/surfels/parts.glsl"
+#endif
 
 #if ROUND == 2
 layout(std430, binding = 2) readonly buffer Parts { Patch parts[]; };
@@ -31,7 +34,11 @@ layout(std430, binding = 7) buffer CoarseCount { uint coarse_count; };
 layout(std430, binding = 6) buffer TriangleCount { uint triangle_count; };
 #endif
 
+#if ROUND == 1
 uniform uint first_item, end_item;
+#else
+uniform uint item_end;  // room in the list of words
+#endif
 uniform vec4 frustum[6];  // unit normals inwards
 uniform int culls;
 uniform float margin;     // m
@@ -123,11 +130,16 @@ void write(Corners c, Patch p, inout uint count) { ++count; }
 #endif
 
 void main() {
+#if ROUND == 1
     uint item = first_item + gl_GlobalInvocationID.x;
-#if !PACKS && ROUND == 2
+    if (item >= end_item) return;
+#else
+    uint item = item_of_part();
+#if !PACKS
     if (item == 0u) word_count = part_count;
 #endif
-    if (item >= end_item) return;
+    if (item >= item_end) return;
+#endif
 #if PACKS
     uint place = places[item];
 #else

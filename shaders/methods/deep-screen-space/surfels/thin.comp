@@ -7,15 +7,18 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 2) readonly buffer Places { uint places[]; };
 layout(std430, binding = 3) writeonly buffer Surfels { Surfel surfels[]; };
 
-uniform uint first_item, end_item, capacity, surfel_capacity;
+uniform uint surfel_capacity;
 
 void main() {
-    uint item = first_item + gl_GlobalInvocationID.x;
-    if (item >= end_item || item >= min(fine_count, capacity)) return;
-    FineSurfel s = fine_surfel(item);
-    float area = kept_area(s);
-    uint place = places[item];
-    if (!(area > 0.0) || place >= surfel_capacity) return;
-    surfels[place] = Surfel(s.centre_ws, s.triangle, s.normal_ws, sqrt(area / 3.14159265), vec3(0), s.barycentrics,
-                            vec3(0), s.identity);
+    uint word = item_of_part();
+    if (word >= word_capacity) return;
+    uint end = min((word + 1u) * RUN, min(fine_count, capacity)), place = places[word];
+    for (uint item = word * RUN; item < end && place < surfel_capacity; ++item) {
+        FineSurfel s = fine_surfel(item);
+        float area = kept_area(s);
+        if (!(area > 0.0)) continue;
+        surfels[place] = Surfel(s.centre_ws, s.triangle, s.normal_ws, sqrt(area / 3.14159265), vec3(0),
+                                s.barycentrics, vec3(0), s.identity);
+        ++place;
+    }
 }

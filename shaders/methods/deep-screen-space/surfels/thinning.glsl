@@ -11,6 +11,9 @@
 #include "passes/scene/scene.glsl"
 #define FINE_BINDING 0
 #include "methods/deep-screen-space/surfels/fine.glsl"
+#include "methods/deep-screen-space/surfels/parts.glsl"
+
+uniform uint capacity, word_capacity;
 
 layout(std430, binding = 1) readonly buffer FineCount { uint fine_count; };
 layout(std430, binding = 10) readonly buffer Materials { Material materials[]; };
