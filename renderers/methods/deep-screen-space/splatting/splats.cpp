@@ -198,9 +198,9 @@ void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer&
 
 void bind_receivers(const PassContext& context, const gl::Program& program, const Splats& splats,
                     const SplatLayer& layer) {
-    context.bind_texture(0, splats.hierarchy.layout);
-    context.bind_texture(1, splats.hierarchy.positions);
-    context.bind_texture(2, splats.hierarchy.normals);
+    context.bind_texture(5, splats.hierarchy.layout);
+    context.bind_texture(6, splats.hierarchy.positions);
+    context.bind_texture(7, splats.hierarchy.normals);
     context.bind_buffer(10, splats.surfels);
     set_influence(program, splats);
     program.set("level", layer.level);

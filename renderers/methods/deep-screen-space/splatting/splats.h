@@ -45,7 +45,7 @@ using BindLayer = std::function<const gl::Program&(const graph::PassContext&, co
 void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer& bind);
 
 /// Sets the uniforms of splat_common.glsl for a program in use, and binds what it reads: the hierarchy's
-/// layout, positions and normals as texture units 0 … 2, and the surfels as buffer 10.
+/// layout, positions and normals as texture units 5 … 7, and the surfels as buffer 10.
 void bind_receivers(const graph::PassContext& context, const gl::Program& program, const Splats& splats,
                     const SplatLayer& layer);
 

@@ -8,9 +8,9 @@
 layout(location = 0) out vec2 out_cover;
 
 void main() {
-    Receiver receiver = own_receiver();
+    vec4 position = own_position();
     Surfel surfel = surfels[surfel_index];
-    bool is_reached = receiver.exists && distance(receiver.position, surfel.centre_ws) <=
-                                             ldexp(surfel_reach(surfel), level);
+    bool is_reached = position.w > 0.0 && distance(position.xyz, surfel.centre_ws) <=
+                                              ldexp(surfel_reach(surfel), level);
     out_cover = WEIGHT * vec2(1, is_reached ? 1 : 0);
 }

@@ -17,7 +17,9 @@ void main() {
     if (word != PADDING) {
         position = texelFetch(position_texture, unpacked_place(word), 0);
         position.w = position.w > 0.0 ? 1.0 : 0.0;
+        // Half floats are not quite of unit length.
         normal = vec4(texelFetch(normal_texture, unpacked_place(word), 0).xyz, 0);
+        if (dot(normal, normal) > 0.0) normal = normalize(normal);
     }
     imageStore(positions, place, position);
     imageStore(normals, place, normal);

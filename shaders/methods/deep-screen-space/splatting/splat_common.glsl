@@ -4,9 +4,9 @@
 #include "methods/deep-screen-space/splatting/influence.glsl"
 #include "methods/deep-screen-space/splatting/places.glsl"
 
-layout(binding = 0) uniform usampler2DArray layout_texture;
-layout(binding = 1) uniform sampler2DArray position_stack;
-layout(binding = 2) uniform sampler2DArray normal_stack;
+layout(binding = 5) uniform usampler2DArray layout_texture;
+layout(binding = 6) uniform sampler2DArray position_stack;
+layout(binding = 7) uniform sampler2DArray normal_stack;
 
 layout(std430, binding = 10) readonly buffer Surfels { Surfel surfels[]; };
 
@@ -16,15 +16,11 @@ layout(location = 0) flat in uint surfel_index;
 
 ivec3 own_place() { return ivec3(ivec2(gl_FragCoord.xy), level); }
 
-/// Of the view; only where a receiver exists.
+/// Of the view; only where there is a surface.
 ivec2 own_pixel() { return unpacked_place(texelFetch(layout_texture, own_place(), 0).x); }
 
-struct Receiver {
-    bool exists;
-    vec3 position, normal;  // world space; shading normal
-};
+/// World space; w 0: no surface.
+vec4 own_position() { return texelFetch(position_stack, own_place(), 0); }
 
-Receiver own_receiver() {
-    vec4 position = texelFetch(position_stack, own_place(), 0);
-    return Receiver(position.w > 0.0, position.xyz, texelFetch(normal_stack, own_place(), 0).xyz);
-}
+/// Shading normal.
+vec3 own_normal() { return texelFetch(normal_stack, own_place(), 0).xyz; }

@@ -1,0 +1,164 @@
+#include "renderers/methods/deep-screen-space/splatting/additive.h"
+
+#include "renderers/methods/deep-screen-space/splatting/cover.h"
+#include "renderers/passes/bounce/receiver.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+using graph::ImageRef;
+using graph::PassContext;
+
+const std::string folder = "methods/deep-screen-space/splatting/";
+
+/// What the parts of one additive splatting share.
+struct Additive {
+    Splats splats;
+    passes::bounce::Receivers receivers;
+    std::map<std::string, std::string> mutation;
+    ImageRef splatted;  ///< "additive.splatted": occlusion, or light by a white Lambert part
+    ImageRef glossy;    ///< "additive.glossy": light by microfacets; none where materials have none
+
+    bool is_light() const { return receivers.options.light; }
+    bool has_gloss() const { return glossy.index >= 0; }
+    const Parameters& parameters() const { return splats.parameters; }
+};
+
+passes::bounce::Receivers receivers_of(const passes::SceneBuffers& scene, const passes::GBuffer& gbuffer,
+                                       const Parameters& parameters) {
+    passes::bounce::DirectionOptions options;
+    options.parameters = parameters.directions;
+    options.light = parameters.transport.paths != Transport::Paths::ao;
+    options.materials = parameters.transport.materials;
+    return {scene, gbuffer, options};
+}
+
+/// Floats of 32 bits: to a sum of thousands half floats cannot add small numbers.
+ImageRef declare_stack(graph::GraphBuilder& builder, const Additive& additive, graph::ResourceText text) {
+    graph::ImageDesc desc;
+    desc.text = std::move(text);
+    desc.format = additive.is_light() ? gl::Format::rgba32f : gl::Format::r32f;
+    desc.extent = graph::Extent::fixed(additive.splats.hierarchy.width, additive.splats.hierarchy.height);
+    desc.layers = additive.splats.hierarchy.levels;
+    return builder.image(std::move(desc));
+}
+
+void clear_layer(const gl::Api& gl, const Additive& additive) {
+    constexpr float nothing[4] = {};
+    gl.ClearBufferfv(GL_COLOR, 0, nothing);
+    if (additive.has_gloss()) gl.ClearBufferfv(GL_COLOR, 1, nothing);
+}
+
+/// Sums are in the order of the surfels.
+const gl::Program& bind_layer(const PassContext& p, const Additive& additive, const SplatLayer& layer) {
+    std::vector<PassContext::Attachment> targets{{additive.splatted, layer.level}};
+    if (additive.has_gloss()) targets.push_back({additive.glossy, layer.level});
+    p.bind_framebuffer(targets);
+    const auto& gl = p.api();
+    gl.Disable(GL_DEPTH_TEST);
+    gl.Enable(GL_BLEND);
+    gl.BlendEquation(GL_FUNC_ADD);
+    gl.BlendFunc(GL_ONE, GL_ONE);
+    if (layer.is_first) clear_layer(gl, additive);
+    gl::ProgramSource source{{folder + "splat.vert", folder + "additive.frag"}, additive.mutation};
+    additive.receivers.define(source);
+    const auto& program = p.program(source);
+    program.use();
+    bind_receivers(p, program, additive.splats, layer);
+    if (additive.is_light()) {
+        additive.receivers.bind(p, program);
+        program.set("black_backs", additive.parameters().backs == Backs::black ? 1 : 0);
+    } else {
+        const auto& transport = additive.parameters().transport;
+        const bool smooth = transport.falloff == Transport::Falloff::smooth;
+        program.set("falloff_distance", smooth ? transport.max_distance : 0.0f);
+    }
+    return program;
+}
+
+void splat(graph::GraphBuilder& builder, Additive& additive) {
+    additive.splatted = declare_stack(builder, additive, additive_text("additive.splatted"));
+    if (additive.is_light() && additive.parameters().transport.materials != Transport::Materials::lambert)
+        additive.glossy = declare_stack(builder, additive,
+                                        {.key = "additive.glossy",
+                                         .label = "Glossy levels in sub-images",
+                                         .doc = "Light that microfacets reflect: a layer per level."});
+    auto pass = builder.pass("splat");
+    additive.receivers.declare_reads(pass);
+    pass.writes(additive.splatted);
+    if (additive.has_gloss()) pass.writes(additive.glossy);
+    draw_splats(pass, additive.splats,
+                [=](const PassContext& p, const SplatLayer& layer) -> const gl::Program& {
+                    return bind_layer(p, additive, layer);
+                });
+}
+
+void bind_levels(const PassContext& p, int first_unit, const LevelSums& sums) {
+    for (std::size_t level = 0; level < sums.levels.size(); ++level)
+        p.bind_texture(first_unit + static_cast<int>(level), sums.levels[level]);
+}
+
+ImageRef resolve(graph::GraphBuilder& builder, const Additive& additive, const LevelSums& sums,
+                 const LevelSums& glossy, graph::ResourceText text) {
+    const auto format = additive.is_light() ? gl::Format::rgba32f : gl::Format::r32f;
+    const auto& gbuffer = additive.receivers.gbuffer;
+    const auto sum = builder.image({.text = additive_text("additive.sum"), .format = format});
+    const auto result = builder.image({.text = std::move(text), .format = format});
+    auto pass = builder.pass("add levels");
+    for (const auto image : sums.levels) pass.reads(image);
+    for (const auto image : glossy.levels) pass.reads(image);
+    pass.reads(gbuffer.albedo, gbuffer.material, gbuffer.position).writes(sum, result);
+    pass.execute([=](PassContext& p) {
+        gl::ProgramSource source{{folder + "additive_resolve.comp"}};
+        source.defines["LEVELS"] = std::to_string(sums.levels.size());
+        additive.receivers.define(source);
+        const auto& program = p.program(source);
+        program.use();
+        bind_levels(p, 0, sums);
+        bind_levels(p, 6, glossy);
+        if (additive.is_light()) {
+            p.bind_texture(12, gbuffer.albedo);
+            p.bind_texture(13, gbuffer.material);
+        } else {
+            p.bind_texture(13, gbuffer.position);
+        }
+        p.bind_storage_image(0, sum);
+        p.bind_storage_image(1, result);
+        const auto shape = p.shape(result);
+        program.dispatch(shape.width, shape.height);
+    });
+    return result;
+}
+
+}  // namespace
+
+ImageRef splat_additive(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                        const passes::GBuffer& gbuffer, const Hierarchy& hierarchy, const Surfels& surfels,
+                        const Parameters& parameters, graph::ResourceText text) {
+    return splat_additive_mutated(builder, scene, gbuffer, hierarchy, surfels, parameters, std::move(text),
+                                  {});
+}
+
+ImageRef splat_additive_mutated(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                                const passes::GBuffer& gbuffer, const Hierarchy& hierarchy,
+                                const Surfels& surfels, const Parameters& parameters,
+                                graph::ResourceText text,
+                                const std::map<std::string, std::string>& mutation) {
+    Additive additive;
+    additive.splats = declare_splats(builder, hierarchy, surfels, parameters, 1);
+    additive.receivers = receivers_of(scene, gbuffer, parameters);
+    additive.mutation = mutation;
+    splat(builder, additive);
+    const auto sums = blur_levels(builder, gbuffer, hierarchy, additive.splatted, parameters);
+    LevelSums glossy;
+    if (additive.has_gloss()) glossy = blur_levels(builder, gbuffer, hierarchy, additive.glossy, parameters);
+    show_unshuffled(builder, hierarchy, additive.splatted);
+    count_cover(builder, additive.splats);
+    if (additive.is_light() && parameters.glossy_senders)
+        builder.note(
+            "deep-screen-space: without visibility surfels send the diffuse part of their light alone; "
+            "glossy_senders has no effect.");
+    return resolve(builder, additive, sums, glossy, std::move(text));
+}
+
+}  // namespace ir::methods::deep_screen_space

@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include "renderers/graph/output_text.h"
+#include "renderers/methods/deep-screen-space/splatting/additive.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+using graph::ImageRef;
+using graph::PassContext;
+
+constexpr int largest_radius = 64;  // of the blur
+
+gl::Format format_of(const graph::GraphBuilder& builder, ImageRef image) {
+    return builder.images().at(static_cast<std::size_t>(image.index)).format;
+}
+
+void unshuffle(const PassContext& p, const Hierarchy& hierarchy, ImageRef stack, ImageRef result, int level) {
+    gl::ProgramSource source{{"methods/deep-screen-space/splatting/unshuffle.comp"}};
+    if (p.shape(result).layers > 0) source.defines["TO_STACK"] = "1";
+    const auto& program = p.program(source);
+    program.use();
+    p.bind_texture(0, hierarchy.places);
+    p.bind_texture(1, stack);
+    p.bind_storage_image(0, result);
+    program.set("level", level);
+    const auto shape = p.shape(result);
+    program.dispatch(shape.width, shape.height);
+}
+
+ImageRef unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, ImageRef stack,
+                    const std::string& key, int level) {
+    graph::ImageDesc desc;
+    desc.text = {.key = key, .label = "Level " + std::to_string(level) + ", unshuffled"};
+    desc.format = format_of(builder, stack);
+    const auto image = builder.image(std::move(desc));
+    builder.pass("unshuffle: " + key)
+        .reads(hierarchy.places, stack)
+        .writes(image)
+        .execute([=](PassContext& p) { unshuffle(p, hierarchy, stack, image, level); });
+    return image;
+}
+
+}  // namespace
+
+LevelSums blur_levels(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
+                      const Hierarchy& hierarchy, ImageRef stack, const Parameters& parameters) {
+    const auto options = passes::options_of(parameters.reconstruction.blur);
+    const auto& name = builder.images().at(static_cast<std::size_t>(stack.index)).text.key;
+    LevelSums sums{stack, {}};
+    for (int level = 0; level < hierarchy.levels; ++level) {
+        const auto key = name + ".level_" + std::to_string(level);
+        const auto image = unshuffled(builder, hierarchy, stack, key, level);
+        auto wider = options;
+        wider.radius = std::min(options.radius << level, largest_radius);
+        sums.levels.push_back(
+            passes::blur(builder, gbuffer, image, wider,
+                         {.key = key + ".blurred",
+                          .label = "Level " + std::to_string(level) + ", blurred",
+                          .doc = "Over " + std::to_string(wider.radius) + " pixels on either side."}));
+    }
+    return sums;
+}
+
+void show_unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, ImageRef stack) {
+    graph::ImageDesc desc;
+    desc.text = additive_text("additive.levels");
+    desc.format = format_of(builder, stack);
+    desc.layers = hierarchy.levels;
+    const auto levels = builder.image(std::move(desc));
+    builder.pass("unshuffle levels")
+        .reads(hierarchy.places, stack)
+        .writes(levels)
+        .execute([=](PassContext& p) {
+            for (int level = 0; level < hierarchy.levels; ++level)
+                unshuffle(p, hierarchy, stack, levels, level);
+        });
+}
+
+std::vector<OutputDescription> additive_outputs() {
+    const Condition additive{"visibility", {false}};
+    return {
+        {.key = "additive.sum",
+         .label = "Sum of surfels",
+         .doc = "What all surfels do to a pixel, blurred level by level and added up, before it becomes the "
+                "result. Ambient occlusion: form factors, whose sum exceeds 1 where surfels hide each other, "
+                "and is more than what is closed wherever they do. Light: radiance that a white Lambert "
+                "surface would reflect, W/(m² sr).",
+         .active_when = additive},
+        {.key = "additive.levels",
+         .label = "Levels",
+         .kind = OutputKind::stack,
+         .doc =
+             "What surfels add to each pixel on each level (a layer), that is by distance, before the blur.",
+         .active_when = additive},
+        {.key = "additive.splatted",
+         .label = "Levels in sub-images",
+         .kind = OutputKind::stack,
+         .doc = "The same where it was splatted: a layer per level, pixels in the sub-images of their level.",
+         .active_when = additive},
+    };
+}
+
+graph::ResourceText additive_text(const std::string& key) {
+    return graph::text_of(additive_outputs(), key);
+}
+
+}  // namespace ir::methods::deep_screen_space

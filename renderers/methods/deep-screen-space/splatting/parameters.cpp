@@ -1,0 +1,104 @@
+#include "renderers/methods/deep-screen-space/parameters.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+const Condition with_visibility{"visibility", {true}};
+const Condition additive{"visibility", {false}};
+
+void add_reach(ParameterTable<Parameters>& table) {
+    table
+        .add(&Parameters::levels,
+             {.key = "levels",
+              .label = "Levels",
+              .doc = "Of the hierarchical framebuffer. Level l sees each surfel at one of 4^l pixels and "
+                     "reaches 2^l times as far as the first. More levels do less work per distance and are "
+                     "coarser: with a maximum distance the first shell is 1/2^(levels − 1) of it.",
+              .citation = "Nalbach15 §4.1",
+              .hard = {1, 6},
+              .soft = {1, 6},
+              .on_change = OnChange::reallocate})
+        .add(
+            &Parameters::shell_radius,
+            {.key = "shell_radius",
+             .label = "Shell radius",
+             .doc = "d: how far surfels reach on level 0, and on level l 2^l times as far, where there is no "
+                    "maximum distance; where there is one the last level reaches it, and this does not "
+                    "count. Nothing farther away than d · 2^(levels − 1) has an effect. 0: 1/64 of the "
+                    "diagonal of the scene's bounds.",
+             .unit = "m",
+             .citation = "Nalbach15 §4.1",
+             .hard = {0, 1e9},
+             .soft = {0, 2},
+             .active_when = {"max_distance", {0.0}}});
+}
+
+void add_visible(ParameterTable<Parameters>& table) {
+    table
+        .add(&Parameters::shells,
+             {.key = "shells",
+              .label = "Shells",
+              .doc = "Which of the surfaces that a splat covers it affects.",
+              .citation = "Nalbach15 §4.3",
+              .choices = {{"full-discs", "Full discs",
+                           "All within its reach: those of inner shells as if they had been splatted on the "
+                           "finer level. Hits of finer levels stay, and what they missed is filled in."},
+                          {"shells", "Shells",
+                           "Those between half its reach and its reach, as on all levels but the first in "
+                           "2014."}},
+              .active_when = with_visibility})
+        .add(&Parameters::coverage,
+             {.key = "coverage",
+              .label = "Coverage",
+              .doc =
+                  "Area of a disc that rays are tested against, in areas of the surface that it stands for. "
+                  "Discs at random leave e^(−coverage) of all rays through a closed surface; large discs "
+                  "reach around edges.",
+              .hard = {0.01, 100},
+              .soft = {0.5, 8},
+              .active_when = with_visibility});
+}
+
+void add_additive(ParameterTable<Parameters>& table) {
+    table
+        .add(
+            &Parameters::influence,
+            {.key = "influence",
+             .label = "Influence",
+             .doc = "How far a surfel reaches on level 0, without visibility.",
+             .citation = "Nalbach14",
+             .choices = {{"constant", "Constant", "All as far as each other: the whole reach is used."},
+                         {"estimated", "Estimated",
+                          "To where its form factor has fallen to the trade-off: radius / √ε, and no farther "
+                          "than the constant. What a surfel does beyond 2^(levels − 1) times that is lost: "
+                          "small surfels do not reach the maximum distance."}},
+             .active_when = additive})
+        .add(
+            &Parameters::trade_off,
+            {.key = "trade_off",
+             .label = "Trade-off ε",
+             .doc = "Form factor at which a surfel's first shell ends. Larger is faster and coarser: surfels "
+                    "stand for their surroundings closer by, and reach less far.",
+             .citation = "Nalbach15 §5",
+             .hard = {1e-6, 1},
+             .soft = {0.001, 0.1},
+             .active_when = {"influence", {std::string("estimated")}}});
+}
+
+}  // namespace
+
+void add_splatting_parameters(ParameterTable<Parameters>& table) {
+    add_reach(table);
+    add_visible(table);
+    add_additive(table);
+    table.add(&Parameters::splat_culling,
+              {.key = "splat_culling",
+               .label = "Splat culling",
+               .doc = "Splats are left out that reach none of the surfaces seen in the part of the picture "
+                      "that they cover, by the bounds of their positions. Changes no pixel.",
+               .citation = "Nalbach15 §4.3",
+               .effect = Effect::cost,
+               .on_change = OnChange::nothing});
+}
+
+}  // namespace ir::methods::deep_screen_space

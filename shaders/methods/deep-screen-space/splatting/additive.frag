@@ -1,0 +1,87 @@
+// Adds what a surfel does to the surface at a place: its form factor, or the light that it sends there, if the
+// surface lies in the surfel's shell of this level.  [Nalbach15 §4.1; Nalbach14]
+#include "methods/deep-screen-space/splatting/splat_common.glsl"
+#if LIGHT
+#include "passes/bounce/receiver.glsl"
+#else
+#define PI 3.14159265358979323846
+#endif
+
+#if LIGHT
+uniform bool black_backs;
+layout(location = 0) out vec4 add_diffuse;  // reflected by a white Lambert part, W/(m² sr)
+#if MATERIALS != 2  // SCATTERING_LAMBERT
+layout(location = 1) out vec4 add_glossy;  // reflected by the microfacets
+#endif
+#else
+uniform float falloff_distance;  // m, of the smooth fall-off; 0: hard
+layout(location = 0) out float add_occlusion;
+#endif
+
+/// m²: on level l a surfel is splatted into one of 4^l sub-images, so it stands for 4^l of its kind there.
+float grown_area(Surfel surfel) {
+#ifdef NO_GROWTH  // test only
+    return PI * surfel.radius * surfel.radius;
+#else
+    float radius = ldexp(surfel.radius, level);
+    return PI * radius * radius;
+#endif
+}
+
+/// ∫ of |cos| at the sender over the disc's solid angle, so that times the receiver's cosine over π it is the form
+/// factor from a point to the disc: exact for discs that face the point on their axis, where it is
+/// R² / (x² + R²), and for small ones; never more than π.  [Wallace89 eq. 5; Bunnell05]
+float solid_angle(float area, float squared_distance, float sender_cosine) {
+    return area * sender_cosine / (squared_distance + area / PI);
+}
+
+bool in_shell(float distance, float reach) {
+    return distance <= reach && (level == 0 || distance > 0.5 * reach);
+}
+
+#if LIGHT
+void add_light(Surfel surfel, vec3 l, float omega) {
+    ivec2 pixel = own_pixel();
+    vec4 material = texelFetch(material_texture, pixel, 0);
+    if (is_unlit(material)) discard;
+    Receiver receiver = receiver_at(pixel);
+    Scatterer s = scatterer_of(receiver, texelFetch(albedo_texture, pixel, 0).rgb, material);
+    if (!is_above(s, l)) discard;
+    bool is_front = dot(surfel.normal_ws, l) < 0.0;
+    vec3 sent = is_front ? surfel.radiance_front : black_backs ? vec3(0) : surfel.radiance_back;
+    // The diffuse part without its colour, so that blurring leaves textures alone.
+    float n_dot_l = dot(s.n, l);
+    Scatterer diffuse = s;
+    diffuse.diffuse = vec3(1);
+    diffuse.specular = 0.0;
+    vec3 viewer = viewer_of(receiver);
+    add_diffuse = vec4(scattering_value(diffuse, seen_from(diffuse, viewer), l, n_dot_l) * sent * omega, 0);
+#if MATERIALS != 2
+    s.diffuse = vec3(0);
+    add_glossy = vec4(scattering_value(s, seen_from(s, viewer), l, n_dot_l) * sent * omega, 0);
+#endif
+}
+#else
+void add_form_factor(vec3 l, float omega, float distance) {
+    float cosine = dot(own_normal(), l);
+    if (cosine <= 0.0) discard;
+    float relative = falloff_distance > 0.0 ? min(distance / falloff_distance, 1.0) : 0.0;
+    add_occlusion = cosine * omega / PI * (1.0 - relative * relative);
+}
+#endif
+
+void main() {
+    vec4 position = own_position();
+    if (position.w == 0.0) discard;
+    Surfel surfel = surfels[surfel_index];
+    vec3 way = surfel.centre_ws - position.xyz;
+    float squared = dot(way, way), distance = sqrt(squared);
+    if (!in_shell(distance, ldexp(surfel_reach(surfel), level)) || distance == 0.0) discard;
+    vec3 l = way / distance;
+    float omega = solid_angle(grown_area(surfel), squared, abs(dot(surfel.normal_ws, l)));
+#if LIGHT
+    add_light(surfel, l, omega);
+#else
+    add_form_factor(l, omega, distance);
+#endif
+}
