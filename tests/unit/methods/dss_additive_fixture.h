@@ -6,7 +6,7 @@
 namespace ir::test {
 
 /// Form factor from a point, its surface facing up, to a horizontal rectangle above it that spans [x0, x1] ×
-/// [z0, z1] relative to the point at height h: corner by corner. [Howell10 C-11]
+/// [z0, z1] relative to the point at height h: corner by corner. [Howell10]
 inline double rectangle_form_factor(double x0, double x1, double z0, double z1, double h) {
     const auto corner = [&](double x, double z) {
         const double a = x / h, b = z / h, p = std::sqrt(1 + a * a), q = std::sqrt(1 + b * b);

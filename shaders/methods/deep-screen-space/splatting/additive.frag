@@ -30,7 +30,7 @@ float grown_area(Surfel surfel) {
 
 /// ∫ of |cos| at the sender over the disc's solid angle, so that times the receiver's cosine over π it is the form
 /// factor from a point to the disc: exact for discs that face the point on their axis, where it is
-/// R² / (x² + R²), and for small ones; never more than π.  [Wallace89 eq. 5; Bunnell05]
+/// R² / (x² + R²), and for small ones; never more than π.  [Wallace89; Bunnell05]
 float solid_angle(float area, float squared_distance, float sender_cosine) {
     return area * sender_cosine / (squared_distance + area / PI);
 }

@@ -10,7 +10,7 @@ uniform ivec2 view_size;
 const float MARGIN_PX = 0.05;
 
 /// Largest x / z of a disc at (x, z) cut off at z = near. The disc reaches beyond the near plane; z is depth,
-/// positive in front of the eye.  [Mara13 §2]
+/// positive in front of the eye.  [Mara13]
 float greatest_slope(vec2 centre, float radius, float near) {
     float squared = dot(centre, centre), tangent = sqrt(max(squared - radius * radius, 0.0));
     // The point of tangency is the centre turned by the angle between it and the tangent, and shortened.
