@@ -27,7 +27,7 @@ bool is_counted(const Splats& splats) {
 }
 
 void count_surfels(graph::GraphBuilder& builder, const Surfels& surfels, graph::BufferRef stored) {
-    builder.pass("count surfels")
+    builder.pass("count surfels to splat")
         .reads(surfels.records)
         .writes(stored)
         .counts(surfels.count)

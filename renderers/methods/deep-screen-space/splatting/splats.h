@@ -21,7 +21,7 @@ struct Splats {
     int samples = 1;  ///< layers are (sample, level) pairs; sample-major
 };
 
-/// Declares the pass "count surfels" and what draws need. `samples`: 1 without visibility.
+/// Declares the pass "count surfels to splat" and what draws need. `samples`: 1 without visibility.
 Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, const Surfels& surfels,
                       const Parameters& parameters, int samples);
 
