@@ -23,6 +23,7 @@ uniform float material_tolerance;
 struct Target {
     ivec2 pixel;
     Receiver receiver;
+    BlurSurface surface;
 #if LIGHT
     vec2 material;  // metallic, roughness
     Scatterer scatterer;
@@ -36,7 +37,11 @@ struct Part {
     float share;
 };
 
-BlurSurface blur_surface(Receiver r) { return BlurSurface(r.position, r.normal, r.geometric_normal); }
+/// As the blur sees it.
+BlurSurface surface_at(ivec2 pixel) {
+    return BlurSurface(texelFetch(position_texture, pixel, 0).xyz, texelFetch(normal_texture, pixel, 0).xyz,
+                       texelFetch(geometric_normal_texture, pixel, 0).xyz);
+}
 
 #if LIGHT
 
@@ -46,6 +51,7 @@ vec2 filtered_material(vec4 material) { return vec2(material.x, max(material.y, 
 bool target_at(ivec2 pixel, out Target target) {
     target.pixel = pixel;
     target.receiver = receiver_at(pixel);
+    target.surface = surface_at(pixel);
     if (!target.receiver.exists) return false;
     vec4 material = texelFetch(material_texture, pixel, 0);
     target.material = filtered_material(material);
@@ -85,6 +91,7 @@ Value incoming_at(ivec3 place, vec4 direction) {
 bool target_at(ivec2 pixel, out Target target) {
     target.pixel = pixel;
     target.receiver = receiver_at(pixel);
+    target.surface = surface_at(pixel);
     return target.receiver.exists;
 }
 
@@ -110,10 +117,9 @@ Value incoming_at(ivec3 place, vec4 direction) { return texelFetch(incoming, pla
 /// w(p, q), 1 for the pixel itself.
 float neighbour_weight(Target target, ivec2 pixel) {
     if (pixel == target.pixel) return 1.0;
-    Receiver there = receiver_at(pixel);
-    if (!there.exists) return 0.0;
-    return blur_weight(blur_surface(target.receiver), blur_surface(there), vec2(pixel - target.pixel)) *
-           material_weight(target, pixel);
+    BlurSurface there = surface_at(pixel);
+    if (there.geometric_normal == vec3(0.0)) return 0.0;
+    return blur_weight(target.surface, there, vec2(pixel - target.pixel)) * material_weight(target, pixel);
 }
 
 bool is_finite(Value v) {

@@ -45,7 +45,8 @@ vec3 viewer_of(Receiver receiver) {
 
 // DEVIATION [Nalbach15 §3.1]: surfaces smoother than `least_roughness` are taken for this rough, here and where
 // they reflect, since a mirror's direction has no density and its neighbours' directions would be of no use to
-// it. The reference follows mirrors without counting them as a scattering.
+// it. The reference follows mirrors without counting them as a scattering. A metal in a white furnace, 0.12 degrees
+// a pixel and a filter of radius 3, is right on average, but varies by 0.33 at roughness 0.05 and by 0.03 at 0.1.
 Scatterer scatterer_of(Receiver receiver, vec3 colour, vec4 material) {
     int index = int(clamp(material.w + 0.5, 0.0, float(materials.length() - 1)));
     return make_scatterer(receiver.normal, receiver.geometric_normal, colour, material.x,

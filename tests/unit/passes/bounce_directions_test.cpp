@@ -1,6 +1,7 @@
 // The direction buffer: directions follow the densities that are stored with them.
 #include <algorithm>
 #include <functional>
+#include <set>
 
 #include "renderers/graph/pass_context.h"
 

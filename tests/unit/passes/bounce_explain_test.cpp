@@ -127,8 +127,7 @@ TEST_F(BounceExplainTest, WeightsAreTheBlurs) {
             passes::blur(builder, gbuffer, given, passes::options_of(r.reconstruction.blur),
                          {"blurred", "Blurred"});
         });
-        EXPECT_NEAR(weight / whole, read("blurred.blurred_rows").at(pixel.x, pixel.y),
-                    1e-3 * weight / whole + 1e-6)
+        EXPECT_NEAR(weight / whole, read("blurred.blurred_rows").at(pixel.x, pixel.y), 1e-5 * weight / whole)
             << offset;
     }
 }
