@@ -1,6 +1,7 @@
 #include "app/engine/benchmarks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "app/engine/benchmark_cells.h"
@@ -80,6 +81,10 @@ std::vector<Variant> chosen_variants(const graph::Benchmark& benchmark,
     for (const auto& variant : benchmark.variants)
         if (std::find(labels.begin(), labels.end(), variant.label) != labels.end()) chosen.push_back(variant);
     return chosen;
+}
+
+int scaled(int pixels, float scale) {
+    return std::max(1, static_cast<int>(std::lround(static_cast<float>(pixels) * scale)));
 }
 
 std::string name_of_scene(const Experiment& experiment) {
@@ -185,17 +190,24 @@ class BenchmarkRun {
         add(std::move(row));
     }
 
+    std::unique_ptr<Execution> execution_for(const Variant& variant) {
+        auto experiment = experiment_;
+        experiment.settings = variant.settings;
+        experiment.width = scaled(experiment_.width, variant.scale);
+        experiment.height = scaled(experiment_.height, variant.scale);
+        return std::make_unique<Execution>(machine_, experiment);
+    }
+
     void run_variant(const Variant& variant) {
         begin(variant.label);
         execution_.reset();  // its memory is free for the next
         BenchmarkRow row;
         row.label = variant.label;
         add_measured(std::move(row), [&](BenchmarkRow& measured) {
-            experiment_.settings = variant.settings;
-            auto execution = std::make_unique<Execution>(machine_, experiment_);
+            auto execution = execution_for(variant);
             time_frames(*execution, measured);
             execution_ = std::move(execution);
-            last_settings_ = variant.settings;
+            last_ = variant;
         });
     }
 
@@ -232,8 +244,7 @@ class BenchmarkRun {
     /// Where the last variant failed, of the last one that did not.
     void need_frame() {
         if (execution_) return;
-        experiment_.settings = last_settings_;
-        auto execution = std::make_unique<Execution>(machine_, experiment_);
+        auto execution = execution_for(last_);
         execution->run_frame(options_);
         execution_ = std::move(execution);
     }
@@ -281,7 +292,7 @@ class BenchmarkRun {
     BenchmarkProgress progress_;
     graph::FrameOptions options_;
     std::unique_ptr<Execution> execution_;  ///< of the last variant, unless it failed
-    Settings last_settings_;                ///< of the last variant that did not
+    Variant last_;                          ///< that did not
     std::optional<BenchmarkPicture> first_;
 };
 

@@ -70,6 +70,7 @@ struct Benchmark {
     struct Variant {
         std::string label;
         Settings settings;
+        float scale = 1;  ///< of both sides of the benchmark's picture
     };
     struct Peer {
         std::string label;

@@ -105,6 +105,15 @@ TEST(Benchmark, DifferencesAreToTheFirstVariant) {
     EXPECT_LT(rms, largest);
 }
 
+TEST(Benchmark, AVariantMayHaveALargerPicture) {
+    auto named = sample_benchmark();
+    named.benchmark.variants = {{"whole", {}}, {.label = "double", .settings = {}, .scale = 2}};
+    const auto report = run_benchmark(benchmark_machine(), named, quick());
+    EXPECT_DOUBLE_EQ(cell(report, 1, "Position").value(), 4 * cell(report, 0, "Position").value());
+    EXPECT_TRUE(report.rows[1].problem.empty()) << report.rows[1].problem;
+    EXPECT_FALSE(cell(report, 1, "RMS")) << "pictures of two sizes have no difference";
+}
+
 TEST(Benchmark, WhatFailsIsARowAndTheOthersRun) {
     const auto report = run_benchmark(benchmark_machine(), sample_benchmark(), quick());
     EXPECT_NE(report.rows[1].problem.find("nonsense"), std::string::npos) << report.rows[1].problem;

@@ -1,0 +1,147 @@
+// Deep screen space: the scene becomes a cloud of surfels, each of which is splatted onto the pixels about
+// it, on coarser levels of the picture the farther away. With visibility every sample of a pixel asks along
+// one direction and keeps the nearest surfel. [Nalbach15; Nalbach14]
+#include <iomanip>
+#include <sstream>
+
+#include "renderers/graph/method.h"
+
+#include "renderers/graph/output_text.h"
+#include "renderers/methods/deep-screen-space/benchmark.h"
+#include "renderers/methods/deep-screen-space/reach.h"
+#include "renderers/methods/deep-screen-space/splatting.h"
+#include "renderers/methods/deep-screen-space/splatting/explain.h"
+#include "renderers/passes/direct/compose.h"
+#include "renderers/passes/direct/lit.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+using Paths = Transport::Paths;
+namespace bounce = passes::bounce;
+
+const Condition with_visibility{"visibility", {true}};
+const Condition occlusion{"paths", {std::string("ao")}};
+const Condition light{"paths", {std::string("indirect"), std::string("full")}};
+
+std::vector<OutputDescription> pictures() {
+    auto radiance = passes::radiance_output(light);
+    auto lit = passes::lit_output();
+    lit.active_when = occlusion;
+    return {
+        {.key = "accessibility",
+         .label = "Accessibility",
+         .semantic = Semantic::accessibility,
+         .doc = "Cosine-weighted openness of the hemisphere, 1 = open.",
+         .active_when = occlusion},
+        radiance,
+        {.key = "indirect.radiance",
+         .label = "Indirect radiance",
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "What the receiver reflects of the light that surfels send it, towards the eye.",
+         .active_when = light},
+        lit,
+        {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."}};
+}
+
+std::vector<OutputDescription> outputs() {
+    std::vector<OutputDescription> all;
+    for (const auto& part :
+         {pictures(), bounce::direction_outputs(with_visibility), bounce::sample_outputs(with_visibility),
+          bounce::reconstruction_outputs(with_visibility), surfel_outputs(), hierarchy_outputs(),
+          visible_outputs(), additive_outputs(), explanation_outputs(), passes::reprojection_outputs()})
+        all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+MethodDescription description() {
+    MethodDescription d;
+    d.id = "deep-screen-space";
+    d.title = "Deep screen space with bounced z-buffer";
+    d.summary =
+        "Turns what is near the view into surfels of equal size on the screen, splats each onto the pixels "
+        "about "
+        "it, and with visibility keeps, for each sample of a pixel, the nearest along its direction. Ambient "
+        "occlusion, or one bounce of light with glossy receivers and senders. Surfaces that the picture does "
+        "not "
+        "show count. Errors come from the surfels' size, from the number of directions, and from far surfels "
+        "that stand for many.";
+    d.papers = {"Nalbach15", "Nalbach14"};
+    d.background = 1;
+    d.outputs = outputs();
+    d.selectors = {surfel_selector()};
+    d.stages = {{"bounce.incoming", 0, "What the first sample met", with_visibility},
+                {"accessibility", 0, "Reconstructed", occlusion},
+                {"indirect.radiance", 0, "Reconstructed", light},
+                {"radiance", 0, "With direct light", light}};
+    return d;
+}
+
+/// The picture that surfels make: accessibility or reflected radiance.
+graph::ImageRef gather(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                       const passes::GBuffer& gbuffer, const passes::ShadowMaps& shadow,
+                       const Parameters& parameters, graph::ResourceText text) {
+    const auto reach = reach_of(parameters, *builder.inputs().world);
+    const auto surfels = make_surfels(builder, scene, shadow, reach.whole, parameters);
+    const auto hierarchy = shuffle(builder, gbuffer, parameters);
+    if (!parameters.visibility)
+        return splat_additive(builder, scene, gbuffer, hierarchy, surfels, parameters, std::move(text));
+    const auto directions = bounce::directions(builder, scene, gbuffer,
+                                               {.parameters = parameters.directions,
+                                                .light = parameters.transport.paths != Paths::ao,
+                                                .materials = parameters.transport.materials,
+                                                .vary = parameters.reprojection.reprojection});
+    const auto samples =
+        splat_visible(builder, scene, gbuffer, shadow, directions, hierarchy, surfels, parameters);
+    bounce::explain_rays(builder, scene, gbuffer, directions, samples, parameters.reconstruction);
+    return bounce::reconstruct(builder, scene, gbuffer, directions, samples, parameters.reconstruction,
+                               std::move(text));
+}
+
+std::string in_metres(float length) {
+    std::ostringstream text;
+    text << std::setprecision(3) << length << " m";
+    return text.str();
+}
+
+void note_reach(graph::GraphBuilder& builder, const Parameters& parameters) {
+    if (parameters.transport.max_distance > 0) return;
+    const auto reach = reach_of(parameters, *builder.inputs().world);
+    builder.note("deep-screen-space: without a maximum distance surfels reach " + in_metres(reach.whole) +
+                 ", the shell radius " + in_metres(reach.shell_radius) + " doubled " +
+                 std::to_string(parameters.levels - 1) +
+                 " times; what is farther sends and occludes nothing.");
+}
+
+void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
+    const auto scene = passes::upload_scene(builder);
+    const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
+    const auto direct =
+        passes::direct_light(builder, scene, gbuffer, {.materials = parameters.transport.materials});
+    const bool ao = parameters.transport.paths == Paths::ao;
+    const auto picture = passes::reproject(
+        builder, gbuffer,
+        [&](graph::ResourceText text) {
+            return gather(builder, scene, gbuffer, direct.shadow, parameters, std::move(text));
+        },
+        parameters.reprojection, graph::text_of(pictures(), ao ? "accessibility" : "indirect.radiance"));
+    if (ao)
+        passes::lit(builder, gbuffer, direct, picture, parameters.ambient);
+    else
+        passes::compose_light(builder, gbuffer, direct, picture, parameters.transport);
+    note_reach(builder, parameters);
+}
+
+}  // namespace
+
+const graph::Method& method() {
+    static const auto instance = [] {
+        auto made = graph::make_method<Parameters>(description(), parameter_table(), setup);
+        made.benchmarks = benchmarks();
+        return made;
+    }();
+    return instance;
+}
+
+}  // namespace ir::methods::deep_screen_space
