@@ -165,7 +165,7 @@ Scene make(const Values& values) {
     add_floor(scene, static_cast<float>(values.at("roughness")));
     add_dominoes(scene);
     add_lights(scene);
-    add_camera(scene, "row", {0.24f, 0.25f, 0.48f}, {-0.006f, 0.01f, 0.014f}, 30);
+    add_camera(scene, "row", {0.24f, 0.25f, 0.48f}, {-0.012f, 0.008f, 0.02f}, 32);
     add_camera(scene, "gaps", {0.2f, 0.13f, 0.3f}, {-0.06f, 0.015f, 0.07f}, 30);
     add_camera(scene, "mirror", {0.12f, 0.06f, 0.42f}, {-0.01f, 0.012f, 0}, 34);
     add_camera(scene, "lamp", {-0.4f, 0.3f, 0.34f}, {-0.02f, 0, 0.01f}, 34);

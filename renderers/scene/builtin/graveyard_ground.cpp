@@ -39,9 +39,13 @@ void add_soil(MeshBuilder& b, int columns, int rows) {
                            {{1, 1}, {0, 1}, {0, 0, -1}, columns},
                            {{0, 1}, {0, 0}, {-1, 0, 0}, rows}};
     for (const auto& e : edges) {
+        // The parameters of the grid to the last bit, also backwards.
         const auto at = [&](float t) {
-            const glm::vec2 q = glm::mix(e.from, e.to, t);
-            return ground_point(q.x, q.y);
+            const int step = static_cast<int>(std::lround(t * e.count));
+            const auto parameter = [&](float from, float to) {
+                return from == to ? from : static_cast<float>(to > from ? step : e.count - step) / e.count;
+            };
+            return ground_point(parameter(e.from.x, e.to.x), parameter(e.from.y, e.to.y));
         };
         b.grid(e.count, 1, [&](float t, float high) {
             glm::vec3 p = at(t);

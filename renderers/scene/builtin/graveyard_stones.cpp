@@ -151,7 +151,7 @@ void add_table_tomb(MeshBuilder& b, const Detail& detail) {
             b.box({std::min(side * 0.3f, side * 0.355f), 0.18f, z - 0.26f},
                   {std::max(side * 0.3f, side * 0.355f), 0.48f, z + 0.26f});
     lying_block(b, {-0.47f, 0.58f, -0.9f}, {0.47f, 0.66f, 0.9f}, detail.bevel(0.02f));
-    lying_block(b, {-0.4f, 0.655f, -0.83f}, {0.4f, 0.71f, 0.83f}, detail.bevel(0.03f));
+    lying_block(b, {-0.4f, 0.655f, -0.83f}, {0.4f, 0.71f, 0.83f}, detail.bevel(0.022f));
 }
 
 void add_stone(MeshBuilder& b, Kind kind, const Detail& detail) {

@@ -125,9 +125,9 @@ std::string hash_of(const std::string& text) {
 }  // namespace
 
 const std::vector<Description>& descriptions() {
-    static const std::vector<Description> all = {atrium(),   cornell(), furnace(),    plane(),
-                                                 corner(),   crevice(), conference(), still_life(),
-                                                 corridor(), hairball(), graveyard(), dominoes()};
+    static const std::vector<Description> all = {
+        atrium(),     cornell(),  furnace(),  plane(),     corner(),   crevice(),  conference(),
+        still_life(), corridor(), hairball(), graveyard(), dominoes(), cathedral()};
     return all;
 }
 

@@ -44,5 +44,6 @@ Description corridor();
 Description hairball();
 Description graveyard();
 Description dominoes();
+Description cathedral();
 
 }  // namespace ir::scene::builtin
