@@ -36,16 +36,20 @@ OutputDescription incoming_light() {
                     "nothing. A layer per sample.");
 }
 
+OutputDescription incoming_either() {
+    return incoming(Semantic::generic, "",
+                    "What arrives along each sample's ray, a layer per sample. Ambient occlusion: 1 open, 0 "
+                    "closed. Light: radiance of what was met, W/(m² sr), black where nothing was.");
+}
+
 graph::ResourceText text_of(const OutputDescription& output) {
     return graph::text_of({output}, output.key);
 }
 
 }  // namespace
 
-std::vector<OutputDescription> sample_outputs(const Condition& active_when) {
-    auto in = incoming(Semantic::generic, "",
-                       "What arrives along each sample's ray, a layer per sample. Ambient occlusion: 1 open, "
-                       "0 closed. Light: radiance of what was met, W/(m² sr), black where nothing was.");
+std::vector<OutputDescription> sample_outputs(const Condition& active_when, Effects effects) {
+    auto in = effects == Effects::ambient_occlusion ? incoming_visibility() : incoming_either();
     in.active_when = active_when;
     return {{.key = "bounce.distance",
              .label = "Bounced z",

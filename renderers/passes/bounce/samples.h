@@ -25,6 +25,6 @@ graph::ImageRef visibility_of(graph::GraphBuilder& builder, const GBuffer& gbuff
                               const Directions& directions, graph::ImageRef distance,
                               const Transport& transport);
 
-std::vector<OutputDescription> sample_outputs(const Condition& active_when);
+std::vector<OutputDescription> sample_outputs(const Condition& active_when, Effects effects = Effects::light);
 
 }  // namespace ir::passes::bounce
