@@ -10,7 +10,7 @@ namespace ir::methods::deep_screen_space {
 
 /// The surfels of a frame.
 struct Surfels {
-    graph::BufferRef records;  ///< "surfels": Surfel, growable, glyphs; the same order in every run
+    graph::BufferRef records;  ///< "surfels.records": Surfel, growable; the same order in every run
     graph::CounterRef count;   ///< of records; may exceed the buffer's capacity while it grows
 };
 

@@ -52,7 +52,7 @@ class SurfelTest : public PassTest {
         std::memcpy(result.data(), bytes->data(), sizeof(T) * result.size());
         return result;
     }
-    std::vector<dss::Surfel> surfels() { return elements<dss::Surfel>("surfels"); }
+    std::vector<dss::Surfel> surfels() { return elements<dss::Surfel>("surfels.records"); }
     std::vector<dss::FineSurfel> fine() { return elements<dss::FineSurfel>("surfels.fine"); }
     dss::SurfelCounts counts() { return elements<dss::SurfelCounts>("surfels.counts").at(0); }
 

@@ -4,6 +4,7 @@
 
 #include "renderers/methods/deep-screen-space/surfels/counts.h"
 #include "renderers/methods/deep-screen-space/surfels/shading.h"
+#include "renderers/methods/deep-screen-space/surfels/showing.h"
 #include "renderers/methods/deep-screen-space/surfels/thinning.h"
 
 namespace ir::methods::deep_screen_space {
@@ -19,6 +20,7 @@ Surfels make_surfels(graph::GraphBuilder& builder, const passes::SceneBuffers& s
     const auto surfels = thin(builder, scene, fine, reserve, parameters);
     if (parameters.transport.paths != Transport::Paths::ao)
         shade(builder, scene, shadow, surfels, parameters);
+    show_surfels(builder, surfels, reserve, parameters);
     count_surfels(builder, patches, fine, surfels, parameters);
     return surfels;
 }

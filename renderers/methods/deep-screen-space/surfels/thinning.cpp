@@ -1,7 +1,5 @@
 #include "renderers/methods/deep-screen-space/surfels/thinning.h"
 
-#include "renderers/graph/output_text.h"
-
 namespace ir::methods::deep_screen_space {
 namespace {
 
@@ -65,7 +63,10 @@ Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
                 (reserve + run - 1) / run);
     const auto kept =
         growing(builder,
-                {.text = graph::text_of(surfel_outputs(), "surfels"),
+                {.text = {.key = "surfels.records",
+                          .label = "Surfels, as passes read them",
+                          .doc = "As the output \"surfels\"; identity: a hash of the surfel's place, of "
+                                 "which all random choices about it are made."},
                  .kind = OutputKind::glyphs,
                  .fields = surfel_fields()},
                 {.key = "surfels.kept", .label = "Surfels", .doc = "That are left by thinning."}, reserve);

@@ -4,7 +4,7 @@
 
 namespace ir::methods::deep_screen_space {
 
-/// Declares "surfels" with the passes that keep some of the fine ones, unlit. [Nalbach15 fig. 6 c]
+/// Declares "surfels.records" with the passes that keep some of the fine ones, unlit. [Nalbach15 fig. 6 c]
 Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Growing& fine,
              std::uint64_t reserve, const Parameters& parameters);
 
