@@ -1,6 +1,7 @@
 #include "renderers/methods/ambient-occlusion-volumes/volumes.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "renderers/passes/gbuffer/pixel_rays.h"
 #include "renderers/passes/raytracing/ray_offset.h"
@@ -87,21 +88,25 @@ void set_hull(const graph::PassContext& context, const gl::Program& program) {
 
 struct CullPass {
     Volumes volumes;
-    Tiles tiles;
+    std::optional<Tiles> tiles;  ///< without them nothing but triangles without area is culled
     graph::CounterRef drawn, culled;
 
     void run(const graph::PassContext& context, graph::Slice slice) const {
-        const auto& program = context.method_program({{"methods/ambient-occlusion-volumes/cull.comp"}});
+        gl::ProgramSource source{{"methods/ambient-occlusion-volumes/cull.comp"}};
+        source.defines["CULLING"] = tiles ? "1" : "0";
+        const auto& program = context.program(source);
         program.use();
         bind_triangles(context, program, volumes);
         set_hull(context, program);
         context.bind_buffer(8, volumes.occluders);
         context.bind_counter(9, drawn);
         context.bind_counter(10, culled);
-        context.bind_texture(0, tiles.low);
-        context.bind_texture(1, tiles.high);
+        if (tiles) {
+            context.bind_texture(0, tiles->low);
+            context.bind_texture(1, tiles->high);
+            program.set("side", tiles->side);
+        }
         const auto& view = context.inputs().view;
-        program.set("side", tiles.side);
         program.set("size_px", glm::vec2(view.width, view.height));
         program.set("first_triangle", static_cast<unsigned>(slice.begin));
         program.set("end_triangle", static_cast<unsigned>(slice.end));
@@ -109,7 +114,7 @@ struct CullPass {
     }
 };
 
-void cull(graph::GraphBuilder& builder, const Volumes& volumes, const Tiles& tiles) {
+void cull(graph::GraphBuilder& builder, const Volumes& volumes, const std::optional<Tiles>& tiles) {
     CullPass cull{volumes, tiles, {}, {}};
     cull.drawn = builder.counter({.key = "volumes.drawn", .label = "Volumes drawn"});
     cull.culled = builder.counter({.key = "volumes.culled",
@@ -118,7 +123,8 @@ void cull(graph::GraphBuilder& builder, const Volumes& volumes, const Tiles& til
                                           "has no area."});
     auto pass = builder.pass("cull volumes");
     read_triangles(pass, volumes.scene);
-    pass.reads(tiles.low, tiles.high).writes(volumes.occluders).counts(cull.drawn).counts(cull.culled);
+    if (tiles) pass.reads(tiles->low, tiles->high);
+    pass.writes(volumes.occluders).counts(cull.drawn).counts(cull.culled);
     pass.execute_sliced(volumes.triangles, [cull](graph::PassContext& context, graph::Slice slice) {
         cull.run(context, slice);
     });
@@ -141,7 +147,9 @@ Volumes declare_volumes(graph::GraphBuilder& builder, const passes::SceneBuffers
                   .doc = "Whether a triangle's volume is drawn, and the mean of the triangle's mask."},
          .fields = {{"drawn", FieldType::u32}, {"coverage", FieldType::f32}},
          .elements = std::max<std::uint64_t>(1, world.triangles())});
-    cull(builder, volumes, declare_tiles(builder, gbuffer));
+    std::optional<Tiles> tiles;
+    if (parameters.culling) tiles = declare_tiles(builder, gbuffer);
+    cull(builder, volumes, tiles);
     return volumes;
 }
 

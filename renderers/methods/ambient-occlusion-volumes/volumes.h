@@ -19,7 +19,8 @@ struct Volumes {
     bool both_sides = true;
 };
 
-/// Declares the passes "picture bounds" and "cull volumes".
+/// Declares the passes "cull volumes" and, where volumes are culled by what the picture shows, "picture
+/// bounds".
 Volumes declare_volumes(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                         const passes::GBuffer& gbuffer, const Parameters& parameters);
 

@@ -8,6 +8,7 @@ layout(std430, binding = 8) writeonly buffer Occluders { Occluder occluders[]; }
 layout(std430, binding = 9) buffer Drawn { uint drawn_count; };
 layout(std430, binding = 10) buffer Culled { uint culled_count; };
 
+// Without CULLING only triangles without area are left out.
 layout(binding = 0) uniform sampler2D tile_low;
 layout(binding = 1) uniform sampler2D tile_high;
 
@@ -89,7 +90,9 @@ void main() {
     mat3 corners = corners_ws(triangle);
     Volume v = volume_of(corners[0], corners[1], corners[2]);
     bool drawn = has_area(v);
-    if (drawn && bool(params.culling) && !is_seen(hull_of(v))) drawn = false;
+#if CULLING
+    if (drawn && !is_seen(hull_of(v))) drawn = false;
+#endif
     occluders[triangle] = Occluder(drawn ? 1u : 0u, mean_coverage(triangle));
     if (drawn)
         atomicAdd(drawn_count, 1u);
