@@ -122,7 +122,8 @@ Description cathedral() {
     return {"cathedral",
             1,
             "A nave with aisles, piers, ribbed vaults, apse and rose window (33 x 19 x 14 m).",
-            {{"detail", 1, 0.1, 8, "", "scales the triangles of round things; 88 000 in all at 1, 57 000 at 0.1"}},
+            {{"detail", 1, 0.1, 8, "",
+              "scales the triangles of round things; 88 000 in all at 1, 57 000 at 0.1"}},
             make};
 }
 

@@ -48,7 +48,7 @@ void add_colonnette(MeshBuilder& b, glm::vec3 foot, float height, float r, int s
 
 void add_arcade(MeshBuilder& wall, MeshBuilder& trim, const glm::mat4& side, int i, const Detail& detail) {
     const float x = bay_middle(i);
-    const int segments = detail.segments(18, 5);
+    const int segments = detail.segments(22, 5);
     wall.transform = panel_at(side, x, arcade_back);
     arched_panel(
         wall,
@@ -134,6 +134,11 @@ void add_outer_wall(MeshBuilder& wall, MeshBuilder& trim, const glm::mat4& side,
         if (k > 0)
             add_colonnette(trim, {at - 0.5f * width, 0.42f, aisle - 0.18f}, 0.73f, 0.05f,
                            detail.segments(10, 4));
+    }
+    wall.transform = side;
+    for (const float s : {-1.0f, 1.0f}) {  // ends of the blind arcade
+        const float end = x + s * 0.5f * (bay - 0.7f);
+        wall.box({end - 0.06f, 0.4f, aisle - 0.19f}, {end + 0.06f, 1.78f, aisle + 0.02f});
     }
     trim.transform = side;
     lying_block(trim, {x - 0.5f * bay + 0.3f, -0.02f, aisle - 0.42f},

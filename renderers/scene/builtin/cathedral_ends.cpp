@@ -41,6 +41,8 @@ void add_apse_walls(MeshBuilder& wall, MeshBuilder& trim, const Detail& detail) 
             arched_panel(wall, {1.12f, 0.9f, 2.75f, 0.9f, 1.95f, 0.42f, 0.15f}, detail.segments(10, 5));
             wall.transform = side;
         }
+        for (const float s : {-1.0f, 1.0f})
+            wall.box({s * 1.12f - 0.06f, 0.88f, -0.02f}, {s * 1.12f + 0.06f, 2.8f, 0.17f});
         const Profile course{{-0.05f, -0.1f}, {0.06f, -0.1f}, {0.08f, -0.03f},
                              {0.18f, 0.02f},  {0.18f, 0.08f}, {-0.05f, 0.12f}};
         for (const float y : {2.85f, vault_spring - 0.15f})
