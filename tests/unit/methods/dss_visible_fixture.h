@@ -17,6 +17,7 @@ struct VisibleRun {
     std::vector<std::string> wanted = {"splats.hit_level", "splats.nearest", "bounce.distance"};
     Inspection inspection = {};
     double initial_capacity = 1;
+    std::map<std::string, std::string> mutation = {};
 };
 
 /// n discs, independently and uniformly at random on the parallelogram from `corner` along `u` and `v`, of
@@ -37,6 +38,7 @@ class VisibleTest : public DeepScreenSpaceTest {
         graph::Method method;
         method.description.id = "test";
         method.description.outputs = dss::visible_outputs();
+        for (const auto& output : dss::explanation_outputs()) method.description.outputs.push_back(output);
         method.setup = [run](graph::GraphBuilder& builder, const Settings&) {
             const auto& parameters = run.parameters;
             const auto scene = passes::upload_scene(builder);
@@ -47,8 +49,8 @@ class VisibleTest : public DeepScreenSpaceTest {
                 builder, scene, gbuffer,
                 {parameters.directions, light, parameters.transport.materials, false});
             const auto hierarchy = dss::shuffle(builder, gbuffer, parameters);
-            dss::splat_visible(builder, scene, gbuffer, shadow, directions, hierarchy,
-                               upload(builder, run.surfels), parameters);
+            dss::splat_visible_mutated(builder, scene, gbuffer, shadow, directions, hierarchy,
+                                       upload(builder, run.surfels), parameters, run.mutation);
         };
         return method;
     }

@@ -90,10 +90,13 @@ void search(const graph::PassContext& p, graph::Slice slice, const VisibleSplats
     dispatch_surfels(p, program, visible.splats, slice);
 }
 
-/// None of what was not found.
 void judge_found(const graph::PassContext& p, const Explained& candidates, const Explained& levels,
-                 int level_count) {
-    const auto sums = p.elements<LevelSum>(levels.elements);
+                 const Splats& splats) {
+    const int level_count = splats.hierarchy.levels;
+    const auto rows = static_cast<std::size_t>(splats.samples * level_count);
+    const auto all_sums = p.elements<LevelSum>(levels.elements);
+    if (all_sums.size() < rows) return;  // it grows
+    const auto sums = all_sums.first(rows);
     const auto found = p.elements<SplatCandidate>(candidates.elements);
     std::size_t count = 0;
     for (const auto& sum : sums)
@@ -119,16 +122,13 @@ void explain_pixel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
     builder.pass("judge splats onto the pixel", graph::Queue::cpu)
         .reads(candidates.elements, sums.elements)
         .writes(candidates.elements, sums.elements)
-        .execute([=](graph::PassContext& p) { judge_found(p, candidates, sums, levels); });
+        .execute([=](graph::PassContext& p) { judge_found(p, candidates, sums, visible.splats); });
 }
 
 graph::BufferRef choose_surfel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
     const auto choice =
-        builder.buffer({.text = {.key = "splats.explain.choice",
-                                 .label = "Surfel explained",
-                                 .doc = "Complements of the bits of its squared distance from the picked "
-                                        "pixel's point, and of its index; 0: none."},
-                        .fields = {{"distance", graph::FieldType::u32}, {"surfel", graph::FieldType::u32}},
+        builder.buffer({.text = graph::text_of(explanation_outputs(), "splats.explain.choice"),
+                        .fields = {{"closeness"}, {"surfel", graph::FieldType::u32}},
                         .elements = 1,
                         .cleared = true});
     for (const char* find : {"1", "2"})

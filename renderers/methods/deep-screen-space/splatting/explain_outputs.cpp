@@ -38,6 +38,13 @@ std::vector<OutputDescription> explanation_outputs() {
                 "holds, which has to be the same. nearest: 1 on the level whose hit counts." +
                 where_picked,
          .explains = true},
+        {.key = "splats.explain.choice",
+         .label = "Surfel explained",
+         .kind = OutputKind::table,
+         .doc = "surfel: 1 + index of the surfel that was chosen, or else of the one nearest to the picked "
+                "pixel's point, "
+                "with 1 / distance² in 1/m²; 0: none.",
+         .explains = true},
         {.key = "splats.explain.surfel",
          .label = "Splats of the surfel",
          .kind = OutputKind::glyphs,

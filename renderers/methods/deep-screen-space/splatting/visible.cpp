@@ -36,7 +36,8 @@ const gl::Program& bind_layer(const graph::PassContext& p, const VisibleSplats& 
     gl.DepthMask(GL_TRUE);
     if (layer.is_first) clear_layer(gl);
     const auto& program = p.program({{"methods/deep-screen-space/splatting/splat.vert",
-                                      "methods/deep-screen-space/splatting/visible.frag"}});
+                                      "methods/deep-screen-space/splatting/visible.frag"},
+                                     visible.mutation});
     program.use();
     p.bind_texture(0, visible.splats.hierarchy.layout);
     p.bind_texture(1, visible.splats.hierarchy.positions);
@@ -64,8 +65,20 @@ passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes
                                       const passes::bounce::Directions& directions,
                                       const Hierarchy& hierarchy, const Surfels& surfels,
                                       const Parameters& parameters) {
+    return splat_visible_mutated(builder, scene, gbuffer, shadow, directions, hierarchy, surfels, parameters,
+                                 {});
+}
+
+passes::bounce::Samples splat_visible_mutated(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                                              const passes::GBuffer& gbuffer,
+                                              const passes::ShadowMaps& shadow,
+                                              const passes::bounce::Directions& directions,
+                                              const Hierarchy& hierarchy, const Surfels& surfels,
+                                              const Parameters& parameters,
+                                              const std::map<std::string, std::string>& mutation) {
     VisibleSplats visible;
     visible.splats = declare_splats(builder, hierarchy, surfels, parameters, directions.samples);
+    visible.mutation = mutation;
     visible.gbuffer = gbuffer;
     visible.directions = directions;
     visible.depth = declare_layers(builder, visible.splats, "splats.depth", gl::Format::depth32f);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
 
 namespace ir::methods::deep_screen_space {
@@ -7,6 +10,7 @@ namespace ir::methods::deep_screen_space {
 /// What the splats with visibility of a frame are, and who won: between the steps of splat_visible.
 struct VisibleSplats {
     Splats splats;
+    std::map<std::string, std::string> mutation;  ///< test only: defines of visible_hit.glsl that are wrong
     passes::GBuffer gbuffer;
     passes::bounce::Directions directions;
     graph::ImageRef depth;  ///< "splats.depth" depth32f stack, z, a layer per sample and level (sample-major)
@@ -14,6 +18,15 @@ struct VisibleSplats {
     graph::ImageRef nearest;    ///< "splats.nearest" r32ui stack of the view, a layer per sample: 1 + surfel
     graph::ImageRef hit_level;  ///< "splats.hit_level" r16f likewise: level of the nearest, -1: none
 };
+
+/// splat_visible() with such defines.
+passes::bounce::Samples splat_visible_mutated(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                                              const passes::GBuffer& gbuffer,
+                                              const passes::ShadowMaps& shadow,
+                                              const passes::bounce::Directions& directions,
+                                              const Hierarchy& hierarchy, const Surfels& surfels,
+                                              const Parameters& parameters,
+                                              const std::map<std::string, std::string>& mutation);
 
 /// The image or buffer's text, by its key among visible_outputs().
 graph::ResourceText visible_text(const std::string& key);

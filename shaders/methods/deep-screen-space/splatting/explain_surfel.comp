@@ -2,7 +2,7 @@
 #include "methods/deep-screen-space/splatting/explain_splat.glsl"
 #include "passes/bounce/tiles.glsl"
 
-layout(std430, binding = 2) readonly buffer Choice { uint nearest, first_nearest; };
+layout(std430, binding = 2) readonly buffer Choice { uint closeness, surfel; };
 /// As fields of "splats.explain.surfel".
 struct SurfelSum {
     float centre[3], normal[3], radius;
@@ -59,7 +59,7 @@ void begin_sums(Surfel s, uint index) {
 
 void main() {
     ivec2 pixel = tile_pixel();
-    uint index = ~first_nearest;
+    uint index = surfel - 1u;  // 0: none, beyond all
     bool exists = index < stored;
     if (exists && pixel == ivec2(0)) begin_sums(surfels[index], index);
     if (any(greaterThanEqual(pixel, imageSize(cover_image).xy))) return;

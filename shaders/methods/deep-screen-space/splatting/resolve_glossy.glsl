@@ -12,18 +12,14 @@ layout(std430, binding = 1) readonly buffer Lights { Light lights[]; };
 
 uniform int light_count, normal_maps;
 
-/// Of opaque light: what the Lambert part lets through is not reflected.
+/// Of the part that is no glass. [glTF2 KHR_materials_transmission]
 vec3 whole_brdf(HitSurface s, vec3 l, vec3 v) {
-    vec3 n = s.shading_normal_ws;
     Surface surface = Surface(s.base_colour, s.metallic, s.roughness, s.ior);
-    vec3 lambert = (1.0 - s.metallic) * s.base_colour / PI;
-    float lost = s.transmission * (1.0 - s.metallic);
+    float opaque = 1.0 - s.transmission * (1.0 - s.metallic);
 #if MATERIALS == 0
-    vec3 f0 = mix(vec3(dielectric_f0(s.ior)), s.base_colour, s.metallic);
-    vec3 fresnel = schlick_fresnel(f0, clamp(dot(v, normalize(l + v)), 0.0, 1.0));
-    return gltf_brdf(surface, n, l, v) - lost * (1.0 - fresnel) * lambert;
+    return opaque * gltf_brdf(surface, s.shading_normal_ws, l, v);
 #else
-    return metalness_blend_brdf(surface, n, l, v) - lost * lambert;
+    return opaque * metalness_blend_brdf(surface, s.shading_normal_ws, l, v);
 #endif
 }
 
