@@ -18,6 +18,8 @@ struct SurfelRun {
     float reach = 1;
     std::uint64_t seed = 0;
     double initial_capacity = 1;
+    const CancelToken* cancel = nullptr;
+    ProgressCallback progress = {};
 };
 
 /// Surfels of a scene, without what splats them.
@@ -35,6 +37,8 @@ class SurfelTest : public PassTest {
         graph::FrameOptions options;
         options.wanted = {"surfels", "surfels.*"};
         options.initial_capacity = run.initial_capacity;
+        options.cancel = run.cancel;
+        options.progress = run.progress;
         auto inputs = shot.inputs();
         inputs.seed = run.seed;
         const auto report = graph().run(method, {}, inputs, options);

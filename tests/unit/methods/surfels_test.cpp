@@ -203,6 +203,29 @@ TEST_F(SurfelTest, StartingAThousandTimesTooSmallGivesTheSame) {
     EXPECT_TRUE(are_equal(large, surfels()));
 }
 
+TEST_F(SurfelTest, CancelledCapturesLeaveNothingBehind) {
+    const auto shot = soup();
+    SurfelRun run;
+    run.parameters.reserve = 100;
+    make(shot, run);
+    const auto expected = surfels();
+    for (int part = 0; part < 3; ++part) {
+        SurfelTest::TearDown();  // with the graph goes what it knows of the pass's speed: slices are small
+        SurfelTest::SetUp();
+        CancelToken cancel;
+        int slices = 0;
+        run.cancel = &cancel;
+        run.progress = [&](const std::string& pass, double) {
+            if (pass == "fine surfels" && slices++ == part) cancel.cancel();
+        };
+        EXPECT_THROW(make(shot, run), Cancelled) << part;
+        run.cancel = nullptr;
+        run.progress = {};
+        make(shot, run);
+        EXPECT_TRUE(are_equal(expected, surfels())) << part;
+    }
+}
+
 TEST_F(SurfelTest, HugeTrianglesAreSplitAsFarAsTheirDistanceAsks) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 1, 0}, 100);
