@@ -12,8 +12,11 @@ const std::string empty_without_surface =
     " Empty while no pixel is picked, and where the pixel shows no surface.";
 const std::string roles =
     "role: 0 outside of the picture; 1 open; 2 an occluder that sends light; 3 an occluder turned away; 4 an "
-    "occluder below the pixel's horizon; 5 one beyond the maximum distance. sent, sky: W/(m² sr), RGB, what "
-    "the sample adds to the pixel's indirect and environment light before the blur.";
+    "occluder below the pixel's horizon; 5 one beyond the maximum distance. sent: W/(m² sr), RGB, what the "
+    "sample adds to the pixel's indirect light before the blur.";
+const std::string sky =
+    " sky: likewise of the environment's light; with the density estimator by a step of another length along "
+    "the same direction.";
 
 struct Explained {
     graph::BufferRef elements;
@@ -70,7 +73,7 @@ std::vector<OutputDescription> explanation_outputs() {
          .semantic = Semantic::position,
          .unit = "m",
          .doc = "Where the picked pixel's steps end, and what became of them. step: its length, m. " + roles +
-                empty_without_surface,
+                sky + empty_without_surface,
          .explains = true},
         {.key = "ssdo.explain.lines",
          .label = "Lines to the occluders",

@@ -48,9 +48,9 @@ void main() {
     uint all = uint(params.samples);
     if (gl_LocalInvocationID.x == 0u) end_count = line_count = all;
     for (uint i = gl_LocalInvocationID.x; i < all; i += 64u) {
-        Sample s = sample_of(x, int(i));
+        Sample s = sender_sample_of(x, int(i));
         vec3 sent = sent_by(x, s);
-        write_end(i, x, s, sent, sky_of(x, s));
+        write_end(i, x, s, sent, sky_of(x, sky_sample_of(x, int(i))));
         write_line(i, x, s, sent);
     }
 }

@@ -76,11 +76,19 @@ Point point_at(ivec2 pixel) {
     return x;
 }
 
-/// Heights in equal strata, azimuths and lengths by the R2 sequence: a shifted lattice. [Roberts18]
-vec4 step_of(Point x, int i) {
+/// Least of the lengths that are spread logarithmically, as a part of r.
+const float LEAST_LENGTH = 1.0 / 128.0;
+
+/// Lengths that the density estimator asks for: half of them uniform, half uniform in their logarithm, so that near
+/// senders are not found by rare samples that count very much.
+float mixed_length(float u) { return u <= 0.5 ? 2.0 * u : pow(LEAST_LENGTH, 2.0 * u - 1.0); }
+
+/// Heights in equal strata, azimuths and lengths by the R2 sequence: a shifted lattice.
+vec4 step_of(Point x, int i, bool mixed) {
     float height = 1.0 - (float(i) + x.shift.x) / float(params.samples);
     float azimuth = 2.0 * PI * fract(float(i) * 0.7548776662 + x.shift.y);
     float length_part = 1.0 - fract(float(i) * 0.5698402910 + x.shift.z);
+    if (mixed) length_part = mixed_length(length_part);
     float radius = sqrt(max(1.0 - height * height, 0.0));
     return vec4(x.frame * vec3(radius * cos(azimuth), radius * sin(azimuth), height), length_part * reach);
 }
@@ -96,8 +104,8 @@ uint role_of_occluder(Point x, Sample s) {
     return s.sending > 0.0 ? SENDS : TURNED_AWAY;
 }
 
-Sample sample_of(Point x, int i) {
-    vec4 way = step_of(x, i);
+Sample sample_of(Point x, int i, bool mixed) {
+    vec4 way = step_of(x, i, mixed);
     Sample s;
     s.role = OUTSIDE;
     s.direction = way.xyz;
@@ -126,6 +134,10 @@ Sample sample_of(Point x, int i) {
     return s;
 }
 
+/// For the environment's light lengths are uniform, as published.
+Sample sky_sample_of(Point x, int i) { return sample_of(x, i, false); }
+Sample sender_sample_of(Point x, int i) { return sample_of(x, i, params.estimator == ESTIMATOR_DENSITY); }
+
 bool is_occluded(Sample s) { return s.role >= SENDS; }
 
 /// f cosθ for light from a direction.
@@ -149,31 +161,57 @@ vec3 sky_of(Point x, Sample s) {
     return PI / all_cosines(x) * scattered_to_eye(x, s.direction) * environment(s.direction);
 }
 
-/// ∫ dt / (h² + t²)
-float inverse_square_integral(float h, float t0, float t1) { return atan(h * (t1 - t0), h * h + t0 * t1) / h; }
+/// A piece of the eye's ray, t in metres from its point nearest to x, where it is h away; τ = c + t from the eye.
+struct Piece {
+    float h, t0, t1, c;
+};
 
-/// Density, per area of the seen surface, with which samples of x find the occluder: that of the steps' ends,
-/// 1 / (2π r |s − x|²) in the hemisphere, integrated over all s behind it on the eye's ray, between t0 and t1 from
-/// the ray's point nearest to x, where it is h away.
+/// ∫ τ² / (h² + t²) dt over τ² at `seen_at`; for orthographic views without τ.
+float inverse_squares(Piece p, float seen_at) {
+    if (p.t1 <= p.t0) return 0.0;
+    float sum = atan(p.h * (p.t1 - p.t0), p.h * p.h + p.t0 * p.t1) / p.h;
+    if (!is_perspective()) return sum;
+    float logarithm = log((p.h * p.h + p.t1 * p.t1) / (p.h * p.h + p.t0 * p.t0));
+    return ((p.t1 - p.t0) + p.c * logarithm + (p.c * p.c - p.h * p.h) * sum) / (seen_at * seen_at);
+}
+
+/// ∫ τ² / (h² + t²)^(3/2) dt likewise, for 0 ≤ t0.
+float inverse_cubes_beyond(Piece p, float seen_at) {
+    if (p.t1 <= p.t0) return 0.0;
+    float r0 = length(vec2(p.h, p.t0)), r1 = length(vec2(p.h, p.t1));
+    float sum = (p.t1 - p.t0) * (p.t1 + p.t0) / (r0 * r1 * (p.t1 * r0 + p.t0 * r1));
+    if (!is_perspective()) return sum;
+    float squares = log((p.t1 + r1) / (p.t0 + r0)) - p.h * p.h * sum, firsts = 1.0 / r0 - 1.0 / r1;
+    return max(p.c * p.c * sum + 2.0 * p.c * firsts + squares, 0.0) / (seen_at * seen_at);
+}
+
+/// The same without the ball about x that logarithmic lengths leave out.
+float inverse_cubes(Piece p, float seen_at) {
+    float least = LEAST_LENGTH * reach, inner = sqrt(max(least * least - p.h * p.h, 0.0));
+    float beyond = inverse_cubes_beyond(Piece(p.h, max(p.t0, inner), p.t1, p.c), seen_at);
+    return beyond + inverse_cubes_beyond(Piece(p.h, max(-p.t1, inner), -p.t0, -p.c), seen_at);  // mirrored
+}
+
+/// Density, per area of the seen surface, with which samples of x find the occluder: that of the steps' ends in the
+/// hemisphere, 1 / (2π r |s − x|²) or, of logarithmic lengths, 1 / (2π ln(r / least) |s − x|³), integrated over all s
+/// behind it on the eye's ray.
 /// Steps that end on a piece below r/20 at the rim of the ball count as if it were that long: without a limit rare
 /// samples would count without bound. So light fades over the last twentieth of the radius.
 float density_of(Point x, Sample s) {
     vec2 place = vec2(s.pixel) + 0.5;
     vec3 v = normalize(pixel_ray_direction(place)), from_occluder = x.position - s.occluder;
-    float t0 = -dot(v, from_occluder);
-    float h = max(length(from_occluder + t0 * v), 1e-4 * s.distance);
-    float rim = sqrt(max(reach * reach - h * h, 0.0)), falling = -dot(x.geometric_normal, v);
-    float t1 = max(rim, t0 + 0.05 * reach);
-    if (falling > 0.0) t1 = min(t1, t0 - dot(x.geometric_normal, from_occluder) / falling);
-    if (t1 <= t0) return 0.0;
-    float inverse_squares = inverse_square_integral(h, t0, t1), integral = inverse_squares;
-    if (is_perspective()) {  // ∫ τ² / (h² + t²) dt over τ² at the occluder, τ = t + c the distance from the eye
-        float at_occluder = distance(s.occluder, pixel_ray_origin(place)), c = at_occluder - t0;
-        integral = (t1 - t0) + c * log((h * h + t1 * t1) / (h * h + t0 * t0)) + (c * c - h * h) * inverse_squares;
-        integral /= at_occluder * at_occluder;
-    }
-    float cosine = -dot(v, texelFetch(geometric_normal_texture, s.pixel, 0).xyz);
-    return max(cosine * integral, 0.0) / (2.0 * PI * reach);
+    Piece p;
+    p.t0 = -dot(v, from_occluder);
+    p.h = max(length(from_occluder + p.t0 * v), 1e-4 * s.distance);
+    float rim = sqrt(max(reach * reach - p.h * p.h, 0.0)), falling = -dot(x.geometric_normal, v);
+    p.t1 = max(rim, p.t0 + 0.05 * reach);
+    if (falling > 0.0) p.t1 = min(p.t1, p.t0 - dot(x.geometric_normal, from_occluder) / falling);
+    float seen_at = distance(s.occluder, pixel_ray_origin(place));
+    p.c = seen_at - p.t0;
+    float cosine = max(-dot(v, texelFetch(geometric_normal_texture, s.pixel, 0).xyz), 0.0);
+    float uniform_lengths = inverse_squares(p, seen_at) / reach;
+    float logarithmic = inverse_cubes(p, seen_at) / -log(LEAST_LENGTH);
+    return cosine * 0.5 * (uniform_lengths + logarithmic) / (2.0 * PI);
 }
 
 /// The area that a sample's occluder stands for over the square of its distance.

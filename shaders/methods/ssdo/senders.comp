@@ -13,7 +13,7 @@ void main() {
     Point x = point_at(pixel);
     if (x.exists)
         for (int i = first_sample; i < end_sample; ++i) {
-            Sample s = sample_of(x, i);
+            Sample s = sender_sample_of(x, i);
             sum += vec4(sent_by(x, s), s.role == SENDS ? 1.0 : 0.0);
         }
     imageStore(indirect, pixel, sum);

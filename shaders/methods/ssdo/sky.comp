@@ -18,7 +18,7 @@ void main() {
     Point x = point_at(pixel);
     if (x.exists)
         for (int i = first_sample; i < end_sample; ++i) {
-            Sample s = sample_of(x, i);
+            Sample s = sky_sample_of(x, i);
             light += sky_of(x, s);
             if (is_occluded(s)) closed += dot(x.geometric_normal, s.direction) / all_cosines(x);
             if (s.role == OUTSIDE) outside += 1.0 / float(params.samples);

@@ -107,15 +107,13 @@ TEST_F(SsdoWallTest, TheDensityEstimatorTendsToTheFormFactorAndThePublishedOneDo
         EXPECT_NEAR(unlimited.ratio, 1, 0.02) << orthographic;
         EXPECT_LT(unlimited.largest, 0.8) << "no floor sees more than half a wall; the rest is noise";
         const auto limited = received(orthographic, many_samples(128, 0.7), 0.7);
-        EXPECT_NEAR(limited.ratio, 1, 0.04) << "light fades over the last twentieth of the radius";
+        EXPECT_NEAR(limited.ratio, 1, 0.05) << "light fades over the last twentieth of the radius";
         auto settings = many_samples(128, 0.7);
         settings["estimator"] = std::string("published");
         settings["least_distance"] = 1.0;
         const auto clamped = received(orthographic, settings, 0.7);
         settings["least_distance"] = 0.01;
         const auto published = received(orthographic, settings, 0.7);
-        std::printf("ortho %d: density %.4f, within 0.7 m %.4f; published %.3f, clamped to r %.3f\n",
-                    orthographic, unlimited.ratio, limited.ratio, published.ratio, clamped.ratio);
         EXPECT_GT(std::abs(published.ratio - 1), 0.1);
         EXPECT_LT(clamped.ratio, 0.5);
     }
