@@ -61,28 +61,33 @@ void add_visible(ParameterTable<Parameters>& table) {
 
 void add_additive(ParameterTable<Parameters>& table) {
     table
-        .add(
-            &Parameters::influence,
-            {.key = "influence",
-             .label = "Influence",
-             .doc = "How far a surfel reaches on level 0, without visibility.",
-             .citation = "Nalbach14",
-             .choices = {{"constant", "Constant", "All as far as each other: the whole reach is used."},
-                         {"estimated", "Estimated",
-                          "To where its form factor has fallen to the trade-off: radius / √ε, and no farther "
-                          "than the constant. What a surfel does beyond 2^(levels − 1) times that is lost: "
-                          "small surfels do not reach the maximum distance."}},
-             .active_when = additive})
-        .add(
-            &Parameters::trade_off,
-            {.key = "trade_off",
-             .label = "Trade-off ε",
-             .doc = "Form factor at which a surfel's first shell ends. Larger is faster and coarser: surfels "
-                    "stand for their surroundings closer by, and reach less far.",
-             .citation = "Nalbach15 §5",
-             .hard = {1e-6, 1},
-             .soft = {0.001, 0.1},
-             .active_when = {"influence", {std::string("estimated")}}});
+        .add(&Parameters::influence,
+             {.key = "influence",
+              .label = "Influence",
+              .doc = "How far a surfel reaches on level 0, without visibility.",
+              .citation = "Nalbach14",
+              .choices =
+                  {{"constant", "Constant",
+                    "All as far: 1/2^(levels − 1) of the whole reach, which is the maximum distance. Where "
+                    "that "
+                    "is few of a surfel's radii, what is near is as coarse as what is far, and as blurred."},
+                   {"estimated", "Estimated",
+                    "To where a surfel's form factor has fallen to the trade-off: radius / √ε, which is as "
+                    "many "
+                    "pixels near and far. All ends at the whole reach, and before it at 2^(levels − 1) times "
+                    "that: effects beyond are lost."}},
+              .active_when = additive})
+        .add(&Parameters::trade_off,
+             {.key = "trade_off",
+              .label = "Trade-off ε",
+              .doc =
+                  "Form factor at which a surfel's first shell ends. Larger is faster and coarser: surfels "
+                  "stand for their surroundings from closer by. It also ends their whole effect earlier, at "
+                  "2^(levels − 1) radii / √ε.",
+              .citation = "Nalbach15 §5",
+              .hard = {1e-6, 1},
+              .soft = {0.001, 0.1},
+              .active_when = {"influence", {std::string("estimated")}}});
 }
 
 }  // namespace

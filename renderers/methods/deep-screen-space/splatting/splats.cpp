@@ -55,6 +55,7 @@ void set_influence(const gl::Program& program, const Splats& splats) {
     const bool estimated = !parameters.visibility && parameters.influence == Influence::estimated;
     const bool light = parameters.transport.paths != Transport::Paths::ao;
     program.set("shell_radius", splats.reach.shell_radius);
+    program.set("whole_reach", splats.reach.whole);
     program.set("trade_off", estimated ? parameters.trade_off : 0.0f);
     program.set("dark_is_idle", !parameters.visibility && light ? 1 : 0);
 }

@@ -18,16 +18,6 @@ uniform float falloff_distance;  // m, of the smooth fall-off; 0: hard
 layout(location = 0) out float add_occlusion;
 #endif
 
-/// m²: on level l a surfel is splatted into one of 4^l sub-images, so it stands for 4^l of its kind there.
-float grown_area(Surfel surfel) {
-#ifdef NO_GROWTH  // test only
-    return PI * surfel.radius * surfel.radius;
-#else
-    float radius = ldexp(surfel.radius, level);
-    return PI * radius * radius;
-#endif
-}
-
 /// ∫ of |cos| at the sender over the disc's solid angle, so that times the receiver's cosine over π it is the form
 /// factor from a point to the disc: exact for discs that face the point on their axis, where it is
 /// R² / (x² + R²), and for small ones; never more than π.  [Wallace89; Bunnell05]
@@ -35,8 +25,16 @@ float solid_angle(float area, float squared_distance, float sender_cosine) {
     return area * sender_cosine / (squared_distance + area / PI);
 }
 
-bool in_shell(float distance, float reach) {
-    return distance <= reach && (level == 0 || distance > 0.5 * reach);
+/// On level l a surfel is splatted into one of 4^l sub-images, where it stands for 4^l of its kind.
+// DEVIATION [Nalbach15 §4.1]: one disc of 4^l times the area in their place would hide itself, A being grown in
+// the denominator, too: sums of levels would be too small in expectation, by up to 4 ε of a level. Measured where
+// ε is 0.23 (a corner, d = 1/16 m): RMSE 0.076 against 0.050; none where ε is 0.01.
+float surfels_stood_for() {
+#ifdef NO_GROWTH  // test only
+    return 1.0;
+#else
+    return ldexp(1.0, 2 * level);
+#endif
 }
 
 #if LIGHT
@@ -76,9 +74,11 @@ void main() {
     Surfel surfel = surfels[surfel_index];
     vec3 way = surfel.centre_ws - position.xyz;
     float squared = dot(way, way), distance = sqrt(squared);
-    if (!in_shell(distance, ldexp(surfel_reach(surfel), level)) || distance == 0.0) discard;
+    Shell shell = shell_of(surfel, level);
+    if (distance <= shell.inner || distance > shell.outer) discard;
     vec3 l = way / distance;
-    float omega = solid_angle(grown_area(surfel), squared, abs(dot(surfel.normal_ws, l)));
+    float area = PI * surfel.radius * surfel.radius;
+    float omega = surfels_stood_for() * solid_angle(area, squared, abs(dot(surfel.normal_ws, l)));
 #if LIGHT
     add_light(surfel, l, omega);
 #else

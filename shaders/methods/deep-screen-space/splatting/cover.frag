@@ -11,6 +11,6 @@ void main() {
     vec4 position = own_position();
     Surfel surfel = surfels[surfel_index];
     bool is_reached = position.w > 0.0 && distance(position.xyz, surfel.centre_ws) <=
-                                              ldexp(surfel_reach(surfel), level);
+                                              shell_of(surfel, level).outer;
     out_cover = WEIGHT * vec2(1, is_reached ? 1 : 0);
 }

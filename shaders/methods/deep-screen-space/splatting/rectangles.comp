@@ -26,9 +26,9 @@ shared uint group_drawn, group_culled;
 
 /// First place, and the one after the last; both 0: none.
 uvec2 rectangle_of(Surfel surfel) {
-    float d = surfel_reach(surfel);
-    if (d <= 0.0) return uvec2(0);
-    float reach = ldexp(d, int(level)), inner = shells && level > 0u ? 0.5 * reach : 0.0;
+    Shell shell = shell_of(surfel, int(level));
+    if (shell.inner >= shell.outer) return uvec2(0);
+    float reach = shell.outer, inner = shells ? shell.inner : 0.0;
     PixelRange range = pixels_of_sphere(surfel.centre_ws, reach);
     if (any(lessThan(range.last, range.first))) return uvec2(0);
     if (culls && !is_range_reached(range.first, range.last, surfel.centre_ws, reach, inner)) {
