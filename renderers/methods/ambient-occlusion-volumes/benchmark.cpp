@@ -46,9 +46,9 @@ std::vector<graph::Benchmark> benchmarks() {
     b.doc =
         "Ambient occlusion volumes, additive as published in 2010 and with the bounced z-buffer: samples, "
         "distances, and what culling is worth; a small picture, since the time goes into fragments";
-    b.scene = "builtin:atrium?detail=0.25";
+    b.scene = "builtin:atrium?detail=0.1";
     b.camera = "nave";
-    b.width = b.height = 200;
+    b.width = b.height = 100;
     b.variants = {
         {"additive, 0.5 m", additive(0.5)},          {"additive, 1 m", additive(1)},
         {"bounced, 1 sample, 1 m", bounced(1, 1)},   {"bounced, 4 samples, 0.5 m", bounced(4, 0.5)},
