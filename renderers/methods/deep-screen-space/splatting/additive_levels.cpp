@@ -98,6 +98,14 @@ std::vector<OutputDescription> additive_outputs() {
          .kind = OutputKind::stack,
          .doc = "The same where it was splatted: a layer per level, pixels in the sub-images of their level.",
          .active_when = additive},
+        {.key = "splats.cover",
+         .label = "Splats of places",
+         .kind = OutputKind::stack,
+         .semantic = Semantic::count,
+         .doc = "Red: how many splats cover a place of the hierarchical framebuffer, which is what is paid; "
+                "green: how many of them have its surface within reach. A layer for each sample and, within "
+                "it, level.",
+         .active_when = additive},
     };
 }
 

@@ -1,12 +1,12 @@
 #include "renderers/methods/deep-screen-space/splatting/cover.h"
 
-#include "renderers/methods/deep-screen-space/splatting/hierarchy_outputs.h"
+#include "renderers/methods/deep-screen-space/splatting/additive.h"
 
 namespace ir::methods::deep_screen_space {
 
 graph::ImageRef count_cover(graph::GraphBuilder& builder, const Splats& splats, const std::string& weight) {
     graph::ImageDesc desc;
-    desc.text = hierarchy_text("splats.cover");
+    desc.text = additive_text("splats.cover");
     desc.format = gl::Format::rg32f;
     desc.extent = graph::Extent::fixed(splats.hierarchy.width, splats.hierarchy.height);
     desc.layers = splats.samples * splats.hierarchy.levels;

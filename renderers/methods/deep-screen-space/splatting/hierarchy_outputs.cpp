@@ -51,13 +51,6 @@ std::vector<OutputDescription> hierarchy_outputs() {
          .unit = "m",
          .doc =
              "Greatest x, y and z of all surfaces seen below a texel, on each mip level; -3e38: no surface."},
-        {.key = "splats.cover",
-         .label = "Splats of places",
-         .kind = OutputKind::stack,
-         .semantic = Semantic::count,
-         .doc = "Red: how many splats cover a place of the hierarchical framebuffer, which is what is paid; "
-                "green: how many of them have its surface within reach. A layer for each sample and, within "
-                "it, level."},
     };
 }
 
