@@ -10,7 +10,7 @@ namespace {
 
 struct Cover {
     std::vector<dss::Surfel> surfels;
-    dss::Parameters parameters;
+    dss::Parameters parameters{.influence = dss::Influence::constant};
     int samples = 1;
     std::uint64_t seed = 0, capacity = 0;
     std::uint32_t uncounted = 0;
