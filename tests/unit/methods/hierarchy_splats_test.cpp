@@ -8,9 +8,15 @@
 namespace ir::test {
 namespace {
 
+dss::Parameters same_reach() {
+    dss::Parameters parameters;
+    parameters.influence = dss::Influence::constant;
+    return parameters;
+}
+
 struct Cover {
     std::vector<dss::Surfel> surfels;
-    dss::Parameters parameters{.influence = dss::Influence::constant};
+    dss::Parameters parameters = same_reach();
     int samples = 1;
     std::uint64_t seed = 0, capacity = 0;
     std::uint32_t uncounted = 0;
