@@ -95,6 +95,7 @@ inline dss::Parameters visible_parameters(int samples = 1, int levels = 1, float
     parameters.directions.samples = samples;
     parameters.directions.spread = passes::bounce::Spread::independent;
     parameters.coverage = 1;
+    parameters.influence = dss::Influence::constant;
     return parameters;
 }
 

@@ -104,7 +104,7 @@ TEST_F(DssVisible, OfLevelsTheFinestWins) {
                     const float z = depths[std::size_t(l)].at(x, y, 0);
                     EXPECT_EQ(winner == 0, z == 1);
                     if (winner == 0) continue;
-                    const float t = std::sqrt(z) * std::ldexp(0.4f, l);
+                    const float t = std::sqrt(z);
                     several += finest >= 0;
                     coarser_is_nearer += finest >= 0 && t < finest_t;
                     if (finest >= 0) continue;
@@ -120,7 +120,29 @@ TEST_F(DssVisible, OfLevelsTheFinestWins) {
     }
 }
 
-/// z is divided by the reach of its level; as printed, all hits beyond the first shell are clipped.
+/// From where r / √ε is more than the constant d, shells begin there; where it is the whole reach, one is
+/// left.
+TEST_F(DssVisible, ShellsOfLargeSurfelsBeginFartherOut) {
+    const auto shot = floor_shot(32);
+    VisibleRun run{.surfels = soup(200, 6), .parameters = visible_parameters(1, 4, 0, 0.3f)};
+    run.parameters.influence = dss::Influence::estimated;
+    run.parameters.trade_off = 0.01f;  // r / √ε is 2.5 m, the whole reach 2.4 m
+    splat(shot, run);
+    const auto distances = read("bounce.distance");
+    for (const float level : read("splats.hit_level").pixels) EXPECT_LE(level, 0);
+    auto constant = run;
+    constant.parameters = visible_parameters(1, 1, 0, 2.4f);
+    splat(shot, constant);
+    EXPECT_EQ(read("bounce.distance").pixels, distances.pixels);
+    run.parameters.trade_off = 1;  // r is less than d
+    splat(shot, run);
+    const auto small = read("bounce.distance");
+    run.parameters.influence = dss::Influence::constant;
+    splat(shot, run);
+    EXPECT_EQ(read("bounce.distance").pixels, small.pixels);
+}
+
+/// z is divided by the whole reach; as printed, all hits beyond the first shell are clipped.
 TEST_F(DssVisible, PrintedDepthLosesTheCoarserLevels) {
     const auto shot = floor_shot(32, 0.2f);
     VisibleRun run{.surfels = discs_of_square({0, 1.7f, 0}, {1, 0, 0}, {0, 0, 1}, 4, 60),

@@ -64,7 +64,7 @@ void add_additive(ParameterTable<Parameters>& table) {
         .add(&Parameters::influence,
              {.key = "influence",
               .label = "Influence",
-              .doc = "How far a surfel reaches on level 0, without visibility.",
+              .doc = "How far a surfel reaches on level 0.",
               .citation = "Nalbach14",
               .choices =
                   {{"constant", "Constant",
@@ -73,17 +73,16 @@ void add_additive(ParameterTable<Parameters>& table) {
                     "is few of a surfel's radii, what is near is as coarse as what is far, and as blurred."},
                    {"estimated", "Estimated",
                     "To where a surfel's form factor has fallen to the trade-off: radius / √ε, which is as "
-                    "many "
-                    "pixels near and far. All ends at the whole reach, and before it at 2^(levels − 1) times "
-                    "that: effects beyond are lost."}},
-              .active_when = additive})
+                    "many pixels near and far; with visibility never less than constant. Without it all ends "
+                    "at "
+                    "2^(levels − 1) times that: effects beyond are lost."}}})
         .add(&Parameters::trade_off,
              {.key = "trade_off",
               .label = "Trade-off ε",
               .doc =
                   "Form factor at which a surfel's first shell ends. Larger is faster and coarser: surfels "
-                  "stand for their surroundings from closer by. It also ends their whole effect earlier, at "
-                  "2^(levels − 1) radii / √ε.",
+                  "stand for their surroundings from closer by. Without visibility it also ends their whole "
+                  "effect earlier, at 2^(levels − 1) radii / √ε.",
               .citation = "Nalbach15 §5",
               .hard = {1e-6, 1},
               .soft = {0.001, 0.1},

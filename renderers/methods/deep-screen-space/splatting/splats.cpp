@@ -50,16 +50,6 @@ void set_pixel_mapping(const gl::Program& program, const scene::View& view) {
     program.set("pixel_offset", half * shift + 0.5f * glm::vec2(view.width, view.height));
 }
 
-void set_influence(const gl::Program& program, const Splats& splats) {
-    const auto& parameters = splats.parameters;
-    const bool estimated = !parameters.visibility && parameters.influence == Influence::estimated;
-    const bool light = parameters.transport.paths != Transport::Paths::ao;
-    program.set("shell_radius", splats.reach.shell_radius);
-    program.set("whole_reach", splats.reach.whole);
-    program.set("trade_off", estimated ? parameters.trade_off : 0.0f);
-    program.set("dark_is_idle", !parameters.visibility && light ? 1 : 0);
-}
-
 /// The program has to be in use.
 void set_layer(const PassContext& p, const gl::Program& program, const Splats& splats,
                const SplatLayer& layer) {
@@ -145,6 +135,17 @@ void set_sphere_bounds(const gl::Program& program, const scene::View& view) {
     program.set("far_plane", view.far_plane);
     program.set("perspective", is_perspective(view) ? 1 : 0);
     program.set("view_size", glm::ivec2(view.width, view.height));
+}
+
+void set_influence(const gl::Program& program, const Splats& splats) {
+    const auto& parameters = splats.parameters;
+    const bool estimated = parameters.influence == Influence::estimated;
+    const bool light = parameters.transport.paths != Transport::Paths::ao;
+    program.set("shell_radius", splats.reach.shell_radius);
+    program.set("whole_reach", splats.reach.whole);
+    program.set("trade_off", estimated ? parameters.trade_off : 0.0f);
+    program.set("least_shell", parameters.visibility ? splats.reach.shell_radius : 0.0f);
+    program.set("dark_is_idle", !parameters.visibility && light ? 1 : 0);
 }
 
 Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, const Surfels& surfels,

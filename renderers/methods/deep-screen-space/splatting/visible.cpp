@@ -54,7 +54,7 @@ const gl::Program& bind_layer(const graph::PassContext& p, const VisibleSplats& 
 
 void set_splat_level(const gl::Program& program, const Splats& splats) {
     const auto& parameters = splats.parameters;
-    program.set("first_shell", splats.reach.shell_radius);
+    set_influence(program, splats);
     program.set("coverage", parameters.coverage);
     program.set("max_distance", parameters.transport.max_distance);
     program.set("full_discs", parameters.shells == Shells::full_discs ? 1 : 0);

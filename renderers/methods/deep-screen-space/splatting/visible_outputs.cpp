@@ -39,7 +39,7 @@ std::vector<OutputDescription> of_levels() {
          .label = "Bounced z in sub-images",
          .kind = OutputKind::stack,
          .semantic = Semantic::depth,
-         .doc = "t²/r² of the nearest surfel along the pixel's ray, r the level's reach d 2^l; 1: none." +
+         .doc = "t²/r² of the nearest surfel along the pixel's ray, r the reach of all levels; 1: none." +
                 sub_images + layer_order},
         {.key = "splats.winner",
          .label = "Winners in sub-images",
@@ -59,7 +59,7 @@ std::vector<OutputDescription> of_levels() {
          .label = "Bounced z by level",
          .kind = OutputKind::stack,
          .semantic = Semantic::depth,
-         .doc = "t²/r² of the nearest surfel along the pixel's ray, r the level's reach d 2^l; 1: none." +
+         .doc = "t²/r² of the nearest surfel along the pixel's ray, r the reach of all levels; 1: none." +
                 unshuffled + layer_order},
         {.key = "splats.level_radiance",
          .label = "Radiance by level",

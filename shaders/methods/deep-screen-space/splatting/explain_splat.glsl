@@ -22,7 +22,9 @@ ivec2 place_of(ivec2 pixel, int level) { return unpacked_place(texelFetch(places
 
 /// Pixels, on a level, of the sphere in which the surfel is drawn there.
 PixelRange splat_range(Surfel s, int level) {
-    PixelRange range = pixels_of_sphere(s.centre_ws, ldexp(first_shell, level));
+    Shell shell = shell_of(s, level);
+    if (shell.inner >= shell.outer) return NO_PIXELS;
+    PixelRange range = pixels_of_sphere(s.centre_ws, shell.outer);
     return PixelRange(range.first >> level, range.last >> level);
 }
 
@@ -42,7 +44,7 @@ struct ExplainedSplat {
 };
 
 ExplainedSplat explained_splat(Surfel s, int level, vec3 x_ws, vec3 direction_ws, vec3 geometric_normal_ws) {
-    SplatLevel l = splat_level(level);
+    SplatLevel l = splat_level(level, s);
     ExplainedSplat e = ExplainedSplat(splat_shell(l, x_ws, s.centre_ws), SplatHit(SPLAT_OUTSIDE, 0.0, 1.0, 0.0));
     if (e.shell < 0) return e;
     e.hit = splat_hit(l, e.shell, x_ws, direction_ws, s.centre_ws, s.normal_ws, s.radius);

@@ -50,7 +50,7 @@ void begin_sums(Surfel s, uint index) {
     for (int level = 0; level < levels && level < sums.length(); ++level) {
         sums[level].centre = float[3](s.centre_ws.x, s.centre_ws.y, s.centre_ws.z);
         sums[level].normal = float[3](s.normal_ws.x, s.normal_ws.y, s.normal_ws.z);
-        sums[level].radius = splat_disc_radius(splat_level(level), level, s.radius);
+        sums[level].radius = splat_disc_radius(splat_level(level, s), level, s.radius);
         sums[level].surfel = index + 1u;
         sums[level].level = uint(level);
     }

@@ -3,6 +3,7 @@
 uniform float shell_radius;  // m: d, where it is the same for all surfels
 uniform float whole_reach;   // m: nothing has an effect beyond
 uniform float trade_off;     // ε; 0: d is the same for all surfels
+uniform float least_shell;   // m: with ε, what d is at least
 uniform bool dark_is_idle;   // surfels that send no light do nothing
 
 /// d of the surfel, m: where the form factor of its disc, A / (π d²), is ε; 0: it does nothing.
@@ -10,7 +11,7 @@ uniform bool dark_is_idle;   // surfels that send no light do nothing
 // depends on the radiance that is sent, which here only counts as none or some, as ε would else depend on exposure.
 float first_shell(Surfel surfel) {
     if (dark_is_idle && surfel.radiance_front == vec3(0) && surfel.radiance_back == vec3(0)) return 0.0;
-    return trade_off > 0.0 ? surfel.radius * inversesqrt(trade_off) : shell_radius;
+    return trade_off > 0.0 ? max(surfel.radius * inversesqrt(trade_off), least_shell) : shell_radius;
 }
 
 /// The surfel's shell of a level, m: beyond `inner`, up to `outer`; empty where they are equal.

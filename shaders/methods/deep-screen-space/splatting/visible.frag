@@ -21,7 +21,7 @@ void main() {
     vec4 x = texelFetch(positions, place, 0);
     if (x.w == 0.0) discard;
     Surfel surfel = surfels[surfel_index];
-    SplatLevel l = splat_level(level);
+    SplatLevel l = splat_level(level, surfel);
     int shell = splat_shell(l, x.xyz, surfel.centre_ws);
     if (shell < 0) discard;
     ivec2 pixel = unpacked_place(texelFetch(layout_texture, place, 0).x);

@@ -17,7 +17,7 @@ float epsilon_of(ivec3 at) {
     uint winner = texelFetch(nearest, at, 0).x;
     if (winner == 0u) return 0.0;
     Surfel s = surfels[winner - 1u];
-    SplatLevel l = splat_level(int(texelFetch(levels, at, 0).x));
+    SplatLevel l = splat_level(int(texelFetch(levels, at, 0).x), s);
     int shell = max(splat_shell(l, texelFetch(positions, at.xy, 0).xyz, s.centre_ws), 0);
     float ratio = ldexp(s.radius, shell) / max(texelFetch(distances, at, 0).x, 1e-12);
     return min(ratio * ratio, 1e12);

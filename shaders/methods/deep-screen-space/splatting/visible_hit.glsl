@@ -3,17 +3,19 @@
 /// What one level asks of a surfel.
 struct SplatLevel {
     int level;           // of the framebuffer: l
-    float shell_radius;  // m: d
+    float shell_radius;  // m: d of the surfel
+    float whole_reach;   // m: where all shells end
     float coverage;      // area of the disc that is tested, in areas of its surfel
     float max_distance;  // m; 0: no limit
     bool full_discs;     // inner shells count, too
 };
 
-/// The level whose shell around the surfel holds x_p: [0, d], then (d 2^(k-1), d 2^k]; -1 where level l does not
+/// The level whose shell around the surfel holds x_p: [0, d], then (d 2^(k-1), d 2^k], as far as they reach; -1 where level l does not
 /// draw it.  [Nalbach15 §4.1, §4.3]
 int splat_shell(SplatLevel l, vec3 x_ws, vec3 centre_ws) {
     vec3 offset = centre_ws - x_ws;
     float squared = dot(offset, offset), reach = l.shell_radius * l.shell_radius;
+    if (squared > l.whole_reach * l.whole_reach) return -1;
     int k = 0;
     while (k < l.level && squared > reach) {
         reach *= 4.0;
@@ -62,15 +64,15 @@ bool splat_is_above(vec3 x_ws, vec3 geometric_normal_ws, vec3 centre_ws) {
 
 const float SPLAT_LAST_Z = 0.999;
 
-/// z in [0, 1), as written into the framebuffer of level l.
-/// DEVIATION [Nalbach15 §3.2]: divided by r², r = d 2^l, in place of the printed d_max², which clips all hits of
-/// levels from 1 on. Shells are by the distance to centres: hits of large discs lie a little beyond r; z is linear
-/// up to 0.999, and the rest of [0, ∞) shares what is left, in order.
+/// z in [0, 1), as written into all framebuffers.
+/// DEVIATION [Nalbach15 §3.2]: divided by r², with r the reach of all levels, in place of the printed d_max², which
+/// clips all hits of levels from 1 on. Shells are by the distance to centres: hits of large discs lie a little
+/// beyond r; z is linear up to 0.999, and the rest of [0, ∞) shares what is left, in order.
 float splat_z(SplatLevel l, float t) {
 #ifdef PRINTED_Z
     return t * t / (l.shell_radius * l.shell_radius);
 #else
-    precise float reach = ldexp(l.shell_radius, l.level), z = t * t / (reach * reach);
+    precise float z = t * t / (l.whole_reach * l.whole_reach);
     return z < SPLAT_LAST_Z ? z : 1.0 - (1.0 - SPLAT_LAST_Z) * (SPLAT_LAST_Z / z);
 #endif
 }

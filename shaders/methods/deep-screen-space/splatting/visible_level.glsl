@@ -1,9 +1,11 @@
 // Uniforms of splat_level(); set_splat_level sets them (renderers/methods/deep-screen-space/splatting/visible.h).
+// Include records.glsl before it.
+#include "methods/deep-screen-space/splatting/influence.glsl"
 #include "methods/deep-screen-space/splatting/visible_hit.glsl"
 
-uniform float first_shell, coverage, max_distance;
+uniform float coverage, max_distance;
 uniform bool full_discs;
 
-SplatLevel splat_level(int level) {
-    return SplatLevel(level, first_shell, coverage, max_distance, full_discs);
+SplatLevel splat_level(int level, Surfel surfel) {
+    return SplatLevel(level, first_shell(surfel), whole_reach, coverage, max_distance, full_discs);
 }
