@@ -40,10 +40,10 @@ struct Parameters {
     float shell_radius = 0;  ///< m: d, of the first shell; counts where there is no maximum distance. 0: 1/64
                              ///< of the diagonal of the scene's bounds
     Shells shells = Shells::full_discs;
-    float coverage = 3;  ///< area of a disc that rays are tested against, in areas of its surfel
+    float coverage = 1;  ///< area of a disc that rays are tested against, in areas of its surfel
     bool splat_culling = true;
-    Influence influence = Influence::estimated;  ///< without visibility
-    float trade_off = 0.01f;                     ///< ε
+    Influence influence = Influence::estimated;
+    float trade_off = 0.02f;  ///< ε
 };
 
 ParameterTable<Parameters> parameter_table();

@@ -4,6 +4,7 @@
 
 #include "renderers/gl/dispatch_items.h"
 #include "renderers/graph/output_text.h"
+#include "renderers/methods/deep-screen-space/random_seed.h"
 #include "renderers/methods/deep-screen-space/splatting/explain_records.h"
 #include "renderers/passes/bounce/tiles.h"
 
@@ -64,7 +65,7 @@ void bind_splats(const graph::PassContext& p, const gl::Program& program, const 
     p.bind_texture(4, visible.winner);
     set_splat_level(program, splats);
     set_sphere_bounds(program, p.inputs().view);
-    program.set("seed", splat_seed(p.inputs().seed));
+    program.set("seed", random_seed(p.inputs(), splats.parameters));
     program.set("levels", splats.hierarchy.levels);
     program.set("samples", splats.samples);
     program.set("hierarchy_size", glm::ivec2(splats.hierarchy.width, splats.hierarchy.height));

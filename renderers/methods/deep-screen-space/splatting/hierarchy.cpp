@@ -1,4 +1,5 @@
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/deep-screen-space/random_seed.h"
 #include "renderers/methods/deep-screen-space/splatting.h"
 #include "renderers/methods/deep-screen-space/splatting/bounds.h"
 #include "renderers/methods/deep-screen-space/splatting/hierarchy_outputs.h"
@@ -7,10 +8,6 @@ namespace ir::methods::deep_screen_space {
 namespace {
 
 const std::string folder = "methods/deep-screen-space/splatting/";
-
-unsigned folded(std::uint64_t seed) {
-    return static_cast<unsigned>(seed) ^ static_cast<unsigned>(seed >> 32);
-}
 
 int padded(int size, int levels) {
     const int step = 1 << (levels - 1);
@@ -28,12 +25,11 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const Hierarchy& hierarchy
     return builder.image(std::move(desc));
 }
 
-void lay_out(graph::GraphBuilder& builder, Hierarchy& hierarchy) {
+void lay_out(graph::GraphBuilder& builder, Hierarchy& hierarchy, unsigned seed) {
     const auto& inputs = builder.inputs();
     const glm::ivec2 view(inputs.view.width, inputs.view.height);
     const auto fingerprint = std::to_string(view.x) + " x " + std::to_string(view.y) + ", " +
-                             std::to_string(hierarchy.levels) + " levels, seed " +
-                             std::to_string(inputs.seed);
+                             std::to_string(hierarchy.levels) + " levels, seed " + std::to_string(seed);
     const auto layout = hierarchy.layout =
         declare(builder, hierarchy, "hierarchy.layout", gl::Format::r32ui, fingerprint);
     const auto places = hierarchy.places =
@@ -43,7 +39,7 @@ void lay_out(graph::GraphBuilder& builder, Hierarchy& hierarchy) {
         program.use();
         p.bind_storage_image(0, layout);
         p.bind_storage_image(1, places);
-        program.set("seed", folded(p.inputs().seed));
+        program.set("seed", seed);
         program.set("view_size", view);
         const auto shape = p.shape(places);
         program.dispatch(shape.width, shape.height, shape.layers);
@@ -94,7 +90,7 @@ Hierarchy shuffle(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
     hierarchy.levels = parameters.levels;
     hierarchy.width = padded(view.width, parameters.levels);
     hierarchy.height = padded(view.height, parameters.levels);
-    lay_out(builder, hierarchy);
+    lay_out(builder, hierarchy, random_seed(builder.inputs(), parameters));
     shuffle_surfaces(builder, gbuffer, hierarchy);
     shuffle_colours(builder, gbuffer, hierarchy);
     bound_positions(builder, gbuffer, hierarchy);

@@ -1,4 +1,5 @@
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
+#include "renderers/methods/deep-screen-space/random_seed.h"
 
 #include <algorithm>
 
@@ -59,7 +60,7 @@ void set_layer(const PassContext& p, const gl::Program& program, const Splats& s
     program.set("hierarchy_size", glm::ivec2(splats.hierarchy.width, splats.hierarchy.height));
     program.set("level", static_cast<unsigned>(layer.level));
     program.set("sample_index", static_cast<unsigned>(layer.sample));
-    program.set("seed", splat_seed(p.inputs().seed));
+    program.set("seed", random_seed(p.inputs(), parameters));
     program.set("culls", parameters.splat_culling ? 1 : 0);
     program.set("shells", !parameters.visibility || parameters.shells == Shells::shells ? 1 : 0);
 }
@@ -123,10 +124,6 @@ void draw_slice(const PassContext& p, graph::Slice slice, const Splats& splats, 
 }
 
 }  // namespace
-
-unsigned splat_seed(std::uint64_t seed) {
-    return static_cast<unsigned>(seed) ^ static_cast<unsigned>(seed >> 32);
-}
 
 void set_sphere_bounds(const gl::Program& program, const scene::View& view) {
     set_pixel_mapping(program, view);

@@ -49,8 +49,6 @@ void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer&
 void bind_receivers(const graph::PassContext& context, const gl::Program& program, const Splats& splats,
                     const SplatLayer& layer);
 
-/// The seed of a frame as random_sub_image() of sub_image.glsl takes it.
-unsigned splat_seed(std::uint64_t seed);
 /// Sets the uniforms of influence.glsl. With visibility d is a surfel's r / √ε where that is more than the
 /// constant one. DEVIATION [Nalbach15 §4.2]: "d_max is a constant": where that is only a few radii, enlarged
 /// discs are as wide as their distance and hide what is beside them. Ambient occlusion with 5 levels, RMSE

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "renderers/graph/output_text.h"
+#include "renderers/methods/deep-screen-space/random_seed.h"
 #include "renderers/methods/deep-screen-space/surfels/capture.h"
 #include "renderers/methods/deep-screen-space/surfels/view.h"
 
@@ -112,7 +113,7 @@ void tessellate(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                 const auto& program = context.program(source_of(parameters));
                 program.use();
                 set_ideal(program, context.inputs(), parameters);
-                program.set("seed", folded_seed(context.inputs()));
+                program.set("seed", random_seed(context.inputs(), parameters));
                 context.bind_buffer(0, scene.positions);
                 context.bind_buffer(1, scene.indices);
                 context.bind_buffer(2, patches.list.buffer);

@@ -47,8 +47,4 @@ void set_frustum(const gl::Program& program, const graph::FrameInputs& inputs, f
     program.set("margin", reach + rounding);
 }
 
-unsigned folded_seed(const graph::FrameInputs& inputs) {
-    return static_cast<unsigned>(inputs.seed) ^ static_cast<unsigned>(inputs.seed >> 32);
-}
-
 }  // namespace ir::methods::deep_screen_space

@@ -13,7 +13,4 @@ void set_ideal(const gl::Program& program, const graph::FrameInputs& inputs, con
 void set_frustum(const gl::Program& program, const graph::FrameInputs& inputs, float reach,
                  const Parameters& parameters);
 
-/// The run's seed in one word.
-unsigned folded_seed(const graph::FrameInputs& inputs);
-
 }  // namespace ir::methods::deep_screen_space
