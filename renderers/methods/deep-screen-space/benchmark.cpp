@@ -92,11 +92,11 @@ std::vector<graph::Benchmark> benchmarks() {
     dominoes.variants = still_life.variants;
     auto growth = on("deep-screen-space-growth", "What grows with surfels, levels, samples and resolution",
                      "builtin:graveyard");
-    growth.variants = {{"4 samples, 5 levels, 1.5 px", {}},
+    growth.variants = {{"4 samples, 6 levels, 1.5 px", {}},
                        {"surfels of 3 px", {{"surfel_radius", 3.0}}},
                        {"surfels of 0.75 px", {{"surfel_radius", 0.75}}},
-                       {"3 levels", {{"levels", std::int64_t{3}}}},
-                       {"6 levels", {{"levels", std::int64_t{6}}}},
+                       {"2 levels", {{"levels", std::int64_t{2}}}},
+                       {"4 levels", {{"levels", std::int64_t{4}}}},
                        {"1 sample", {{"samples", std::int64_t{1}}}},
                        {"16 samples", {{"samples", std::int64_t{16}}}},
                        {.label = "half the resolution", .settings = {}, .scale = 0.5f},

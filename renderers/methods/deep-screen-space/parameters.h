@@ -36,7 +36,7 @@ struct Parameters {
     float reserve = 4;  ///< surfels per pixel that memory is reserved for at first
 
     // splatting/parameters.cpp
-    int levels = 5;          ///< l_max
+    int levels = 6;          ///< l_max
     float shell_radius = 0;  ///< m: d, of the first shell; counts where there is no maximum distance. 0: 1/64
                              ///< of the diagonal of the scene's bounds
     Shells shells = Shells::full_discs;

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -66,14 +67,15 @@ inline std::vector<Value> tried_values(const ParameterDescription& p) {
     return {first, std::min(last, std::max(2 * first, quick_limit))};
 }
 
-/// Sets what makes the parameter active; false when nothing does.
+/// Sets what makes the parameter active, the last that does: of paths that is the one with all light. False
+/// when nothing does.
 inline bool activate(const MethodDescription& method, const ParameterDescription& p, Settings& settings,
                      int depth = 0) {
     if (is_active(p, settings)) return true;
     const auto* condition = find(method.parameters, p.active_when.key);
     if (!condition || depth > 8 || !activate(method, *condition, settings, depth + 1)) return false;
     const auto possible = tried_values(*condition);
-    for (const auto& value : p.active_when.values) {
+    for (const auto& value : std::views::reverse(p.active_when.values)) {
         const bool is_choice = condition->type == ParameterType::choice;
         if (is_choice && std::find(possible.begin(), possible.end(), value) == possible.end()) continue;
         settings[condition->key] = value;
