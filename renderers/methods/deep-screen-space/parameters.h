@@ -43,7 +43,7 @@ struct Parameters {
     float coverage = 1;  ///< area of a disc that rays are tested against, in areas of its surfel
     bool splat_culling = true;
     Influence influence = Influence::estimated;
-    float trade_off = 0.02f;  ///< ε
+    float trade_off = 0.05f;  ///< ε
 };
 
 ParameterTable<Parameters> parameter_table();
