@@ -1,7 +1,6 @@
 #include "app/engine/benchmarks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "app/engine/benchmark_cells.h"
@@ -84,7 +83,7 @@ std::vector<Variant> chosen_variants(const graph::Benchmark& benchmark,
 }
 
 int scaled(int pixels, float scale) {
-    return std::max(1, static_cast<int>(std::lround(static_cast<float>(pixels) * scale)));
+    return std::max(1, static_cast<int>(static_cast<float>(pixels) * scale + 0.5f));
 }
 
 std::string name_of_scene(const Experiment& experiment) {

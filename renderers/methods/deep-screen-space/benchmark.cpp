@@ -11,7 +11,7 @@ using Passes = std::vector<std::string>;
 const Passes tessellation{"cull *",       "split *",      "count surfels", "fine surfels",
                           "thin surfels", "pack surfels", "shade surfels", "surfels.*"};
 const Passes shuffling{"framebuffer layout", "shuffle", "bounds of positions", "directions"};
-const Passes splatting{"splat", "add surfels*"};
+const Passes splatting{"splat"};
 const Passes unshuffling{"combine levels", "unshuffle*"};
 const Passes reduction{"visibility", "light of the winners", "add levels*"};
 const Passes blurring{"reconstruction", "blur*"};

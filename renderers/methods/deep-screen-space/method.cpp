@@ -1,6 +1,7 @@
 // Deep screen space: the scene becomes a cloud of surfels, each of which is splatted onto the pixels about
 // it, on coarser levels of the picture the farther away. With visibility every sample of a pixel asks along
 // one direction and keeps the nearest surfel. [Nalbach15; Nalbach14]
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -66,7 +67,8 @@ MethodDescription description() {
         "occlusion, or one bounce of light with glossy receivers and senders. Surfaces that the picture does "
         "not "
         "show count. Errors come from the surfels' size, from the number of directions, and from far surfels "
-        "that stand for many.";
+        "that stand for many. Senders are lit by point, spot and directional "
+        "lights; the environment lights nothing.";
     d.papers = {"Nalbach15", "Nalbach14"};
     d.background = 1;
     d.outputs = outputs();
@@ -114,6 +116,28 @@ void note_reach(graph::GraphBuilder& builder, const Parameters& parameters) {
                  " times; what is farther sends and occludes nothing.");
 }
 
+std::size_t emissive_triangles(const graph::FrameInputs& inputs) {
+    std::size_t count = 0;
+    for (const auto& range : inputs.world->ranges) {
+        const auto emission = inputs.scene->materials.at(static_cast<std::size_t>(range.material)).emission;
+        if (std::max({emission.r, emission.g, emission.b}) > 0) count += range.triangle_count;
+    }
+    return count;
+}
+
+/// Senders are lit by shadow maps, which need lights without extent; what direct_light() notes is not
+/// repeated.
+void note_missing_light(graph::GraphBuilder& builder, const Transport& transport) {
+    if (transport.paths == Paths::ao) return;
+    const auto& environment = builder.inputs().scene->environment;
+    if (transport.environment_light && (environment.map || environment.constant != glm::vec3(0)))
+        builder.note("deep-screen-space: the environment lights nothing, it is only seen");
+    if (emissive_triangles(builder.inputs()) > 0)
+        builder.note(
+            "deep-screen-space: what emissive triangles light is not reflected further; with paths=full they "
+            "light what is within the reach of their surfels");
+}
+
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
@@ -131,6 +155,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     else
         passes::compose_light(builder, gbuffer, direct, picture, parameters.transport);
     note_reach(builder, parameters);
+    note_missing_light(builder, parameters.transport);
 }
 
 }  // namespace

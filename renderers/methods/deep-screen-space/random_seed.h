@@ -11,7 +11,8 @@ namespace ir::methods::deep_screen_space {
 /// sub-image a surfel is splatted into. The run's seed in one word; frames that are averaged each have
 /// another.
 inline unsigned random_seed(const graph::FrameInputs& inputs, const Parameters& parameters) {
-    const auto seed = static_cast<unsigned>(inputs.seed) ^ static_cast<unsigned>(inputs.seed >> 32);
+    const auto seed =
+        static_cast<unsigned>(inputs.seed) + 0x85ebca6bu * static_cast<unsigned>(inputs.seed >> 32);
     const auto frame = parameters.reprojection.reprojection ? static_cast<unsigned>(inputs.frame) : 0u;
     return seed + frame * 0x9e3779b9u;
 }

@@ -131,7 +131,7 @@ double form_factor_of_discs(double h, double radius, double coverage) {
     return sum;
 }
 
-/// Of a differential area to a parallel square of 2 m whose middle is h above it. [Howell82 C-11, four times]
+/// Of a differential area to a parallel square of 2 m whose middle is h above it. [Howell10 C-11, four times]
 double form_factor_of_square(double h) {
     const double a = 1 / h, b = std::sqrt(1 + a * a);
     return 4 / (2 * pi) * 2 * (a / b * std::atan(a / b));

@@ -21,11 +21,13 @@ const gl::Program& bind(const graph::PassContext& p, const VisibleSplats& visibl
     p.bind_texture(1, visible.winner);
     p.bind_texture(2, visible.gbuffer.position);
     p.bind_texture(3, visible.directions.directions);
+    p.bind_texture(4, visible.depth);
     p.bind_storage_image(0, distance);
     p.bind_storage_image(1, visible.nearest);
     p.bind_storage_image(2, visible.hit_level);
     program.set("levels", visible.splats.hierarchy.levels);
     program.set("samples", visible.splats.samples);
+    program.set("nearest_decides", nearest_decides(visible.splats) ? 1 : 0);
     return program;
 }
 
@@ -37,7 +39,7 @@ graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visi
     visible.nearest = declare_of_samples(builder, "splats.nearest", gl::Format::r32ui, samples);
     visible.hit_level = declare_of_samples(builder, "splats.hit_level", gl::Format::r16f, samples);
     auto pass = builder.pass("combine levels");
-    pass.reads(visible.splats.surfels, visible.splats.hierarchy.places, visible.winner,
+    pass.reads(visible.splats.surfels, visible.splats.hierarchy.places, visible.winner, visible.depth,
                visible.gbuffer.position, visible.directions.directions)
         .writes(distance, visible.nearest, visible.hit_level);
     passes::bounce::execute_by_tiles(pass, builder, [=](graph::PassContext& p) -> const gl::Program& {

@@ -102,7 +102,7 @@ void judge_found(const graph::PassContext& p, const Explained& candidates, const
     std::size_t count = 0;
     for (const auto& sum : sums)
         for (std::size_t i = 1; i < sum.outcomes.size(); ++i) count += sum.outcomes[i];
-    judge(found.first(std::min(found.size(), count)), sums, level_count);
+    judge(found.first(std::min(found.size(), count)), sums, level_count, nearest_decides(splats));
 }
 
 void explain_pixel(graph::GraphBuilder& builder, const VisibleSplats& visible) {

@@ -10,7 +10,7 @@ const std::string outcomes =
     "distance; 4 "
     "not counted, as the surfel's centre is not above the plane of the pixel's own triangle; 5 met, but "
     "something is "
-    "nearer on this level; 6 nearest on its level, but a finer level has a hit; 7 what the ray met";
+    "nearer on this level; 6 nearest on its level, but another level decides; 7 what the ray met";
 
 }  // namespace
 

@@ -17,13 +17,14 @@ void keep_nearest(const SplatCandidate& candidate, LevelSum& sum) {
     sum.found_z = candidate.z;
 }
 
-void mark_finest(std::span<LevelSum> sums, int levels) {
-    for (std::size_t first = 0; first < sums.size(); first += static_cast<std::size_t>(levels))
+void mark_deciding(std::span<LevelSum> sums, int levels, bool nearest_decides) {
+    for (std::size_t first = 0; first < sums.size(); first += static_cast<std::size_t>(levels)) {
+        LevelSum* deciding = nullptr;
         for (auto& sum : sums.subspan(first, static_cast<std::size_t>(levels)))
-            if (sum.found != 0) {
-                sum.is_nearest = 1;
-                break;
-            }
+            if (sum.found != 0 && (!deciding || (nearest_decides && sum.found_z < deciding->found_z)))
+                deciding = &sum;
+        if (deciding) deciding->is_nearest = 1;
+    }
 }
 
 }  // namespace
@@ -49,14 +50,14 @@ std::vector<graph::Field> surfel_sum_fields() {
             {"hits", FieldType::u32},      {"level_wins", FieldType::u32}, {"wins", FieldType::u32}};
 }
 
-void judge(std::span<SplatCandidate> candidates, std::span<LevelSum> sums, int levels) {
+void judge(std::span<SplatCandidate> candidates, std::span<LevelSum> sums, int levels, bool nearest_decides) {
     const auto sum_of = [&](const SplatCandidate& c) -> LevelSum& {
         return sums[c.sample * static_cast<std::size_t>(levels) + c.level];
     };
     for (auto& sum : sums) sum.found_z = 1;
     for (const auto& c : candidates)
         if (c.outcome == SplatOutcome::hit) keep_nearest(c, sum_of(c));
-    mark_finest(sums, levels);
+    mark_deciding(sums, levels, nearest_decides);
     for (auto& c : candidates)
         if (c.outcome == SplatOutcome::hit && sum_of(c).found == c.surfel)
             c.outcome = sum_of(c).is_nearest ? SplatOutcome::wins : SplatOutcome::level;

@@ -46,6 +46,6 @@ std::vector<graph::Field> surfel_sum_fields();
 /// Repeats depth test and combination over what was found: outcomes of candidates that were hit, and of
 /// `sums` (a row per sample and level, sample-major) the winners. Then sorts candidates by sample, outcome
 /// (winners first), level, z and surfel. [Nalbach15 §4.2]
-void judge(std::span<SplatCandidate> candidates, std::span<LevelSum> sums, int levels);
+void judge(std::span<SplatCandidate> candidates, std::span<LevelSum> sums, int levels, bool nearest_decides);
 
 }  // namespace ir::methods::deep_screen_space

@@ -52,8 +52,8 @@ void add_visible(ParameterTable<Parameters>& table) {
               .label = "Coverage",
               .doc =
                   "Area of a disc that rays are tested against, in areas of the surface that it stands for. "
-                  "Discs at random leave e^(−coverage) of all rays through a closed surface; large discs "
-                  "reach around edges.",
+                  "Discs at random leave e^(−coverage) of all rays through a closed surface (with full discs "
+                  "beyond the first shell a little less); large discs reach around edges.",
               .hard = {0.01, 100},
               .soft = {0.5, 8},
               .active_when = with_visibility});
@@ -73,20 +73,19 @@ void add_additive(ParameterTable<Parameters>& table) {
                     "is few of a surfel's radii, what is near is as coarse as what is far, and as blurred."},
                    {"estimated", "Estimated",
                     "To where a surfel's form factor has fallen to the trade-off: radius / √ε, which is as "
-                    "many pixels near and far; with visibility never less than constant. Without it all ends "
-                    "at "
-                    "2^(levels − 1) times that: effects beyond are lost."}}})
-        .add(&Parameters::trade_off,
-             {.key = "trade_off",
-              .label = "Trade-off ε",
-              .doc =
-                  "Form factor at which a surfel's first shell ends. Larger is faster and coarser: surfels "
-                  "stand for their surroundings from closer by. Without visibility it also ends their whole "
-                  "effect earlier, at 2^(levels − 1) radii / √ε.",
-              .citation = "Nalbach15 §5",
-              .hard = {1e-6, 1},
-              .soft = {0.001, 0.1},
-              .active_when = {"influence", {std::string("estimated")}}});
+                    "many pixels near and far; farther where levels would not suffice for the whole reach. "
+                    "With visibility the nearest hit of all levels decides, as levels are no ranges of "
+                    "distance."}}})
+        .add(
+            &Parameters::trade_off,
+            {.key = "trade_off",
+             .label = "Trade-off ε",
+             .doc = "Form factor at which a surfel's first shell ends. Larger is faster and coarser: surfels "
+                    "stand for their surroundings from closer by.",
+             .citation = "Nalbach15 §5",
+             .hard = {1e-6, 1},
+             .soft = {0.001, 0.1},
+             .active_when = {"influence", {std::string("estimated")}}});
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ void set_layer(const PassContext& p, const gl::Program& program, const Splats& s
 
 void find_rectangles(const PassContext& p, const Splats& splats, const SplatLayer& layer, std::uint64_t first,
                      std::uint64_t end) {
+    p.barrier();  // the draw before may still read what is written here
     gl::ProgramSource source{{folder + "rectangles.comp"}};
     if (is_counted(splats)) source.defines["COUNTS"] = "1";
     const auto& program = p.program(source);
@@ -141,7 +142,6 @@ void set_influence(const gl::Program& program, const Splats& splats) {
     program.set("shell_radius", splats.reach.shell_radius);
     program.set("whole_reach", splats.reach.whole);
     program.set("trade_off", estimated ? parameters.trade_off : 0.0f);
-    program.set("least_shell", parameters.visibility ? splats.reach.shell_radius : 0.0f);
     program.set("dark_is_idle", !parameters.visibility && light ? 1 : 0);
 }
 

@@ -49,12 +49,16 @@ void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer&
 void bind_receivers(const graph::PassContext& context, const gl::Program& program, const Splats& splats,
                     const SplatLayer& layer);
 
-/// Sets the uniforms of influence.glsl. With visibility d is a surfel's r / √ε where that is more than the
+/// Sets the uniforms of influence.glsl. Estimated, d is a surfel's r / √ε where that is more than the
 /// constant one. DEVIATION [Nalbach15 §4.2]: "d_max is a constant": where that is only a few radii, enlarged
 /// discs are as wide as their distance and hide what is beside them. Ambient occlusion with 5 levels, RMSE
 /// constant and so: 0.128 and 0.062 in a Cornell box (0.5 m, 128²), 0.277 and 0.078 on a still life (0.3 m,
 /// 256²). None reaches less far than published, so dark surfels block as far as others.
 void set_influence(const gl::Program& program, const Splats& splats);
+/// Whether of several levels with a hit the nearest hit decides, and not that of the finest level.
+inline bool nearest_decides(const Splats& splats) {
+    return splats.parameters.influence == Influence::estimated;
+}
 /// Sets the uniforms of sphere_bounds.glsl.
 void set_sphere_bounds(const gl::Program& program, const scene::View& view);
 

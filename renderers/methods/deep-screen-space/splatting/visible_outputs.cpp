@@ -13,7 +13,8 @@ std::vector<OutputDescription> of_samples() {
         {.key = "splats.hit_level",
          .label = "Level of the hit",
          .kind = OutputKind::stack,
-         .doc = "The finest level of the hierarchical framebuffer on which a surfel was hit, which is the "
+         .doc = "The level of the hierarchical framebuffer whose hit decided: the finest that has one, or "
+                "with estimated influence that of the nearest hit. It is the "
                 "one that "
                 "counts; -1: none. A layer per sample."},
         {.key = "splats.nearest",

@@ -1,4 +1,7 @@
-// Per pixel and sample the finest level that has a hit: its results are the most precise. [Nalbach15 §4.2]
+// Per pixel and sample the level that decides: where shells begin at the same d for all surfels the finest that has a
+// hit, as its results are the most precise.  [Nalbach15 §4.2]
+// DEVIATION [Nalbach15 §4.2]: where d differs from surfel to surfel, levels are no ranges of distance, and a far hit
+// of a large surfel's first level would hide a near one of a small surfel's second: the nearest hit decides.
 #include "methods/deep-screen-space/records.glsl"
 #include "methods/deep-screen-space/splatting/places.glsl"
 #include "methods/deep-screen-space/splatting/visible_hit.glsl"
@@ -10,24 +13,33 @@ layout(binding = 0) uniform usampler2DArray places;
 layout(binding = 1) uniform usampler2DArray winners;  // a layer per sample and level
 layout(binding = 2) uniform sampler2D positions;
 layout(binding = 3) uniform sampler2DArray directions;
+layout(binding = 4) uniform sampler2DArray depths;  // as winners
 layout(binding = 0, r32f) uniform writeonly image2DArray distance_image;
 layout(binding = 1, r32ui) uniform writeonly uimage2DArray nearest_image;
 layout(binding = 2, r16f) uniform writeonly image2DArray level_image;
 
 uniform int levels, samples;
+uniform bool nearest_decides;
 
 struct Winner {
     uint surfel;  // 1 + index; 0: none
     int level;    // -1: none
 };
 
-Winner finest_winner(ivec2 pixel, int sample_index) {
+Winner winner_of(ivec2 pixel, int sample_index) {
+    Winner winner = Winner(0u, -1);
+    float least = 2.0;
     for (int level = 0; level < levels; ++level) {
-        ivec2 place = unpacked_place(texelFetch(places, ivec3(pixel, level), 0).x);
-        uint surfel = texelFetch(winners, ivec3(place, sample_index * levels + level), 0).x;
-        if (surfel != 0u) return Winner(surfel, level);
+        ivec3 at = ivec3(unpacked_place(texelFetch(places, ivec3(pixel, level), 0).x), sample_index * levels + level);
+        uint surfel = texelFetch(winners, at, 0).x;
+        if (surfel == 0u) continue;
+        float z = nearest_decides ? texelFetch(depths, at, 0).x : 0.0;
+        if (z >= least) continue;
+        least = z;
+        winner = Winner(surfel, level);
+        if (!nearest_decides) break;
     }
-    return Winner(0u, -1);
+    return winner;
 }
 
 /// Of the plane that was hit, anew: z of large discs is rounded more.
@@ -42,7 +54,7 @@ void main() {
     ivec2 pixel = tile_pixel();
     if (any(greaterThanEqual(pixel, imageSize(distance_image).xy))) return;
     for (int i = 0; i < samples; ++i) {
-        Winner winner = finest_winner(pixel, i);
+        Winner winner = winner_of(pixel, i);
         imageStore(distance_image, ivec3(pixel, i), vec4(distance_of(winner, pixel, i)));
         imageStore(nearest_image, ivec3(pixel, i), uvec4(winner.surfel));
         imageStore(level_image, ivec3(pixel, i), vec4(winner.level));

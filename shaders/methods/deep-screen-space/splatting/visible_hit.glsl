@@ -10,11 +10,12 @@ struct SplatLevel {
     bool full_discs;     // inner shells count, too
 };
 
-/// The level whose shell around the surfel holds x_p: [0, d], then (d 2^(k-1), d 2^k], as far as they reach; -1 where level l does not
-/// draw it.  [Nalbach15 §4.1, §4.3]
+/// The level whose shell around the surfel holds x_p: [0, d], then (d 2^(k-1), d 2^k], as far as they reach; -1 where
+/// level l does not draw it.  [Nalbach15 §4.1, §4.3]
 int splat_shell(SplatLevel l, vec3 x_ws, vec3 centre_ws) {
-    vec3 offset = centre_ws - x_ws;
-    float squared = dot(offset, offset), reach = l.shell_radius * l.shell_radius;
+    precise vec3 offset = centre_ws - x_ws;
+    precise float squared = dot(offset, offset);
+    float reach = l.shell_radius * l.shell_radius;
     if (squared > l.whole_reach * l.whole_reach) return -1;
     int k = 0;
     while (k < l.level && squared > reach) {
@@ -29,7 +30,7 @@ int splat_shell(SplatLevel l, vec3 x_ws, vec3 centre_ws) {
 /// DEVIATION [Nalbach15 §4.1]: discs of the mesh's own area, placed independently, let 1/e of all rays through a
 /// closed surface; `coverage` times their area leaves exp(-coverage).
 float splat_disc_radius(SplatLevel l, int shell, float surfel_radius) {
-    return exp2(float(shell)) * sqrt(l.coverage) * surfel_radius;
+    return ldexp(sqrt(l.coverage) * surfel_radius, shell);
 }
 
 /// Where the ray meets the disc's plane, m; not a number or infinite where it does not.
@@ -39,8 +40,9 @@ float splat_plane_distance(vec3 x_ws, vec3 direction_ws, vec3 centre_ws, vec3 no
 }
 
 bool splat_is_on_disc(vec3 x_ws, vec3 direction_ws, vec3 centre_ws, float t, float radius) {
-    vec3 offset = t * direction_ws - (centre_ws - x_ws);
-    return dot(offset, offset) <= radius * radius;
+    precise vec3 offset = t * direction_ws - (centre_ws - x_ws);
+    precise float squared = dot(offset, offset);
+    return squared <= radius * radius;
 }
 
 /// Rounding of positions in the G-buffer and of surfels' centres, as a part of the coordinates.
@@ -84,7 +86,7 @@ const int SPLAT_MISSED = 2;   // the ray misses the disc, or meets its plane beh
 const int SPLAT_TOO_FAR = 3;  // beyond the maximum distance
 const int SPLAT_OWN = 4;      // its centre is not above the plane of x_p's triangle
 const int SPLAT_HIT = 5;      // met; of explanations: but something is nearer on this level
-const int SPLAT_LEVEL = 6;    // the nearest on its level, but a finer one has a hit
+const int SPLAT_LEVEL = 6;    // the nearest on its level, but another one decides
 const int SPLAT_WINS = 7;
 
 struct SplatHit {

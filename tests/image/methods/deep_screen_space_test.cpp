@@ -1,0 +1,68 @@
+// What must not change deep screen space's pictures by a bit: culling, and buffers that were too small at
+// first.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/engine/execution.h"
+#include "renderers/methods/all_methods.h"
+#include "tests/image/methods/every_method.h"
+
+namespace ir::test {
+namespace {
+
+const graph::Method& deep_screen_space() {
+    for (const auto* method : methods::all_methods())
+        if (method->description.id == "deep-screen-space") return *method;
+    throw std::logic_error("no deep-screen-space");
+}
+
+/// Surfels of different sizes: their shells begin at different distances.
+Settings settings_of(bool visibility, const char* paths) {
+    return {{"visibility", visibility},
+            {"paths", std::string(paths)},
+            {"max_distance", 0.3},
+            {"surfel_radius", 1.0},
+            {"levels", std::int64_t{4}}};
+}
+
+Settings with(Settings settings, const char* key, Value value) {
+    settings[key] = std::move(value);
+    return settings;
+}
+
+/// Much of it is hidden, outside of the view, or beyond the reach of all that is seen.
+const Shot court{.scene = "builtin:atrium?detail=0.1"};
+
+struct Form {
+    bool visibility;
+    const char* paths;
+};
+const Form forms[] = {{true, "ao"}, {true, "full"}, {false, "ao"}, {false, "full"}};
+
+TEST(DeepScreenSpace, CullingChangesNoBit) {
+    for (const auto& form : forms)
+        for (const char* key : {"splat_culling", "frustum_culling"}) {
+            const auto settings = settings_of(form.visibility, form.paths);
+            const auto on = render(deep_screen_space(), with(settings, key, true), court);
+            const auto off = render(deep_screen_space(), with(settings, key, false), court);
+            EXPECT_EQ(on.main.pixels, off.main.pixels)
+                << key << ", " << form.paths << ", " << form.visibility;
+            const char* counter = std::string(key) == "splat_culling" ? "splats.culled" : "surfels.patches";
+            EXPECT_NE(on.report.counters.at(counter), off.report.counters.at(counter))
+                << "nothing was culled";
+        }
+}
+
+TEST(DeepScreenSpace, BuffersThatBeginAThousandTimesTooSmallGiveTheSamePicture) {
+    for (const auto& form : forms) {
+        const auto settings = settings_of(form.visibility, form.paths);
+        const auto large = render(deep_screen_space(), with(settings, "reserve", 100.0), court);
+        const auto small = render(deep_screen_space(), with(settings, "reserve", 0.001), court);
+        EXPECT_EQ(large.main.pixels, small.main.pixels) << form.paths << ", " << form.visibility;
+        EXPECT_GT(large.report.counters.at("surfels.kept"), 1000 * std::ceil(0.001 * 48 * 32));
+    }
+}
+
+}  // namespace
+}  // namespace ir::test
