@@ -144,6 +144,7 @@ int render_scene(const Flags& flags) {
     for (auto& warning : inspection_warnings(inspection, experiment))
         report.messages.push_back(std::move(warning));
     warn_of_unmatched(flags.dumps, report);
+    if (!flags.quiet) note_lists(flags.dumps, report);
     write_exr(flags.out, execution.layers(flags.dumps), execution.attributes());
     print_messages(execution, report);
     if (flags.json == "-")

@@ -67,6 +67,22 @@ void warn_of_unmatched(const std::vector<std::string>& patterns, const FrameRepo
     }
 }
 
+void note_lists(const std::vector<std::string>& patterns, const FrameReport& report) {
+    std::string lists;
+    for (const auto& resource : report.resources) {
+        const bool asked = std::any_of(patterns.begin(), patterns.end(), [&](const auto& pattern) {
+            return graph::matches(pattern, resource.key);
+        });
+        if (asked && resource.explains && !resource.fields.empty())
+            lists += (lists.empty() ? "" : ", ") + resource.key;
+    }
+    if (!lists.empty())
+        std::cerr << "note: --dump writes images; these explanations are lists, which the window shows as "
+                     "tables and in "
+                     "space: "
+                  << lists << "\n";
+}
+
 void require_folder_of(const std::string& file, const std::string& option) {
     const auto folder = std::filesystem::absolute(file).parent_path();
     if (!std::filesystem::is_directory(folder))

@@ -20,6 +20,8 @@ FrameReport run_frames(engine::Execution& execution, const graph::FrameOptions& 
 void print_messages(const engine::Execution& execution, const FrameReport& report);
 /// Says which --dump patterns matched nothing.
 void warn_of_unmatched(const std::vector<std::string>& patterns, const FrameReport& report);
+/// A note of explanations that the patterns match and that are no images, which no file can hold.
+void note_lists(const std::vector<std::string>& patterns, const FrameReport& report);
 
 /// Before work whose result goes to `file`: throws UsageError, naming `option`, where its folder is missing.
 void require_folder_of(const std::string& file, const std::string& option);

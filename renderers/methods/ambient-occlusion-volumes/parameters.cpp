@@ -52,8 +52,8 @@ ParameterTable<Parameters> parameter_table() {
     table.include(&Parameters::directions,
                   passes::bounce::direction_parameters({"visibility", {true}}, Effects::ambient_occlusion));
     add_additive(table);
-    table.include(&Parameters::reconstruction,
-                  passes::bounce::reconstruction_parameters(Effects::ambient_occlusion));
+    table.include(&Parameters::reconstruction, passes::bounce::reconstruction_parameters(
+                                                   {"visibility", {true}}, Effects::ambient_occlusion));
     table
         .add(&Parameters::culling,
              {.key = "culling",

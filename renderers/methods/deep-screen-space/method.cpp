@@ -116,6 +116,10 @@ void note_reach(graph::GraphBuilder& builder, const Parameters& parameters) {
                  " times; what is farther sends and occludes nothing.");
 }
 
+bool is_punctual(scene::LightType type) {
+    return type != scene::LightType::rectangle && type != scene::LightType::disk;
+}
+
 std::size_t emissive_triangles(const graph::FrameInputs& inputs) {
     std::size_t count = 0;
     for (const auto& range : inputs.world->ranges) {
@@ -132,6 +136,11 @@ void note_missing_light(graph::GraphBuilder& builder, const Transport& transport
     const auto& environment = builder.inputs().scene->environment;
     if (transport.environment_light && (environment.map || environment.constant != glm::vec3(0)))
         builder.note("deep-screen-space: the environment lights nothing, it is only seen");
+    const auto& lights = builder.inputs().world->lights;
+    if (std::none_of(lights.begin(), lights.end(), [](const auto& light) { return is_punctual(light.type); }))
+        builder.note(
+            "deep-screen-space: there is no point, spot or directional light, so surfaces have no light to "
+            "pass on");
     if (emissive_triangles(builder.inputs()) > 0)
         builder.note(
             "deep-screen-space: what emissive triangles light is not reflected further; with paths=full they "

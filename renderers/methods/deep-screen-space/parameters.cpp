@@ -21,8 +21,8 @@ ParameterTable<Parameters> parameter_table() {
                                                {"visibility", {true}}, passes::bounce::Effects::light));
     add_surfel_parameters(table);
     add_splatting_parameters(table);
-    table.include(&Parameters::reconstruction,
-                  passes::bounce::reconstruction_parameters(passes::bounce::Effects::light));
+    table.include(&Parameters::reconstruction, passes::bounce::reconstruction_parameters(
+                                                   {"visibility", {true}}, passes::bounce::Effects::light));
     table.include(&Parameters::reprojection, passes::reprojection_parameters());
     table.add(&Parameters::ambient, passes::ambient_parameter());
     return table;

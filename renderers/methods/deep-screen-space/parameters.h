@@ -33,7 +33,7 @@ struct Parameters {
     Backs backs = Backs::lit;
     bool glossy_senders = true;
     bool frustum_culling = true;
-    float reserve = 4;  ///< surfels per pixel that memory is reserved for at first
+    float reserve = 5;  ///< surfels per pixel that memory is reserved for at first
 
     // splatting/parameters.cpp
     int levels = 6;          ///< l_max

@@ -18,7 +18,7 @@ gl::ProgramSource source_of(const Receivers& receivers) {
     return source;
 }
 
-void add_choices(ParameterTable<DirectionParameters>& table, const Condition& active_when) {
+void add_choices(ParameterTable<DirectionParameters>& table, const Condition& active_when, Effects effects) {
     table
         .add(&DirectionParameters::samples,
              {.key = "samples",
@@ -48,14 +48,14 @@ void add_choices(ParameterTable<DirectionParameters>& table, const Condition& ac
              .choices = {{"uniform", "Uniform", "Density 1/2π over the hemisphere, as published."},
                          {"cosine", "Cosine",
                           "Density cosθ/π: no ray is spent where it counts little, so there is less noise."}},
-             .active_when = only_ao});
+             .active_when = effects == Effects::ambient_occlusion ? active_when : only_ao});
 }
 
 }  // namespace
 
 ParameterTable<DirectionParameters> direction_parameters(const Condition& active_when, Effects effects) {
     ParameterTable<DirectionParameters> table;
-    add_choices(table, active_when);
+    add_choices(table, active_when, effects);
     if (effects == Effects::ambient_occlusion) return table;
     table.add(
         &DirectionParameters::least_roughness,

@@ -15,7 +15,8 @@ static_assert((2 * most_radius + 1) * (2 * most_radius + 1) * (max_samples + 2) 
 
 }  // namespace
 
-ParameterTable<ReconstructionParameters> reconstruction_parameters(Effects effects) {
+ParameterTable<ReconstructionParameters> reconstruction_parameters(const Condition& active_when,
+                                                                   Effects effects) {
     using P = ReconstructionParameters;
     ParameterTable<P> table;
     table.add(&P::estimator,
@@ -29,7 +30,7 @@ ParameterTable<ReconstructionParameters> reconstruction_parameters(Effects effec
                            {"published", "Published",
                             "Divided by the samples' number. Right on average, also with few samples, but "
                             "even an open plane is noisy, and pixels may exceed 1."}},
-               .active_when = only_ao});
+               .active_when = effects == Effects::ambient_occlusion ? active_when : only_ao});
     table.include(&P::blur, blur_parameters(most_radius));
     if (effects == Effects::ambient_occlusion) return table;
     table.add(&P::material_tolerance,

@@ -15,7 +15,8 @@ struct ReconstructionParameters {
     float material_tolerance = 0.1f;  ///< difference of roughness or metalness at which weights are 1/e
 };
 /// `material_tolerance` and, where there is a choice, `estimator` are active where `paths` makes them count.
-ParameterTable<ReconstructionParameters> reconstruction_parameters(Effects effects);
+ParameterTable<ReconstructionParameters> reconstruction_parameters(const Condition& active_when,
+                                                                   Effects effects);
 
 /// Declares the pass "reconstruction" and the image that `text` describes, of the view's size: accessibility
 /// (r32f, background 1) or, where directions are of light, the radiance that the receiver reflects of what

@@ -92,7 +92,8 @@ void add_costs(ParameterTable<Parameters>& table) {
                                             .on_change = OnChange::nothing})
         .add(&Parameters::reserve, {.key = "reserve",
                                     .label = "Reserve",
-                                    .doc = "Surfels per pixel that memory is reserved for at first. More "
+                                    .doc = "Surfels per pixel that memory is reserved for at first, with "
+                                           "what comes before thinning in proportion. More "
                                            "are found room for when they "
                                            "come, at the price of a second run.",
                                     .unit = "surfels per pixel",

@@ -13,9 +13,14 @@ Surfels make_surfels(graph::GraphBuilder& builder, const passes::SceneBuffers& s
                      const passes::ShadowMaps& shadow, float reach, const Parameters& parameters) {
     const auto& view = builder.inputs().view;
     const double pixels = static_cast<double>(view.width) * view.height;
-    const auto reserve = static_cast<std::uint64_t>(std::ceil(parameters.reserve * pixels));
-    const auto fine = declare_fine(builder, reserve);
-    const auto patches = cut_patches(builder, scene, fine.count, reach, reserve, parameters);
+    const double triangles = static_cast<double>(builder.inputs().world->indices.size()) / 3;
+    const auto room_for = [&](double per_pixel, double per_triangle) {
+        return static_cast<std::uint64_t>(
+            std::ceil(parameters.reserve * (per_pixel * pixels + per_triangle * triangles)));
+    };
+    const auto reserve = room_for(1, 0);
+    const auto fine = declare_fine(builder, room_for(2, 0.65));  // three for a triangle however small
+    const auto patches = cut_patches(builder, scene, fine.count, reach, room_for(0.1, 0.25), parameters);
     tessellate(builder, scene, patches, fine, parameters);
     const auto surfels = thin(builder, scene, fine, reserve, parameters);
     if (parameters.transport.paths != Transport::Paths::ao)

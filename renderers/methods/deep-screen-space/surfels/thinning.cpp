@@ -53,6 +53,7 @@ graph::PassBuilder reads(graph::PassBuilder pass, const Thinning& t) {
 
 Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Growing& fine,
              std::uint64_t reserve, const Parameters& parameters) {
+    const auto fine_room = builder.buffers().at(static_cast<std::size_t>(fine.buffer.index)).elements;
     const auto words =
         growing(builder,
                 {.text = {.key = "surfels.places",
@@ -60,7 +61,7 @@ Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
                           .doc = "For each run of 16 fine surfels how many of those before it are kept."},
                  .fields = {{"place", FieldType::u32}}},
                 {.key = "surfels.fine.words", .label = "Runs of fine surfels with places"},
-                (reserve + run - 1) / run);
+                (fine_room + run - 1) / run);
     const auto kept =
         growing(builder,
                 {.text = {.key = "surfels.records",
