@@ -1,0 +1,134 @@
+// Metal that a spot lights sends its highlight to a diffuse wall, as the reference says.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+#include "tests/image/methods/every_method.h"
+
+namespace ir::test {
+namespace {
+
+constexpr int size = 24, block = 8, seeds = 8;
+
+/// Floor (y = 0, 0 ≤ x ≤ 2) of rough metal, which reflects no light diffusely, and a white wall (x = 0,
+/// 0 ≤ y ≤ 2), |z| ≤ 1 both.
+std::string metal_and_wall() {
+    const std::vector<float> corners{0, 0, 1, 2, 0, 1,  2, 0, -1, 0, 0, -1,
+                                     0, 0, 1, 0, 0, -1, 0, 2, -1, 0, 2, 1};
+    const std::vector<std::uint16_t> indices{0, 1, 2, 0, 2, 3};
+    const std::string folder = testing::TempDir();
+    std::ofstream data(folder + "metal-and-wall.bin", std::ios::binary);
+    data.write(reinterpret_cast<const char*>(corners.data()), std::streamsize(4 * corners.size()));
+    data.write(reinterpret_cast<const char*>(indices.data()), std::streamsize(2 * indices.size()));
+    std::ofstream(folder + "metal-and-wall.gltf") << R"({"asset": {"version": "2.0"},
+"buffers": [{"uri": "metal-and-wall.bin", "byteLength": 108}],
+"bufferViews": [{"buffer": 0, "byteLength": 96}, {"buffer": 0, "byteOffset": 96, "byteLength": 12}],
+"accessors": [
+  {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, -1], "max": [2, 0, 1]},
+  {"bufferView": 0, "byteOffset": 48, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, -1],
+   "max": [0, 2, 1]},
+  {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+"materials": [
+  {"pbrMetallicRoughness": {"baseColorFactor": [0.9, 0.6, 0.3, 1], "metallicFactor": 1, "roughnessFactor": 0.7}},
+  {"pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.8, 0.8, 1], "metallicFactor": 0, "roughnessFactor": 1}}],
+"meshes": [
+  {"primitives": [{"attributes": {"POSITION": 0}, "indices": 2, "material": 0}]},
+  {"primitives": [{"attributes": {"POSITION": 1}, "indices": 2, "material": 1}]}],
+"nodes": [{"mesh": 0}, {"mesh": 1}], "scenes": [{"nodes": [0, 1]}], "scene": 0})";
+    return folder + "metal-and-wall.gltf";
+}
+
+/// The wall, seen straight on.
+Image wall(const std::string& method, Settings settings, std::uint64_t seed = 1) {
+    engine::Experiment e;
+    e.scene = metal_and_wall();
+    e.method = method;
+    e.settings = std::move(settings);
+    e.settings["paths"] = std::string("indirect");
+    e.settings["environment_light"] = false;
+    e.settings["max_distance"] = 0.0;
+    scene::Camera camera;
+    camera.eye = {2, 1, 0};
+    camera.target = {0, 1, 0};
+    camera.orthographic = true;
+    camera.height = 2;
+    e.camera = camera;
+    scene::Light spot;
+    spot.type = scene::LightType::spot;
+    spot.position = {1.8f, 1, 0};
+    spot.direction = glm::normalize(glm::vec3(1, 0, 0) - spot.position);
+    spot.intensity = 10;
+    spot.inner_angle = 0.4f, spot.outer_angle = 0.7f;
+    e.lights = {spot};
+    e.replace_lights = true;
+    e.width = e.height = size;
+    e.seed = seed;
+    engine::Execution execution(machine(), e);
+    execution.run_frame({});
+    return execution.main_result();
+}
+
+Settings surfels(bool glossy_senders) {
+    return {{"samples", std::int64_t{16}},
+            {"blur", false},
+            {"thinning", false},
+            {"levels", std::int64_t{1}},
+            {"influence", std::string("constant")},
+            {"shell_radius", 4.0},
+            {"surfel_radius", 0.7},
+            {"coverage", 7.0},
+            {"glossy_senders", glossy_senders}};
+}
+
+/// Means of all channels over stripes of 8 rows, and last over the picture.
+std::vector<double> means(const Image& image) {
+    std::vector<double> sums(size / block + 1);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const double value = image.at(x, y, c) / 3.0;
+                sums[std::size_t(y / block)] += value / (block * size);
+                sums.back() += value / (size * size);
+            }
+    return sums;
+}
+
+/// Mean and its standard error over seeds, per stripe.
+struct Spread {
+    std::vector<double> mean, error;
+};
+
+Spread spread(bool glossy_senders) {
+    std::vector<std::vector<double>> all;
+    for (int seed = 1; seed <= seeds; ++seed)
+        all.push_back(means(wall("deep-screen-space", surfels(glossy_senders), std::uint64_t(seed))));
+    Spread s;
+    for (std::size_t i = 0; i < all[0].size(); ++i) {
+        double sum = 0, squares = 0;
+        for (const auto& one : all) sum += one[i] / seeds;
+        for (const auto& one : all) squares += (one[i] - sum) * (one[i] - sum);
+        s.mean.push_back(sum);
+        s.error.push_back(std::sqrt(squares / (seeds - 1) / seeds));
+    }
+    return s;
+}
+
+/// n = 8 seeds, Student's t of 7 degrees of freedom for 4 means: alpha = 1e-4 together; and discs' own
+/// errors, 2 % (e^-7 = 0.1 % of the floor stay open, and discs of √7 radii look around the border of the
+/// spot).
+TEST(DssGlossySenders, AHighlightArrivesAsTheReferenceSays) {
+    const auto truth =
+        means(wall("reference", {{"samples", std::int64_t{4096}}, {"max_bounces", std::int64_t{1}}}));
+    ASSERT_GT(truth.back(), 0.01);
+    const auto found = spread(true);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        EXPECT_NEAR(found.mean[i], truth[i], 0.02 * truth[i] + 9.7 * found.error[i]) << i;
+        EXPECT_LT(9.7 * found.error[i], 0.3 * truth[i]) << i << ": too uncertain to tell";
+    }
+    EXPECT_LT(means(wall("deep-screen-space", surfels(false))).back(), 0.01 * truth.back()) << "the mutant";
+    machines().clear();
+}
+
+}  // namespace
+}  // namespace ir::test
