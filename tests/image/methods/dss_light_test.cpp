@@ -1,4 +1,5 @@
-// Metal that a spot lights sends its highlight to a diffuse wall, as the reference says.
+// A floor that a spot lights sends light to a white wall, as the reference says: metal its highlight, a
+// diffuse floor what it scatters. Nothing is in between, so visibility must not matter.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -11,18 +12,22 @@ namespace {
 
 constexpr int size = 24, block = 8, seeds = 8;
 
-/// Floor (y = 0, 0 ≤ x ≤ 2) of rough metal, which reflects no light diffusely, and a white wall (x = 0,
-/// 0 ≤ y ≤ 2), |z| ≤ 1 both.
-std::string metal_and_wall() {
+enum class Floor { metal, diffuse };
+
+/// Floor (y = 0, 0 ≤ x ≤ 2) of rough metal, which reflects no light diffusely, or of a diffuse colour, and a
+/// white wall (x = 0, 0 ≤ y ≤ 2), |z| ≤ 1 both.
+std::string floor_and_wall(Floor floor) {
+    const std::string name = floor == Floor::metal ? "metal-and-wall" : "floor-and-wall";
+    const std::string metallic = floor == Floor::metal ? "1" : "0";
     const std::vector<float> corners{0, 0, 1, 2, 0, 1,  2, 0, -1, 0, 0, -1,
                                      0, 0, 1, 0, 0, -1, 0, 2, -1, 0, 2, 1};
     const std::vector<std::uint16_t> indices{0, 1, 2, 0, 2, 3};
     const std::string folder = testing::TempDir();
-    std::ofstream data(folder + "metal-and-wall.bin", std::ios::binary);
+    std::ofstream data(folder + name + ".bin", std::ios::binary);
     data.write(reinterpret_cast<const char*>(corners.data()), std::streamsize(4 * corners.size()));
     data.write(reinterpret_cast<const char*>(indices.data()), std::streamsize(2 * indices.size()));
-    std::ofstream(folder + "metal-and-wall.gltf") << R"({"asset": {"version": "2.0"},
-"buffers": [{"uri": "metal-and-wall.bin", "byteLength": 108}],
+    std::ofstream(folder + name + ".gltf") << R"({"asset": {"version": "2.0"},
+"buffers": [{"uri": ")" << name << R"(.bin", "byteLength": 108}],
 "bufferViews": [{"buffer": 0, "byteLength": 96}, {"buffer": 0, "byteOffset": 96, "byteLength": 12}],
 "accessors": [
   {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, -1], "max": [2, 0, 1]},
@@ -30,19 +35,20 @@ std::string metal_and_wall() {
    "max": [0, 2, 1]},
   {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
 "materials": [
-  {"pbrMetallicRoughness": {"baseColorFactor": [0.9, 0.6, 0.3, 1], "metallicFactor": 1, "roughnessFactor": 0.7}},
+  {"pbrMetallicRoughness": {"baseColorFactor": [0.9, 0.6, 0.3, 1], "metallicFactor": )"
+                                           << metallic << R"(, "roughnessFactor": 0.7}},
   {"pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.8, 0.8, 1], "metallicFactor": 0, "roughnessFactor": 1}}],
 "meshes": [
   {"primitives": [{"attributes": {"POSITION": 0}, "indices": 2, "material": 0}]},
   {"primitives": [{"attributes": {"POSITION": 1}, "indices": 2, "material": 1}]}],
 "nodes": [{"mesh": 0}, {"mesh": 1}], "scenes": [{"nodes": [0, 1]}], "scene": 0})";
-    return folder + "metal-and-wall.gltf";
+    return folder + name + ".gltf";
 }
 
 /// The wall, seen straight on.
-Image wall(const std::string& method, Settings settings, std::uint64_t seed = 1) {
+Image wall(Floor floor, const std::string& method, Settings settings, std::uint64_t seed = 1) {
     engine::Experiment e;
-    e.scene = metal_and_wall();
+    e.scene = floor_and_wall(floor);
     e.method = method;
     e.settings = std::move(settings);
     e.settings["paths"] = std::string("indirect");
@@ -69,7 +75,8 @@ Image wall(const std::string& method, Settings settings, std::uint64_t seed = 1)
     return execution.main_result();
 }
 
-Settings surfels(bool glossy_senders) {
+/// Discs of seven areas leave e^-7 = 0.1 % of the floor open.
+Settings surfels() {
     return {{"samples", std::int64_t{16}},
             {"blur", false},
             {"thinning", false},
@@ -77,8 +84,7 @@ Settings surfels(bool glossy_senders) {
             {"influence", std::string("constant")},
             {"shell_radius", 4.0},
             {"surfel_radius", 0.7},
-            {"coverage", 7.0},
-            {"glossy_senders", glossy_senders}};
+            {"coverage", 7.0}};
 }
 
 /// Means of all channels over stripes of 8 rows, and last over the picture.
@@ -99,10 +105,10 @@ struct Spread {
     std::vector<double> mean, error;
 };
 
-Spread spread(bool glossy_senders) {
+Spread spread(Floor floor, const Settings& settings) {
     std::vector<std::vector<double>> all;
     for (int seed = 1; seed <= seeds; ++seed)
-        all.push_back(means(wall("deep-screen-space", surfels(glossy_senders), std::uint64_t(seed))));
+        all.push_back(means(wall(floor, "deep-screen-space", settings, std::uint64_t(seed))));
     Spread s;
     for (std::size_t i = 0; i < all[0].size(); ++i) {
         double sum = 0, squares = 0;
@@ -114,19 +120,51 @@ Spread spread(bool glossy_senders) {
     return s;
 }
 
+Settings with(Settings settings, const char* key, Value value) {
+    settings[key] = std::move(value);
+    return settings;
+}
+
+std::vector<double> truth_of(Floor floor) {
+    return means(
+        wall(floor, "reference", {{"samples", std::int64_t{4096}}, {"max_bounces", std::int64_t{1}}}));
+}
+
 /// n = 8 seeds, Student's t of 7 degrees of freedom for 4 means: alpha = 1e-4 together; and discs' own
-/// errors, 2 % (e^-7 = 0.1 % of the floor stay open, and discs of √7 radii look around the border of the
-/// spot).
-TEST(DssGlossySenders, AHighlightArrivesAsTheReferenceSays) {
-    const auto truth =
-        means(wall("reference", {{"samples", std::int64_t{4096}}, {"max_bounces", std::int64_t{1}}}));
+/// errors, 2 % (of large ones that look around the border of the spot).
+constexpr double t = 9.7, own = 0.02;
+
+TEST(DssLight, AHighlightArrivesAsTheReferenceSays) {
+    const auto truth = truth_of(Floor::metal);
     ASSERT_GT(truth.back(), 0.01);
-    const auto found = spread(true);
+    const auto found = spread(Floor::metal, surfels());
     for (std::size_t i = 0; i < truth.size(); ++i) {
-        EXPECT_NEAR(found.mean[i], truth[i], 0.02 * truth[i] + 9.7 * found.error[i]) << i;
-        EXPECT_LT(9.7 * found.error[i], 0.3 * truth[i]) << i << ": too uncertain to tell";
+        EXPECT_NEAR(found.mean[i], truth[i], own * truth[i] + t * found.error[i]) << i;
+        EXPECT_LT(t * found.error[i], 0.3 * truth[i]) << i << ": too uncertain to tell";
     }
-    EXPECT_LT(means(wall("deep-screen-space", surfels(false))).back(), 0.01 * truth.back()) << "the mutant";
+    const auto mutant =
+        means(wall(Floor::metal, "deep-screen-space", with(surfels(), "glossy_senders", false)));
+    EXPECT_LT(mutant.back(), 0.01 * truth.back());
+    machines().clear();
+}
+
+/// Additive, and with visibility where discs leave nothing open. Where they have the floor's own area, 1/e of
+/// its light is lost between them.
+TEST(DssLight, WhatAFloorScattersArrivesInBothForms) {
+    const auto truth = truth_of(Floor::diffuse);
+    ASSERT_GT(truth.back(), 0.01);
+    const auto expect = [&](const Settings& settings, double part) {
+        const auto found = spread(Floor::diffuse, settings);
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            EXPECT_NEAR(found.mean[i], part * truth[i], own * truth[i] + t * found.error[i])
+                << i << ", " << part;
+            EXPECT_LT(t * found.error[i], 0.25 * truth[i]) << i << ": too uncertain to tell";
+        }
+    };
+    const auto diffuse = with(surfels(), "glossy_senders", false);
+    expect(diffuse, 1);
+    expect(with(diffuse, "coverage", 1.0), 1 - std::exp(-1.0));
+    expect(with(diffuse, "visibility", false), 1);
     machines().clear();
 }
 
