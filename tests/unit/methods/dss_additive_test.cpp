@@ -196,33 +196,28 @@ TEST_F(AdditiveTest, NothingHappensBeyondTheReachAndAllWithinAHugeOne) {
     EXPECT_NEAR(read("additive.sum").at(16, 16), expected_at(16, 16, 0.4, 0.5), 0.002);
 }
 
-TEST_F(AdditiveTest, EstimatedInfluenceEndsWhereTheFormFactorIsTheTradeOff) {
-    // radius / √ε = 0.06 m / 0.1 = 0.6 m, twice as far on the second level; the constant, 50 m, is no limit.
+TEST_F(AdditiveTest, EstimatedShellsBeginWhereTheFormFactorIsTheTradeOffAndEndAtTheWholeReach) {
     AdditiveRun run;
     run.surfels = {disc({0, 0.3f, 0}, {0, 1, 0}, 0.06f)};
-    run.parameters.levels = 2;
-    const auto sum = [&](dss::Influence influence, float epsilon) {
+    const auto sum = [&](dss::Influence influence, int levels, float epsilon = 0.01f) {
         run.parameters.influence = influence;
+        run.parameters.levels = levels;
         run.parameters.trade_off = epsilon;
         splat(floor(), run);
         return read("additive.sum");
     };
-    const auto all = sum(dss::Influence::constant, 0.01f), estimated = sum(dss::Influence::estimated, 0.01f);
-    const auto positions = read("gbuffer.position");
-    for (int y = 0; y < 32; ++y)
-        for (int x = 0; x < 32; ++x) {
-            const float distance = glm::distance(rgb(positions, x, y), run.surfels[0].centre_ws);
-            if (std::abs(distance - 0.6f) < 1e-3f) continue;
-            if (distance < 0.6f) {
-                EXPECT_EQ(estimated.at(x, y), all.at(x, y));
-            }
-            if (distance > 1.2f) {
-                EXPECT_EQ(estimated.at(x, y), 0);
-            }
-        }
+    using enum dss::Influence;
+    run.parameters.transport.max_distance = 0.6f;  // two shells of 0.3 m
+    // radius / √ε is the whole reach: one shell is left.
+    const auto one_shell = sum(constant, 1);
+    EXPECT_EQ(sum(estimated, 2).pixels, one_shell.pixels);
+    EXPECT_EQ(one_shell.at(0, 0), 0) << "beyond the reach";
+    EXPECT_GT(one_shell.at(16, 16), 0);
+    // 0.12 m, less than the least that reaches as far.
+    EXPECT_EQ(sum(estimated, 2, 0.25f).pixels, sum(constant, 2).pixels);
     // Never beyond the transport's maximum distance, however small ε is.
     run.parameters.transport.max_distance = 0.29f;
-    const auto none = sum(dss::Influence::estimated, 1e-6f);
+    const auto none = sum(estimated, 2, 1e-6f);
     for (const float value : none.pixels) ASSERT_EQ(value, 0);
 }
 
