@@ -235,6 +235,7 @@ std::string costs(const FrameReport& report) {
 TEST_P(EveryMethod, EveryCostParameterChangesOnlyCosts) {
     for (const auto& p : description().parameters) {
         if (p.effect != Effect::cost || tried_values(p).size() < 2) continue;
+        bool changes_costs = false;  // a scene of which all is seen has nothing to cull
         for (const auto& scene : scenes) {
             auto settings = quick_settings(description());
             ASSERT_TRUE(activate(description(), p, settings)) << p.key;
@@ -245,9 +246,10 @@ TEST_P(EveryMethod, EveryCostParameterChangesOnlyCosts) {
                 if (frames.size() == 1) continue;
                 const auto which = p.key + " = " + to_string(value) + " on " + scene;
                 EXPECT_LT(difference(frames[0], frames.back()), cost_tolerance) << which;
-                EXPECT_NE(costs(frames[0].report), costs(frames.back().report)) << which;
+                changes_costs = changes_costs || costs(frames[0].report) != costs(frames.back().report);
             }
         }
+        EXPECT_TRUE(changes_costs) << p.key;
     }
 }
 

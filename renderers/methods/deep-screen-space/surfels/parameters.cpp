@@ -48,7 +48,7 @@ void add_thinning(ParameterTable<Parameters>& table) {
                                      .citation = "Nalbach15 §4.3",
                                      .active_when = {"placement", {std::string("random")}}})
         .add(&Parameters::discard,
-             {.key = "discard",
+             {.key = "discarding",
               .label = "Discarding",
               .doc = "Probability with which a fine surfel of area A is discarded, A* being the ideal area.",
               .citation = "Nalbach15 §4.3",
