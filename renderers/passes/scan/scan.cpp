@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "renderers/core/error.h"
 #include "renderers/graph/pass_context.h"
 
 namespace ir::passes {
@@ -20,10 +21,25 @@ graph::BufferRef declare(graph::GraphBuilder& builder, graph::ResourceText text,
         {.text = std::move(text), .fields = {{field, graph::FieldType::u32}}, .elements = elements});
 }
 
-/// What the passes over tiles share.
+std::int64_t tiles_of(std::uint64_t items) {
+    return (static_cast<std::int64_t>(items) + tile_items - 1) / tile_items;
+}
+
+/// What the passes over tiles share. In place `places` are `counts`, of as many items as there is room for.
 struct Scan {
+    std::string key;
     graph::BufferRef counts, bases, places;
     std::uint64_t items;
+    std::string lower = {};  ///< in place: what makes fewer items
+
+    bool in_place() const { return places.index == counts.index; }
+
+    std::uint64_t items_of(const graph::PassContext& context) const {
+        if (!in_place()) return items;
+        const auto room = context.capacity(counts);
+        if (room > most_items) throw Error("'" + key + "': more than 2^26 items; lower " + lower);
+        return room;
+    }
 
     const gl::Program& use(const graph::PassContext& context, const char* file) const {
         context.bind_buffer(0, counts);
@@ -31,67 +47,88 @@ struct Scan {
         const auto& program = context.program({{file}});
         program.use();
         // a growable buffer may still be too small for all items
-        program.set("counted", static_cast<unsigned>(std::min(items, context.capacity(counts))));
+        program.set("counted", static_cast<unsigned>(std::min(items_of(context), context.capacity(counts))));
         return program;
     }
 
     void sum(const graph::PassContext& context, graph::Slice slice) const {
-        dispatch(use(context, "passes/scan/sums.comp"), slice);
+        dispatch(context, use(context, "passes/scan/sums.comp"), slice);
     }
 
     void place(const graph::PassContext& context, graph::Slice slice) const {
         const auto& program = use(context, "passes/scan/places.comp");
         context.bind_buffer(2, places);
-        program.set("item_count", static_cast<unsigned>(items));
-        dispatch(program, slice);
+        program.set("item_count", static_cast<unsigned>(items_of(context)));
+        dispatch(context, program, slice);
     }
 
-    /// A work group for each tile of the slice.
-    static void dispatch(const gl::Program& program, graph::Slice slice) {
+    void add_up(const graph::PassContext& context, graph::CounterRef total) const {
+        context.bind_buffer(1, bases);
+        context.bind_counter(2, total);
+        const auto& program = context.program({{"passes/scan/bases.comp"}});
+        program.use();
+        program.set("tile_count", static_cast<unsigned>(tiles_of(items_of(context))));
+        program.dispatch(1);
+    }
+
+    /// A work group for each tile of the slice that there is.
+    void dispatch(const graph::PassContext& context, const gl::Program& program, graph::Slice slice) const {
+        const auto end = std::min(slice.end, tiles_of(items_of(context)));
         program.set("first_tile", static_cast<unsigned>(slice.begin));
-        program.dispatch((slice.end - slice.begin) * group_size);
+        if (slice.begin < end) program.dispatch((end - slice.begin) * group_size);
     }
 };
+
+graph::BufferRef declare_bases(graph::GraphBuilder& builder, const std::string& key, std::uint64_t items) {
+    return declare(builder,
+                   {.key = key + ".bases",
+                    .label = "Sums before tiles",
+                    .doc = "For each tile of 2048 counts the sum of all counts before it, for " + key + "."},
+                   "sum", static_cast<std::uint64_t>(tiles_of(items)));
+}
+
+void declare_passes(graph::GraphBuilder& builder, const Scan& scan, graph::CounterRef total) {
+    const auto tiles = tiles_of(scan.items);
+    builder.pass(scan.key + " sums")
+        .reads(scan.counts)
+        .writes(scan.bases)
+        .execute_sliced(
+            tiles, [=](graph::PassContext& context, graph::Slice slice) { scan.sum(context, slice); },
+            first_slice);
+    builder.pass(scan.key + " bases")
+        .reads(scan.counts)
+        .writes(scan.bases)
+        .counts(total)
+        .execute([=](graph::PassContext& context) { scan.add_up(context, total); });
+    // In place, each work group has read its tile before it writes it.
+    builder.pass(scan.key + " places")
+        .reads(scan.counts, scan.bases)
+        .writes(scan.places)
+        .execute_sliced(
+            tiles, [=](graph::PassContext& context, graph::Slice slice) { scan.place(context, slice); },
+            first_slice);
+}
 
 }  // namespace
 
 graph::BufferRef exclusive_scan(graph::GraphBuilder& builder, const std::string& key, graph::BufferRef counts,
                                 std::uint64_t items, graph::CounterRef total) {
     if (items > most_items) throw std::logic_error("scan '" + key + "': more than 2^26 items");
-    const auto tiles = (static_cast<std::int64_t>(items) + tile_items - 1) / tile_items;
-    const auto bases =
-        declare(builder,
-                {.key = key + ".bases",
-                 .label = "Sums before tiles",
-                 .doc = "For each tile of 2048 counts the sum of all counts before it, for " + key + "."},
-                "sum", static_cast<std::uint64_t>(tiles));
+    const auto bases = declare_bases(builder, key, items);
     const auto places = declare(builder,
                                 {.key = key + ".places",
                                  .label = "Places",
                                  .doc = "For each item the sum of the counts before it, for " + key + "."},
                                 "place", items);
-    const Scan scan{counts, bases, places, items};
-    builder.pass(key + " sums")
-        .reads(counts)
-        .writes(bases)
-        .execute_sliced(
-            tiles, [=](graph::PassContext& context, graph::Slice slice) { scan.sum(context, slice); },
-            first_slice);
-    builder.pass(key + " bases").writes(bases).counts(total).execute([=](graph::PassContext& context) {
-        context.bind_buffer(1, bases);
-        context.bind_counter(2, total);
-        const auto& program = context.program({{"passes/scan/bases.comp"}});
-        program.use();
-        program.set("tile_count", static_cast<unsigned>(tiles));
-        program.dispatch(1);
-    });
-    builder.pass(key + " places")
-        .reads(counts, bases)
-        .writes(places)
-        .execute_sliced(
-            tiles, [=](graph::PassContext& context, graph::Slice slice) { scan.place(context, slice); },
-            first_slice);
+    declare_passes(builder, {key, counts, bases, places, items}, total);
     return places;
+}
+
+void scan_in_place(graph::GraphBuilder& builder, const std::string& key, graph::BufferRef words,
+                   graph::CounterRef total) {
+    const auto bases = declare_bases(builder, key, most_items);
+    const auto lower = builder.buffers().at(static_cast<std::size_t>(words.index)).lower;
+    declare_passes(builder, {key, words, bases, words, most_items, lower}, total);
 }
 
 }  // namespace ir::passes

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "renderers/core/error.h"
 #include "renderers/graph/output_text.h"
 #include "renderers/methods/deep-screen-space/random_seed.h"
 #include "renderers/methods/deep-screen-space/surfels/capture.h"
@@ -27,10 +28,12 @@ gl::ProgramSource source_of(const Parameters& parameters) {
 /// Points of one draw, but for those of its last patch: llvmpipe numbers the vertices that a draw is
 /// tessellated into by 16 bits, and without a word makes the first ones again.
 constexpr std::int64_t points_of_draw = 1 << 15;
-constexpr std::int64_t most_draws = std::int64_t{1} << 11;  ///< scan_in_place has no more points
+constexpr std::int64_t most_draws = std::int64_t{1} << 11;
 
 /// Draws of each part of the pass.
 std::int64_t draws_of_part(const PassContext& context, graph::BufferRef fine) {
+    if (context.capacity(fine) > points_of_draw * most_draws)
+        throw Error("deep screen space: more than 2^26 fine surfels; raise surfel_radius or fine_area");
     const auto draws = static_cast<std::int64_t>(context.capacity(fine)) / points_of_draw + 1;
     return (std::min(most_draws, draws) + packing_parts - 1) / packing_parts;
 }

@@ -23,10 +23,4 @@ struct Growing {
 Growing growing(graph::GraphBuilder& builder, graph::BufferDesc desc, graph::CounterDesc counter,
                 std::uint64_t reserve);
 
-/// Declares passes that replace the words of a growable buffer, as many as it has room for, by the sum of the
-/// words before each, and add the total to the counter. What is packed by these places has the order of the
-/// items, in every run. Throws Error while a frame runs with more than 2^26 words.
-void scan_in_place(graph::GraphBuilder& builder, const std::string& key, graph::BufferRef words,
-                   graph::CounterRef total);
-
 }  // namespace ir::methods::deep_screen_space

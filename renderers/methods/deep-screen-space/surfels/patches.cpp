@@ -116,7 +116,7 @@ void second_round(GraphBuilder& builder, const Splitting& s) {
                 dispatch(context, program, s, context.capacity(s.words.buffer), slice);
             },
             1);
-    scan_in_place(builder, "surfels.patches", s.words.buffer, s.patches.count);
+    passes::scan_in_place(builder, "surfels.patches", s.words.buffer, s.patches.count);
     builder.pass("split parts of triangles")
         .reads(s.scene.positions, s.scene.indices, s.parts.buffer, s.words.buffer)
         .writes(s.patches.buffer, s.points.buffer)
@@ -187,7 +187,7 @@ Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, gr
     s.parameters = parameters;
     first_round(builder, s);
     second_round(builder, s);
-    scan_in_place(builder, "surfels.fine", s.points.buffer, fine_count);
+    passes::scan_in_place(builder, "surfels.fine", s.points.buffer, fine_count);
     return {s.patches, s.points, s.triangles};
 }
 

@@ -1,4 +1,5 @@
 #include "renderers/methods/deep-screen-space/surfels/thinning.h"
+#include "renderers/passes/scan/scan.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
@@ -83,7 +84,7 @@ Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
                 dispatch(context, program, t, slice);
             },
             1);
-    scan_in_place(builder, "surfels", words.buffer, kept.count);
+    passes::scan_in_place(builder, "surfels", words.buffer, kept.count);
     reads(builder.pass("pack surfels"), t)
         .reads(words.buffer)
         .writes(kept.buffer)
