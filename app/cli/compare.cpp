@@ -7,8 +7,10 @@
 #include "app/cli/command.h"
 #include "app/cli/compare_difference.h"
 #include "app/cli/compare_sides.h"
+#include "app/engine/number_text.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
+#include "renderers/image/channels.h"
 #include "renderers/image/colour_map.h"
 #include "renderers/image/metrics.h"
 
@@ -18,7 +20,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Flags {
-    std::string image, reference, layer, metrics = "rmse,mae,psnr", rectangle, mask, range, allowed;
+    std::string image, reference, layer, metrics = "mean,reference-mean,bias,relbias,rmse,mae,psnr",
+                                         rectangle, mask, range, allowed;
     DifferenceRequest difference;
     std::vector<std::string> limits;
     double pixels_per_degree = FlipOptions{}.pixels_per_degree;
@@ -72,7 +75,8 @@ std::map<std::string, double> parse_limits(const Flags& flags, std::vector<std::
         if (equals == std::string::npos)
             throw UsageError("--fail-above '" + text + "' is not of the form metric=value");
         const auto name = text.substr(0, equals);
-        metric(name);
+        if (metric(name).best == Best::none)
+            throw UsageError("--fail-above '" + text + "': " + name + " is no error; it has no limit");
         limits[name] = projects::parse_number(text.substr(equals + 1), "--fail-above");
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
@@ -108,25 +112,21 @@ std::vector<std::string> parse_allowed(const std::string& text) {
 
 /// Sizes and channels that differ are wrong input: no option helps.
 void require_same_shape(const Side& image, const Side& reference) {
-    const auto look = comparability(image.image, reference.image);
+    const auto look = comparability(image.image, reference.image, semantic_of(image, reference));
     if (look.misfit == Misfit::size || look.misfit == Misfit::channels)
         throw InputError(image.file, "", "cannot be compared with " + reference.file + ": " + look.why);
 }
 
-/// 'all' leaves out what two channels have no colours for.
-void drop_colour_metrics(const Image& image, std::vector<std::string>& names) {
-    if (image.channels != 2 && image.channels <= 4) return;
+/// 'all' leaves out what needs colours or greys.
+void drop_colour_metrics(const Image& image, Semantic semantic, std::vector<std::string>& names) {
+    const int channels = value_channels(semantic, image.channels);
+    if (channels == 1 || channels == 3) return;
     std::erase_if(names, [](const auto& name) { return name == "flip" || name == "hdr-flip"; });
-    std::cerr << "warning: flip and hdr-flip are left out: they need 1, 3 or 4 channels\n";
+    std::cerr << "warning: flip and hdr-flip are left out: they need colours or greys\n";
 }
 
 bool exceeds(const std::string& name, double value, double limit) {
-    return metric(name).more_is_better ? !(value >= limit) : !(value <= limit);
-}
-
-Json number(double value) {
-    if (std::isfinite(value)) return value;
-    return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+    return !(badness(metric(name), value) <= badness(metric(name), limit));
 }
 
 Json as_json(const Flags& flags, const std::vector<std::string>& names, const MetricResult& result,
@@ -136,7 +136,11 @@ Json as_json(const Flags& flags, const std::vector<std::string>& names, const Me
               {"pixels", result.pixels},
               {"skipped", result.skipped}};
     json["metrics"] = Json::object();
-    for (const auto& name : names) json["metrics"][name] = number(result.values.at(name));
+    for (const auto& name : names) {
+        json["metrics"][name] = engine::number_json(result.values.at(name));
+        if (const auto why = why_not_finite(result.values.at(name), name, result.pixels); !why.empty())
+            json["reasons"][name] = why;
+    }
     if (result.exposures)
         json["hdr_flip_exposures"] = {{"start", result.exposures->start},
                                       {"stop", result.exposures->stop},
@@ -191,7 +195,8 @@ int compare(Flags flags) {
     const auto mask = flags.mask.empty() ? Image() : load_mask(flags.mask);
     require_same_shape(image, reference);
     const auto found = checked_mismatches(image, reference, allowed);
-    if (flags.metrics == "all") drop_colour_metrics(image.image, names);
+    options.semantic = semantic_of(image, reference);
+    if (flags.metrics == "all") drop_colour_metrics(image.image, options.semantic, names);
     options.valid_image = image.mask();
     options.valid_reference = reference.mask();
     options.mask = mask.empty() ? nullptr : &mask;
@@ -228,8 +233,9 @@ void add_compare(CLI::App& app, Run& run) {
                         "For significant: probability that a pixel without error shows one (default: 1e-4)");
     command->add_option("--colour-map", flags->difference.colour_map, joined(colour_map_names()));
     command->add_option("--range", flags->range, "lo,hi: values that the colours span");
-    command->add_option("--fail-above", flags->limits,
-                        "metric=value: exit with status 4 beyond it (psnr, ssim: below it); repeat for more");
+    command->add_option(
+        "--fail-above", flags->limits,
+        "metric=value: exit with status 4 beyond it (psnr, ssim: below it; bias: in either direction)");
     command->add_option("--allow-different", flags->allowed,
                         "Comma-separated: compare although these differ: " + joined(mismatch_kinds()));
     command->add_flag("--json", flags->json, "Print one JSON object");

@@ -6,6 +6,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/value.h"
+#include "renderers/image/channels.h"
 #include "renderers/image/colour_map.h"
 
 namespace ir::cli {
@@ -92,7 +93,8 @@ std::string number(double value) {
 
 void write_values(const Side& image, const Side& reference, const DifferenceRequest& request,
                   const DifferenceImage& difference, const WrittenDifference& shown) {
-    std::vector<ImageLayer> layers{{"", standard_channels(difference.image.channels), difference.image}};
+    std::vector<ImageLayer> layers{
+        {"", channel_names(Semantic::generic, difference.image.channels), difference.image}};
     if (!difference.valid.empty()) layers.push_back({"valid", {"Y"}, difference.valid});
     const std::string prefix = "interreflect.difference";
     write_exr(request.file, layers,
@@ -155,8 +157,8 @@ WrittenDifference write_difference(const Side& image, const Side& reference,
                          " holds its variance; render one with a method that estimates it");
     Noise noise{.variance_a = image.noise(), .variance_b = reference.noise(), .alpha = request.alpha};
     if (kind.kind == DifferenceKind::significant) noise.degrees = degrees_of(image, reference);
-    const auto result =
-        difference(image.image, reference.image, kind.kind, noise, image.mask(), reference.mask());
+    const auto result = difference(image.image, reference.image, kind.kind, noise, image.mask(),
+                                   reference.mask(), semantic_of(image, reference));
     const auto range = request.range ? *request.range : range_of(result.image, kind);
     WrittenDifference shown{kind.name, request.colour_map, range.first, range.second};
     if (shown.colour_map.empty()) shown.colour_map = kind.has_sign ? "coolwarm" : "magma";

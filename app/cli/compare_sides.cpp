@@ -1,12 +1,14 @@
 #include "app/cli/compare_sides.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
 
 #include "renderers/core/error.h"
 #include "renderers/core/transport.h"
+#include "renderers/image/channels.h"
 #include "renderers/image/metrics.h"
 
 namespace ir::cli {
@@ -87,17 +89,28 @@ bool depends_on_light(const ImageAttributes& attributes) {
     return paths && *paths != "ao";
 }
 
-/// Whether both begin, or both end, at the same time: what is judged by its last frame begins before the
-/// truth of that moment, and more frames of what stands still are the same scene.
-bool share_time(const ImageAttributes& a, const ImageAttributes& b) {
-    bool is_known = false;
-    for (const auto* key : {"time", "moment"}) {
-        const auto *left = find(a, prefix + key), *right = find(b, prefix + key);
-        if (!left || !right) continue;
-        if (nearly_equal(*left, *right)) return true;
-        is_known = true;
-    }
-    return !is_known;
+/// When the last frame saw its scene. The first builds told that of the first frame alone.
+const std::string* moment_of(const ImageAttributes& attributes) {
+    const auto* moment = find(attributes, prefix + "moment");
+    return moment ? moment : find(attributes, prefix + "time");
+}
+
+/// The moment does not matter where both say that nothing moves. The first builds did not say.
+void add_moment(const ImageAttributes& a, const ImageAttributes& b, std::vector<Mismatch>& result) {
+    const auto *left = moment_of(a), *right = moment_of(b);
+    if (!left || !right || nearly_equal(*left, *right)) return;
+    const std::array sides{&a, &b};
+    const auto sides_that_say = [&](const char* answer) {
+        return std::count_if(sides.begin(), sides.end(), [&](const ImageAttributes* side) {
+            const auto* text = find(*side, prefix + "moves");
+            return text && *text == answer;
+        });
+    };
+    if (sides_that_say("false") == 2) return;
+    result.push_back(
+        {"scene",
+         "time is " + *left + " s and " + *right + " s" +
+             (sides_that_say("true") > 0 ? "" : ", and the files do not both say that nothing moves")});
 }
 
 void add_scene(const ImageAttributes& a, const ImageAttributes& b, std::vector<Mismatch>& result) {
@@ -112,9 +125,7 @@ void add_scene(const ImageAttributes& a, const ImageAttributes& b, std::vector<M
     const auto *lit = find(a, prefix + "lighting"), *otherwise_lit = find(b, prefix + "lighting");
     if (lit && otherwise_lit && *lit != *otherwise_lit && depends_on_light(a) && depends_on_light(b))
         result.push_back({"lighting", "lights or environment differ"});
-    if (!share_time(a, b))
-        result.push_back(
-            {"scene", "time is " + *find(a, prefix + "time") + " and " + *find(b, prefix + "time")});
+    add_moment(a, b, result);
 }
 
 bool is_exr(const std::string& file) {
@@ -141,6 +152,7 @@ Side load_side(const std::string& file, const std::string& layer) {
     auto layers = read_exr(file, &side.attributes);
     const auto* variance = layer.empty() ? find(side.attributes, prefix + "variance") : nullptr;
     for (auto& candidate : layers) {
+        if (candidate.name == layer) side.semantic = ir::semantic_of(candidate);
         if (candidate.name.empty() || !same_size(candidate.image, side.image)) continue;
         if (candidate.name == "valid" && candidate.image.channels == 1)
             side.valid = std::move(candidate.image);
@@ -163,7 +175,7 @@ Image load_mask(const std::string& text) {
     }
     const Image image = read_image(file, layer);
     Image mask(image.width, image.height, 1);
-    const int colours = image.channels == 4 ? 3 : image.channels;
+    const int colours = value_channels(Semantic::radiance, image.channels);
     for (std::size_t i = 0; i < mask.pixels.size(); ++i)
         for (int c = 0; c < colours; ++c)
             if (image.pixels[i * image.channels + c] > 0.5f) mask.pixels[i] = 1;
@@ -175,12 +187,17 @@ const std::vector<std::string>& mismatch_kinds() {
     return kinds;
 }
 
+Semantic semantic_of(const Side& image, const Side& reference) {
+    return image.semantic == Semantic::generic ? image.semantic : reference.semantic;
+}
+
 std::vector<Mismatch> mismatches(const Side& image, const Side& reference) {
     std::vector<Mismatch> result;
     add_transport(image.attributes, reference.attributes, result);
     add_scene(image.attributes, reference.attributes, result);
     add_camera(image.attributes, reference.attributes, result);
-    if (const auto look = comparability(image.image, reference.image); look.misfit == Misfit::orientation)
+    if (const auto look = comparability(image.image, reference.image, semantic_of(image, reference));
+        look.misfit == Misfit::orientation)
         result.push_back({"orientation", look.why});
     return result;
 }

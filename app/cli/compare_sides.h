@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "renderers/core/output.h"
 #include "renderers/image/exr.h"
 #include "renderers/image/image.h"
 
@@ -14,8 +15,9 @@ namespace ir::cli {
 struct Side {
     std::string file;
     Image image;
-    Image valid;     ///< empty: every pixel is
-    Image variance;  ///< of the picture's mean; empty: not known
+    Semantic semantic = Semantic::radiance;  ///< as far as it says which channels are values
+    Image valid;                             ///< empty: every pixel is
+    Image variance;                          ///< of the picture's mean; empty: not known
     /// Of each pixel, as far as the file tells; the fewest where pixels differ.
     std::optional<double> samples;
     ImageAttributes attributes;
@@ -38,6 +40,9 @@ struct Mismatch {
     std::string text;  ///< "paths is ao and full"
 };
 const std::vector<std::string>& mismatch_kinds();
+
+/// Of both sides: four values in either are four in both.
+Semantic semantic_of(const Side& image, const Side& reference);
 
 /// By the attributes that both files have, and by the look of the pictures.
 std::vector<Mismatch> mismatches(const Side& image, const Side& reference);

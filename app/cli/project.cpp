@@ -7,6 +7,7 @@
 #include "app/cli/results.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
+#include "app/engine/number_text.h"
 #include "projects/autosave.h"
 #include "projects/check.h"
 #include "projects/hash.h"
@@ -95,8 +96,11 @@ void compare_pictures(Json& row, const Image& now, const std::filesystem::path& 
     row["identical"] = now.pixels == before.pixels;
     if (now.width != before.width || now.height != before.height) return;  // `changed` names the size
     const auto metrics = compute_metrics(now, before, {"rmse", "mae"});
-    row["rmse"] = metrics.values.at("rmse");
-    row["mae"] = metrics.values.at("mae");
+    for (const auto& [name, value] : metrics.values) {
+        row[name] = engine::number_json(value);
+        if (const auto why = why_not_finite(value, name, metrics.pixels); !why.empty())
+            row["reasons"][name] = why;
+    }
 }
 
 /// Renders a kept result's experiment again and reports how far the pictures are apart and what changed.

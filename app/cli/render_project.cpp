@@ -10,6 +10,7 @@
 #include "projects/open_project.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/image/channels.h"
 
 namespace ir::cli {
 namespace {
@@ -29,16 +30,6 @@ std::vector<std::string> chosen_ids(const projects::Project& project, const std:
     for (const auto& experiment : project.experiments) ids.push_back(experiment.id);
     if (ids.empty()) throw UsageError("the project has no experiments to render");
     return ids;
-}
-
-/// A result's fourth channel is no opacity.
-Image without_alpha(const Image& image) {
-    if (image.channels != 4) return image;
-    Image result(image.width, image.height, 3);
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x)
-            for (int c = 0; c < 3; ++c) result.at(x, y, c) = image.at(x, y, c);
-    return result;
 }
 
 /// Paths in an error may be long and hold line breaks.
@@ -83,7 +74,8 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
     const auto stem = std::filesystem::path(job.out) / experiment.id;
     const auto with = [&](const char* extension) { return std::filesystem::path(stem.string() + extension); };
     write_exr(with(".exr"), execution.layers(job.dumps), execution.attributes());
-    write_png(with(".png"), without_alpha(execution.main_result()));
+    Image colours;  // a result's fourth channel is no opacity
+    write_png(with(".png"), values_of(execution.main_result(), Semantic::radiance, colours));
     write_text(with(".json"), engine::statistics_json(report) + "\n");
     print_messages(execution, report);
     if (keep_in)

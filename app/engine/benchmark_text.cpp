@@ -3,11 +3,17 @@
 
 #include "app/engine/benchmark_report.h"
 #include "app/engine/number_text.h"
+#include "renderers/image/metrics.h"
 
 namespace ir::engine {
 namespace {
 
 using projects::Json;
+
+/// Beside a number that JSON cannot say.
+void add_reason(Json& json, const std::string& name, double number) {
+    if (const auto why = why_not_finite(number); !why.empty()) json["reasons"][name] = why;
+}
 
 Json peer_json(const BenchmarkRow& row) {
     if (!row.problem.empty()) return {{"label", row.label}, {"problem", row.problem}};
@@ -29,7 +35,10 @@ Json variant_json(const BenchmarkRow& row) {
     json["memory_bytes"] = row.memory_bytes;
     json["counters"] = row.counters;
     json["label"] = row.label;
-    for (const auto& [peer, ratio] : row.ratios) json["ratio_to_" + peer] = number_json(ratio);
+    for (const auto& [peer, ratio] : row.ratios) {
+        json["ratio_to_" + peer] = number_json(ratio);
+        add_reason(json, "ratio_to_" + peer, ratio);
+    }
     return json;
 }
 
@@ -54,7 +63,10 @@ void add_table(Json& json, const BenchmarkReport& report) {
     json["table"] = Json::array();
     for (const auto& row : report.rows) {
         Json line{{"label", row.label}, {"is_peer", row.is_peer}, {"cells", Json::array()}};
-        for (const auto& cell : row.cells) line["cells"].push_back(cell ? number_json(*cell) : Json());
+        for (const auto& cell : row.cells) {
+            if (cell) add_reason(line, report.columns[line["cells"].size()].label, *cell);
+            line["cells"].push_back(cell ? number_json(*cell) : Json());
+        }
         if (!row.problem.empty()) line["problem"] = row.problem;
         json["table"].push_back(std::move(line));
     }

@@ -261,7 +261,6 @@ void mark_front(std::vector<ErrorPoint>& points, const std::string& metric) {
     const auto& known = metrics();
     const auto found =
         std::find_if(known.begin(), known.end(), [&](const auto& each) { return each.name == metric; });
-    const double sign = found != known.end() && found->more_is_better ? -1 : 1;
     struct Candidate {
         double ms, error;
         ErrorPoint* point;
@@ -270,8 +269,9 @@ void mark_front(std::vector<ErrorPoint>& points, const std::string& metric) {
     for (auto& point : points) {
         point.on_front = false;
         const auto error = point.errors.find(metric);
-        if (!point.problem.empty() || error == point.errors.end() || std::isnan(error->second)) continue;
-        candidates.push_back({point.ms, sign * error->second, &point});
+        if (!point.problem.empty() || error == point.errors.end()) continue;
+        const double bad = found == known.end() ? error->second : badness(*found, error->second);
+        if (!std::isnan(bad)) candidates.push_back({point.ms, bad, &point});
     }
     const auto beats = [](const Candidate& a, const Candidate& b) {
         return a.ms <= b.ms && a.error <= b.error && (a.ms < b.ms || a.error < b.error);

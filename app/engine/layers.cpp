@@ -4,6 +4,7 @@
 #include "app/engine/execution.h"
 #include "app/engine/lighting_digest.h"
 #include "app/engine/version.h"
+#include "renderers/image/channels.h"
 
 namespace ir::engine {
 namespace {
@@ -43,16 +44,6 @@ ImageLayer buffer_layer(const std::string& key, const graph::BufferDesc& desc,
     return layer;
 }
 
-Image first_three(const Image& image) {
-    Image result(image.width, image.height, 3);
-    for (std::size_t i = 0; i < result.pixels.size(); ++i) result.pixels[i] = image.pixels[i / 3 * 4 + i % 3];
-    return result;
-}
-
-bool is_vector(Semantic semantic) {
-    return semantic == Semantic::normal || semantic == Semantic::position || semantic == Semantic::velocity;
-}
-
 }  // namespace
 
 std::vector<ImageLayer> Execution::layers(const std::vector<std::string>& patterns) const {
@@ -62,11 +53,12 @@ std::vector<ImageLayer> Execution::layers(const std::vector<std::string>& patter
     const auto add = [&](const std::string& name, const ResourceReport& resource, int level, int layer) {
         auto image = graph_->read_image(resource.key, level, layer);
         if (!image) return;
-        const bool main_vector = name.empty() && is_vector(resource.semantic);
-        if (main_vector && image->channels == 4) *image = first_three(*image);
         // The default layer is what other viewers show: R, G, B or Y.
-        const auto channels =
-            standard_channels(image->channels, is_vector(resource.semantic) && !main_vector);
+        const bool main_vector = name.empty() && is_vector(resource.semantic);
+        const bool colour = main_vector || resource.key == method_->description.variance;
+        Image kept;
+        if (main_vector) *image = Image(values_of(*image, resource.semantic, kept));
+        const auto channels = channel_names(colour ? Semantic::radiance : resource.semantic, image->channels);
         result.push_back({name, channels, std::move(*image)});
     };
     for (const auto& resource : report.resources)
@@ -120,6 +112,7 @@ ImageAttributes Execution::attributes() const {
     result["interreflect.time"] = to_string(Value{experiment_.time});
     const auto frames_before = frame_ > 0 ? static_cast<double>(frame_ - 1) : 0.0;
     result["interreflect.moment"] = to_string(Value{experiment_.time + frames_before * seconds_per_frame()});
+    result["interreflect.moves"] = to_string(Value{is_moving()});
     result["interreflect.backend"] = graph_->last_report().backend;
     result["interreflect.device"] = graph_->last_report().device;
     const auto from = camera();

@@ -6,8 +6,7 @@
 namespace ir::engine {
 
 projects::Json number_json(double value) {
-    if (std::isfinite(value)) return value;
-    return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+    return std::isfinite(value) ? projects::Json(value) : projects::Json();
 }
 
 std::string csv_field(const std::string& text) {

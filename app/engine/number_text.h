@@ -6,7 +6,7 @@
 
 namespace ir::engine {
 
-/// JSON has no infinities, but equal pictures have an infinite PSNR: "inf", "-inf", "nan".
+/// Null for what is not finite, which JSON cannot say; why_not_finite() goes beside it.
 projects::Json number_json(double value);
 
 /// A field of a table [RFC 4180 §2].

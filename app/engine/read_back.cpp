@@ -3,6 +3,7 @@
 
 #include "app/engine/live_session.h"
 #include "renderers/image/atlas.h"
+#include "renderers/image/channels.h"
 
 namespace ir::engine {
 namespace {
@@ -13,6 +14,28 @@ const ResourceReport* find(const FrameReport& report, const std::string& key) {
     const auto found = std::find_if(report.resources.begin(), report.resources.end(),
                                     [&](const auto& resource) { return resource.key == key; });
     return found == report.resources.end() ? nullptr : &*found;
+}
+
+/// Whether a description says what stands beside the three channels of a colour: "A: …" or "a: …".
+bool tells_fourth(const std::string& doc) {
+    for (const auto* mark : {"A: ", "a: "})
+        for (auto at = doc.find(mark); at != std::string::npos; at = doc.find(mark, at + 1))
+            if (at == 0 || doc[at - 1] == ' ') return true;
+    return false;
+}
+
+/// How many channels people are shown. A colour's fourth is opacity, of which a picture has none, unless its
+/// description says otherwise; a variance has the channels of what it is of.
+int shown_channels(const ResourceReport& resource, int channels, const std::string& variance) {
+    const bool colour = is_colour(resource.semantic) || resource.key == variance;
+    return colour && !tells_fourth(resource.doc) ? value_channels(Semantic::radiance, channels) : channels;
+}
+
+void drop_unshown(Image& image, const ResourceReport& resource, const std::string& variance) {
+    if (shown_channels(resource, image.channels, variance) == image.channels) return;
+    Image colours;
+    values_of(image, Semantic::radiance, colours);
+    image = std::move(colours);
 }
 
 /// The levels or layers asked for, side by side; nothing where the first of them is not there.
@@ -47,13 +70,17 @@ std::optional<BufferContents> read_contents(const graph::Graph& graph, const Res
 }
 
 ProbeResult::Row probe_row(const graph::Graph& graph, const ResourceReport& resource,
-                           const std::vector<ProbeRequest::Pixel>& pixels, int width, int height) {
+                           const std::string& variance, const std::vector<ProbeRequest::Pixel>& pixels,
+                           int width, int height) {
     ProbeResult::Row row{resource.key, resource.label, resource.unit, resource.semantic, false, 0, {}};
     for (const auto& pixel : pixels) {
         const int x = int(std::floor((pixel.x + 0.5) * resource.width / width));
         const int y = int(std::floor((pixel.y + 0.5) * resource.height / height));
         auto texel = graph.read_texel(resource.key, x, y);
-        if (texel) row.channels = int(texel->size());
+        if (texel) {
+            row.channels = shown_channels(resource, int(texel->size()), variance);
+            texel->resize(std::size_t(row.channels));
+        }
         row.available = row.available || texel;
         row.values.push_back(texel.value_or(std::vector<float>()));
     }
@@ -81,7 +108,10 @@ void read_back(LiveResult& result, const LiveRequest& request, const Execution& 
     for (const auto& part : request.parts) {
         const auto* resource = find(result.report, part.key.empty() ? main_key : part.key);
         if (!resource || !resource->available || resource->width == 0) continue;
-        if (auto image = read_atlas(graph, *resource, part)) result.images[part] = std::move(*image);
+        if (auto image = read_atlas(graph, *resource, part)) {
+            drop_unshown(*image, *resource, execution.method().variance);
+            result.images[part] = std::move(*image);
+        }
     }
     for (const auto& key : request.buffers)
         if (const auto* resource = find(result.report, key))
@@ -105,8 +135,8 @@ ProbeResult LiveSession::probe(const ProbeRequest& request) const {
     machine_.context().make_current();
     for (const auto& resource : report.resources)
         if (resource.width > 0)
-            result.rows.push_back(
-                probe_row(execution->graph(), resource, request.pixels, main->width, main->height));
+            result.rows.push_back(probe_row(execution->graph(), resource, execution->method().variance,
+                                            request.pixels, main->width, main->height));
     return result;
 }
 

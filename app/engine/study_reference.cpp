@@ -8,6 +8,7 @@
 #include "projects/results.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
+#include "renderers/image/channels.h"
 #include "renderers/image/exr.h"
 
 namespace ir::engine {
@@ -82,7 +83,7 @@ StudyReference rendered(Machine& machine, const projects::Project& project,
 }  // namespace
 
 double noise_of(const Image& variance, const Image& valid) {
-    const int channels = variance.channels == 4 ? 3 : variance.channels;
+    const int channels = value_channels(Semantic::radiance, variance.channels);
     double sum = 0;
     std::size_t count = 0;
     for (int y = 0; y < variance.height; ++y)

@@ -4,6 +4,7 @@
 #include "app/engine/error_study.h"
 #include "app/engine/number_text.h"
 #include "projects/object_reader.h"
+#include "renderers/image/metrics.h"
 
 namespace ir::engine {
 namespace {
@@ -11,13 +12,15 @@ namespace {
 using projects::Json;
 using projects::ObjectReader;
 
-double number_from(const Json& json, const ObjectReader& reader, const std::string& key) {
+/// As number_json() and why_not_finite() wrote it; the first builds wrote "inf", "-inf" and "nan" instead.
+double number_from(const Json& json, const std::string& reason, const ObjectReader& reader,
+                   const std::string& key) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (json.is_number()) return json.get<double>();
-    if (json == "inf") return infinity;
-    if (json == "-inf") return -infinity;
-    if (json == "nan") return std::nan("");
-    reader.fail(key, "must be a number, \"inf\", \"-inf\" or \"nan\"");
+    if (json == "inf" || (json.is_null() && reason.starts_with("infinite"))) return infinity;
+    if (json == "-inf" || (json.is_null() && reason.starts_with("minus infinite"))) return -infinity;
+    if (json == "nan" || json.is_null()) return std::nan("");
+    reader.fail(key, "must be a number or null");
 }
 
 Json point_json(const ErrorPoint& point) {
@@ -28,7 +31,11 @@ Json point_json(const ErrorPoint& point) {
     }
     json["ms"] = point.ms;
     json["errors"] = Json::object();
-    for (const auto& [metric, error] : point.errors) json["errors"][metric] = number_json(error);
+    for (const auto& [metric, error] : point.errors) {
+        json["errors"][metric] = number_json(error);
+        if (const auto why = why_not_finite(error, metric, point.pixels); !why.empty())
+            json["reasons"][metric] = why;
+    }
     json["pixels"] = point.pixels;
     json["skipped"] = point.skipped;
     json["memory_bytes"] = point.memory_bytes;
@@ -45,8 +52,13 @@ ErrorPoint read_point(ObjectReader& reader) {
     point.ms = reader.number("ms", 0, 0);
     if (const auto* errors = reader.take("errors")) {
         if (!errors->is_object()) reader.fail("errors", "must be an object of numbers by metric");
-        for (auto it = errors->begin(); it != errors->end(); ++it)
-            point.errors[it.key()] = number_from(*it, reader, "errors");
+        const auto* reasons = reader.take("reasons");
+        for (auto it = errors->begin(); it != errors->end(); ++it) {
+            const bool has_reason =
+                reasons && reasons->contains(it.key()) && reasons->at(it.key()).is_string();
+            point.errors[it.key()] = number_from(
+                *it, has_reason ? reasons->at(it.key()).get<std::string>() : "", reader, "errors");
+        }
     }
     point.pixels = reader.natural("pixels", 0);
     point.skipped = reader.natural("skipped", 0);
@@ -87,7 +99,7 @@ ErrorStudy study_from_json(const std::string& text, const std::string& file) {
     study.device = reader.text("device");
     study.metrics = read_texts(reader, "metrics");
     if (const auto* noise = reader.take("reference_noise"))
-        study.reference_noise = number_from(*noise, reader, "reference_noise");
+        study.reference_noise = number_from(*noise, "", reader, "reference_noise");
     study.notes = read_texts(reader, "notes");
     reader.each("points", [&](const Json& item, const std::string& pointer) {
         ObjectReader inner(item, file, pointer);

@@ -7,6 +7,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/image/atomic_file.h"
+#include "renderers/image/channels.h"
 #include "renderers/image/exr.h"
 
 namespace ir::gui {
@@ -69,9 +70,7 @@ void Exports::save_view(const QString& file) const {
 
 void Exports::save_buffer(const QString& file) const {
     const auto shown = picture();
-    const bool vectors = shown->semantic == Semantic::normal || shown->semantic == Semantic::position ||
-                         shown->semantic == Semantic::velocity;
-    ImageLayer layer{"", standard_channels(shown->image->channels, vectors), *shown->image};
+    ImageLayer layer{"", channel_names(shown->semantic, shown->image->channels), *shown->image};
     write_exr(file.toStdString(), {std::move(layer)}, {{"interreflect.shown", shown->label.toStdString()}});
 }
 

@@ -128,7 +128,7 @@ class Drawing {
         }
         const auto* metric = known_metric(plot_.metric);
         data_.y.title = with_unit(metric_label(plot_.metric), unit_of(plot_.metric));
-        if (metric && metric->more_is_better)
+        if (metric && metric->best == Best::highest)
             why_no_log_y_ =
                 QObject::tr("More is better in %1: it is drawn as it is.").arg(text_of(metric->label));
         for (const auto& point : study_.points)

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/gui/workspace.h"
+#include "renderers/image/channels.h"
 
 namespace ir::gui {
 
@@ -19,9 +20,12 @@ constexpr const char* difference_prefix = "difference:";
 ViewSource Workspace::meaning_of(const widgets::ViewState& state, const ViewSource& source) {
     const auto foreign = source.is_image() ? pictures_.picture(source) : nullptr;
     if (!foreign || !foreign->has_image()) return source;
+    const auto values = [](const widgets::Picture& picture) {
+        return value_channels(picture.semantic, picture.image->channels);
+    };
     for (const auto& other : sources(state)) {
         const auto ours = other.is_image() ? nullptr : pictures_.picture(other);
-        if (ours && ours->has_image() && ours->image->channels == foreign->image->channels) return other;
+        if (ours && ours->has_image() && values(*ours) == values(*foreign)) return other;
     }
     return source;
 }

@@ -31,6 +31,11 @@ const AtlasTile* Atlas::tile_at(int x, int y) const {
     return nullptr;
 }
 
+std::vector<AtlasTile> tiles_of(const Image& image, const Atlas& atlas) {
+    return atlas.tiles.empty() ? std::vector<AtlasTile>{{0, 0, 0, 0, image.width, image.height}}
+                               : atlas.tiles;
+}
+
 Atlas make_atlas(int width, int height, int levels, int layers, int gap) {
     Atlas atlas;
     std::vector<AtlasTile> probe;

@@ -20,6 +20,8 @@ struct Atlas {
     /// The tile at a pixel; null in the gaps.
     const AtlasTile* tile_at(int x, int y) const;
 };
+/// Where an image has pixels: the tiles of its atlas, or all of it where that has none.
+std::vector<AtlasTile> tiles_of(const Image& image, const Atlas& atlas);
 Atlas make_atlas(int width, int height, int levels, int layers, int gap = 2);
 
 /// Copies a tile's picture to its place; both have the same channels.

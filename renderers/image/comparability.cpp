@@ -29,8 +29,8 @@ std::vector<double> squeezed(const Image& image) {
     std::vector<double> values(std::size_t(image.width) * image.height);
     for (std::size_t i = 0; i < values.size(); ++i) {
         double sum = 0;
-        for (int c = 0; c < compared_channels(image); ++c) sum += image.pixels[i * image.channels + c];
-        values[i] = sum / (compared_channels(image) + std::abs(sum));
+        for (int c = 0; c < image.channels; ++c) sum += image.pixels[i * image.channels + c];
+        values[i] = sum / (image.channels + std::abs(sum));
         if (!std::isfinite(sum)) values[i] = std::nan("");
     }
     return values;
@@ -78,14 +78,16 @@ const Turn* orientation(const Image& image, const Image& reference) {
 
 }  // namespace
 
-Comparability comparability(const Image& image, const Image& reference) {
+Comparability comparability(const Image& given, const Image& given_reference, Semantic semantic) {
+    const Compared pair(given, given_reference, semantic);
+    const Image &image = pair.a, &reference = pair.b;
     const auto sizes = "image " + size_text(image) + ", reference " + size_text(reference);
     if (image.width != reference.width || image.height != reference.height) {
         const bool turned = image.width == reference.height && image.height == reference.width;
         return {Misfit::size, turned ? "one picture lies on its side: " + sizes + "; turn one of them"
                                      : "sizes differ: " + sizes + "; render both at one size"};
     }
-    if (compared_channels(image) != compared_channels(reference))
+    if (image.channels != reference.channels)
         return {Misfit::channels, "channels differ: image has " + std::to_string(image.channels) +
                                       ", reference has " + std::to_string(reference.channels) +
                                       "; choose layers of one kind"};
@@ -95,8 +97,8 @@ Comparability comparability(const Image& image, const Image& reference) {
     return {};
 }
 
-std::string why_not_comparable(const Image& image, const Image& reference) {
-    return comparability(image, reference).why;
+std::string why_not_comparable(const Image& image, const Image& reference, Semantic semantic) {
+    return comparability(image, reference, semantic).why;
 }
 
 }  // namespace ir

@@ -9,10 +9,6 @@
 
 namespace ir {
 
-int compared_channels(const Image& image) {
-    return image.channels == 4 ? 3 : image.channels;
-}
-
 std::string size_text(const Image& image) {
     return std::to_string(image.width) + "x" + std::to_string(image.height);
 }
@@ -22,7 +18,7 @@ void require_comparable(const Image& a, const Image& b, const std::string& name_
     if (a.width != b.width || a.height != b.height)
         throw UsageError("sizes differ: " + name_a + " " + size_text(a) + ", " + name_b + " " + size_text(b) +
                          "; render both at one size");
-    if (compared_channels(a) != compared_channels(b))
+    if (a.channels != b.channels)
         throw UsageError("channels differ: " + name_a + " has " + std::to_string(a.channels) + ", " + name_b +
                          " has " + std::to_string(b.channels) + "; choose layers of one kind");
 }
@@ -36,7 +32,7 @@ void require_mask_size(const Image& image, const Image* mask, const std::string&
 
 bool is_finite(const Image& image, std::size_t pixel) {
     const float* values = &image.pixels[pixel * image.channels];
-    for (int c = 0; c < compared_channels(image); ++c)
+    for (int c = 0; c < image.channels; ++c)
         if (!std::isfinite(values[c])) return false;
     return true;
 }

@@ -5,13 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "renderers/image/image.h"
+#include "renderers/image/channels.h"
 
 /// What metrics and differences share: which images fit together, and which of their pixels count.
 namespace ir {
 
-/// Channels that are compared: alpha is coverage, not a measured quantity.
-int compared_channels(const Image& image);
+/// Two images as they are compared: the channels that are values (channels.h). It must not outlive them.
+class Compared {
+    Image kept_a_, kept_b_;
+
+  public:
+    Compared(const Image& image_a, const Image& image_b, Semantic semantic)
+        : a(values_of(image_a, semantic, kept_a_)), b(values_of(image_b, semantic, kept_b_)) {}
+    Compared(const Compared&) = delete;
+    Compared& operator=(const Compared&) = delete;
+    const Image &a, &b;
+};
 
 /// "640x480".
 std::string size_text(const Image& image);
@@ -28,7 +37,7 @@ inline bool is_valid(const Image* mask, std::size_t pixel) {
     return !mask || mask->pixels[pixel] > 0.5f;
 }
 
-/// Whether all compared channels of a pixel are finite.
+/// Whether all channels of a pixel are finite.
 bool is_finite(const Image& image, std::size_t pixel);
 
 /// 1 where neither mask excludes the pixel and both images are finite, else 0; one byte a pixel.

@@ -31,7 +31,7 @@ float pixelwise(DifferenceKind kind, float a, float b) {
 }
 
 Image pixelwise(const Image& a, const Image& b, DifferenceKind kind) {
-    Image result(a.width, a.height, compared_channels(a));
+    Image result(a.width, a.height, a.channels);
     for (std::size_t i = 0; i < result.pixels.size(); ++i) {
         const std::size_t pixel = i / result.channels, c = i % result.channels;
         result.pixels[i] =
@@ -59,7 +59,7 @@ Image perceived(const Image& a, const Image& b, DifferenceKind kind, const Image
 void require_variance(const Image& image, const Image* variance, const std::string& name) {
     if (!variance) return;
     const bool fits = variance->width == image.width && variance->height == image.height &&
-                      (variance->channels == 1 || variance->channels >= compared_channels(image));
+                      (variance->channels == 1 || variance->channels >= image.channels);
     if (!fits)
         throw UsageError("the variance of " + name + " is " + size_text(*variance) + " with " +
                          std::to_string(variance->channels) + " channels, the picture " + size_text(image) +
@@ -118,12 +118,15 @@ Image compute(const Image& a, const Image& b, DifferenceKind kind, const Noise& 
 }  // namespace
 
 DifferenceImage difference(const Image& a, const Image& b, DifferenceKind kind, const Image* valid_a,
-                           const Image* valid_b) {
-    return difference(a, b, kind, Noise{}, valid_a, valid_b);
+                           const Image* valid_b, Semantic semantic) {
+    return difference(a, b, kind, Noise{}, valid_a, valid_b, semantic);
 }
 
-DifferenceImage difference(const Image& a, const Image& b, DifferenceKind kind, const Noise& noise,
-                           const Image* valid_a, const Image* valid_b) {
+DifferenceImage difference(const Image& image_a, const Image& image_b, DifferenceKind kind,
+                           const Noise& noise, const Image* valid_a, const Image* valid_b,
+                           Semantic semantic) {
+    const Compared pair(image_a, image_b, semantic);
+    const Image &a = pair.a, &b = pair.b;
     require_comparable(a, b, "A", "B");
     require_mask_size(a, valid_a, "mask of A");
     require_mask_size(b, valid_b, "mask of B");
@@ -139,8 +142,7 @@ DifferenceImage difference(const Image& a, const Image& b, DifferenceKind kind, 
 }
 
 Image signed_difference(const Image& image, const Image& reference) {
-    require_comparable(image, reference, "image", "reference");
-    return pixelwise(image, reference, DifferenceKind::signed_);
+    return difference(image, reference, DifferenceKind::signed_).image;
 }
 
 }  // namespace ir

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderers/core/output.h"
 #include "renderers/image/image.h"
 
 namespace ir {
@@ -23,12 +24,13 @@ struct DifferenceImage {
     Image valid;  ///< 1 or 0, one channel; empty when every pixel has a value
 };
 
-/// Compares two images of equal size channel by channel; RGBA by RGB. A pixel that a mask (one channel, valid
-/// above 0.5; may be null) excludes in either image has no value: it must not read as an error of 0. NaN and
-/// Inf of valid pixels go through the arithmetic and stay visible. Throws UsageError for sizes that differ
-/// (naming both) and for channels that do.
+/// Compares two images of equal size by the channels that are values (channels.h). A pixel that a mask (one
+/// channel, valid above 0.5; may be null) excludes in either image has no value: it must not read as an error
+/// of 0. NaN and Inf of valid pixels go through the arithmetic and stay visible. Throws UsageError for sizes
+/// that differ (naming both) and for channels that do.
 DifferenceImage difference(const Image& a, const Image& b, DifferenceKind kind,
-                           const Image* valid_a = nullptr, const Image* valid_b = nullptr);
+                           const Image* valid_a = nullptr, const Image* valid_b = nullptr,
+                           Semantic semantic = Semantic::radiance);
 
 /// Variances of the mean of each picture, per channel or one for all (null: that picture has no noise), and
 /// how sure one wants to be.
@@ -42,6 +44,7 @@ struct Noise {
 
 /// As above with what `significant` needs. Throws UsageError when it is asked for without any variance.
 DifferenceImage difference(const Image& a, const Image& b, DifferenceKind kind, const Noise& noise,
-                           const Image* valid_a, const Image* valid_b);
+                           const Image* valid_a, const Image* valid_b,
+                           Semantic semantic = Semantic::radiance);
 
 }  // namespace ir

@@ -31,7 +31,7 @@ using Valid = std::vector<unsigned char>;
 
 Planes planes_of(const Image& image, const Valid& valid) {
     Planes planes{image.width, {}};
-    for (int c = 0; c < compared_channels(image); ++c) {
+    for (int c = 0; c < image.channels; ++c) {
         planes.channels[c].resize(valid.size());
         for (std::size_t i = 0; i < valid.size(); ++i)
             planes.channels[c][i] = valid[i] ? std::max(image.pixels[i * image.channels + c], 0.0f) : 0;
@@ -42,9 +42,9 @@ Planes planes_of(const Image& image, const Valid& valid) {
 Valid checked(const Image& image, const Image& reference, const Image* valid) {
     require_comparable(image, reference, "image", "reference");
     require_mask_size(image, valid, "the mask of valid pixels");
-    if (const int channels = compared_channels(image); channels != 1 && channels != 3)
-        throw UsageError("ꟻLIP compares colours or greys, not " + std::to_string(channels) +
-                         " channels; choose a layer with 1, 3 or 4");
+    if (image.channels != 1 && image.channels != 3)
+        throw UsageError("ꟻLIP compares colours or greys, not " + std::to_string(image.channels) +
+                         " channels; choose a layer of colours or greys");
     return valid_in_both(image, reference, valid, nullptr);
 }
 

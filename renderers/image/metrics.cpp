@@ -30,14 +30,17 @@ bool in_region(const MetricOptions& options, const Image& image, std::size_t pix
 
 /// Sums over channels of one pixel or of many.
 struct Sums {
-    double squares = 0, absolutes = 0, relative_squares = 0;
+    double squares = 0, absolutes = 0, relative_squares = 0, differences = 0, image = 0, reference = 0;
 };
 
-void add_pixel(const Image& image, const Image& reference, std::size_t pixel, int channels, Sums& sums) {
-    for (int c = 0; c < channels; ++c) {
+void add_pixel(const Image& image, const Image& reference, std::size_t pixel, Sums& sums) {
+    for (int c = 0; c < image.channels; ++c) {
         const double a = image.pixels[pixel * image.channels + c];
         const double b = reference.pixels[pixel * reference.channels + c];
         const double square = (a - b) * (a - b);
+        sums.image += a;
+        sums.reference += b;
+        sums.differences += a - b;
         sums.squares += square;
         sums.absolutes += std::abs(a - b);
         sums.relative_squares += square / (b * b + relmse_epsilon);
@@ -57,9 +60,13 @@ struct Pixels {
 
 double compute(const std::string& name, const Image& image, const Image& reference, const Pixels& pixels,
                const Sums& sums, const MetricOptions& options, MetricResult& result) {
-    const double count = static_cast<double>(pixels.compared.size()) * compared_channels(image);
+    const double count = static_cast<double>(pixels.compared.size()) * image.channels;
     if (name == "rmse") return std::sqrt(sums.squares / count);
     if (name == "mae") return sums.absolutes / count;
+    if (name == "bias") return sums.differences / count;
+    if (name == "relbias") return sums.differences / sums.reference;
+    if (name == "mean") return sums.image / count;
+    if (name == "reference-mean") return sums.reference / count;
     if (name == "relmse") return sums.relative_squares / count;
     if (name == "psnr") return -10 * std::log10(sums.squares / count);
     if (name == "ssim") return pixels.mean(ssim_map(image, reference, &pixels.valid));
@@ -69,11 +76,9 @@ double compute(const std::string& name, const Image& image, const Image& referen
     return pixels.mean(hdr.error);
 }
 
-}  // namespace
-
-MetricResult compute_metrics(const Image& image, const Image& reference,
-                             const std::vector<std::string>& names, const MetricOptions& options) {
-    for (const auto& name : names) metric(name);
+/// Of images whose channels are all compared.
+MetricResult measure(const Image& image, const Image& reference, const std::vector<std::string>& names,
+                     const MetricOptions& options) {
     require_comparable(image, reference, "image", "reference");
     require_mask_size(image, options.valid_image, "the image's mask of valid pixels");
     require_mask_size(image, options.valid_reference, "the reference's mask of valid pixels");
@@ -92,13 +97,22 @@ MetricResult compute_metrics(const Image& image, const Image& reference,
             continue;
         }
         pixels.compared.push_back(i);
-        add_pixel(image, reference, i, compared_channels(image), sums);
+        add_pixel(image, reference, i, sums);
     }
     result.pixels = pixels.compared.size();
     for (const auto& name : names)
         result.values[name] = result.pixels ? compute(name, image, reference, pixels, sums, options, result)
                                             : std::numeric_limits<double>::quiet_NaN();
     return result;
+}
+
+}  // namespace
+
+MetricResult compute_metrics(const Image& image, const Image& reference,
+                             const std::vector<std::string>& names, const MetricOptions& options) {
+    for (const auto& name : names) metric(name);
+    const Compared pair(image, reference, options.semantic);
+    return measure(pair.a, pair.b, names, options);
 }
 
 }  // namespace ir

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "renderers/core/output.h"
 #include "renderers/image/flip.h"
 #include "renderers/image/image.h"
 
@@ -17,21 +18,33 @@ struct MetricResult {
     std::optional<FlipExposures> exposures;  ///< those of hdr-flip, when it was computed
 };
 
+/// Which values of a metric are good: near_zero has a sign that says in which direction the image errs, and
+/// `none` is no error but tells what errors are of.
+enum class Best { lowest, highest, near_zero, none };
+
 /// What each metric is, for lists, tooltips and the manual.
 struct MetricDescription {
     std::string name, label, doc;
-    std::string unit;             ///< "dB"; empty: none, or the images' own
-    bool more_is_better = false;  ///< psnr, ssim
-    std::string citation = {};    ///< keys of REFERENCES.bib
+    std::string unit;  ///< "dB"; empty: none, or the images' own
+    Best best = Best::lowest;
+    std::string citation = {};  ///< keys of REFERENCES.bib
 };
 
-/// rmse, mae (in the image's unit), relmse, psnr (decibels, peak 1; infinite for equal images), ssim, flip
-/// (clipped to what a screen shows) and hdr-flip; over all channels of the compared pixels.
+/// Less is better, whatever the metric: NaN where it is no error.
+double badness(const MetricDescription& metric, double value);
+
+/// rmse, mae, bias (in the image's unit), relbias (of the reference's mean), relmse, psnr (decibels, peak 1;
+/// infinite for equal images), ssim, flip (clipped to what a screen shows) and hdr-flip, then mean and
+/// reference-mean, which are no errors; over all channels of the compared pixels.
 const std::vector<MetricDescription>& metrics();
 const std::vector<std::string>& metric_names();
 
 /// Throws UsageError that lists the known names.
 const MetricDescription& metric(const std::string& name);
+
+/// Why a value is not finite: "infinite", "minus infinite" or "undefined", and for a metric ": the pictures
+/// are equal" or another cause. Empty for finite values.
+std::string why_not_finite(double value, const std::string& metric = {}, std::size_t pixels = 1);
 
 /// Keeps the relative squared error (a - b)² / (b² + ε) finite where the reference is black; in the square of
 /// the images' unit.
@@ -44,6 +57,8 @@ struct Rectangle {
 };
 
 struct MetricOptions {
+    /// Of both images: says which channels are compared (channels.h).
+    Semantic semantic = Semantic::radiance;
     /// Valid pixels by values above 0.5; one channel; may be null.
     const Image* valid_image = nullptr;
     const Image* valid_reference = nullptr;
@@ -54,9 +69,9 @@ struct MetricOptions {
     FlipOptions flip = {};
 };
 
-/// Compares two images of equal size; RGBA is compared by RGB. `pixels` and `skipped` add up to the region.
-/// Without any valid pixel all values are NaN. Throws UsageError for sizes that differ (naming both), for
-/// unknown metrics, for rectangles that are empty or lie outside, and for ꟻLIP of other than 1, 3 or 4
+/// Compares two images of equal size by the channels that are values. `pixels` and `skipped` add up to the
+/// region. Without any valid pixel all values are NaN. Throws UsageError for sizes that differ (naming both),
+/// for unknown metrics, for rectangles that are empty or lie outside, and for ꟻLIP of other than 1 or 3
 /// channels.
 MetricResult compute_metrics(const Image& image, const Image& reference,
                              const std::vector<std::string>& metrics, const MetricOptions& options = {});
@@ -71,12 +86,14 @@ struct Comparability {
 /// Whether two images can be compared: sizes (a turned picture is named as such), channels, and whether one
 /// of them looks upside down or mirrored. That is said only where the turned picture fits more than twice as
 /// well as the other and well in itself, so that neither symmetric nor noisy pictures are suspected.
-Comparability comparability(const Image& image, const Image& reference);
+Comparability comparability(const Image& image, const Image& reference,
+                            Semantic semantic = Semantic::radiance);
 
 /// comparability().why.
-std::string why_not_comparable(const Image& image, const Image& reference);
+std::string why_not_comparable(const Image& image, const Image& reference,
+                               Semantic semantic = Semantic::radiance);
 
-/// image - reference, per channel (three for RGBA). Throws UsageError like compute_metrics.
+/// image - reference of colours or greys, per channel. Throws UsageError like compute_metrics.
 Image signed_difference(const Image& image, const Image& reference);
 
 }  // namespace ir

@@ -93,7 +93,7 @@ Image ssim_map(const Image& image, const Image& reference, const Image* valid) {
     require_comparable(image, reference, "image", "reference");
     require_mask_size(image, valid, "the mask of valid pixels");
     const auto usable = valid_in_both(image, reference, valid, nullptr);
-    const int channels = compared_channels(image);
+    const int channels = image.channels;
     Image map(image.width, image.height, 1);
     for (int c = 0; c < channels; ++c)
         add_channel(image, reference, usable, c, 1.0f / static_cast<float>(channels), map);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "renderers/image/channels.h"
 #include "widgets/compare/difference_worker.h"
 #include "widgets/compare/stage_bar.h"
 #include "widgets/compare/view_link.h"
@@ -182,7 +183,8 @@ void CompareView::flip_next() {
 Display CompareView::shown_display(int picture) const {
     if (picture < 0 || picture >= count()) return {};
     const auto kind_of = [](const Picture& each) {
-        return std::tuple(each.semantic, each.unit, each.has_image() ? each.image->channels : 0);
+        return std::tuple(each.semantic, each.unit,
+                          each.has_image() ? value_channels(each.semantic, each.image->channels) : 0);
     };
     const bool alike = kind_of(*pictures_[picture]) == kind_of(*pictures_.front());
     return displays_[is_linked() && alike ? 0 : picture];

@@ -51,15 +51,16 @@ QString unit_of(DifferenceKind kind, const QString& unit) {
 DifferenceImage computed_difference(const DifferenceRequest& request) {
     const Picture &a = *request.a, &b = *request.b;
     if (request.kind != DifferenceKind::significant)
-        return difference(*a.image, *b.image, request.kind, a.valid.get(), b.valid.get());
+        return difference(*a.image, *b.image, request.kind, a.valid.get(), b.valid.get(), a.semantic);
     Noise noise;
     noise.variance_a = has_variance(a) ? a.variance.get() : nullptr;
     noise.variance_b = has_variance(b) ? b.variance.get() : nullptr;
-    return difference(*a.image, *b.image, request.kind, noise, a.valid.get(), b.valid.get());
+    return difference(*a.image, *b.image, request.kind, noise, a.valid.get(), b.valid.get(), a.semantic);
 }
 
 double rmse_of(const DifferenceRequest& request) {
     MetricOptions options;
+    options.semantic = request.a->semantic;
     options.valid_image = request.a->valid.get();
     options.valid_reference = request.b->valid.get();
     return compute_metrics(*request.a->image, *request.b->image, {"rmse"}, options).values.at("rmse");
@@ -163,7 +164,7 @@ void DifferenceWorker::clear() {
 }
 
 Display display_for_difference(DifferenceKind kind, const Image& difference) {
-    const Statistics numbers = statistics(difference);
+    const Statistics numbers = statistics(difference, Semantic::generic);
     const double largest = std::max(std::abs(numbers.min), std::abs(numbers.max));
     const double m = largest > 0 ? largest : 1;  // equal pictures: any range shows them so
     Display display;

@@ -6,13 +6,14 @@
 #include <cmath>
 #include <limits>
 
+#include "renderers/image/channels.h"
 #include "widgets/image/display.h"
 
 namespace ir::widgets {
 namespace {
 
-int compared_channels(const Image& image) {
-    return image.channels == 4 ? 3 : image.channels;
+int compared_channels(const Picture& picture) {
+    return value_channels(picture.semantic, picture.image->channels);
 }
 
 double variance_at(const Picture& picture, QPoint pixel, int channel) {
@@ -32,7 +33,7 @@ bool has_variance(const Picture& picture) {
     if (!picture.has_image() || !picture.variance) return false;
     const Image &image = *picture.image, &variance = *picture.variance;
     return variance.width == image.width && variance.height == image.height &&
-           (variance.channels == 1 || variance.channels >= compared_channels(image));
+           (variance.channels == 1 || variance.channels >= compared_channels(picture));
 }
 
 double z_value(const Picture& a, const Picture& b, QPoint pixel, int channel) {
@@ -49,7 +50,7 @@ QString significance_text(const Picture& a, const Picture& b, QPoint pixel) {
         !QRect(QPoint(0, 0), a.size()).contains(pixel))
         return {};
     QStringList differences, ratios;
-    const int channels = std::min(compared_channels(*a.image), compared_channels(*b.image));
+    const int channels = std::min(compared_channels(a), compared_channels(b));
     for (int c = 0; c < channels; ++c) {
         differences << short_number(double(a.image->at(pixel.x(), pixel.y(), c)) -
                                     double(b.image->at(pixel.x(), pixel.y(), c)));

@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderers/image/channels.h"
+
 namespace ir::widgets {
 namespace {
 
 bool may_be_negative(Semantic semantic) {
-    return semantic == Semantic::normal || semantic == Semantic::position || semantic == Semantic::velocity ||
-           semantic == Semantic::generic || semantic == Semantic::id;
+    return is_vector(semantic) || semantic == Semantic::generic || semantic == Semantic::id;
 }
 
 }  // namespace
 
-Statistics statistics(const Image& image, int channel) {
+Statistics statistics(const Image& image, Semantic semantic, const Atlas& atlas, int channel) {
     Statistics result;
     double sum = 0;
     const auto take = [&](float value) {
@@ -26,19 +27,22 @@ Statistics statistics(const Image& image, int channel) {
         sum += value;
         ++result.finite;
     };
-    if (channel < 0)
-        for (float value : image.pixels) take(value);
-    else if (channel < image.channels)
-        for (std::size_t i = channel; i < image.pixels.size(); i += image.channels) take(image.pixels[i]);
+    const int first = std::max(channel, 0);
+    const int end =
+        channel < 0 ? value_channels(semantic, image.channels) : std::min(channel + 1, image.channels);
+    for (const AtlasTile& tile : tiles_of(image, atlas))
+        for (int y = tile.y; y < std::min(tile.y + tile.height, image.height); ++y)
+            for (int x = tile.x; x < std::min(tile.x + tile.width, image.width); ++x)
+                for (int c = first; c < end; ++c) take(image.at(x, y, c));
     if (result.finite) result.mean = sum / double(result.finite);
     return result;
 }
 
-Display display_for(Semantic semantic, const std::string& map, const Image& image) {
+Display display_for(Semantic semantic, const std::string& map, const Image& image, const Atlas& atlas) {
     Display display;
     display.colour_map = map.empty() ? default_colour_map(semantic) : map;
     display.negative_is_bad = !may_be_negative(semantic);
-    const Statistics numbers = statistics(image);
+    const Statistics numbers = statistics(image, semantic, atlas);
     const auto automatic = [&] {
         display.low = numbers.min;
         display.high = numbers.max;
@@ -101,11 +105,9 @@ QString short_number(double value) {
 }
 
 QString channel_name(Semantic semantic, int channels, int channel) {
-    const bool spatial =
-        semantic == Semantic::normal || semantic == Semantic::position || semantic == Semantic::velocity;
     if (channels == 1) return QStringLiteral("Y");
     if (channels > 4) return QString::number(channel);
-    return QString(QLatin1Char((spatial ? "XYZW" : "RGBA")[channel]));
+    return QString(QLatin1Char((is_vector(semantic) ? "XYZW" : "RGBA")[channel]));
 }
 
 }  // namespace ir::widgets

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "renderers/core/output.h"
+#include "renderers/image/atlas.h"
 #include "renderers/image/image.h"
 
 namespace ir::widgets {
@@ -51,10 +52,13 @@ struct Statistics {
     double min = 0, max = 0, mean = 0;  ///< of finite values; 0 when there are none
     std::size_t finite = 0, nan = 0, infinite = 0, negative = 0;
 };
-Statistics statistics(const Image& image, int channel = -1);
+/// Of the channels that are values (renderers/image/channels.h), or one of all; between the tiles of an atlas
+/// is nothing.
+Statistics statistics(const Image& image, Semantic semantic, const Atlas& atlas = {}, int channel = -1);
 
 /// How a buffer is shown before anybody chooses otherwise.
-Display display_for(Semantic semantic, const std::string& colour_map, const Image& image);
+Display display_for(Semantic semantic, const std::string& colour_map, const Image& image,
+                    const Atlas& atlas = {});
 
 /// The encoded colour of one pixel with `channels` values.
 std::array<unsigned char, 3> shade(const Display& display, const float* pixel, int channels);

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderers/image/channels.h"
+
 namespace ir::widgets {
 namespace {
 
-std::vector<int> channels_of(const Image& image, int channel) {
+std::vector<int> channels_of(const Image& image, Semantic semantic, int channel) {
     if (channel >= 0) return channel < image.channels ? std::vector{channel} : std::vector<int>{};
     std::vector<int> all;
-    for (int c = 0; c < std::min(image.channels, 3); ++c) all.push_back(c);
+    for (int c = 0; c < value_channels(semantic, image.channels); ++c) all.push_back(c);
     return all;
 }
 
@@ -20,9 +22,7 @@ void for_each_value(const Image& image, const std::vector<int>& channels, const 
     if (channels.empty() || image.empty()) return;
     const bool masked = counted.valid && counted.valid->width == image.width &&
                         counted.valid->height == image.height && counted.valid->channels == 1;
-    const auto tiles = counted.tiles.empty() ? std::vector<AtlasTile>{{0, 0, 0, 0, image.width, image.height}}
-                                             : counted.tiles;
-    for (const AtlasTile& tile : tiles)
+    for (const AtlasTile& tile : tiles_of(image, counted.atlas))
         for (int y = tile.y; y < std::min(tile.y + tile.height, image.height); ++y) {
             if (cancelled && cancelled->load()) return;
             for (int x = tile.x; x < std::min(tile.x + tile.width, image.width); ++x) {
@@ -55,7 +55,7 @@ Axis chosen_axis(const Histogram& numbers) {
 Histogram histogram(const Image& image, int channel, const std::optional<Axis>& axis, const Counted& counted,
                     const std::atomic<bool>* cancelled) {
     Histogram result;
-    result.channels = channels_of(image, channel);
+    result.channels = channels_of(image, counted.semantic, channel);
     result.counts.resize(result.channels.size());
     std::vector<float> finite;
     finite.reserve(image.pixels.size() / std::size_t(std::max(image.channels, 1)) * result.channels.size());

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "renderers/core/output.h"
 #include "renderers/image/atlas.h"
 #include "renderers/image/image.h"
 
@@ -31,15 +32,16 @@ struct Histogram {
     bool operator==(const Histogram&) const = default;
 };
 
-/// Which pixels count.
+/// Which pixels and channels count.
 struct Counted {
-    const Image* valid = nullptr;       ///< one channel of the same size: those above 0.5; null: all
-    std::vector<AtlasTile> tiles = {};  ///< those within; empty: all
+    const Image* valid = nullptr;            ///< one channel of the same size: those above 0.5; null: all
+    Atlas atlas = {};                        ///< those within its tiles; empty: all
+    Semantic semantic = Semantic::radiance;  ///< says which channels are values
 };
 
-/// Of one channel, or with -1 of the first three. Without an axis one is chosen: all values, or where a few
-/// would squeeze the rest into a tenth of it, the 1st to the 99th percentile with some room; never of width
-/// 0. Returns early, with what it has, once `cancelled`.
+/// Of one channel, or with -1 of those that are values (renderers/image/channels.h). Without an axis one is
+/// chosen: all values, or where a few would squeeze the rest into a tenth of it, the 1st to the 99th
+/// percentile with some room; never of width 0. Returns early, with what it has, once `cancelled`.
 Histogram histogram(const Image& image, int channel = -1, const std::optional<Axis>& axis = {},
                     const Counted& counted = {}, const std::atomic<bool>* cancelled = nullptr);
 

@@ -12,7 +12,7 @@ namespace {
 
 QColor channel_colour(int channel, std::size_t channels) {
     if (channels == 1) return {190, 190, 190};
-    const QColor colours[] = {{225, 70, 60}, {70, 190, 70}, {70, 120, 240}};
+    const QColor colours[] = {{225, 70, 60}, {70, 190, 70}, {70, 120, 240}, {150, 150, 150}};
     return colours[std::size_t(channel) % std::size(colours)];
 }
 

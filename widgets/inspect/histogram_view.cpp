@@ -63,7 +63,7 @@ void HistogramView::set_picture(std::shared_ptr<const Picture> picture, int chan
 
 Histogram HistogramView::count_picture(const Picture& picture, int channel, bool valid_only,
                                        const std::optional<Axis>& axis, const std::atomic<bool>* cancelled) {
-    const Counted counted{valid_only ? picture.valid.get() : nullptr, picture.atlas.tiles};
+    const Counted counted{valid_only ? picture.valid.get() : nullptr, picture.atlas, picture.semantic};
     return ir::widgets::histogram(*picture.image, channel, axis, counted, cancelled);
 }
 

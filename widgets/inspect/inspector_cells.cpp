@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "renderers/image/channels.h"
 #include "renderers/image/colour_map.h"
 #include "widgets/image/display.h"
 #include "widgets/inspect/inspector_model.h"
@@ -42,10 +43,6 @@ QString joined(const std::vector<float>& values, int most, Print print) {
     QString result = parts.join(QLatin1Char(' '));
     if (int(values.size()) > most) result += QStringLiteral(" …");
     return result;
-}
-
-bool is_colour(Semantic semantic) {
-    return semantic == Semantic::radiance || semantic == Semantic::irradiance || semantic == Semantic::albedo;
 }
 
 QPixmap swatch(const std::vector<float>& values) {

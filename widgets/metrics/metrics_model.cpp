@@ -43,8 +43,8 @@ QString metric_text(const MetricDescription& metric, double value) {
 }
 
 int improvement(const MetricDescription& metric, double before, double now) {
-    if (std::isnan(before) || std::isnan(now) || before == now) return 0;
-    return (now > before) == metric.more_is_better ? 1 : -1;
+    const double change = badness(metric, now) - badness(metric, before);
+    return change < 0 ? 1 : change > 0 ? -1 : 0;  // NaN is neither
 }
 
 void MetricsModel::show(const MetricsHistory& history) {
@@ -95,7 +95,10 @@ int MetricsModel::trend(int row, int column) const {
 QString MetricsModel::tooltip(int row, int column) const {
     const auto& metric = metrics()[std::size_t(row)];
     QString text = QStringLiteral("<b>%1</b><br>%2").arg(q(metric.label), q(metric.doc));
-    text += QStringLiteral("<br>") + (metric.more_is_better ? tr("More is better.") : tr("Less is better."));
+    if (metric.best != Best::none)
+        text += QStringLiteral("<br>") + (metric.best == Best::highest     ? tr("More is better.")
+                                          : metric.best == Best::near_zero ? tr("Nearer to 0 is better.")
+                                                                           : tr("Less is better."));
     if (const auto exact = value(row, column); exact && column != name_column)
         text += QStringLiteral("<br>%1 %2").arg(QString::number(*exact, 'g', 9), q(metric.unit));
     if (const int way = trend(row, column)) {
@@ -121,10 +124,9 @@ QVariant MetricsModel::data(const QModelIndex& index, int role) const {
             if (!number && coming && !before && (column == image_column || has_rectangle()))
                 return QStringLiteral("…");
             if (!number) return {};
-            const int way = trend(index.row(), column);
-            const QString mark = way == 0                             ? QString()
-                                 : (way > 0) == metric.more_is_better ? QStringLiteral("▲ ")
-                                                                      : QStringLiteral("▼ ");
+            const QString mark = trend(index.row(), column) == 0             ? QString()
+                                 : *number > *value(index.row(), column + 1) ? QStringLiteral("▲ ")
+                                                                             : QStringLiteral("▼ ");
             return mark + metric_text(metric, *number);
         }
         case Qt::TextAlignmentRole:

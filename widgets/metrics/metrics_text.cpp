@@ -50,7 +50,7 @@ QString as_text(const MetricsResult& result) {
                     .arg(r.height())
                     .arg(pixels_text(*result.rectangle));
     for (const auto& metric : metrics()) {
-        text += QString::fromStdString(metric.label).leftJustified(14) +
+        text += QString::fromStdString(metric.label).leftJustified(16) +
                 shown(result.image, metric).rightJustified(12);
         if (result.rectangle) text += shown(*result.rectangle, metric).rightJustified(12);
         text += QLatin1Char('\n');

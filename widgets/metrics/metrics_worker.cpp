@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "renderers/core/error.h"
+#include "renderers/image/channels.h"
 
 namespace ir::widgets {
 namespace {
@@ -12,19 +13,19 @@ QString message_text(const char* text) {
     return QCoreApplication::translate("Metrics", text);
 }
 
-/// One pass over the pixels each; the others look at neighbourhoods.
-bool is_quick(const std::string& metric) {
-    return metric == "rmse" || metric == "mae" || metric == "relmse" || metric == "psnr";
+/// The others are one pass over the pixels each.
+bool looks_at_neighbours(const std::string& metric) {
+    return metric == "ssim" || metric == "flip" || metric == "hdr-flip";
 }
 
 /// Groups of metrics that are measured in one go: the quick ones, then one by one.
 std::vector<std::vector<std::string>> groups() {
     std::vector<std::vector<std::string>> result(1);
     for (const auto& name : metric_names()) {
-        if (is_quick(name))
-            result.front().push_back(name);
-        else
+        if (looks_at_neighbours(name))
             result.push_back({name});
+        else
+            result.front().push_back(name);
     }
     return result;
 }
@@ -80,8 +81,8 @@ QString why_not_measurable(const MetricsRequest& request) {
     if (a.size() != b.size())
         return message_text("Sizes differ: A has %1, B has %2 pixels. Render both at one size.")
             .arg(size(a), size(b));
-    const auto compared = [](const Picture& each) {
-        return each.image->channels == 4 ? 3 : each.image->channels;
+    const auto compared = [&](const Picture& each) {
+        return value_channels(a.semantic, each.image->channels);
     };
     if (compared(a) != compared(b))
         return message_text("Channels differ: A has %1, B has %2. Choose outputs of one kind.")
@@ -103,12 +104,13 @@ MetricsResult measure(const MetricsRequest& request, const std::atomic<bool>& ca
         result.refusal = why_not_measurable(request);
         if (!result.refusal.isEmpty()) return result;
         if (!request.anyway) {
-            result.refusal = QString::fromStdString(why_not_comparable(*a.image, *b.image));
+            result.refusal = QString::fromStdString(why_not_comparable(*a.image, *b.image, a.semantic));
             result.may_override = !result.refusal.isEmpty();
             if (result.may_override) return result;
         }
         const Image mask = mask_of(request);
         MetricOptions options;
+        options.semantic = a.semantic;
         options.valid_image = a.valid.get();
         options.valid_reference = b.valid.get();
         options.mask = mask.empty() ? nullptr : &mask;

@@ -43,9 +43,9 @@ ValueStrip::ValueStrip(QWidget* parent)
     zoom_->setToolTip(tr("Zoom: screen pixels per picture pixel"));
 }
 
-void ValueStrip::set_picture(const Image& image, Semantic semantic, const QString& name,
-                             const QString& unit) {
-    statistics_ = statistics(image);
+void ValueStrip::set_picture(const Image& image, Semantic semantic, const QString& name, const QString& unit,
+                             const Atlas& atlas) {
+    statistics_ = statistics(image, semantic, atlas);
     semantic_ = semantic;
     name_ = name;
     unit_ = unit;

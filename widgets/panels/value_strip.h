@@ -15,7 +15,8 @@ class ValueStrip : public QWidget {
     Q_OBJECT
   public:
     explicit ValueStrip(QWidget* parent = nullptr);
-    void set_picture(const Image& image, Semantic semantic, const QString& name, const QString& unit);
+    void set_picture(const Image& image, Semantic semantic, const QString& name, const QString& unit,
+                     const Atlas& atlas = {});
     /// As below; levels and slices of an atlas by their own pixels.
     void show_pixel(const Picture& picture, QPoint pixel);
     /// (-1, -1): none.

@@ -89,7 +89,8 @@ void ViewPane::update_summary() {
     }
     // Statistics of the same pixels are known already.
     if (summarised_.lock() != picture->image)
-        values_->set_picture(*picture->image, picture->semantic, picture->label, picture->unit);
+        values_->set_picture(*picture->image, picture->semantic, picture->label, picture->unit,
+                             picture->atlas);
     summarised_ = picture->image;
     values_->set_zoom(compare_->main_view().transform().zoom());
     if (cursor_.x() >= 0) show_pixel(*picture, difference ? -1 : 0);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "widgets/image/display.h"
 #include "widgets/inspect/histogram_view.h"
 
 namespace ir::widgets {
@@ -54,6 +55,27 @@ TEST(Histogram, KeepsChannelsApart) {
     EXPECT_EQ(one.channels, (std::vector{1}));
     EXPECT_EQ(one.finite, 4u);
     EXPECT_EQ(one.min, 1);
+}
+
+/// The line under a picture says the same.
+TEST(Histogram, AgreesWithTheStatisticsOfThePicture) {
+    Image image(9, 4, 4);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = i % 4 == 3 ? 100 : 0.5f + float(i % 7);
+    image.at(0, 0, 1) = nan_value;
+    image.at(1, 0, 3) = -infinity;
+    Atlas atlas{9, 4, {{0, 0, 0, 0, 4, 4}, {1, 0, 6, 0, 3, 2}}};
+    for (const auto& tiles : {Atlas{}, atlas})
+        for (const auto semantic : {Semantic::radiance, Semantic::position, Semantic::generic}) {
+            const auto counted = histogram(image, -1, {}, {nullptr, tiles, semantic});
+            const auto said = statistics(image, semantic, tiles);
+            EXPECT_EQ(counted.min, said.min);
+            EXPECT_EQ(counted.max, said.max);
+            EXPECT_EQ(counted.finite, said.finite);
+            EXPECT_EQ(counted.nan, said.nan);
+            EXPECT_EQ(counted.infinite, said.infinite);
+            EXPECT_EQ(said.max, semantic == Semantic::generic ? 100 : 6.5);
+        }
 }
 
 TEST(Histogram, OfConstantAndOfUselessImages) {

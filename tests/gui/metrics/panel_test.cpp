@@ -154,11 +154,14 @@ TEST_F(MetricsPanelTest, BeforeIsTheLastComputationNotTheLastFrame) {
 
 TEST(MetricsModelTest, TrendsKnowWhatIsBetter) {
     EXPECT_EQ(improvement({"rmse", "RMSE", "", ""}, 0.2, 0.1), 1);
-    EXPECT_EQ(improvement({"psnr", "PSNR", "", "dB", true}, 30, 20), -1);
-    EXPECT_EQ(improvement({"psnr", "PSNR", "", "dB", true}, std::nan(""), 20), 0);
-    EXPECT_EQ(metric_text({"psnr", "PSNR", "", "dB", true}, std::numeric_limits<double>::infinity()),
+    EXPECT_EQ(improvement({"psnr", "PSNR", "", "dB", Best::highest}, 30, 20), -1);
+    EXPECT_EQ(improvement({"psnr", "PSNR", "", "dB", Best::highest}, std::nan(""), 20), 0);
+    EXPECT_EQ(metric_text({"psnr", "PSNR", "", "dB", Best::highest}, std::numeric_limits<double>::infinity()),
               QStringLiteral("∞"));
     EXPECT_EQ(metric_text({"rmse", "RMSE", "", ""}, std::nan("")), QStringLiteral("–"));
+    EXPECT_EQ(improvement(ir::metric("bias"), -0.2, 0.1), 1) << "nearer to 0";
+    EXPECT_EQ(improvement(ir::metric("bias"), 0.1, -0.2), -1);
+    EXPECT_EQ(improvement(ir::metric("mean"), 0.1, 0.2), 0) << "no error";
     Model model;
     const QAbstractItemModelTester tester(&model);
     MetricsHistory history;

@@ -389,6 +389,19 @@ TEST(ImageView, TellsThePixelUnderTheCursor) {
               "x    5  y    2   R 0  G 1  B 0 W");
 }
 
+/// Alpha is 1 in a black picture; four numbers of another meaning are four.
+TEST(ValueStrip, StatisticsLeaveAlphaOut) {
+    Image black(4, 4, 4);
+    for (std::size_t i = 3; i < black.pixels.size(); i += 4) black.pixels[i] = 1;
+    ValueStrip strip;
+    strip.set_picture(black, Semantic::radiance, "black", {});
+    EXPECT_TRUE(strip.text().contains("max 0  mean 0")) << strip.text().toStdString();
+    strip.set_picture(black, Semantic::count, "counts", {});
+    EXPECT_TRUE(strip.text().contains("max 1  mean 0.25")) << strip.text().toStdString();
+    EXPECT_EQ(display_for(Semantic::normal, "", black).high, 1);
+    EXPECT_EQ(display_for(Semantic::position, "", black).high, 0) << "the range is that of the values";
+}
+
 TEST(ValueStrip, SaysNothingOfPixelsThatASmallerPictureLacks) {
     const auto image = corners();
     EXPECT_TRUE(pixel_text(image, {-1, -1}, Semantic::radiance, {}).isEmpty());

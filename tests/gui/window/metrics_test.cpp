@@ -122,6 +122,30 @@ TEST_F(MetricsWindowTest, WhatDoesNotComputeTheSameIsComparedOnRequestAlone) {
     EXPECT_NEAR(value("rmse"), 0.5, 1e-6);  // remembered for this pair
 }
 
+/// The moment counts where something moves, and there alone.
+TEST_F(MetricsWindowTest, PicturesOfOtherMomentsAreComparedOnRequestAlone) {
+    trigger("mode-wipe");
+    const auto second = window.session().document().experiments[1].id;
+    ASSERT_TRUE(window.session().edit([&](const projects::Project& project) {
+        return projects::edits::set_time(project, second, 0.5);
+    }));
+    ASSERT_TRUE(settle());
+    EXPECT_NEAR(value("rmse"), 0.5, 1e-6) << "nothing moves";
+    ASSERT_TRUE(window.session().edit([](const projects::Project& project) {
+        projects::Motion motion{"slide", "Slide", "", {}};
+        motion.kind = projects::Motion::Kind::part;
+        motion.scene = project.scenes.front().id;
+        motion.keys.resize(2);
+        motion.keys[1].time = 1;
+        motion.keys[1].translation = {3, 0, 0};
+        return projects::edits::add(project, motion);
+    }));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(value("rmse"), -1);
+    EXPECT_TRUE(find<QLabel>("refusal")->text().contains("time 0 s / 0.5 s"))
+        << find<QLabel>("refusal")->text().toStdString();
+}
+
 TEST_F(MetricsWindowTest, UnequalSizesAreRefusedWithBoth) {
     trigger("mode-wipe");
     const auto second = window.session().document().experiments[1].id;

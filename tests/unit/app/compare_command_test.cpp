@@ -81,12 +81,70 @@ TEST_F(Compare, PrintsWhatTheLibraryComputes) {
     const auto expected = compute_metrics(picture(0.1f), picture(), metric_names());
     for (const auto& name : metric_names())
         EXPECT_NEAR(json["metrics"][name].get<double>(), expected.values.at(name), 1e-9) << name;
+    EXPECT_FALSE(json.contains("reasons"));
     EXPECT_EQ(json["pixels"], 640);
     EXPECT_EQ(json["skipped"], 0);
     EXPECT_EQ(json["hdr_flip_exposures"]["count"], expected.exposures->count);
     const auto text = compare("a.exr", "b.exr", "--metric psnr,ssim").out;
     EXPECT_NE(text.find(" dB"), std::string::npos) << text;
-    EXPECT_EQ(nlohmann::json::parse(compare("b.exr", "b.exr", "--json").out)["metrics"]["psnr"], "inf");
+}
+
+TEST_F(Compare, FourValuesAreFourAndAlphaIsNone) {
+    Image a(32, 20, 4, 0.5f), b = a;
+    for (std::size_t i = 3; i < b.pixels.size(); i += 4) b.pixels[i] = 0.9f;
+    const auto layers = [](const Image& image) {
+        return std::vector<ImageLayer>{{"colour", {"R", "G", "B", "A"}, image},
+                                       {"sums", {"0", "1", "2", "3"}, image}};
+    };
+    write("a.exr", a, {}, layers(a));
+    write("b.exr", b, {}, layers(b));
+    const auto mae = [&](const std::string& layer) {
+        const auto outcome = compare(
+            "a.exr", "b.exr",
+            "--json --metric mae --diff " + file("d.exr") + (layer.empty() ? "" : " --layer " + layer));
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return std::pair(nlohmann::json::parse(outcome.out)["metrics"]["mae"].get<double>(),
+                         read_exr(file("d.exr")).at(0).image.channels);
+    };
+    EXPECT_EQ(mae(""), std::pair(0.0, 3));
+    EXPECT_EQ(mae("colour"), std::pair(0.0, 3));
+    const auto [error, channels] = mae("sums");
+    EXPECT_NEAR(error, 0.1, 1e-6);
+    EXPECT_EQ(channels, 4);
+}
+
+TEST_F(Compare, TellsMeansAndBiasWithoutBeingAsked) {
+    write("a.exr", picture(0.1f));
+    write("b.exr", picture());
+    const auto metrics = nlohmann::json::parse(compare("a.exr", "b.exr", "--json").out)["metrics"];
+    const double bias = metrics["bias"], mean = metrics["mean"], reference = metrics["reference-mean"];
+    EXPECT_NEAR(bias, 0.1 * 10 / 32, 1e-6);
+    EXPECT_NEAR(mean - reference, bias, 1e-9);
+    EXPECT_NEAR(metrics["relbias"], bias / reference, 1e-9);
+    EXPECT_NEAR(nlohmann::json::parse(compare("b.exr", "a.exr", "--json").out)["metrics"]["bias"], -bias,
+                1e-9);
+}
+
+TEST_F(Compare, NumbersThatAreNotFiniteAreNullWithAReason) {
+    write("a.exr", picture());
+    write("black.exr", Image(32, 20, 1, 0.0f));
+    Image none(32, 20, 1, 0.0f);
+    write("invalid.exr", picture(), {}, {{"valid", {"Y"}, none}});
+    const auto json = [&](const char* a, const char* b) {
+        return nlohmann::json::parse(compare(a, b, "--json").out);
+    };
+    const auto equal = json("a.exr", "a.exr");
+    EXPECT_TRUE(equal["metrics"]["psnr"].is_null());
+    EXPECT_EQ(equal["reasons"]["psnr"], "infinite: the pictures are equal");
+    EXPECT_EQ(equal["reasons"].size(), 1u);
+    const auto dark = json("a.exr", "black.exr");
+    EXPECT_TRUE(dark["metrics"]["relbias"].is_null());
+    EXPECT_EQ(dark["reasons"]["relbias"], "infinite: the mean of the reference is 0");
+    const auto nothing = json("invalid.exr", "a.exr");
+    for (const auto* name : {"rmse", "bias", "psnr"}) {
+        EXPECT_TRUE(nothing["metrics"][name].is_null()) << name;
+        EXPECT_EQ(nothing["reasons"][name], "undefined: no pixel was compared") << name;
+    }
 }
 
 TEST_F(Compare, CountsOnlyARectangleOrAMask) {
@@ -245,19 +303,33 @@ TEST_F(Compare, RefusesWhatIsNotAlikeUnlessAllowed) {
     expect_refused(compare("a.exr", "foreign.exr", "--allow-different everything"), 2, "everything");
 }
 
-TEST_F(Compare, TheTruthOfTheLastFrameIsOfTheSameTime) {
-    const auto at = [](const char* time, const char* moment) {
-        return ImageAttributes{{"interreflect.time", time}, {"interreflect.moment", moment}};
+TEST_F(Compare, WhereSomethingMovesTheLastFramesAreOfOneMoment) {
+    const auto at = [](const char* time, const char* moment, const char* moves) {
+        return ImageAttributes{
+            {"interreflect.time", time}, {"interreflect.moment", moment}, {"interreflect.moves", moves}};
     };
-    write("frames.exr", picture(0.1f), at("0", "0.5"));
-    write("truth.exr", picture(), at("0.5", "0.5"));
-    write("fewer.exr", picture(), at("0", "0.1"));
-    write("later.exr", picture(), at("0.1", "0.6"));
-    write("old.exr", picture(), {{"interreflect.time", "0.5"}});
+    write("frames.exr", picture(0.1f), at("0", "0.967", "true"));
+    write("truth.exr", picture(), at("0.967", "0.967", "false"));  // its own camera stands still
+    write("first.exr", picture(), at("0", "0", "true"));
     EXPECT_EQ(compare("frames.exr", "truth.exr").status, 0);
-    EXPECT_EQ(compare("frames.exr", "fewer.exr").status, 0);
-    expect_refused(compare("frames.exr", "later.exr"), 3, "time is 0 and 0.1");
-    expect_refused(compare("frames.exr", "old.exr"), 3, "time is 0 and 0.5");
+    expect_refused(compare("frames.exr", "first.exr"), 3, "time is 0.967 s and 0 s");
+    expect_refused(compare("frames.exr", "first.exr"), 3, "--allow-different scene");
+    EXPECT_EQ(compare("frames.exr", "first.exr", "--allow-different scene").status, 0);
+    // Where nothing moves, methods of many frames and of one share a truth of any time.
+    write("many.exr", picture(0.1f), at("0", "1.033", "false"));
+    write("one.exr", picture(0.1f), at("0", "0", "false"));
+    write("shared.exr", picture(), at("1.033", "1.033", "false"));
+    for (const auto* image : {"many.exr", "one.exr"}) EXPECT_EQ(compare(image, "shared.exr").status, 0);
+}
+
+TEST_F(Compare, FilesThatDoNotSayWhetherAnythingMovesAreOfOneMoment) {
+    write("old.exr", picture(0.1f), {{"interreflect.time", "0"}, {"interreflect.moment", "0.5"}});
+    write("older.exr", picture(), {{"interreflect.time", "0.5"}});
+    write("new.exr", picture(), {{"interreflect.moment", "0.1"}, {"interreflect.moves", "false"}});
+    write("foreign.exr", picture());
+    EXPECT_EQ(compare("old.exr", "older.exr").status, 0);
+    EXPECT_EQ(compare("old.exr", "foreign.exr").status, 0);
+    expect_refused(compare("old.exr", "new.exr"), 3, "do not both say that nothing moves");
 }
 
 TEST_F(Compare, NeitherBouncesNorLightsMatterToAmbientOcclusion) {
@@ -305,6 +377,12 @@ TEST_F(Compare, FailsBeyondLimits) {
     EXPECT_EQ(status("ssim=0.5"), 0);
     EXPECT_EQ(status("ssim=0.9999"), 4);
     EXPECT_EQ(status("flip=0.9"), 0);
+    EXPECT_EQ(status("bias=0.04"), 0);
+    EXPECT_EQ(status("bias=0.03"), 4);
+    for (const auto* limit : {"0.03", "-0.03"})  // its magnitude counts, however it is written
+        EXPECT_EQ(compare("b.exr", "a.exr", std::string("--fail-above bias=") + limit).status, 4);
+    EXPECT_EQ(compare("b.exr", "a.exr", "--fail-above bias=0.04").status, 0);
+    expect_refused(compare("a.exr", "b.exr", "--fail-above mean=1"), 2, "no error");
     expect_refused(compare("a.exr", "b.exr", "--fail-above mse=1"), 2, "mse");
     expect_refused(compare("a.exr", "b.exr", "--metric mse"), 2, "hdr-flip");
 }

@@ -94,7 +94,9 @@ TEST(BenchmarkTable, JsonHasNumbersAndTable) {
     EXPECT_EQ(json["device"], "abacus");
     EXPECT_EQ(json["columns"][0]["label"], "Build");
     EXPECT_EQ(json["columns"][1]["unit"], "B");
-    EXPECT_EQ(json["table"][0]["cells"][0], "inf");
+    EXPECT_TRUE(json["table"][0]["cells"][0].is_null());
+    EXPECT_EQ(json["table"][0]["reasons"]["Build"], "infinite");
+    EXPECT_FALSE(json["table"][2].contains("reasons")) << "it has no number there";
     EXPECT_EQ(json["table"][1]["cells"][1], 17e6);
     EXPECT_TRUE(json["table"][2]["cells"][0].is_null());
     EXPECT_EQ(json["results"]["variants"][2]["problem"], "too large");

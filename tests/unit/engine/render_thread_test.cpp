@@ -91,6 +91,29 @@ TEST_F(RenderThreadTest, ProbesReadWhatTheImagesHold) {
     EXPECT_TRUE(main->values[2].empty()) << "outside the picture";
 }
 
+/// Opacity, of which a picture has none, is left out; what the description tells of the fourth channel is
+/// not.
+TEST_F(RenderThreadTest, PicturesHaveNoAlphaAndKeepTheirFourthNumber) {
+    auto request = request_of("a", "ssdo");
+    const Part radiance{}, albedo{"gbuffer.albedo"}, material{"gbuffer.material"},
+        position{"gbuffer.position"};
+    request.parts = {radiance, albedo, material, position};
+    const auto result = render(request);
+    EXPECT_EQ(result.images.at(radiance).channels, 3);
+    EXPECT_EQ(result.images.at(albedo).channels, 4) << "a: transmission";
+    EXPECT_EQ(result.images.at(material).channels, 4) << "w: index";
+    EXPECT_EQ(result.images.at(position).channels, 4) << "w: distance";
+    thread->probe({"a", {{3, 4}}});
+    ASSERT_TRUE(wait([](const Answers& a) { return !a.probes.empty(); }));
+    for (const auto& row : answers().probes.front().rows) {
+        for (const auto& part : {albedo, material, position})
+            if (row.key == part.key) EXPECT_EQ(row.values[0].size(), 4u) << row.key;
+        if (row.key != "radiance") continue;
+        EXPECT_EQ(row.channels, 3);
+        EXPECT_EQ(row.values[0].size(), 3u);
+    }
+}
+
 TEST_F(RenderThreadTest, ProbesAndViewsAreServedWhileALongFrameRuns) {
     render(request_of("short", "view-normals"));
     forget();

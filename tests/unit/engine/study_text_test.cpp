@@ -66,7 +66,7 @@ ErrorStudy study() {
     result.points[0].value = "two, three";
     result.points[1].value = projects::Json::array({1, 2});
     result.points[1].memory_bytes = std::uint64_t(1) << 40;
-    result.points[0].pixels = 12;
+    result.points[0].pixels = result.points[1].pixels = 12;
     result.points[0].on_front = true;
     result.points[1].frames = 8;
     result.points[2].frames = 1;
@@ -85,6 +85,29 @@ TEST(StudyText, JsonComesBackAsItWas) {
     EXPECT_TRUE(back.points[0].on_front);
     EXPECT_EQ(back.reference_noise, 1.25e-3);
     EXPECT_EQ(back.notes, study().notes);
+}
+
+TEST(StudyText, NumbersThatAreNotFiniteAreNullWithAReason) {
+    auto written = study();
+    written.points[0].errors["rmse"] = std::nan("");
+    written.points[0].errors["relbias"] = -infinity;
+    const auto json = projects::parse_json(study_json(written), "f");
+    const auto& first = json["points"][0];
+    EXPECT_TRUE(first["errors"]["rmse"].is_null());
+    EXPECT_EQ(first["reasons"]["relbias"], "minus infinite: the mean of the reference is 0");
+    EXPECT_EQ(first["reasons"]["rmse"], "undefined");
+    EXPECT_TRUE(json["points"][1]["errors"]["psnr"].is_null());
+    const auto back = study_from_json(study_json(written), "f");
+    EXPECT_TRUE(std::isnan(back.points[0].errors.at("rmse")));
+    EXPECT_EQ(back.points[0].errors.at("relbias"), -infinity);
+    EXPECT_EQ(back.points[1].errors.at("psnr"), infinity);
+}
+
+TEST(StudyText, StudiesOfTheFirstBuildsAreRead) {
+    const auto old = study_from_json(
+        "{\"points\": [{\"experiment\": \"e\", \"errors\": {\"psnr\": \"inf\", \"rmse\": \"nan\"}}]}", "f");
+    EXPECT_EQ(old.points[0].errors.at("psnr"), infinity);
+    EXPECT_TRUE(std::isnan(old.points[0].errors.at("rmse")));
 }
 
 TEST(StudyText, DamagedJsonIsRefusedInOneLine) {

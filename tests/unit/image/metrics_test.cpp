@@ -55,9 +55,10 @@ TEST(Metrics, EqualPicturesHaveNoErrorWhateverTheMeasure) {
         const double value = result.values.at(metric.name);
         if (metric.name == "psnr")
             EXPECT_TRUE(std::isinf(value));
-        else
-            EXPECT_NEAR(value, metric.more_is_better ? 1 : 0, 1e-6) << metric.name;
+        else if (metric.best != Best::none)
+            EXPECT_NEAR(value, metric.best == Best::highest ? 1 : 0, 1e-6) << metric.name;
     }
+    EXPECT_EQ(result.values.at("mean"), result.values.at("reference-mean"));
 }
 
 TEST(Metrics, MoreNoiseIsWorseByAllMeasures) {
@@ -65,8 +66,42 @@ TEST(Metrics, MoreNoiseIsWorseByAllMeasures) {
     const auto little = compute_metrics(test::noisy(picture, 0.1f), picture, metric_names());
     const auto much = compute_metrics(test::noisy(picture, 0.4f), picture, metric_names());
     for (const auto& metric : metrics())
-        EXPECT_EQ(much.values.at(metric.name) > little.values.at(metric.name), !metric.more_is_better)
-            << metric.name;
+        if (metric.best == Best::lowest || metric.best == Best::highest)
+            EXPECT_GT(badness(metric, much.values.at(metric.name)),
+                      badness(metric, little.values.at(metric.name)))
+                << metric.name;
+}
+
+/// By hand: of pixels that count, over channels, with the sign of image - reference; alpha is no channel.
+TEST(Metrics, BiasKeepsItsSignAndIsRelativeToTheReferencesMean) {
+    Image a(3, 1, 4, 9), b(3, 1, 4, 0);
+    const float dark[] = {1, 2, 3}, light[] = {2, 4, 3};
+    for (int c = 0; c < 3; ++c) {
+        for (const int x : {0, 1}) a.at(x, 0, c) = dark[c], b.at(x, 0, c) = light[c];
+    }
+    const Image valid = grey({1, 1, 0});
+    const std::vector<std::string> names{"mean", "reference-mean", "bias", "relbias"};
+    auto result = compute_metrics(a, b, names, {.valid_image = &valid});
+    EXPECT_DOUBLE_EQ(result.values.at("mean"), 2);
+    EXPECT_DOUBLE_EQ(result.values.at("reference-mean"), 3);
+    EXPECT_DOUBLE_EQ(result.values.at("bias"), -1);
+    EXPECT_DOUBLE_EQ(result.values.at("relbias"), -1.0 / 3);
+    EXPECT_EQ(result.pixels, 2u);
+    EXPECT_EQ(result.skipped, 1u);
+    result = compute_metrics(b, a, names, {.valid_image = &valid});
+    EXPECT_DOUBLE_EQ(result.values.at("bias"), 1);
+    EXPECT_DOUBLE_EQ(result.values.at("relbias"), 0.5);
+    const auto& bias = metric("bias");
+    EXPECT_EQ(badness(bias, -0.2), badness(bias, 0.2));
+    EXPECT_TRUE(std::isnan(badness(metric("mean"), 1)));
+}
+
+TEST(Metrics, WhatIsNotFiniteHasAReason) {
+    EXPECT_EQ(why_not_finite(1), "");
+    EXPECT_EQ(why_not_finite(infinity, "psnr", 4), "infinite: the pictures are equal");
+    EXPECT_EQ(why_not_finite(-infinity, "relbias", 4), "minus infinite: the mean of the reference is 0");
+    EXPECT_EQ(why_not_finite(nan, "rmse", 0), "undefined: no pixel was compared");
+    EXPECT_EQ(why_not_finite(nan), "undefined");
 }
 
 TEST(Metrics, SkipsInvalidPixels) {
@@ -171,7 +206,7 @@ TEST(Metrics, RefusesWhatCannotBeCompared) {
 }
 
 TEST(Metrics, EveryOneIsDescribed) {
-    ASSERT_EQ(metric_names().size(), 7u);
+    ASSERT_EQ(metric_names().size(), 11u);
     for (const auto& metric : metrics()) {
         EXPECT_FALSE(metric.label.empty()) << metric.name;
         EXPECT_EQ(metric.doc.back(), '.') << metric.name;
