@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "projects/motion.h"
 #include "projects/results.h"
 #include "projects/samples.h"
 #include "projects/settings.h"
@@ -64,19 +65,22 @@ Settings matched_values(const Settings& transport, const MethodDescription& refe
 }
 
 /// What makes it the truth that it is, whatever its noise.
-Json truth_of(const Project& project, const Experiment& experiment, const Registry& registry) {
+Json truth_of(const Project& project, const Experiment& experiment, const Registry& registry, bool moves) {
     auto inputs = state_inputs(project, experiment, registry);
     inputs.erase("seed");
+    if (!moves) inputs.erase("time");
     return inputs;
 }
 
 /// An experiment that is the same truth; the one that `experiment` has already before all others.
 const Experiment* find_match(const Project& project, const Experiment& experiment, const Experiment& truth,
-                             const Registry& registry) {
-    const auto wanted = truth_of(project, truth, registry);
+                             const Registry& registry, const AnimatedScene& is_animated) {
+    const bool moves = is_moving(project, experiment, is_animated);
+    const auto wanted = truth_of(project, truth, registry, moves);
     const Experiment* found = nullptr;
     for (const auto& candidate : project.experiments) {
-        if (candidate.method != truth.method || truth_of(project, candidate, registry) != wanted) continue;
+        if (candidate.method != truth.method || truth_of(project, candidate, registry, moves) != wanted)
+            continue;
         if (!found || candidate.id == experiment.reference) found = &candidate;
     }
     return found;
@@ -88,7 +92,7 @@ std::string shown(const Value& value) {
 
 /// In what two experiments differ that makes one no truth of the other; empty: in nothing.
 std::string mismatch(const Project& project, const Experiment& experiment, const Experiment& truth,
-                     const Registry& registry) {
+                     const Registry& registry, const AnimatedScene& is_animated) {
     std::vector<std::string> found;
     const double seconds = last_time(experiment, registry), truth_seconds = last_time(truth, registry);
     const auto mine = moment_inputs(project, experiment, seconds);
@@ -98,7 +102,7 @@ std::string mismatch(const Project& project, const Experiment& experiment, const
     if (mine.contains("light_motion") != its.contains("light_motion") ||
         (mine.contains("light_motion") && mine.at("light_motion") != its.at("light_motion")))
         found.push_back("motions of lights");
-    if (std::abs(seconds - truth_seconds) > same_moment)
+    if (std::abs(seconds - truth_seconds) > same_moment && is_moving(project, experiment, is_animated))
         found.push_back("time (" + shown(seconds) + " s after its last frame, the reference has " +
                         shown(truth_seconds) + " s)");
     const auto* method = registry.find(experiment.method);
@@ -117,6 +121,14 @@ std::string mismatch(const Project& project, const Experiment& experiment, const
 
 }  // namespace
 
+bool is_moving(const Project& project, const Experiment& experiment, const AnimatedScene& is_animated) {
+    const auto run = effective(experiment);
+    const auto motions = motions_of(project, run);
+    return std::any_of(motions.begin(), motions.end(),
+                       [](const Motion* motion) { return is_moving(*motion); }) ||
+           is_animated(run.scene);
+}
+
 Settings matching_values(const MethodDescription& method, const Settings& values, const Registry& registry) {
     const auto& reference = reference_method(registry);
     if (method.is_reference) throw UsageError("'" + method.id + "' is the reference itself");
@@ -131,8 +143,8 @@ Experiment ground_truth(Experiment run, const Registry& registry) {
     return run;
 }
 
-Experiment matching_reference(const Project& project, const Experiment& experiment,
-                              const Registry& registry) {
+Experiment matching_reference(const Project& project, const Experiment& experiment, const Registry& registry,
+                              const AnimatedScene& is_animated) {
     const auto& reference = reference_method(registry);
     const auto* method = registry.find(experiment.method);
     if (!method)
@@ -147,18 +159,19 @@ Experiment matching_reference(const Project& project, const Experiment& experime
     auto truth = edits::new_experiment(project, registry, reference.id, name, run.scene, run.camera);
     truth.lights = run.lights;
     truth.size = run.size;
-    truth.time = last_time(experiment, registry);
+    truth.time = is_moving(project, experiment, is_animated) ? computed.time : run.time;
     truth.frames = computed.frames;
     truth.values = computed.values;
     return truth;
 }
 
-EditPtr match(const Project& project, const std::string& id, const Registry& registry) {
+EditPtr match(const Project& project, const std::string& id, const Registry& registry,
+              const AnimatedScene& is_animated) {
     const auto& experiment = experiment_of(project, id);
-    const auto truth = matching_reference(project, experiment, registry);
+    const auto truth = matching_reference(project, experiment, registry, is_animated);
     const auto label = "Match '" + printable(experiment.name, 40) + "' with its reference";
     std::vector<EditPtr> steps;
-    if (const auto* found = find_match(project, experiment, truth, registry)) {
+    if (const auto* found = find_match(project, experiment, truth, registry, is_animated)) {
         if (found->id == experiment.reference) return nullptr;
         steps.push_back(edits::set_reference(project, id, found->id));
         return edits::group(label, std::move(steps));
@@ -171,20 +184,22 @@ EditPtr match(const Project& project, const std::string& id, const Registry& reg
     return edits::group(label, std::move(steps));
 }
 
-std::string match_id(const Project& project, const std::string& id, const Registry& registry) {
+std::string match_id(const Project& project, const std::string& id, const Registry& registry,
+                     const AnimatedScene& is_animated) {
     const auto& experiment = experiment_of(project, id);
-    const auto truth = matching_reference(project, experiment, registry);
-    const auto* found = find_match(project, experiment, truth, registry);
+    const auto truth = matching_reference(project, experiment, registry, is_animated);
+    const auto* found = find_match(project, experiment, truth, registry, is_animated);
     return found ? found->id : truth.id;
 }
 
 std::vector<std::pair<std::string, std::string>> mismatched_references(const Project& project,
-                                                                       const Registry& registry) {
+                                                                       const Registry& registry,
+                                                                       const AnimatedScene& is_animated) {
     std::vector<std::pair<std::string, std::string>> result;
     for (const auto& experiment : project.experiments) {
         const auto* truth = find_item(project.experiments, experiment.reference);
         if (!truth) continue;
-        const auto why = mismatch(project, experiment, *truth, registry);
+        const auto why = mismatch(project, experiment, *truth, registry, is_animated);
         if (!why.empty())
             result.emplace_back(experiment.id, "is judged by '" + truth->id + "', which differs in " + why);
     }

@@ -6,7 +6,9 @@
 #include "app/cli/command.h"
 #include "app/cli/results.h"
 #include "app/cli/run_frames.h"
+#include "app/engine/execution.h"
 #include "app/engine/from_project.h"
+#include "app/engine/moving.h"
 #include "app/engine/number_text.h"
 #include "projects/autosave.h"
 #include "projects/check.h"
@@ -182,7 +184,10 @@ std::vector<Message> check_all(const projects::LoadedProject& loaded) {
     } catch (const InputError& error) {
         messages.insert(messages.begin(), {Severity::error, "results", error.what()});
     }
-    for (const auto& [id, why] : projects::mismatched_references(loaded.project, engine::registry()))
+    engine::SceneCache scenes;
+    const auto is_animated = engine::animated_scenes(scenes, loaded.project, loaded.folder);
+    for (const auto& [id, why] :
+         projects::mismatched_references(loaded.project, engine::registry(), is_animated))
         messages.push_back({Severity::note, "project", "experiment '" + id + "' " + why});
     if (const auto recovery = projects::find_recovery(loaded.folder, engine::registry()))
         messages.push_back({Severity::warning, "project",

@@ -12,7 +12,7 @@
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
 #include "app/engine/keep_result.h"
-#include "projects/match.h"
+#include "app/engine/moving.h"
 #include "projects/open_project.h"
 #include "projects/results.h"
 #include "projects/samples.h"
@@ -138,11 +138,19 @@ class References {
         return ids;
     }
 
+    engine::Machine& machine() {
+        if (!machine_) machine_.emplace(machine_options(flags_.machine));
+        return *machine_;
+    }
+
     void match_all() {
         const auto& registry = engine::registry();
         for (const auto& id : chosen())
             guarded("experiment '" + id + "'", [&] {
-                if (auto edit = projects::match(open_.project(), id, registry)) open_.edit(std::move(edit));
+                const auto is_animated =
+                    engine::animated_scenes(machine().scenes(), open_.project(), open_.folder());
+                if (auto edit = projects::match(open_.project(), id, registry, is_animated))
+                    open_.edit(std::move(edit));
                 const auto truth = projects::find_item(open_.project().experiments, id)->reference;
                 if (std::find(ids_.begin(), ids_.end(), truth) == ids_.end()) ids_.push_back(truth);
             });
@@ -161,8 +169,7 @@ class References {
     void compute(const std::string& id) {
         const auto experiment = *projects::find_item(open_.project().experiments, id);
         const auto folder = open_.folder();
-        if (!machine_) machine_.emplace(machine_options(flags_.machine));
-        engine::Execution execution(*machine_, engine::from_project(open_.project(), experiment, folder));
+        engine::Execution execution(machine(), engine::from_project(open_.project(), experiment, folder));
         auto problems = engine::resume_kept(execution, open_.project(), experiment, folder);
         auto options = frame_options(flags_.machine, {}, 1, false);
         if (const auto& variance = execution.method().variance; !variance.empty())

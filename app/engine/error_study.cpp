@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/engine/from_project.h"
+#include "app/engine/moving.h"
 #include "app/engine/study_plan.h"
 #include "app/engine/study_reference.h"
 #include "projects/samples.h"
@@ -46,7 +47,7 @@ class Study {
 
     ErrorStudy run() {
         const auto now = projects::with_contents(project_, projects::read_contents(project_, folder_));
-        const auto runs = plan_study(now, plot_);
+        const auto runs = plan_study(now, plot_, animated_scenes(machine_.scenes(), now, folder_));
         for (const auto& run : runs) points_ += run.points.size();
         study_.plot = plot_.id;
         study_.device = machine_.context().info().renderer;

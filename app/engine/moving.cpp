@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "app/engine/execution.h"
 #include "app/engine/from_project.h"
 #include "projects/document_json.h"
 #include "projects/motion.h"
+#include "projects/scene_files.h"
+#include "renderers/core/error.h"
 
 namespace ir::engine {
 namespace {
@@ -19,6 +22,20 @@ void move(scene::Light& light, const projects::Motion::Key& key) {
 }
 
 }  // namespace
+
+projects::AnimatedScene animated_scenes(SceneCache& cache, const projects::Project& project,
+                                        const std::filesystem::path& folder) {
+    return [&cache, scenes = project.scenes, folder](const std::string& id) {
+        const auto* scene = projects::find_item(scenes, id);
+        return scene && std::any_of(scene->parts.begin(), scene->parts.end(), [&](const auto& part) {
+                   try {
+                       return cache.load(projects::loadable_source(part.source, folder))->is_animated();
+                   } catch (const Error&) {
+                       return false;
+                   }
+               });
+    };
+}
 
 bool is_moving(const Experiment& experiment) {
     const auto moves = [](const LightMotion& light) { return projects::is_moving(light.motion); };

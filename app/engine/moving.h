@@ -1,11 +1,20 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "app/engine/experiment.h"
+#include "projects/match.h"
 
 namespace ir::engine {
+
+class SceneCache;
+
+/// Answers by loading the scenes of a project; what cannot be loaded stands still, and whoever renders it
+/// says what is wrong. The cache must outlive the answers.
+projects::AnimatedScene animated_scenes(SceneCache& cache, const projects::Project& project,
+                                        const std::filesystem::path& folder);
 
 /// Whether camera or lights of their own accord are elsewhere at other times. What the scene animates does
 /// not count: see scene::Scene::is_animated().

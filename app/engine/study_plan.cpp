@@ -5,7 +5,6 @@
 
 #include "app/engine/execution.h"
 #include "projects/coordinate.h"
-#include "projects/match.h"
 #include "projects/plots.h"
 #include "projects/results.h"
 #include "projects/text.h"
@@ -108,31 +107,34 @@ bool is_reference_itself(const Project& project, const PlannedPoint& point,
            projects::result_key(project, reference, registry());
 }
 
-void judge(const Project& project, PlannedPoint& point, const projects::Experiment& reference) {
+void judge(const Project& project, PlannedPoint& point, const projects::Experiment& reference,
+           const projects::AnimatedScene& is_animated) {
     if (!point.problem.empty()) return;
     if (!registry().find(point.run.method))
         point.problem = "method '" + projects::printable(point.run.method, 60) + "' is unknown to this build";
     else if (is_reference_itself(project, point, reference))
         point.problem = "is the reference itself";
     else
-        point.problem = why_not_judged_by(project, point.run, reference);
+        point.problem = why_not_judged_by(project, point.run, reference, is_animated);
 }
 
 }  // namespace
 
 std::string why_not_judged_by(const Project& project, const projects::Experiment& experiment,
-                              const projects::Experiment& reference) {
+                              const projects::Experiment& reference,
+                              const projects::AnimatedScene& is_animated) {
     // The rule that badges of experiments follow, on a document of these two.
     Project pair = project;
     pair.experiments = {experiment, reference};
     pair.experiments[0].id = reference.id + "-judged";
     pair.experiments[0].reference = reference.id;
     pair.experiments[1].reference.clear();
-    const auto found = projects::mismatched_references(pair, registry());
+    const auto found = projects::mismatched_references(pair, registry(), is_animated);
     return found.empty() ? "" : found.front().second;
 }
 
-std::vector<PlannedRun> plan_study(const Project& project, const ErrorPlot& plot) {
+std::vector<PlannedRun> plan_study(const Project& project, const ErrorPlot& plot,
+                                   const projects::AnimatedScene& is_animated) {
     check_plot(project, plot);
     const auto* reference = find_item(project.experiments, plot.reference);
     std::vector<PlannedRun> runs;
@@ -141,7 +143,7 @@ std::vector<PlannedRun> plan_study(const Project& project, const ErrorPlot& plot
         if (!seen.insert(id).second) continue;
         for (auto& run : runs_of(project, plot, id)) {
             for (auto& point : run.points)
-                if (reference && point.problem.empty()) judge(project, point, *reference);
+                if (reference && point.problem.empty()) judge(project, point, *reference, is_animated);
             runs.push_back(std::move(run));
         }
     }

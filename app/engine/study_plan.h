@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "projects/document.h"
+#include "projects/match.h"
 
 namespace ir::engine {
 
@@ -24,13 +24,16 @@ struct PlannedRun {
 
 /// What a plot asks for, in the order of experiments, then values. `project` has the content of the files as
 /// they are (projects::with_contents). Points that cannot be had, by themselves or because the reference is
-/// the truth of another transport, scene, camera, lighting, size or time, say why. Throws UsageError (one
-/// line) where nothing can be measured at all: no experiments, unknown reference, key or metric, no values.
-std::vector<PlannedRun> plan_study(const projects::Project& project, const projects::ErrorPlot& plot);
+/// the truth of another transport, scene, camera, lighting, size or, where something moves, time, say why.
+/// Throws UsageError (one line) where nothing can be measured at all: no experiments, unknown reference, key
+/// or metric, no values.
+std::vector<PlannedRun> plan_study(const projects::Project& project, const projects::ErrorPlot& plot,
+                                   const projects::AnimatedScene& is_animated);
 
 /// Why a picture of `experiment` cannot be judged by one of `reference`, as mismatched_references() says it.
 /// Empty: it can.
 std::string why_not_judged_by(const projects::Project& project, const projects::Experiment& experiment,
-                              const projects::Experiment& reference);
+                              const projects::Experiment& reference,
+                              const projects::AnimatedScene& is_animated);
 
 }  // namespace ir::engine

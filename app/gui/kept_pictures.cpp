@@ -6,6 +6,7 @@
 #include "app/gui/json_fields.h"
 #include "app/gui/picture_source.h"
 #include "app/gui/text_of.h"
+#include "projects/samples.h"
 #include "projects/scene_files.h"
 #include "renderers/core/transport.h"
 
@@ -145,6 +146,14 @@ Picture PictureSource::of_kept(const widgets::ViewSource& source) const {
     return picture;
 }
 
+double PictureSource::kept_moment(const projects::KeptResult& result) const {
+    projects::Experiment run;
+    run.method = field_or(result.inputs, "method", std::string());
+    run.frames = field_or(result.inputs, "frames", 1);
+    run.time = field_or(result.inputs, "time", 0.0);
+    return projects::last_time(run, session_.registry());
+}
+
 QString PictureSource::kept_mismatch(const std::string& a, const std::string& b) const {
     if (!session_.has_project()) return {};
     const auto now = projects::with_contents(session_.document(), session_.open_project().contents());
@@ -164,8 +173,9 @@ QString PictureSource::kept_mismatch(const std::string& a, const std::string& b)
             if (!is_transport_key(key) || in_b.is_null() || in_a == in_b) continue;
             different << text_of(key + " " + in_a.dump() + " / " + in_b.dump());
         }
-    for (const char* part : {"scene", "camera", "lights", "environment", "time"})
+    for (const char* part : {"scene", "camera", "lights", "environment"})
         if (member_or_null(first, part) != member_or_null(second, part)) different << tr(part);
+    if (const auto time = time_mismatch(a, b); !time.isEmpty()) different << time;
     return different.isEmpty()
                ? QString()
                : tr("A and B do not compute the same: %1").arg(different.join(QStringLiteral(", ")));

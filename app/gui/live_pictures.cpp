@@ -81,6 +81,13 @@ double LivePictures::moves_until(const std::string& id) const {
     return end;
 }
 
+bool LivePictures::is_animated(const std::string& scene) const {
+    return std::any_of(entries_.begin(), entries_.end(), [&](const auto& each) {
+        const auto* chosen = session_.experiment(each.first);
+        return chosen && chosen->scene == scene && each.second.scene_end > 0;
+    });
+}
+
 bool LivePictures::is_moving(const std::string& id) const {
     return moves_until(id) > 0;
 }

@@ -52,6 +52,8 @@ class LivePictures : public QObject {
     const std::optional<Moment>& moment() const { return moment_; }
     /// Whether something moves in an experiment, as far as is known.
     bool is_moving(const std::string& id) const;
+    /// Whether a scene (its id) animates something by itself, as far as is known.
+    bool is_animated(const std::string& scene) const;
     /// Until when, seconds; 0: nothing moves.
     double moves_until(const std::string& id) const;
     /// Experiments that are wanted and move.

@@ -21,7 +21,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       workspace_(session_, live_, renderer, images_, kept_, options.surface),
       inspector_(session_, live_, renderer, workspace_),
       metrics_(session_, live_, workspace_),
-      references_(session_, workspace_),
+      references_(session_, live_, workspace_),
       exports_(session_, live_, renderer, workspace_) {
     setObjectName(QStringLiteral("main"));
     setWindowIcon(widgets::icon("app"));

@@ -1,12 +1,15 @@
 #include "app/gui/picture_source.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/gui/kept_pictures.h"
 #include "app/gui/text_of.h"
+#include "projects/samples.h"
 #include "projects/scene_files.h"
 #include "projects/settings.h"
 #include "renderers/core/transport.h"
+#include "renderers/image/channels.h"
 #include "widgets/views/view_header.h"
 
 namespace ir::gui {
@@ -241,7 +244,7 @@ Picture PictureSource::of_file(const ViewSource& source) const {
     const auto found = std::find_if(layers->begin(), layers->end(),
                                     [&](const auto& layer) { return layer.name == source.output; });
     const auto& layer = found == layers->end() ? layers->front() : *found;
-    picture.semantic = Semantic::radiance;
+    picture.semantic = semantic_of(layer);
     if (!layer.name.empty()) picture.label += QStringLiteral(" · ") + text_of(layer.name);
     picture.image = {layers, &layer.image};
     if (const auto* variance = variance_layer(*layers, layer)) picture.variance = {layers, &variance->image};
@@ -278,7 +281,8 @@ widgets::Display PictureSource::automatic_display(const ViewSource& source) {
     const auto& picture = *found.picture;
     if (picture.has_image() && found.measured.lock() != picture.image) {
         found.measured = picture.image;
-        found.automatic = widgets::display_for(picture.semantic, picture.colour_map, *picture.image);
+        found.automatic =
+            widgets::display_for(picture.semantic, picture.colour_map, *picture.image, picture.atlas);
     }
     return found.automatic;
 }
@@ -324,6 +328,23 @@ QString PictureSource::warning(const ViewSource& a, const ViewSource& b) const {
     return mismatch(a, b);
 }
 
+QString PictureSource::time_mismatch(const std::string& a, const std::string& b) const {
+    bool moves = false;
+    const auto moment_of = [&](const std::string& owner) {
+        const auto* result = kept(owner);
+        const auto* experiment = session_.experiment(result ? result->experiment : owner);
+        const bool is_moving = experiment && live_.is_moving(experiment->id);
+        moves |= is_moving;
+        if (result) return kept_moment(*result);
+        if (is_moving && live_.moment()) return live_.moment()->time();
+        return experiment ? projects::last_time(*experiment, session_.registry()) : 0;
+    };
+    constexpr double same_moment = 1e-6;
+    const double time_a = moment_of(a), time_b = moment_of(b);
+    return moves && std::abs(time_a - time_b) > same_moment ? tr("time %1 s / %2 s").arg(time_a).arg(time_b)
+                                                            : QString();
+}
+
 QString PictureSource::mismatch(const ViewSource& a, const ViewSource& b) const {
     if (a.is_kept() || b.is_kept()) return kept_mismatch(a.owner, b.owner);
     const auto* first = session_.experiment(a.owner);
@@ -343,6 +364,7 @@ QString PictureSource::mismatch(const ViewSource& a, const ViewSource& b) const 
                              .arg(text_of(key), text_of(to_string(value)), text_of(to_string(other->second)));
     }
     if (first->scene != second->scene) different << tr("scene");
+    if (const auto time = time_mismatch(a.owner, b.owner); !time.isEmpty()) different << time;
     return different.isEmpty()
                ? QString()
                : tr("A and B do not compute the same: %1").arg(different.join(QStringLiteral(", ")));

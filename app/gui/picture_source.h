@@ -58,10 +58,14 @@ class PictureSource {
     void add_variance(widgets::Picture& picture, const widgets::ViewSource& source) const;
     widgets::Picture of_file(const widgets::ViewSource& source) const;
     const projects::ForeignImage* foreign(const std::string& owner) const;
+    /// "time 0 s / 0.5 s" where something moves and two owners show it at different moments; else empty.
+    QString time_mismatch(const std::string& a, const std::string& b) const;
     // kept_pictures.cpp
     const projects::KeptResult* kept(const std::string& owner) const;
     std::string kept_name(const projects::KeptResult& result) const;
     std::vector<widgets::OutputOption> kept_outputs(const projects::KeptResult& result) const;
+    /// Seconds at which its last frame saw the scene.
+    double kept_moment(const projects::KeptResult& result) const;
     /// What the method says about an output of a kept result; null where this build does not know it.
     const OutputDescription* kept_output(const projects::KeptResult& result, const std::string& key) const;
     widgets::Picture of_kept(const widgets::ViewSource& source) const;

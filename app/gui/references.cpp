@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/gui/text_of.h"
-#include "projects/match.h"
 
 namespace ir::gui {
 namespace {
@@ -12,11 +11,12 @@ constexpr const char* banner_name = "reference";
 
 }  // namespace
 
-References::References(Session& session, Workspace& workspace, QObject* parent)
-    : QObject(parent), session_(session), workspace_(workspace) {
+References::References(Session& session, LivePictures& live, Workspace& workspace, QObject* parent)
+    : QObject(parent), session_(session), live_(live), workspace_(workspace) {
     connect(&session_, &Session::document_changed, this, &References::update_banner);
     connect(&session_, &Session::project_replaced, this, &References::update_banner);
     connect(&session_, &Session::experiment_selected, this, &References::update_banner);
+    connect(&live_, &LivePictures::state_changed, this, &References::update_banner);
 }
 
 void References::set_banners(widgets::BannerStack* banners) {
@@ -43,11 +43,15 @@ QString References::why_not(const std::string& experiment) const {
     return {};
 }
 
+projects::AnimatedScene References::animated_scenes() const {
+    return [this](const std::string& scene) { return live_.is_animated(scene); };
+}
+
 void References::match(const std::string& experiment) {
     bool is_refused = false;
     session_.edit([&](const projects::Project& project) {
         is_refused = true;  // until match() returns
-        auto edit = projects::match(project, experiment, session_.registry());
+        auto edit = projects::match(project, experiment, session_.registry(), animated_scenes());
         is_refused = false;
         return edit ? std::move(edit) : projects::edits::group("Nothing", {});
     });
@@ -62,9 +66,10 @@ void References::match(const std::string& experiment) {
 /// Of the experiment that is worked on, else of the first one.
 void References::update_banner() {
     if (!banners_) return;
-    const auto mismatched = session_.has_project()
-                                ? projects::mismatched_references(session_.document(), session_.registry())
-                                : std::vector<std::pair<std::string, std::string>>();
+    const auto mismatched =
+        session_.has_project()
+            ? projects::mismatched_references(session_.document(), session_.registry(), animated_scenes())
+            : std::vector<std::pair<std::string, std::string>>();
     if (mismatched.empty()) {
         shown_text_.clear();
         return banners_->hide_banner(QLatin1String(banner_name));

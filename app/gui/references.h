@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/gui/workspace.h"
+#include "projects/match.h"
 #include "widgets/panels/banner.h"
 
 namespace ir::gui {
@@ -13,7 +14,7 @@ namespace ir::gui {
 class References : public QObject {
     Q_OBJECT
   public:
-    References(Session& session, Workspace& workspace, QObject* parent = nullptr);
+    References(Session& session, LivePictures& live, Workspace& workspace, QObject* parent = nullptr);
     /// Where warnings are shown.
     void set_banners(widgets::BannerStack* banners);
 
@@ -27,7 +28,11 @@ class References : public QObject {
   private:
     void update_banner();
 
+    /// As far as a picture has told.
+    projects::AnimatedScene animated_scenes() const;
+
     Session& session_;
+    LivePictures& live_;
     Workspace& workspace_;
     widgets::BannerStack* banners_ = nullptr;
     QString shown_text_;

@@ -175,6 +175,27 @@ TEST_F(ErrorStudyTest, OtherTransportsSizesAndCamerasAreRefusedByName) {
     EXPECT_TRUE(study.metrics.empty());
 }
 
+TEST_F(ErrorStudyTest, WhereNothingMovesFramesOfAnyNumberShareAReference) {
+    project_.experiments[1].frames = 3;  // two thirtieths of a second after the reference
+    plot().experiments = {"maps"};
+    plot().values = {1, 3};
+    const auto study = run();
+    ASSERT_EQ(study.points.size(), 2u);
+    for (const auto& point : study.points) EXPECT_EQ(point.problem, "");
+    for (const auto& note : study.notes) EXPECT_EQ(note.find("moves"), std::string::npos) << note;
+}
+
+TEST_F(ErrorStudyTest, WhereTheSceneMovesAReferenceOfAnotherMomentIsRefused) {
+    project_.scenes[0].parts[0].source = "builtin:corridor";
+    project_.experiments[1].frames = 3;
+    plot().experiments = {"maps"};
+    plot().values = {1, 3};
+    const auto study = run();
+    ASSERT_EQ(study.points.size(), 2u);
+    for (const auto& point : study.points)
+        EXPECT_NE(point.problem.find("time"), std::string::npos) << point.problem;
+}
+
 TEST_F(ErrorStudyTest, WhatCannotBeMeasuredAtAllIsRefused) {
     const auto with = [&](auto change) {
         project_ = project();

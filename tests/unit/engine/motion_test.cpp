@@ -87,6 +87,31 @@ TEST_F(MotionTest, APartThatSlidesHasItsVelocityInPixels) {
     expect_velocity(velocity_after(*run, 1), {0, 0});
 }
 
+/// By which `compare` knows whether the moment of a file matters.
+TEST_F(MotionTest, FilesSayWhetherAnythingMoves) {
+    auto project = plane_from_above();
+    const auto says = [&] {
+        const auto run = execution(project);
+        run->run_frame({});
+        return run->attributes().at("interreflect.moves");
+    };
+    EXPECT_EQ(says(), "false");
+    for (const auto kind : {Motion::Kind::part, Motion::Kind::camera, Motion::Kind::light}) {
+        auto motion = slide(kind, 1);
+        motion.camera = "above";
+        motion.keys[1].translation = {1, 0, 0};
+        motion.keys[0].eye = {0, 5, 0};
+        motion.keys[1].eye = {1, 5, 0};
+        motion.keys[0].up = motion.keys[1].up = {0, 0, -1};
+        motion.keys[1].intensity = 2;
+        project.motion = {motion};
+        EXPECT_EQ(says(), "true") << to_string(kind);
+    }
+    project = plane_from_above();
+    project.scenes[0].parts[0].source = "builtin:corridor";
+    EXPECT_EQ(says(), "true");
+}
+
 TEST_F(MotionTest, APartThatTurnsHasTheVelocityOfEachOfItsPoints) {
     auto project = plane_from_above();
     auto motion = slide(Motion::Kind::part, 1);
