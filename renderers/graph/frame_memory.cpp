@@ -1,38 +1,33 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderers/core/error.h"
 #include "renderers/graph/state.h"
 
 namespace ir::graph {
-namespace {
-
-std::string megabytes(std::uint64_t bytes) {
-    return std::to_string((bytes + 999'999) / 1'000'000) + " MB";
-}
-
-/// Finds the largest of the resources that a frame plans.
-class LargestResource {
-  public:
-    explicit LargestResource(MemoryPlan& plan) : plan_(plan) {}
-    void add(const std::string& key, std::uint64_t bytes, const std::string& lower) {
-        plan_.bytes += bytes;
-        if (bytes > most_) {
-            most_ = bytes;
-            plan_.largest = "'" + key + "' (" + megabytes(bytes) + ")";
-        }
-        if (!lower.empty() && bytes >= most_with_parameter_) {
-            most_with_parameter_ = bytes;
-            plan_.lower = lower;
-        }
+MemoryPlan memory_of(const GraphBuilder& builder, const Plan& plan,
+                     const std::function<std::uint64_t(const BufferDesc&)>& elements) {
+    MemoryPlan result;
+    const auto add = [&](const MemoryPlan::Resource& resource) {
+        result.bytes += resource.bytes;
+        if (resource.bytes > result.largest.bytes) result.largest = resource;
+    };
+    for (std::size_t i = 0; i < builder.images().size(); ++i) {
+        if (!plan.image_live[i]) continue;
+        const auto& desc = builder.images()[i];
+        const auto bytes = resolve(desc, builder.inputs().view).bytes();
+        add({desc.text.key, {}, bytes * (plan.image_history[i] ? 2 : 1)});
     }
-
-  private:
-    MemoryPlan& plan_;
-    std::uint64_t most_ = 0, most_with_parameter_ = 0;
-};
-
-}  // namespace
+    for (std::size_t i = 0; i < builder.buffers().size(); ++i) {
+        if (!plan.buffer_live[i]) continue;
+        const auto& desc = builder.buffers()[i];
+        const auto count = elements(desc);
+        const MemoryPlan::Resource one{desc.text.key, count > desc.elements ? desc.lower : std::string(),
+                                       count * stride(desc)};
+        add({one.key, one.lower, one.bytes * (plan.buffer_history[i] ? 2 : 1)});
+        if (one.bytes > result.largest_buffer.bytes) result.largest_buffer = one;
+    }
+    return result;
+}
 
 std::uint64_t Graph::State::capacity_of(const BufferDesc& desc) const {
     if (!desc.growable) return desc.elements;
@@ -43,40 +38,12 @@ std::uint64_t Graph::State::capacity_of(const BufferDesc& desc) const {
 }
 
 MemoryPlan Graph::State::plan_memory() const {
-    MemoryPlan result;
-    LargestResource largest(result);
-    for (std::size_t i = 0; i < builder->images().size(); ++i) {
-        if (!plan.image_live[i]) continue;
-        const auto& desc = builder->images()[i];
-        largest.add(desc.text.key, resolve(desc, inputs->view).bytes() * (plan.image_history[i] ? 2 : 1), {});
-    }
-    for (std::size_t i = 0; i < builder->buffers().size(); ++i) {
-        if (!plan.buffer_live[i]) continue;
-        const auto& desc = builder->buffers()[i];
-        const auto bytes = capacity_of(desc) * stride(desc);
-        largest.add(desc.text.key, bytes * (plan.buffer_history[i] ? 2 : 1), desc.lower);
-        if (bytes <= device.max_buffer_bytes() || !result.too_large_for_device.empty()) continue;
-        result.too_large_for_device = "'" + desc.text.key + "' (" + megabytes(bytes) + ")";
-        result.lower_for_device = desc.lower;
-    }
-    return result;
+    return memory_of(*builder, plan, [&](const BufferDesc& desc) { return capacity_of(desc); });
 }
 
 bool Graph::State::fits(const MemoryPlan& memory) const {
-    return memory.too_large_for_device.empty() &&
+    return memory.largest_buffer.bytes <= device.max_buffer_bytes() &&
            (options->memory_budget == 0 || memory.bytes <= options->memory_budget);
-}
-
-void Graph::State::refuse(const MemoryPlan& memory) const {
-    const auto start = "method '" + method->description.id + "' needs ";
-    const auto parameter = [](const std::string& lower) { return lower.empty() ? "the image size" : lower; };
-    if (!memory.too_large_for_device.empty())
-        throw BudgetError(start + "a buffer, " + memory.too_large_for_device +
-                          ", beyond the device's limit of " + megabytes(device.max_buffer_bytes()) +
-                          "; lower " + parameter(memory.lower_for_device));
-    throw BudgetError(start + megabytes(memory.bytes) + ", more than the memory budget of " +
-                      megabytes(options->memory_budget) + "; its largest resource is " + memory.largest +
-                      "; lower " + parameter(memory.lower) + " or raise --memory");
 }
 
 void Graph::State::allocate() {

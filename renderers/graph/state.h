@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,10 +24,17 @@ struct StoredObject {
 /// What a frame would take on the device.
 struct MemoryPlan {
     std::uint64_t bytes = 0;
-    std::string largest;  ///< resource, with its size
-    std::string lower;    ///< of the largest buffer that names a parameter
-    std::string too_large_for_device, lower_for_device;
+    struct Resource {
+        std::string key, lower;  ///< the latter as BufferDesc has it, where the buffer has grown
+        std::uint64_t bytes = 0;
+    };
+    Resource largest;         ///< with its history
+    Resource largest_buffer;  ///< without
 };
+
+/// What the planned resources take; `elements` says how many of a buffer there are.
+MemoryPlan memory_of(const GraphBuilder& builder, const Plan& plan,
+                     const std::function<std::uint64_t(const BufferDesc&)>& elements);
 
 /// As long as this stays equal, a frame is divided into as many batches as the one before, and items take as
 /// long as they did.
@@ -135,12 +143,15 @@ struct Graph::State {
     std::uint64_t capacity_of(const BufferDesc& desc) const;
     MemoryPlan plan_memory() const;
     bool fits(const MemoryPlan& memory) const;
-    [[noreturn]] void refuse(const MemoryPlan& memory) const;
     void allocate();
     void free_dead_objects();
     void prepare_counters();
     void prepare_parameters();
     bool grow(const std::vector<std::uint64_t>& counts);
+
+    // memory_advice.cpp: a frame that does not fit
+    class Adviser;
+    [[noreturn]] void refuse(const MemoryPlan& memory) const;
 
     // frame_cache.cpp: contents that outlive a frame
     bool has_contents(const Pass::Access& access) const;

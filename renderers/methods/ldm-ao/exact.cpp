@@ -103,7 +103,6 @@ ExactHits declare_exact_hits(graph::GraphBuilder& builder, const passes::ldm::Ma
                      "from 0 to the reach of exact rays."};
     desc.fields = {{"hits_of_4_maps", graph::FieldType::u32}};
     desc.elements = static_cast<std::uint64_t>(view.width) * view.height * words_per_pixel(maps);
-    desc.lower = "directions";
     return {builder.buffer(desc), passes::bvh(builder), parameters.exact, parameters.exact_texels};
 }
 

@@ -16,8 +16,7 @@ ArrayStorage::ArrayStorage(graph::GraphBuilder& builder, const Layout& layout, H
                                                "two of 16 bits per word, or one of 32 bits."},
                                .fields = {{"pair", FieldType::u32}},
                                .elements = batch_rows() * row_words(),
-                               .growable = true,
-                               .lower = "directions or resolution"});
+                               .growable = true});
     sorted_ = declare_sorted_depths(builder, layout);
     offset_words_asked_ = builder.counter({.key = "ldm.offset_words",
                                            .label = "Words of offsets",

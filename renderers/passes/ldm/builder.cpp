@@ -46,8 +46,7 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
                          "maps that was built last."},
          .fields = {{"texel", FieldType::u32}, {"arrival_depth", FieldType::u32}},
          .elements = texels * expected_layers,
-         .growable = true,
-         .lower = "directions or resolution"});
+         .growable = true});
     maps.fragments_asked = builder.counter({.key = "ldm.chunk_fragments",
                                             .label = "Fragments of the largest chunk",
                                             .growth_of = maps.list.fragments});
@@ -67,8 +66,7 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
                                                  "was built last."},
                                  .fields = {{"triangle", FieldType::u32}, {"map_strip", FieldType::u32}},
                                  .elements = std::max<std::uint64_t>(1 << 16, texels / 2),
-                                 .growable = true,
-                                 .lower = "directions or resolution"});
+                                 .growable = true});
     maps.large_asked = builder.counter(
         {.key = "ldm.chunk_strips", .label = "Strips of the largest chunk", .growth_of = maps.large});
 }

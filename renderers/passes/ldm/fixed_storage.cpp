@@ -4,7 +4,6 @@ namespace ir::passes::ldm {
 
 FixedStorage::FixedStorage(graph::GraphBuilder& builder, const Layout& layout, FixedOrder order)
     : layout_(layout), order_(order) {
-    const std::string lower = "fixed layers, directions or resolution";
     depths_ = builder.buffer(
         {.text = {.key = "ldm.fixed_depths",
                   .label = "Depths",
@@ -12,8 +11,7 @@ FixedStorage::FixedStorage(graph::GraphBuilder& builder, const Layout& layout, F
                          "where there is none.",
                   .semantic = Semantic::depth},
          .fields = {{"pair", graph::FieldType::u32}},
-         .elements = layout.batch_maps * layout.map_texels() * texel_words(),
-         .lower = lower});
+         .elements = layout.batch_maps * layout.map_texels() * texel_words()});
     chunk_ = builder.buffer(
         {.text =
              {.key = "ldm.fixed_chunk",
@@ -22,8 +20,7 @@ FixedStorage::FixedStorage(graph::GraphBuilder& builder, const Layout& layout, F
                   "65535 - depth of the chunk that was built last, texel by texel; 0 where there is none."},
          .fields = {{"nearness", graph::FieldType::u32}},
          .elements =
-             layout.chunk_maps * layout.map_texels() * static_cast<std::uint64_t>(layout.fixed_layers),
-         .lower = lower});
+             layout.chunk_maps * layout.map_texels() * static_cast<std::uint64_t>(layout.fixed_layers)});
 }
 
 std::map<std::string, std::string> FixedStorage::defines(const graph::PassContext&, int first_binding) const {

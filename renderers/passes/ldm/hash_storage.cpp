@@ -11,21 +11,18 @@ constexpr int expected_cells = 5;
 
 HashStorage::HashStorage(graph::GraphBuilder& builder, const Layout& layout) : layout_(layout) {
     using graph::FieldType;
-    const std::string lower = "directions or resolution";
     ages_ = builder.buffer({.text = {.key = "ldm.ages",
                                      .label = "Largest ages",
                                      .doc = "Age of each texel's oldest entry; 0: the texel is empty.",
                                      .semantic = Semantic::count},
                             .fields = {{"age", FieldType::u32}},
-                            .elements = batch_texels(),
-                            .lower = lower});
+                            .elements = batch_texels()});
     cells_ = builder.buffer({.text = {.key = "ldm.cells",
                                       .label = "Hash table",
                                       .doc = "Age << 16 | 65535 - depth in quanta; 0: empty."},
                              .fields = {{"entry", FieldType::u32}},
                              .elements = batch_texels() * expected_cells,
-                             .growable = true,
-                             .lower = lower});
+                             .growable = true});
     cells_asked_ = builder.counter({.key = "ldm.hash_cells",
                                     .label = "Cells of the hash table",
                                     .doc = "That the largest batch of maps needs to fill 9/10 of them.",

@@ -9,15 +9,13 @@ ListStorage::ListStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                                       .doc = "First node of each texel's list, counted from 1; 0: empty.",
                                       .semantic = Semantic::id},
                              .fields = {{"node", graph::FieldType::u32}},
-                             .elements = texels,
-                             .lower = "directions or resolution"});
+                             .elements = texels});
     nodes_ = builder.buffer({.text = {.key = "ldm.list_nodes",
                                       .label = "Nodes of lists",
                                       .doc = "Next node, counted from 1 (0: none), and depth in quanta."},
                              .fields = {{"next", graph::FieldType::u32}, {"depth", graph::FieldType::u32}},
                              .elements = texels * expected_layers,
-                             .growable = true,
-                             .lower = "directions or resolution"});
+                             .growable = true});
     nodes_asked_ = builder.counter({.key = "ldm.asked_nodes",
                                     .label = "Nodes of a batch",
                                     .doc = "Of the largest batch of maps.",

@@ -15,7 +15,6 @@ PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
     : layout_(layout), chunk_(builder, chunk_layout(layout), ArrayStorage::Holds::one_chunk) {
     using graph::FieldType;
     const std::uint64_t texels = layout.batch_maps * layout.map_texels();
-    const std::string lower = "directions or resolution";
     rows_ = builder.buffer({.text = {.key = "ldm.packed_rows",
                                      .label = "Rows of texels",
                                      .doc = "Number of the first depth of each row of texels."},
@@ -28,8 +27,7 @@ PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
                                               "each); at the end, nine words for each group with more."},
                               .fields = {{"word", FieldType::u32}},
                               .elements = table_words() + table_words() / 64,
-                              .growable = true,
-                              .lower = lower});
+                              .growable = true});
     depths_ = builder.buffer({.text = {.key = "ldm.packed_depths",
                                        .label = "Packed depths",
                                        .doc = "Sorted depths, texel by texel, 11 bits each; 32 of them fill "
@@ -37,8 +35,7 @@ PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
                                        .semantic = Semantic::depth},
                               .fields = {{"word", FieldType::u32}},
                               .elements = texels * expected_layers * packed_bits / 32,
-                              .growable = true,
-                              .lower = lower});
+                              .growable = true});
     texels_ = builder.buffer({.text = {.key = "ldm.packed_texels",
                                        .label = "Texels of a chunk",
                                        .doc = "Number of the first packed depth of each texel of the chunk "

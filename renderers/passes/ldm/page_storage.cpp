@@ -8,22 +8,19 @@ PageStorage::PageStorage(graph::GraphBuilder& builder, const Layout& layout) : l
     using graph::FieldType;
     const std::uint64_t texels = layout.batch_maps * layout.map_texels(),
                         chunk_texels = layout.chunk_maps * layout.map_texels();
-    const std::string lower = "directions or resolution";
     heads_ = builder.buffer({.text = {.key = "ldm.page_heads",
                                       .label = "Heads of lists of pages",
                                       .doc = "First page of each texel's list, counted from 1; 0: empty.",
                                       .semantic = Semantic::id},
                              .fields = {{"page", FieldType::u32}},
-                             .elements = texels,
-                             .lower = lower});
+                             .elements = texels});
     pages_ = builder.buffer({.text = {.key = "ldm.pages",
                                       .label = "Pages",
                                       .doc = "Next page, counted from 1 (0: none), and sorted depths in "
                                              "quanta, two per word; 65535: none."},
                              .fields = {{"next", FieldType::u32}, {"pair", FieldType::u32, page_depths / 2}},
                              .elements = texels * (expected_layers + page_depths - 1) / page_depths,
-                             .growable = true,
-                             .lower = lower});
+                             .growable = true});
     deep_texels_ = declare_deep_texels(builder, layout);
     ranks_ = builder.buffer({.text = {.key = "ldm.ranks",
                                       .label = "Ranks of fragments",
@@ -31,8 +28,7 @@ PageStorage::PageStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                                              "built last: their place in order."},
                              .fields = {{"rank", FieldType::u32}},
                              .elements = chunk_texels * expected_layers,
-                             .growable = true,
-                             .lower = lower});
+                             .growable = true});
     pages_asked_ = builder.counter({.key = "ldm.asked_pages",
                                     .label = "Pages of a batch",
                                     .doc = "Of the largest batch of maps.",

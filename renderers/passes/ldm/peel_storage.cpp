@@ -24,8 +24,7 @@ PeelStorage::PeelStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                   .semantic = Semantic::depth},
          .fields = {{"fragment", FieldType::u32}},
          .elements = batch_chunks() * plane_texels() * expected_layers,
-         .growable = true,
-         .lower = "directions or resolution"});
+         .growable = true});
     layers_ = builder.buffer(
         {.text = {.key = "ldm.peeled_layers",
                   .label = "Peeled layers",

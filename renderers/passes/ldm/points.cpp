@@ -173,8 +173,7 @@ void declare_scratch(graph::GraphBuilder& builder, const Maps& maps, Points& poi
                                         "rasterised last."},
                         .fields = {{"triangle", FieldType::u32}, {"map_strip", FieldType::u32}},
                         .elements = std::max<std::uint64_t>(1 << 14, chunk_texels / 2),
-                        .growable = true,
-                        .lower = "resolution"});
+                        .growable = true});
     points.strips_asked = builder.counter({.key = "ldm.point_strips_asked",
                                            .label = "Strips of the largest chunk for faces",
                                            .growth_of = points.strips});
@@ -205,8 +204,7 @@ Points declare_points(graph::GraphBuilder& builder, const Maps& maps, MapRange s
                                                {"layer", FieldType::u32},
                                                {"map", FieldType::u32}},
                                     .elements = shown_texels(maps, shown, points.stride) * expected_layers,
-                                    .growable = true,
-                                    .lower = "resolution"});
+                                    .growable = true});
     points.count =
         builder.counter({.key = "ldm.shown_points", .label = "Points shown", .growth_of = points.points});
     points.stride_shown = builder.counter({.key = "ldm.point_stride",

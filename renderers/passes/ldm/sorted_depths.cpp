@@ -15,7 +15,6 @@ graph::BufferRef declare_deep_texels(graph::GraphBuilder& builder, const Layout&
 }
 
 SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& layout) {
-    const std::string lower = "directions or resolution";
     SortedDepths sorted;
     sorted.depths = builder.buffer({.text = {.key = "ldm.depths",
                                              .label = "Depths",
@@ -23,8 +22,7 @@ SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& l
                                              .semantic = Semantic::depth},
                                     .fields = {{"pair", FieldType::u32}},
                                     .elements = layout.batch_maps * layout.map_texels() * expected_layers / 2,
-                                    .growable = true,
-                                    .lower = lower});
+                                    .growable = true});
     sorted.unsorted =
         builder.buffer({.text = {.key = "ldm.unsorted",
                                  .label = "Depths of a chunk",
@@ -32,8 +30,7 @@ SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& l
                                  .semantic = Semantic::depth},
                         .fields = {{"depth", FieldType::u32}},
                         .elements = layout.chunk_maps * layout.map_texels() * expected_layers,
-                        .growable = true,
-                        .lower = lower});
+                        .growable = true});
     sorted.deep_texels = declare_deep_texels(builder, layout);
     sorted.words_asked = builder.counter({.key = "ldm.depth_words",
                                           .label = "Words of depths",

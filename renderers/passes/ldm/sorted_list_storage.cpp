@@ -15,8 +15,7 @@ SortedListStorage::SortedListStorage(graph::GraphBuilder& builder, const Layout&
                                            .semantic = Semantic::id},
                                   .fields = {{"node", graph::FieldType::u32}},
                                   .elements = texels,
-                                  .growable = true,
-                                  .lower = "directions or resolution"});
+                                  .growable = true});
     successors_asked_ = builder.counter({.key = "ldm.asked_successors",
                                          .label = "Successors of the largest chunk",
                                          .growth_of = successors_});

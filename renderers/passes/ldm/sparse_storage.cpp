@@ -22,8 +22,7 @@ SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout)
                                         "two halves of 32 bits."},
                         .fields = {{"pair", FieldType::u32}},
                         .elements = layout_.batch_maps * layout_.map_texels() / 2 + 1,
-                        .growable = true,
-                        .lower = "directions or resolution"});
+                        .growable = true});
     sums_ = builder.buffer(
         {.text = {.key = "ldm.word_sums",
                   .label = "Sums of a chunk",

@@ -12,9 +12,7 @@ Declare batched(int limit, int* batches_used = nullptr) {
         const int batches = builder.batches(limit);
         if (batches_used) *batches_used = batches;
         const auto size = (numbers + batches - 1) / batches;
-        auto desc = buffer_of("scratch", size);
-        desc.lower = "numbers";
-        const auto scratch = builder.buffer(desc);
+        const auto scratch = builder.buffer(buffer_of("scratch", size));
         const auto sum = builder.image(image_of("sum"));
         for (int batch = 0; batch < batches; ++batch) {
             builder.pass("fill " + std::to_string(batch), Queue::cpu)
@@ -61,26 +59,107 @@ TEST_F(GraphTest, BatchesEndAtTheMethodsLimit) {
     EXPECT_THROW(run(batched(3)), BudgetError);
 }
 
-TEST_F(GraphTest, AMethodWithoutBatchesIsRefusedWithTheParameterToLower) {
-    options.memory_budget = 3000;
-    const auto text = message_of<BudgetError>([&] { run(batched(1)); });
-    for (const char* part : {"'test'", "'scratch'", "lower numbers", "--memory"})
-        EXPECT_TRUE(contains(text, part)) << text;
+/// A method with two lists, whose lengths are parameters, and a picture of one channel.
+class AdvisedTest : public GraphTest {
+  protected:
+    AdvisedTest() {
+        method.description.id = "test";
+        for (const char* key : {"few", "many", "fineness", "reserve"}) {
+            ParameterDescription parameter;
+            parameter.key = key;
+            parameter.hard = {1, 1e6};
+            parameter.type = ParameterType::integer;
+            parameter.default_value = std::int64_t(100);
+            if (parameter.key == "reserve") parameter.effect = Effect::cost;
+            method.description.parameters.push_back(parameter);
+        }
+        method.setup = [this](GraphBuilder& builder, const Settings& settings) {
+            const auto value = [&](const char* key) {
+                return static_cast<std::uint64_t>(std::get<std::int64_t>(settings.at(key)));
+            };
+            if (value("few") == 25) throw UsageError("25 is too few");
+            const auto a = builder.buffer(buffer_of("few", value("few")));
+            auto list = buffer_of("many", value("many") * value("reserve"));
+            list.growable = true;
+            const auto b = builder.buffer(list);
+            const auto c = builder.buffer(buffer_of("fine", 100'000 / value("fineness")));
+            const auto picture = builder.image(image_of("picture"));
+            const auto count = builder.counter({.key = "count", .label = "", .growth_of = b});
+            builder.pass("all", Queue::cpu)
+                .writes(a, b, c, picture)
+                .counts(count)
+                .execute([this, count](PassContext& p) { p.add(count, asked); });
+        };
+    }
+    FrameReport run_with(const Settings& settings) { return graph->run(method, settings, inputs, options); }
+    std::string refusal_with(const Settings& settings) {
+        return message_of<BudgetError>([&] { run_with(settings); });
+    }
+
+    Method method;
+    std::uint32_t asked = 0;
+};
+
+TEST_F(AdvisedTest, NamesWhatSavesTheMostAndHowMuchIsNeededThen) {
+    options.memory_budget = 30'000;
+    const auto text = refusal_with({});
+    // 4 B (100 + 100 · 100 + 100000 / 100 + 12) = 44448 B; half of the list less is 24448 B
+    EXPECT_TRUE(contains(text, "needs 44.5 kB, more than the memory budget of 30 kB;")) << text;
+    EXPECT_TRUE(contains(text, "'many' (40 kB)")) << text;
+    EXPECT_TRUE(contains(text, "lower 'many' to 50 (then 24.5 kB) or lower 'reserve' to 50")) << text;
+    EXPECT_TRUE(contains(text, ", or raise --memory")) << text;
+    EXPECT_NEAR(run_with({{"many", std::int64_t(50)}}).peak_memory_bytes, 24'448, 500) << "and counters";
 }
 
-TEST_F(GraphTest, TheParameterNamedIsThatOfTheLargestBufferThatHasOne) {
+TEST_F(AdvisedTest, RaisesWhatCostsLessWhereItIsMoreAndTriesNothingThatIsRefused) {
+    options.memory_budget = 1000;
+    const auto text = refusal_with({{"few", std::int64_t(50)},
+                                    {"many", std::int64_t(1)},
+                                    {"reserve", std::int64_t(1)},
+                                    {"fineness", std::int64_t(10)}});
+    EXPECT_TRUE(contains(text, "; raise 'fineness' to 20 (then 20.3 kB), or raise --memory")) << text;
+}
+
+TEST_F(AdvisedTest, ExpectsOfWhatHasGrownThatOnlyThePictureChangesIt) {
+    options.memory_budget = 400'000;
+    asked = 100'000;  // 400 kB · 1.25
+    const auto text = refusal_with({});
+    EXPECT_TRUE(contains(text, "lower 'many' to 50 (then 255 kB)")) << text;
+    EXPECT_FALSE(contains(text, "reserve")) << text;
+}
+
+TEST_F(AdvisedTest, NamesTheImageSizeWhereThatIsWhatSavesTheMost) {
+    inputs.view.width = inputs.view.height = 1000;
+    inputs.previous_view = inputs.view;
+    options.memory_budget = 2'000'000;
+    EXPECT_TRUE(contains(refusal_with({}), "); lower the image size to 500x500 (then 1.05 MB), or raise"))
+        << refusal_with({});
+}
+
+TEST_F(AdvisedTest, SaysWhenNothingHelps) {
     options.memory_budget = 1;
     const auto text = message_of<BudgetError>([&] {
         run([](GraphBuilder& builder) {
-            auto small = buffer_of("small", 10), middle = buffer_of("middle", 100);
-            small.lower = "wrong";
-            middle.lower = "right";
-            const auto a = builder.buffer(middle), b = builder.buffer(small);
-            const auto c = builder.buffer(buffer_of("large", 1000));
-            builder.pass("all", Queue::cpu).writes(a, b, c).execute([](PassContext&) {});
+            const auto scene = builder.buffer(buffer_of("scene", 1000));
+            builder.pass("all", Queue::cpu).writes(scene).execute([](PassContext&) {});
         });
     });
-    EXPECT_TRUE(contains(text, "'large'") && contains(text, "lower right")) << text;
+    EXPECT_TRUE(contains(text, "'scene' (4 kB); use a smaller scene, or raise --memory")) << text;
+}
+
+TEST_F(AdvisedTest, NumbersThatDifferReadDifferently) {
+    for (const std::uint64_t budget : {44'447ull, 44'000ull, 40'000ull, 1ull}) {
+        options.memory_budget = budget;
+        const auto text = refusal_with({});
+        EXPECT_TRUE(contains(text, "needs 44.5 kB")) << text;
+        EXPECT_FALSE(contains(text, "budget of 44.5 kB")) << text;
+    }
+    options.memory_budget = 44'447;
+    EXPECT_TRUE(contains(refusal_with({}), "budget of 44447 B")) << "as it was given";
+    options.memory_budget = 32768;
+    EXPECT_TRUE(contains(refusal_with({}), "budget of 32768 B")) << refusal_with({});
+    options.memory_budget = 44'448;
+    EXPECT_EQ(refusal_with({}), "");
 }
 
 TEST_F(GraphTest, ImagesCountAndAreNamed) {
@@ -98,14 +177,13 @@ TEST_F(GraphTest, ImagesCountAndAreNamed) {
 TEST_F(GraphTest, ABufferBeyondTheDevicesLimitIsRefusedWithoutABudget) {
     const auto text = message_of<BudgetError>([&] {
         run([](GraphBuilder& builder) {
-            auto desc = buffer_of("huge", builder.max_buffer_bytes() / 4 + 1);
-            desc.lower = "directions";
-            const auto huge = builder.buffer(desc);
+            const auto elements = builder.max_buffer_bytes() / 4 + 1;
+            const auto huge = builder.buffer(buffer_of("huge", elements * builder.inputs().view.width / 4));
             builder.pass("fill", Queue::cpu).writes(huge).execute([](PassContext&) {});
         });
     });
-    EXPECT_TRUE(contains(text, "'huge'") && contains(text, "device") && contains(text, "lower directions"))
-        << text;
+    for (const char* part : {"'huge'", "device", "lower the image size to 2x1"})
+        EXPECT_TRUE(contains(text, part)) << text;
 }
 
 TEST_F(GraphTest, GrowthThatBreaksTheBudgetLeadsToBatches) {

@@ -15,7 +15,7 @@ Growing growing(graph::GraphBuilder& builder, graph::BufferDesc desc, graph::Cou
                 std::uint64_t reserve) {
     desc.elements = std::max<std::uint64_t>(1, reserve);
     desc.growable = true;
-    desc.lower = "reserve, or raise surfel_radius";
+    desc.lower = "the number of surfels (raise 'surfel_radius')";
     Growing result;
     result.buffer = builder.buffer(std::move(desc));
     counter.growth_of = result.buffer;

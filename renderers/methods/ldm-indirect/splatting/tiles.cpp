@@ -69,8 +69,7 @@ graph::BufferRef make_kernels(graph::GraphBuilder& builder, const StoredPhotons&
                                         "centre, three rows of M, E_p π; to_source in w."},
                         .fields = {{"rows", graph::FieldType::f32, 20}},
                         .elements = expected_entries,
-                        .growable = true,
-                        .lower = "emission or directions"});
+                        .growable = true});
     const auto count = builder.counter({.key = "splat.kernel_count",
                                         .label = "Kernels",
                                         .doc = "As many as there are photons.",
@@ -115,8 +114,7 @@ Lists sort_into_bins(graph::GraphBuilder& builder, const SplatTask& task) {
                                              .doc = "Numbers of photons, tile after tile, each in order."},
                                     .fields = {{"photon", FieldType::u32}},
                                     .elements = expected_entries,
-                                    .growable = true,
-                                    .lower = "splat_size"});
+                                    .growable = true});
     const auto total = builder.counter({.key = "splat.bin_entries",
                                         .label = "Photons times tiles",
                                         .doc = "How often photons are listed in tiles.",

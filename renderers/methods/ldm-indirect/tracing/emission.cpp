@@ -37,8 +37,7 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
                          "nothing was seen or no light shines there, 1 splits, 2 its footprint is "
                          "degenerate."},
          .fields = primary_fields(),
-         .elements = primaries.count,
-         .lower = "emission"});
+         .elements = primaries.count});
     primaries.shares = builder.buffer(
         {.text = {.key = "indirect.shares",
                   .label = "Where split photons go",
@@ -47,8 +46,7 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
                       "by cause (see indirect.energy, leg 1)."},
          .fields = {{"part", FieldType::f32, causes}, {"photons", FieldType::u32, causes}},
          .elements = primaries.count,
-         .cleared = true,
-         .lower = "emission"});
+         .cleared = true});
     auto pass = builder.pass("emit photons");
     passes::reads_rsm(pass, images, scene);
     pass.reads(images.geometric_normal, maps.frame_buffer)

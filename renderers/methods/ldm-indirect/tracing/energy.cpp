@@ -45,8 +45,7 @@ void sum_energy(graph::GraphBuilder& builder, const Primaries& primaries, bool s
                                                  .doc = "The rows of indirect.energy of every " +
                                                         std::to_string(block_photons) + " photons."},
                                         .fields = row_fields(),
-                                        .elements = block_count * energy_rows,
-                                        .lower = "emission"});
+                                        .elements = block_count * energy_rows});
     const auto table = builder.buffer({.text = graph::text_of(energy_outputs(), "indirect.energy"),
                                        .fields = row_fields(),
                                        .elements = energy_rows});

@@ -28,7 +28,6 @@ graph::BufferRef scratch(GraphBuilder& builder, const std::string& key, const st
     desc.text.label = label;
     desc.fields = std::move(fields);
     desc.elements = static_cast<std::uint64_t>(std::max<std::int64_t>(1, elements));
-    desc.lower = "emission or directions";
     return builder.buffer(std::move(desc));
 }
 

@@ -53,8 +53,7 @@ Photons declare_photons(graph::GraphBuilder& builder, std::uint64_t reserved) {
                                       .kind = OutputKind::glyphs,
                                       .fields = photon_fields(),
                                       .elements = reserved,
-                                      .growable = true,
-                                      .lower = "emission or directions"});
+                                      .growable = true});
     photons.count = builder.counter({.key = "indirect.count",
                                      .label = "Photons stored",
                                      .doc = "Photons that the camera sees, which are splatted.",

@@ -22,7 +22,6 @@ graph::BufferRef glyphs(graph::GraphBuilder& builder, const std::string& key,
     desc.fields = std::move(fields);
     desc.elements = elements;
     desc.growable = true;
-    desc.lower = "emission or directions";
     return builder.buffer(std::move(desc));
 }
 

@@ -22,8 +22,7 @@ graph::BufferRef words(graph::GraphBuilder& builder, graph::ResourceText text, c
                        std::uint64_t elements) {
     return builder.buffer({.text = std::move(text),
                            .fields = {{field, FieldType::u32}},
-                           .elements = std::max<std::uint64_t>(1, elements),
-                           .lower = "photons"});
+                           .elements = std::max<std::uint64_t>(1, elements)});
 }
 
 void divide(const PassContext& p, const Sources& sources, const EmissionPoints& points,
@@ -84,8 +83,7 @@ EmissionPoints declare_points(graph::GraphBuilder& builder, const Sources& sourc
                         .kind = OutputKind::point_set,
                         .fields = sample_point_fields(),
                         .elements = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(reserved)),
-                        .growable = true,
-                        .lower = "photons"});
+                        .growable = true});
     samples.count = builder.counter({.key = "photons.sample_count",
                                      .label = "Sample points",
                                      .doc = "Points of the emission sets that survive.",

@@ -53,7 +53,6 @@ Photons declare_photons(GraphBuilder& builder, const SamplePoints& samples, cons
     records.fields = photon_fields();
     records.elements = reserved_photons(samples, parameters);
     records.growable = true;
-    records.lower = "photons";
     photons.records = builder.buffer(records);
     photons.count = builder.counter({.key = "photons.count",
                                      .label = "Photons stored",
@@ -117,7 +116,6 @@ void declare_locations(GraphBuilder& builder, const Photons& photons, std::uint6
     desc.fields = location_fields;
     desc.elements = reserved;
     desc.growable = true;
-    desc.lower = "photons";
     const auto locations = builder.buffer(std::move(desc));
     const auto located = builder.counter(
         {.key = "photons.located", .label = "Photons shown in space", .growth_of = locations});

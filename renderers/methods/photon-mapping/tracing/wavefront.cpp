@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderers/graph/pass_context.h"
 #include "renderers/gl/dispatch_items.h"
+#include "renderers/graph/pass_context.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/passes/scan/scan.h"
 #include "renderers/passes/scattering/microfacets.h"
@@ -51,8 +51,7 @@ graph::BufferRef declare(GraphBuilder& builder, const std::string& part, const s
     return builder.buffer({.text = {.key = "photons." + part, .label = label},
                            .fields = std::move(fields),
                            .elements = elements,
-                           .cleared = cleared,
-                           .lower = "photons"});
+                           .cleared = cleared});
 }
 
 unsigned folded(std::uint64_t seed) {
