@@ -34,6 +34,22 @@ float dielectric_f0(float ior) {
     return ratio * ratio;
 }
 
+/// Reflectance of a smooth interface for unpolarised light, (r_s² + r_p²)/2. `eta`: index behind the interface over
+/// that in front of it.  [glTF2 KHR_materials_ior]
+float dielectric_fresnel(float cosine, float eta) {
+    float squared_sine = (1.0 - cosine * cosine) / (eta * eta);  // of the refracted ray, by Snell's law
+    if (!(squared_sine < 1.0)) return 1.0;
+    float refracted = sqrt(1.0 - squared_sine);
+    float s = (cosine - eta * refracted) / (cosine + eta * refracted);
+    float p = (eta * cosine - refracted) / (eta * cosine + refracted);
+    return (s * s + p * p) / 2.0;
+}
+
+/// Of a plane-parallel sheet, all reflections between its two interfaces counted: 2F / (1 + F).
+float sheet_reflectance(float interface_reflectance) {
+    return 2.0 * interface_reflectance / (1.0 + interface_reflectance);
+}
+
 /// What a lit glTF surface is made of.
 struct Surface {
     vec3 base_colour;

@@ -79,7 +79,7 @@ graph::ImageRef without_visibility(graph::GraphBuilder& builder, const Volumes& 
 
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
-    const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
+    const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     const auto direct = passes::direct_light(builder, scene, gbuffer);
     const auto volumes = declare_volumes(builder, scene, gbuffer, parameters);
     const auto text = graph::text_of(description().outputs, "accessibility");

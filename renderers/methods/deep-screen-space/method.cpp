@@ -149,7 +149,7 @@ void note_missing_light(graph::GraphBuilder& builder, const Transport& transport
 
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
-    const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
+    const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     const auto direct =
         passes::direct_light(builder, scene, gbuffer, {.materials = parameters.transport.materials});
     const bool ao = parameters.transport.paths == Paths::ao;

@@ -43,7 +43,7 @@ MethodDescription description() {
 
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
-    const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
+    const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     const auto direct = passes::direct_light(builder, scene, gbuffer);
     const auto marched = march(builder, gbuffer, parameters);
     const auto accessibility =

@@ -57,7 +57,7 @@ MethodDescription description() {
 
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
-    const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
+    const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     const auto direct = passes::direct_light(builder, scene, gbuffer);
     auto options = passes::ldm::options_of(parameters.maps);
     const auto& inputs = builder.inputs();

@@ -33,7 +33,7 @@ MethodDescription description() {
 
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
-    const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
+    const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     const auto photons = trace_photons(builder, scene, gbuffer, parameters);
     const auto splat = splat_photons(builder, gbuffer, photons, parameters);
     compose(builder, scene, gbuffer, splat, parameters);

@@ -36,7 +36,8 @@ ParameterTable<Parameters> parameter_table() {
               .choices = {{"gbuffer", "G-buffer",
                            "At the rasterised surface in the pixel's centre, where the other methods start: "
                            "no antialiasing, and a difference image shows nothing but transport. Background "
-                           "and glass are not valid."},
+                           "and glass are not valid; where there is glass, paths start with the ray through "
+                           "the pixel's centre."},
                           {"rays", "Rays",
                            "Where rays that are uniform over the pixel (box filter) first meet something; "
                            "every pixel is valid."}}})

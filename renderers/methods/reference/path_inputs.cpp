@@ -63,7 +63,7 @@ PathInputs path_inputs(graph::GraphBuilder& builder, const Parameters& parameter
     if (!on_rays) {
         if (is_light) require_few_materials(builder.inputs());
         inputs.gbuffer =
-            passes::gbuffer(builder, passes::upload_scene(builder), {.normal_maps = transport.normal_maps});
+            passes::gbuffer(builder, passes::upload_scene(builder), passes::gbuffer_options(transport));
         inputs.valid = inputs.gbuffer->valid;
     }
     inputs.bvh = passes::bvh(builder);

@@ -26,11 +26,14 @@ GBufferSurfaces::GBufferSurfaces(const graph::PassContext& context, const passes
       albedos_(context.pixels<std::uint64_t>(gbuffer.albedo)),
       materials_(context.pixels<std::uint64_t>(gbuffer.material)),
       emissions_(context.pixels<std::uint64_t>(gbuffer.emission)),
-      material_count_(context.inputs().scene->materials.size()) {}
+      material_count_(context.inputs().scene->materials.size()) {
+    if (gbuffer.glass) glass_ = context.pixels<glm::vec4>(*gbuffer.glass);
+}
 
 void GBufferSurfaces::declare_reads(graph::PassBuilder& pass, const passes::GBuffer& gbuffer) {
     pass.reads(gbuffer.position, gbuffer.geometric_normal, gbuffer.normal, gbuffer.albedo, gbuffer.material,
                gbuffer.emission);
+    if (gbuffer.glass) pass.reads(*gbuffer.glass);
 }
 
 passes::Surface GBufferSurfaces::at(std::size_t i) const {
@@ -60,12 +63,13 @@ PathStart PrimaryRays::through(glm::vec2 at) const {
 
 void PrimaryRays::find_surface(glm::ivec2 pixel, PathStart& start) {
     const auto i = static_cast<std::size_t>(pixel.y) * width_ + pixel.x;
+    if (gbuffer_->is_behind_glass(i)) return;
     start.is_known = true;
     start.distance = infinity;
     if (gbuffer_->is_background(i)) return;
     surfaces_.push_back(gbuffer_->at(i));
     auto& surface = surfaces_.back();
-    // Glass needs to know whether light comes in or goes out there.
+    // What is glass in part needs to know whether light comes in or goes out there.
     start.is_known = surface.transmission == 0;
     start.surface = &surface;
     // The rasterised position lies on the pixel's ray but for rounding; from the eye it is exact.

@@ -17,11 +17,12 @@ class GBufferSurfaces {
     static void declare_reads(graph::PassBuilder& pass, const passes::GBuffer& gbuffer);
 
     bool is_background(std::size_t pixel) const { return positions_[pixel].w == 0; }
+    bool is_behind_glass(std::size_t pixel) const { return !glass_.empty() && glass_[pixel].a > 0; }
     /// Which side of the triangle it is, is not known: taken to be the front.
     passes::Surface at(std::size_t pixel) const;
 
   private:
-    std::span<const glm::vec4> positions_, geometric_normals_;
+    std::span<const glm::vec4> positions_, geometric_normals_, glass_;
     std::span<const std::uint64_t> normals_, albedos_, materials_, emissions_;
     std::size_t material_count_;
 };

@@ -59,7 +59,7 @@ bool has_sky(const graph::GraphBuilder& builder, const Parameters& parameters) {
 
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
-    const auto gbuffer = passes::gbuffer(builder, scene, {.normal_maps = parameters.transport.normal_maps});
+    const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     auto direct =
         passes::direct_light(builder, scene, gbuffer, {.materials = parameters.transport.materials});
     const bool lit_by_sky = has_sky(builder, parameters);

@@ -58,19 +58,15 @@ void setup(graph::GraphBuilder& builder, const Parameters& p) {
     desc.format = gl::Format::rgba16f;
     const auto normal = builder.image(desc);
 
-    builder.pass("view normals")
-        .reads(source, gbuffer.valid)
-        .writes(normal)
-        .execute([=](graph::PassContext& pass) {
-            pass.bind_framebuffer({{normal}});
-            const auto& program =
-                pass.method_program({{"lib/full_screen.vert", "methods/view-normals/view_normals.frag"}});
-            program.use();
-            program.set("view_from_world", pass.inputs().view.view_from_world);
-            pass.bind_texture(0, source);
-            pass.bind_texture(1, gbuffer.valid);
-            pass.draw_full_screen();
-        });
+    builder.pass("view normals").reads(source).writes(normal).execute([=](graph::PassContext& pass) {
+        pass.bind_framebuffer({{normal}});
+        const auto& program =
+            pass.method_program({{"lib/full_screen.vert", "methods/view-normals/view_normals.frag"}});
+        program.use();
+        program.set("view_from_world", pass.inputs().view.view_from_world);
+        pass.bind_texture(0, source);
+        pass.draw_full_screen();
+    });
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
+#include "renderers/passes/gbuffer/glass.h"
 
 namespace ir::passes {
 namespace {
@@ -68,6 +69,7 @@ graph::ImageRef compose_light(graph::GraphBuilder& builder, const GBuffer& gbuff
     pass.reads(parts.geometric_normal);
     for_each_part(parts, [&](int, const char*, graph::ImageRef image) { pass.reads(image); });
     pass.writes(radiance).execute([=](graph::PassContext& p) { add_up(p, parts, radiance); });
+    see_through_glass(builder, gbuffer, radiance);
     return radiance;
 }
 

@@ -2,6 +2,7 @@
 
 #include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
+#include "renderers/passes/gbuffer/glass.h"
 
 namespace ir::passes {
 
@@ -46,6 +47,7 @@ graph::ImageRef lit(graph::GraphBuilder& builder, const GBuffer& gbuffer, const 
         const auto shape = context.shape(result);
         program.dispatch(shape.width, shape.height);
     });
+    see_through_glass(builder, gbuffer, result);
     return result;
 }
 

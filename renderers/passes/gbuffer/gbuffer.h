@@ -1,14 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
+#include "renderers/core/transport.h"
 #include "renderers/graph/builder.h"
 #include "renderers/passes/scene/scene_buffers.h"
 
 namespace ir::passes {
 
 /// What is visible at the centre of each pixel. Normals are unit length and turned to the viewer; background
-/// pixels are 0.
+/// pixels are 0. Glass is left out: its pixels hold what lies behind it along the straight view ray.
 struct GBuffer {
     graph::ImageRef depth;     ///< "gbuffer.depth" depth32f, 0…1, background 1
     graph::ImageRef position;  ///< "gbuffer.position" rgba32f: xyz world space (m); w distance to the eye (m)
@@ -22,6 +24,9 @@ struct GBuffer {
     graph::ImageRef
         velocity;  ///< "gbuffer.velocity" rg16f: pixels from the previous frame's place to this one's
     graph::ImageRef valid;  ///< "valid" r8: 1 where the result counts; background and glass are 0
+    /// "gbuffer.glass" rgba32f: rgb the part of the light that the glass before the surface lets straight
+    /// through; a how many of its surfaces there are. Only where a material may be glass that is left out.
+    std::optional<graph::ImageRef> glass = {};
 };
 
 /// Scenes with more materials have pixels whose half float names another material than theirs.
@@ -29,9 +34,12 @@ inline constexpr std::size_t gbuffer_materials = 2048;
 
 struct GBufferOptions {
     bool normal_maps = true;
+    bool sees_through_glass = true;  ///< else glass is a surface like any other, though not valid
 };
+/// As the transport says; where all materials are opaque, glass is.
+GBufferOptions gbuffer_options(const Transport& transport);
 
-/// Declares the pass "G-buffer".
+/// Declares the pass "G-buffer" and, where a material may be glass, "glass".
 GBuffer gbuffer(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBufferOptions& options = {});
 
 }  // namespace ir::passes

@@ -1,7 +1,6 @@
 // Turns world-space normals into the camera's frame. `params` is generated from the method's parameters.
 
 layout(binding = 0) uniform sampler2D normal_image;  // world space
-layout(binding = 1) uniform sampler2D valid_image;
 
 uniform mat4 view_from_world;
 
@@ -10,8 +9,8 @@ layout(location = 0) out vec4 normal;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     normal = vec4(0);
-    if (texelFetch(valid_image, pixel, 0).r == 0.0) return;
     vec3 normal_ws = texelFetch(normal_image, pixel, 0).xyz;
+    if (normal_ws == vec3(0)) return;  // background
     normal.xyz = normalize(mat3(view_from_world) * normal_ws);
     if (bool(params.as_colour)) normal.xyz = 0.5 * normal.xyz + 0.5;
 }

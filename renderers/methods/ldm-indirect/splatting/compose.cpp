@@ -3,6 +3,7 @@
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-indirect/splatting/outputs.h"
 #include "renderers/passes/direct/compose.h"
+#include "renderers/passes/gbuffer/glass.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -76,6 +77,7 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
     pass.writes(radiance, indirect).execute([=](graph::PassContext& p) {
         add_up(p, parts, radiance, indirect);
     });
+    passes::see_through_glass(builder, gbuffer, radiance);
 }
 
 }  // namespace ir::methods::ldm_indirect

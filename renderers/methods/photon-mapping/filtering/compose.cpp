@@ -2,6 +2,7 @@
 
 #include "renderers/methods/photon-mapping/filtering/stages.h"
 #include "renderers/passes/direct/compose.h"
+#include "renderers/passes/gbuffer/glass.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -100,6 +101,7 @@ void reflect(graph::GraphBuilder& builder, const Inputs& in) {
         program.set("background", in.background);
         dispatch_rows(context, program, slice);
     });
+    passes::see_through_glass(builder, in.gbuffer, result);
 }
 
 }  // namespace

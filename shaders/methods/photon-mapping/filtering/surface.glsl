@@ -6,7 +6,7 @@
 
 struct FilterSurface {
     vec3 normal;  // geometric, turned to the viewer
-    float depth;  // m along the view axis; NO_SURFACE: nothing, or glass
+    float depth;  // m along the view axis; NO_SURFACE: nothing
 };
 
 const float NO_SURFACE = uintBitsToFloat(0x7f800000u);

@@ -5,7 +5,6 @@ layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(binding = 0) uniform sampler2D position_image;
 layout(binding = 1) uniform sampler2D geometric_normal_image;
-layout(binding = 2) uniform sampler2D valid_image;
 layout(binding = 0, rg32ui) uniform writeonly uimage2D surfaces;
 
 uniform vec4 depth_row;  // distance along the view axis of a point in world space
@@ -16,7 +15,7 @@ void main() {
     if (any(greaterThanEqual(pixel, imageSize(surfaces)))) return;
     FilterSurface s = FilterSurface(vec3(0, 0, 1), NO_SURFACE);
     vec4 position = texelFetch(position_image, pixel, 0);
-    if (position.w > 0.0 && texelFetch(valid_image, pixel, 0).x > 0.5)
+    if (position.w > 0.0)
         s = FilterSurface(texelFetch(geometric_normal_image, pixel, 0).xyz, dot(depth_row, vec4(position.xyz, 1)));
     imageStore(surfaces, pixel, uvec4(packed_surface(s), 0u, 0u));
 }

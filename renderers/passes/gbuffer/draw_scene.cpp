@@ -1,0 +1,72 @@
+#include "renderers/passes/gbuffer/draw_scene.h"
+
+#include "renderers/passes/gbuffer/pixel_rays.h"
+
+namespace ir::passes {
+namespace {
+
+using graph::PassContext;
+
+void bind_buffers(const PassContext& p, const SceneBuffers& s) {
+    p.bind_buffer(0, s.positions);
+    p.bind_buffer(1, s.normals);
+    p.bind_buffer(2, s.tangents);
+    p.bind_buffer(3, s.uv0);
+    p.bind_buffer(4, s.uv1);
+    p.bind_buffer(5, s.colours);
+    p.bind_buffer(6, s.instances);
+    p.bind_buffer(7, s.indices);
+    p.bind_buffer(9, s.opacity);
+    p.bind_buffer(10, s.opacity_words);
+    p.bind_buffer(11, s.materials);
+}
+
+/// Binds the textures that the material has to units 0, 1, …; a bit for each.
+int bind_textures(const PassContext& p, const SceneBuffers& s, const scene::Material& material) {
+    const scene::TextureSlot* slots[] = {&material.base_colour_texture, &material.metallic_roughness_texture,
+                                         &material.normal_texture, &material.emission_texture,
+                                         &material.transmission_texture};
+    int unit = 0, bound = 0;
+    for (const auto* slot : slots) {
+        if (slot->texture >= 0) {
+            const auto index = static_cast<std::size_t>(slot->texture);
+            p.bind_texture(unit, s.textures.at(index), p.inputs().scene->textures.at(index).sampler);
+            bound |= 1 << unit;
+        }
+        ++unit;
+    }
+    return bound;
+}
+
+void set_uniforms(const gl::Program& program, const scene::View& view, bool normal_maps) {
+    program.set("clip_from_world", view.clip_from_world());
+    program.set("eye_ws", view.eye_ws);
+    program.set("view_axis_ws", -glm::vec3(glm::transpose(view.view_from_world)[2]));
+    program.set("normal_maps", normal_maps ? 1 : 0);
+    set_pixel_rays(program, view);
+}
+
+}  // namespace
+
+void reads_scene(graph::PassBuilder& pass, const SceneBuffers& scene) {
+    pass.reads(scene.positions, scene.normals, scene.tangents, scene.uv0, scene.uv1, scene.colours,
+               scene.instances, scene.indices, scene.opacity, scene.opacity_words, scene.materials);
+    for (const auto texture : scene.textures) pass.reads(texture);
+}
+
+void draw_scene(const PassContext& p, const SceneBuffers& s, const gl::Program& program, bool normal_maps,
+                const std::function<bool(const scene::Material&)>& is_drawn) {
+    set_uniforms(program, p.inputs().view, normal_maps);
+    bind_buffers(p, s);
+    p.bind_empty_vertex_array();
+    for (const auto& range : p.inputs().world->ranges) {
+        const auto& material = p.inputs().scene->materials.at(static_cast<std::size_t>(range.material));
+        if (!is_drawn(material)) continue;
+        program.set("textures", bind_textures(p, s, material));
+        program.set("material_index", range.material);
+        p.api().DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first_triangle),
+                           static_cast<GLsizei>(3 * range.triangle_count));
+    }
+}
+
+}  // namespace ir::passes

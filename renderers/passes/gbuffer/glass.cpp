@@ -1,0 +1,98 @@
+#include "renderers/passes/gbuffer/glass.h"
+
+#include <algorithm>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/passes/gbuffer/draw_scene.h"
+
+namespace ir::passes {
+namespace {
+
+using graph::PassContext;
+
+/// Textures only lower it. As MOSTLY_GLASS of shaders/passes/gbuffer/surface.glsl.
+bool may_be_glass(const scene::Material& material) {
+    return material.transmission > 0.5f && !material.unlit;
+}
+
+std::ptrdiff_t glass_count(const graph::GraphBuilder& builder) {
+    const auto& materials = builder.inputs().scene->materials;
+    return std::count_if(materials.begin(), materials.end(), may_be_glass);
+}
+
+/// Adds up logarithms, in the order of triangles.
+void draw(const PassContext& p, const SceneBuffers& s, const GBuffer& g, bool normal_maps) {
+    const auto& gl = p.api();
+    const PassContext::Attachment depth{g.depth};
+    p.bind_framebuffer({{*g.glass}, {g.valid}}, &depth);
+    const float zero[4] = {0, 0, 0, 0};
+    gl.ClearBufferfv(GL_COLOR, 0, zero);
+    const auto& program = p.program({{"passes/gbuffer/gbuffer.vert", "passes/gbuffer/glass.frag"}});
+    program.use();
+    p.bind_texture(5, g.position);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthMask(GL_FALSE);
+    gl.Enablei(GL_BLEND, 0);
+    gl.BlendEquation(GL_FUNC_ADD);
+    gl.BlendFunc(GL_ONE, GL_ONE);
+    draw_scene(p, s, program, normal_maps, may_be_glass);
+    gl.Disablei(GL_BLEND, 0);
+    gl.DepthMask(GL_TRUE);
+    gl.Disable(GL_DEPTH_TEST);
+}
+
+void exponentiate(const PassContext& p, graph::ImageRef glass, graph::CounterRef pixels) {
+    p.barrier();
+    const auto& program = p.program({{"passes/gbuffer/glass.comp"}});
+    program.use();
+    p.bind_storage_image(0, glass);
+    p.bind_counter(0, pixels);
+    program.dispatch(p.inputs().view.width, p.inputs().view.height);
+}
+
+}  // namespace
+
+std::optional<graph::ImageRef> glass_before(graph::GraphBuilder& builder, const SceneBuffers& scene,
+                                            const GBuffer& gbuffer, bool normal_maps) {
+    if (glass_count(builder) == 0) return {};
+    auto g = gbuffer;
+    g.glass = builder.image(
+        {.text = {.key = "gbuffer.glass",
+                  .label = "Glass",
+                  .doc =
+                      "The part of the light that glass before the visible surface lets straight through. A: "
+                      "how many surfaces of glass",
+                  .semantic = Semantic::albedo},
+         .format = gl::Format::rgba32f});
+    const auto pixels = builder.counter({.key = "gbuffer.glass_pixels",
+                                         .label = "Glass pixels",
+                                         .doc = "Drawn as what lies behind the glass, and not valid."});
+    auto pass = builder.pass("glass");
+    reads_scene(pass, scene);
+    pass.reads(g.position).writes(*g.glass, g.valid, g.depth).counts(pixels).execute([=](PassContext& p) {
+        draw(p, scene, g, normal_maps);
+        exponentiate(p, *g.glass, pixels);
+    });
+    return g.glass;
+}
+
+void see_through_glass(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::ImageRef radiance) {
+    if (!gbuffer.glass) return;
+    builder.note(
+        "glass is drawn as what lies behind it, straight through, without reflections; its pixels are "
+        "not valid (" +
+        std::to_string(glass_count(builder)) + " of " +
+        std::to_string(builder.inputs().scene->materials.size()) + " materials)");
+    builder.pass("through glass")
+        .reads(*gbuffer.glass)
+        .writes(radiance)
+        .execute([glass = *gbuffer.glass, radiance](PassContext& p) {
+            const auto& program = p.program({{"passes/gbuffer/through_glass.comp"}});
+            program.use();
+            p.bind_texture(0, glass);
+            p.bind_storage_image(0, radiance);
+            program.dispatch(p.inputs().view.width, p.inputs().view.height);
+        });
+}
+
+}  // namespace ir::passes

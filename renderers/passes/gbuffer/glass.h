@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "renderers/passes/gbuffer/gbuffer.h"
+
+namespace ir::passes {
+
+/// What a G-buffer that leaves glass out says of it: declares "gbuffer.glass" and the pass "glass", which
+/// also makes its pixels invalid. Nothing where no material may be glass.
+std::optional<graph::ImageRef> glass_before(graph::GraphBuilder& builder, const SceneBuffers& scene,
+                                            const GBuffer& gbuffer, bool normal_maps);
+
+/// Declares the pass "through glass", which multiplies `radiance` (rgba32f), the light from what the G-buffer
+/// shows, by what glass before it lets through; and notes what is left out. Nothing where there is no glass.
+void see_through_glass(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::ImageRef radiance);
+
+}  // namespace ir::passes
