@@ -15,9 +15,6 @@
 namespace ir::gui {
 namespace {
 
-/// Below this part of the work an estimate of the rest is a guess.
-constexpr double least_known = 0.03;
-
 engine::Experiment with_pose(engine::Experiment experiment, const widgets::CameraPose& pose) {
     experiment.camera = camera_of(pose);
     experiment.camera_motion.reset();
@@ -42,6 +39,7 @@ std::string text_of(const Want& want) {
 LivePictures::LivePictures(Session& session, Renderer& renderer, ImageLoader& images, const KeptResults& kept,
                            QObject* parent)
     : QObject(parent), session_(session), renderer_(renderer), images_(images), kept_(kept) {
+    clock_.start();
     connect(&renderer_, &Renderer::result_arrived, this, &LivePictures::on_result);
     connect(&renderer_, &Renderer::failed, this, &LivePictures::on_failure);
     connect(&renderer_, &Renderer::progressed, this, &LivePictures::on_progress);
@@ -217,7 +215,7 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     entry.sent[entry.serial] = signature(experiment);
     entry.fraction = 0;
     entry.doing.clear();
-    entry.since.start();
+    entry.remaining.start(now());
     set_state(id, entry, State::rendering);
 }
 
@@ -274,6 +272,7 @@ void LivePictures::on_progress(const std::string& tag, const std::string& what, 
     const auto* result = entry.result && entry.result->serial == entry.serial ? entry.result.get() : nullptr;
     const int frames = entry.experiment ? std::max(1, entry.experiment->frames) : 1;
     entry.fraction = ((result ? result->frame : 0) + fraction) / frames;
+    entry.remaining.report(now(), entry.fraction);
     entry.doing = what;
     emit progressed(tag);
 }
@@ -317,9 +316,8 @@ QString LivePictures::doing(const std::string& id) const {
 
 std::optional<double> LivePictures::seconds_left(const std::string& id) const {
     const auto* entry = find(id);
-    if (!entry || entry->state != State::rendering || entry->fraction < least_known) return {};
-    const double seconds = double(entry->since.elapsed()) / 1000;
-    return seconds * (1 - entry->fraction) / entry->fraction;
+    if (!entry || entry->state != State::rendering) return {};
+    return entry->remaining.seconds();
 }
 
 std::vector<std::string> LivePictures::rendering() const {

@@ -10,6 +10,7 @@
 
 #include "app/gui/image_loader.h"
 #include "app/gui/kept_results.h"
+#include "app/gui/remaining_time.h"
 #include "app/gui/renderer.h"
 #include "app/gui/session.h"
 
@@ -67,7 +68,7 @@ class LivePictures : public QObject {
     /// Of the experiment's whole run, 0 … 1, and what is being done.
     double progress(const std::string& id) const;
     QString doing(const std::string& id) const;
-    /// Estimated from what is done; absent while that says nothing.
+    /// Estimated from what is done, never more than before; absent while that says nothing.
     std::optional<double> seconds_left(const std::string& id) const;
     std::vector<std::string> rendering() const;
     bool is_settled() const { return rendering().empty(); }
@@ -98,7 +99,7 @@ class LivePictures : public QObject {
         int frames_again = 0;                          ///< LiveRequest::frames_again
         double scene_end = 0;                          ///< of what its scene animates; 0: not known
         double fraction = 0;
-        QElapsedTimer since;
+        RemainingTime remaining;
         std::shared_ptr<const engine::LiveResult> result;
     };
     void update(const std::string& id, Entry& entry);
@@ -112,6 +113,7 @@ class LivePictures : public QObject {
     void on_failure(const std::string& tag, const std::string& error, bool cancelled);
     void on_progress(const std::string& tag, const std::string& what, double fraction);
     const Entry* find(const std::string& id) const;
+    double now() const { return double(clock_.elapsed()) / 1000; }  ///< seconds
 
     Session& session_;
     Renderer& renderer_;
@@ -120,6 +122,7 @@ class LivePictures : public QObject {
     std::map<std::string, Entry> entries_;
     std::optional<Moment> moment_;
     std::string no_device_;  ///< why nothing can be rendered
+    QElapsedTimer clock_;
 };
 
 }  // namespace ir::gui

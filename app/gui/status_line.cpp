@@ -6,7 +6,6 @@
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
-#include <cmath>
 
 #include "app/gui/text_of.h"
 #include "widgets/models/report_rows.h"
@@ -18,14 +17,6 @@ namespace {
 constexpr int said_ms = 4000;
 
 }  // namespace
-
-QString duration_text(double seconds) {
-    const auto whole = std::llround(std::max(0.0, seconds));
-    if (whole < 60) return QObject::tr("%1 s").arg(whole);
-    const auto two = [](long long n) { return QStringLiteral("%1").arg(n, 2, 10, QLatin1Char('0')); };
-    if (whole < 3600) return QObject::tr("%1:%2 min").arg(whole / 60).arg(two(whole % 60));
-    return QObject::tr("%1:%2 h").arg(whole / 3600).arg(two(whole / 60 % 60));
-}
 
 StatusLine::StatusLine(Session& session, LivePictures& live, QWidget* parent)
     : QWidget(parent),

@@ -35,7 +35,4 @@ class StatusLine : public QWidget {
     QString saying_;
 };
 
-/// "4 s", "2:05 min", "1:10 h".
-QString duration_text(double seconds);
-
 }  // namespace ir::gui
