@@ -1,6 +1,5 @@
 #include "app/gui/benchmark_dock.h"
 
-#include <QDir>
 #include <QFileDialog>
 #include <QSaveFile>
 #include <QVBoxLayout>
@@ -163,10 +162,10 @@ void BenchmarkDock::write_json(const QString& file) const {
 
 void BenchmarkDock::export_to(const QString& suffix, const QString& filter,
                               void (BenchmarkDock::*write)(const QString&) const) {
-    const auto proposed = QDir(dialog_folder(session_)).filePath(text_of(chosen_) + suffix);
-    auto file = QFileDialog::getSaveFileName(this, tr("Export"), proposed, filter);
+    auto file =
+        QFileDialog::getSaveFileName(this, tr("Export"), export_proposal(text_of(chosen_), suffix), filter);
     if (file.isEmpty()) return;
-    remember_folder_of(file);
+    remember_export(file);
     if (!file.endsWith(suffix, Qt::CaseInsensitive)) file += suffix;
     try {
         (this->*write)(file);

@@ -2,28 +2,69 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QRegularExpression>
+#include <QSettings>
+#include <QStandardPaths>
 
 #include "app/gui/session.h"
 
 namespace ir::gui {
 namespace {
 
+constexpr int longest_name = 100;  ///< characters; file systems take 255 bytes
+
 QString& last_folder() {
     static QString folder;
     return folder;
+}
+
+QString export_key() {
+    return QStringLiteral("export/folder");
+}
+
+QString documents() {
+    const auto folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QFileInfo(folder).isDir() ? folder : QDir::homePath();
+}
+
+/// Copies of samples and projects that were never saved live there.
+bool is_own_data(const QString& folder) {
+    const auto data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    return !data.isEmpty() && (folder + QLatin1Char('/')).startsWith(data + QLatin1Char('/'));
 }
 
 }  // namespace
 
 QString dialog_folder(const Session& session) {
     if (!last_folder().isEmpty() && QFileInfo(last_folder()).isDir()) return last_folder();
-    if (session.has_project() && !session.open_project().folder().empty())
-        return QFileInfo(QString::fromStdString(session.open_project().folder().string())).absolutePath();
-    return QDir::homePath();
+    if (!session.has_project() || session.open_project().folder().empty()) return documents();
+    const auto folder =
+        QFileInfo(QString::fromStdString(session.open_project().folder().string())).absolutePath();
+    return is_own_data(folder) ? documents() : folder;
 }
 
 void remember_folder_of(const QString& chosen) {
-    if (!chosen.isEmpty()) last_folder() = QFileInfo(QDir::cleanPath(chosen)).absolutePath();
+    if (chosen.isEmpty()) return;
+    const auto folder = QFileInfo(QDir::cleanPath(chosen)).absolutePath();
+    if (!is_own_data(folder)) last_folder() = folder;
+}
+
+QString export_proposal(const QString& title, const QString& suffix) {
+    const auto last = QSettings().value(export_key()).toString();
+    const auto folder = !last.isEmpty() && QFileInfo(last).isDir() ? last : documents();
+    return QDir(folder).filePath(clean_file_name(title) + suffix);
+}
+
+void remember_export(const QString& file) {
+    QSettings().setValue(export_key(), QFileInfo(QDir::cleanPath(file)).absolutePath());
+}
+
+QString clean_file_name(const QString& title) {
+    static const QRegularExpression others(QStringLiteral("[^\\p{L}\\p{N}]+"),
+                                           QRegularExpression::UseUnicodePropertiesOption);
+    auto words = title.split(others, Qt::SkipEmptyParts).join(QLatin1Char('-')).left(longest_name);
+    if (words.endsWith(QLatin1Char('-'))) words.chop(1);
+    return words.isEmpty() ? QStringLiteral("untitled") : words;
 }
 
 }  // namespace ir::gui

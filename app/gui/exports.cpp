@@ -1,6 +1,5 @@
 #include "app/gui/exports.h"
 
-#include <QRegularExpression>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -54,12 +53,9 @@ std::shared_ptr<const widgets::Picture> Exports::picture() const {
     return shown;
 }
 
-QString Exports::suggested_name(const QString& suffix) const {
-    const auto& state = workspace_.active_state();
-    QString name = QString::fromStdString(workspace_.pictures().owner_name(state.a.owner) + "-" +
-                                          workspace_.shown_key());
-    name.replace(QRegularExpression(QStringLiteral("[^A-Za-z0-9._-]+")), QStringLiteral("-"));
-    return name + suffix;
+QString Exports::title() const {
+    const auto& owner = workspace_.active_state().a.owner;
+    return QString::fromStdString(workspace_.pictures().owner_name(owner) + " " + workspace_.shown_key());
 }
 
 void Exports::save_view(const QString& file) const {

@@ -21,7 +21,8 @@ class Exports {
     void save_values(const QString& file) const;
     /// All buffers that exist in one multi-layer EXR; written by the renderer, which answers with exported().
     void save_all_buffers(const QString& file) const;
-    QString suggested_name(const QString& suffix) const;
+    /// What the active view shows, in a few words.
+    QString title() const;
 
   private:
     std::shared_ptr<const widgets::Picture> picture() const;

@@ -13,6 +13,7 @@
 #include "projects/autosave.h"
 #include "projects/store.h"
 #include "projects/unsaved.h"
+#include "renderers/core/error.h"
 #include "renderers/core/resources_path.h"
 
 namespace ir::gui {
@@ -36,7 +37,10 @@ projects::Json peek(const QString& path) {
 }
 
 QStringList saved_paths() {
-    return QSettings().value(key()).toStringList();
+    auto list = QSettings().value(key()).toStringList();
+    // Earlier versions remembered what they were given; from where is not known any longer.
+    list.removeIf([](const QString& path) { return QDir::isRelativePath(path); });
+    return list;
 }
 
 std::vector<projects::UnsavedProject> unsaved_projects() {
@@ -52,11 +56,16 @@ widgets::RecentProject card_of(const projects::UnsavedProject& unsaved) {
     return project;
 }
 
+/// In the user's data; empty where there is no such place.
+std::filesystem::path data_folder(const char* name) {
+    const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    return data.isEmpty() ? std::filesystem::path() : std::filesystem::path(data.toStdString()) / name;
+}
+
 }  // namespace
 
 std::filesystem::path unsaved_projects_folder() {
-    const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-    return data.isEmpty() ? std::filesystem::path() : std::filesystem::path(data.toStdString()) / "unsaved";
+    return data_folder("unsaved");
 }
 
 QString thumbnail_file(const QString& project) {
@@ -88,8 +97,9 @@ std::vector<widgets::RecentProject> RecentProjects::all() const {
     return list;
 }
 
-void RecentProjects::add(const QString& path) {
-    if (!remember_ || path.isEmpty()) return;
+void RecentProjects::add(const QString& given) {
+    if (!remember_ || given.isEmpty()) return;
+    const auto path = QDir::cleanPath(QFileInfo(given).absoluteFilePath());
     auto list = saved_paths();
     list.removeAll(path);
     list.prepend(path);
@@ -105,17 +115,43 @@ void RecentProjects::remove(const QString& path) {
     QSettings().setValue(key(), list);
 }
 
-std::vector<widgets::SampleProject> sample_projects() {
+Samples::Samples(bool remember) {
+    if (!remember) temporary_.emplace();
+}
+
+std::filesystem::path Samples::place() const {
+    return temporary_ ? std::filesystem::path(temporary_->path().toStdString()) : data_folder("samples");
+}
+
+bool Samples::contains(const std::filesystem::path& path) {
+    try {
+        // In a build tree the folder is a link into the source tree.
+        const auto folder = std::filesystem::weakly_canonical(samples_directory());
+        const auto inside = std::filesystem::weakly_canonical(path).lexically_relative(folder);
+        return !inside.empty() && *inside.begin() != ".." && *inside.begin() != ".";
+    } catch (const std::exception&) {
+        return false;  // an installation without samples
+    }
+}
+
+projects::SampleCopy Samples::copy(const std::filesystem::path& sample) const {
+    if (place().empty()) throw Error("there is no folder for the copy of a sample; set HOME");
+    return projects::copy_of_sample(sample, place(), engine::registry());
+}
+
+std::vector<widgets::SampleProject> Samples::all() const {
     std::vector<widgets::SampleProject> samples;
     try {
-        for (const auto& entry : std::filesystem::directory_iterator(data_directory() / "samples")) {
+        for (const auto& entry : std::filesystem::directory_iterator(samples_directory())) {
             if (entry.path().extension() != projects::folder_suffix) continue;
             widgets::SampleProject sample;
             sample.path = QString::fromStdString(entry.path().string());
             const auto document = peek(sample.path);
             sample.name = QString::fromStdString(field_or(document, "name", entry.path().stem().string()));
             sample.description = QString::fromStdString(field_or(document, "notes", std::string()));
-            sample.thumbnail = QImage(thumbnail_file(sample.path));
+            sample.thumbnail =
+                QImage(thumbnail_file(QString::fromStdString((place() / entry.path().filename()).string())));
+            if (sample.thumbnail.isNull()) sample.thumbnail = QImage(thumbnail_file(sample.path));
             samples.push_back(std::move(sample));
         }
     } catch (const std::exception&) {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <QStringList>
+#include <QTemporaryDir>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "projects/sample_copy.h"
 #include "widgets/panels/welcome_page.h"
 
 namespace ir::gui {
@@ -16,6 +19,7 @@ class RecentProjects {
     explicit RecentProjects(bool remember) : remember_(remember) {}
     QStringList paths() const;
     std::vector<widgets::RecentProject> all() const;
+    /// Remembered as an absolute path: the next run may begin in another folder.
     void add(const QString& path);
     /// What was never saved goes to the desktop's bin.
     void remove(const QString& path);
@@ -28,8 +32,21 @@ class RecentProjects {
 /// place.
 std::filesystem::path unsaved_projects_folder();
 
-/// The projects that come with the program, by path; name and description are the project's own.
-std::vector<widgets::SampleProject> sample_projects();
+/// The projects that come with the program. They are worked on in copies in the user's data, so that nothing
+/// is written where the program is installed.
+class Samples {
+  public:
+    /// Without `remember` copies go with the program, and none of the user's is looked at.
+    explicit Samples(bool remember);
+    /// By path; name and description are the project's own, the picture is that of its copy.
+    std::vector<widgets::SampleProject> all() const;
+    static bool contains(const std::filesystem::path& path);
+    projects::SampleCopy copy(const std::filesystem::path& sample) const;  ///< throws Error
+
+  private:
+    std::filesystem::path place() const;
+    std::optional<QTemporaryDir> temporary_;
+};
 
 /// Where a project keeps the picture that stands for it.
 QString thumbnail_file(const QString& project);

@@ -12,6 +12,7 @@ namespace ir::gui {
 MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Options& options)
     : options_(options),
       recent_(options.remember),
+      samples_(options.remember),
       renderer_(renderer),
       session_(registry),
       kept_(session_),

@@ -69,7 +69,8 @@ class MainWindow : public QMainWindow {
     widgets::MessagesPanel& messages() { return *messages_; }
     QAction* action(const QString& name) const { return actions_.value(name); }
 
-    /// A project, a scene file or builtin:NAME; failures become a banner and a message. Asks nothing.
+    /// A project, a scene file or builtin:NAME; failures become a banner and a message. Asks nothing. A
+    /// sample is opened as a copy.
     bool open_path(const QString& path);
     /// Brings the plots forward, and one of them.
     void show_plot(const std::string& id);
@@ -151,6 +152,8 @@ class MainWindow : public QMainWindow {
     void choose_project();
     void save_thumbnail();
     void update_recent();
+    void say_copy(const QString& sample, const projects::SampleCopy& copy);
+    void begin_sample_afresh(const QString& sample, const projects::SampleCopy& copy);
     void store_memory();
 
     // window_banners.cpp
@@ -182,6 +185,7 @@ class MainWindow : public QMainWindow {
 
     Options options_;
     RecentProjects recent_;
+    Samples samples_;
     Renderer& renderer_;
     Session session_;
     ImageLoader images_;

@@ -1,6 +1,5 @@
 #include <QApplication>
 #include <QClipboard>
-#include <QDir>
 #include <QFileDialog>
 #include <fstream>
 
@@ -173,10 +172,10 @@ void PlotsDock::write_numbers(const QString& file) const {
 }
 
 QString PlotsDock::ask_for_file(const QString& suffix, const QString& filter) {
-    const auto proposed = QDir(dialog_folder(session_)).filePath(text_of(chosen()) + suffix);
-    auto file = QFileDialog::getSaveFileName(this, tr("Export"), proposed, filter);
+    auto file =
+        QFileDialog::getSaveFileName(this, tr("Export"), export_proposal(text_of(chosen()), suffix), filter);
     if (file.isEmpty()) return {};
-    remember_folder_of(file);
+    remember_export(file);
     return file.endsWith(suffix, Qt::CaseInsensitive) ? file : file + suffix;
 }
 

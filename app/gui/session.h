@@ -30,7 +30,8 @@ class Session : public QObject {
     void set_unsaved_folder(const std::filesystem::path& folder) { unsaved_folder_ = folder; }
 
     // Files. All throw Error with one line; the project that was open stays open then.
-    /// A project's folder, also one that a crash left before the project was ever saved.
+    /// A project's folder, also one that a crash left before the project was ever saved. The one that is open
+    /// is closed and read again.
     void open(const std::filesystem::path& path);
     /// Not saved yet, with nothing to undo.
     void create_from_scene(const std::string& scene);

@@ -30,7 +30,13 @@ projects::Scene scene_item(const projects::Project& project, const std::string& 
 
 }  // namespace
 
-void Session::open(const std::filesystem::path& path) {
+void Session::open(const std::filesystem::path& given) {
+    // Whatever folder the program is in later.
+    auto path = std::filesystem::absolute(given).lexically_normal();
+    if (path.filename().empty()) path = path.parent_path();
+    // Read again: its lock is our own.
+    std::error_code ignored;
+    if (project_ && std::filesystem::equivalent(path, project_->folder(), ignored)) close();
     adopt(projects::is_unsaved(path) ? projects::OpenProject::recover_unsaved(path, registry_)
                                      : std::make_unique<projects::OpenProject>(path, registry_));
 }

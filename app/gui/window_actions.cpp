@@ -1,5 +1,4 @@
 #include <QApplication>
-#include <QDir>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QMessageBox>
@@ -101,10 +100,10 @@ void MainWindow::make_edit_actions() {
 
 void MainWindow::export_to(const QString& suffix, const QString& filter,
                            void (Exports::*save)(const QString&) const) {
-    const QString proposed = QDir(dialog_folder(session_)).filePath(exports_.suggested_name(suffix));
-    QString file = QFileDialog::getSaveFileName(this, tr("Export"), proposed, filter);
+    QString file =
+        QFileDialog::getSaveFileName(this, tr("Export"), export_proposal(exports_.title(), suffix), filter);
     if (file.isEmpty()) return;
-    remember_folder_of(file);
+    remember_export(file);
     if (!file.endsWith(suffix, Qt::CaseInsensitive)) file += suffix;
     if (run_file_step([&] { (exports_.*save)(file); }, tr("Cannot export")))
         status_->say(tr("Wrote %1").arg(file));

@@ -18,7 +18,7 @@ projects::EditPtr no_edit() {
 }  // namespace
 
 void MainWindow::update_project_banners() {
-    for (const char* name : {"read-only", "recovery", "scene", "check"})
+    for (const char* name : {"read-only", "recovery", "scene", "check", "sample"})
         banners_->hide_banner(QLatin1String(name));
     if (!session_.has_project()) return;
     const auto& project = session_.open_project();

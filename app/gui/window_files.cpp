@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QStackedWidget>
+#include <optional>
 
 #include "app/gui/dialog_folder.h"
 #include "app/gui/main_window.h"
@@ -36,19 +37,50 @@ bool MainWindow::run_file_step(const std::function<void()>& work, const QString&
 }
 
 bool MainWindow::open_path(const QString& path) {
+    std::optional<projects::SampleCopy> copy;
     const bool opened = run_file_step(
         [&] {
             store_memory();
             const std::string text = path.toStdString();
-            is_scene(path) ? session_.create_from_scene(text) : session_.open(text);
+            if (is_scene(path)) return session_.create_from_scene(text);
+            if (Samples::contains(text)) copy = samples_.copy(text);
+            session_.open(copy ? copy->folder : std::filesystem::path(text));
         },
         tr("Cannot open"));
-    if (opened && !path.startsWith(QStringLiteral("builtin:"))) remember_folder_of(path);
-    if (opened && !is_scene(path)) {
-        recent_.add(QString::fromStdString(session_.open_project().folder().string()));
-        update_recent();
+    if (!opened) return false;
+    if (!copy && !path.startsWith(QStringLiteral("builtin:"))) remember_folder_of(path);
+    if (copy) say_copy(path, *copy);
+    if (is_scene(path)) return true;
+    recent_.add(QString::fromStdString(session_.open_project().folder().string()));
+    update_recent();
+    return true;
+}
+
+void MainWindow::say_copy(const QString& sample, const projects::SampleCopy& copy) {
+    const auto folder = QString::fromStdString(copy.folder.string());
+    if (!copy.is_changed) {
+        const auto text = tr("Opened a copy of the sample, %1; the sample stays as it is.").arg(folder);
+        messages_->add({Severity::note, "project", text.toStdString()});
+        return status_->say(text);
     }
-    return opened;
+    const auto text = tr("This is your copy of the sample, as you left it: %1.").arg(folder);
+    const auto newer = copy.is_outdated ? tr(" The sample itself has changed since.") : QString();
+    banners_->show_banner(QStringLiteral("sample"), Kind::note, text + newer,
+                          {{tr("Begin afresh"), [=, this] { begin_sample_afresh(sample, copy); }}});
+}
+
+/// The copy that somebody worked on stays, under another name.
+void MainWindow::begin_sample_afresh(const QString& sample, const projects::SampleCopy& copy) {
+    if (!may_discard()) return;
+    QString aside;
+    const auto put_aside = [&] {
+        store_memory();
+        session_.close();
+        aside = QString::fromStdString(projects::put_aside(copy).string());
+    };
+    if (!run_file_step(put_aside, tr("Cannot begin afresh"))) return;
+    recent_.add(aside);
+    if (open_path(sample)) status_->say(tr("What you had is kept in %1").arg(aside));
 }
 
 void MainWindow::new_project() {
@@ -154,7 +186,7 @@ void MainWindow::update_recent() {
         });
     recent_menu_->setEnabled(!recent_menu_->isEmpty());
     welcome_->set_recent(recent_.all());
-    welcome_->set_samples(sample_projects());
+    welcome_->set_samples(samples_.all());
 }
 
 }  // namespace ir::gui

@@ -1,3 +1,4 @@
+#include <QAction>
 #include <QDesktopServices>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -67,6 +68,7 @@ void MainWindow::connect_views() {
     connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
         if (session_.experiment() && session_.experiment()->id == id) update_lists();
     });
+    connect(&workspace_, &Workspace::export_values_wanted, action("export-values"), &QAction::trigger);
     connect(&workspace_, &Workspace::element_clicked, this, &MainWindow::choose_item_of_element);
     connect(display_, &widgets::DisplayPanel::display_chosen, this,
             [this](const widgets::Display& display) { workspace_.choose_display(display); });

@@ -14,20 +14,6 @@ using widgets::ViewArea;
 using widgets::ViewPane;
 using widgets::ViewState;
 
-namespace {
-
-/// Where the experiment that A was compared with is gone, as after undoing what added it, A stands alone:
-/// nobody asked for another comparison.
-ViewState without_lost(ViewState state, const Session& session) {
-    const auto& b = state.b;
-    const bool shows_b = widgets::compares(state.mode) && state.mode != widgets::ViewMode::stages;
-    if (shows_b && session.has_project() && !b.owner.empty() && !b.is_file() && !session.experiment(b.owner))
-        state.mode = widgets::ViewMode::single;
-    return state;
-}
-
-}  // namespace
-
 Workspace::Workspace(Session& session, LivePictures& live, Renderer& renderer, ImageLoader& images,
                      KeptResults& kept, ImageView::Surface surface)
     : session_(session),
@@ -141,7 +127,11 @@ bool Workspace::is_settled() const {
 
 void Workspace::update_all() {
     if (loading_) return;
-    for (auto& state : states_) state = completed(without_lost(std::move(state), session_));
+    const auto owner = active_state().a.owner;
+    for (std::size_t view = 0; view < states_.size(); ++view)
+        states_[view] = completed(without_lost(int(view)));
+    // What is worked on is what is shown.
+    if (active_state().a.owner != owner) session_.select_experiment(active_state().a.owner);
     send_wants();
     for (const int view : area_->open_views()) update_view(view);
 }
@@ -153,7 +143,7 @@ void Workspace::on_picture(const std::string& id) {
         const auto shown = sources(state(view));
         if (std::none_of(shown.begin(), shown.end(), [&](const auto& source) { return source.owner == id; }))
             continue;
-        auto state = completed(without_lost(states_[std::size_t(view)], session_));
+        auto state = completed(without_lost(view));
         if (state != states_[std::size_t(view)]) {
             states_[std::size_t(view)] = std::move(state);
             completed_some = true;

@@ -93,6 +93,8 @@ class Workspace : public QObject {
     void picked(QPoint pixel);
     void explain_wanted(QPoint pixel);
     void element_clicked(const std::string& owner, const std::string& buffer, qint64 element);
+    /// Of the active view.
+    void export_values_wanted();
     void linked_changed(bool linked);
     void region_changed();
     void tool_changed(ir::widgets::ImageView::Tool tool);
@@ -111,6 +113,7 @@ class Workspace : public QObject {
     std::vector<std::string> shown_experiments() const;
 
     // workspace_state.cpp
+    widgets::ViewState without_lost(int view) const;
     widgets::ViewState completed(widgets::ViewState state) const;
     widgets::ViewSource another_source(const widgets::ViewSource& a) const;
     std::vector<widgets::ViewSource> sources(const widgets::ViewState& state) const;
@@ -161,6 +164,8 @@ class Workspace : public QObject {
     PictureSource pictures_;
     widgets::ImageView::Surface surface_;
     std::array<widgets::ViewState, widgets::ViewArea::most_views> states_;
+    /// What a view showed before another experiment came into it.
+    std::array<widgets::ViewState, widgets::ViewArea::most_views> before_;
     std::array<widgets::ViewPane*, widgets::ViewArea::most_views> panes_{};
     /// 3D pictures of a view: what the newest was drawn from, whose they are, and the first serial of that
     /// owner.

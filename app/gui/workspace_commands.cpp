@@ -32,6 +32,7 @@ void Workspace::step_output(int step) {
 void Workspace::show_owner(const std::string& owner) {
     auto state = active_state();
     if (state.a.owner == owner) return;
+    before_[std::size_t(area_->active())] = state;
     state.a.owner = owner;
     set_state(area_->active(), state);
 }

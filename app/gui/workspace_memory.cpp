@@ -45,7 +45,7 @@ void Workspace::load(const projects::Json& memory) {
     std::tie(region_size_, region_) = region_from_json(member_or_null(memory, "region"));
     set_region(region_size_, region_);
     const auto& views = member_or_null(memory, "views");
-    states_ = {};
+    states_ = before_ = {};
     std::size_t view = 0;
     for (const auto& state : member_or_null(views, "states"))
         if (view < states_.size()) states_[view++] = view_state_from_json(state);

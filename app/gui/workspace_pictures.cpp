@@ -130,6 +130,10 @@ void Workspace::connect_table(int view, widgets::BufferTable& table) {
         if (content_of(state) == widgets::ViewPane::Content::space)
             panes_[std::size_t(view)]->space().select_element(pictures_.key_of(state.a), element);
     });
+    connect(&table, &widgets::BufferTable::save_wanted, this, [this, view] {
+        area_->set_active(view);
+        emit export_values_wanted();
+    });
 }
 
 void Workspace::update_table(int view) {

@@ -24,6 +24,21 @@ bool is_picture(OutputKind kind) {
 
 }  // namespace
 
+/// Where an experiment is gone, as after undoing what added it, the view shows what it did before it came,
+/// and what it was compared with is not replaced by something that nobody asked for.
+ViewState Workspace::without_lost(int view) const {
+    auto state = states_[std::size_t(view)];
+    if (!session_.has_project()) return state;
+    const auto is_lost = [this](const ViewSource& source) {
+        return !source.owner.empty() && !source.is_file() && !session_.experiment(source.owner);
+    };
+    if (is_lost(state.a) && session_.experiment(before_[std::size_t(view)].a.owner))
+        state = before_[std::size_t(view)];
+    if (widgets::compares(state.mode) && state.mode != ViewMode::stages && is_lost(state.b))
+        state.mode = ViewMode::single;
+    return state;
+}
+
 ViewState Workspace::completed(ViewState state) const {
     if (!session_.has_project()) return state;
     const auto mend = [this](ViewSource& source) {

@@ -1,12 +1,10 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QSaveFile>
 #include <QTableView>
 #include <algorithm>
@@ -180,17 +178,6 @@ void BufferTable::save_csv(const QString& file) const {
         if (!stream) fail();
     }
     if (!out.commit()) fail();
-}
-
-void BufferTable::save() {
-    const QString file = QFileDialog::getSaveFileName(
-        this, tr("Save elements"), name_ + QStringLiteral(".csv"), tr("Comma-separated values (*.csv)"));
-    if (file.isEmpty()) return;
-    try {
-        save_csv(file);
-    } catch (const Error& error) {
-        QMessageBox::warning(this, tr("Save elements"), QString::fromUtf8(error.what()));
-    }
 }
 
 }  // namespace ir::widgets

@@ -83,7 +83,7 @@ QWidget* BufferTable::make_bar() {
         return result;
     };
     copy_ = button("copy", tr("Copy the chosen rows"), &BufferTable::copy);
-    save_ = button("save", tr("Save what is listed as CSV …"), &BufferTable::save);
+    save_ = button("save", tr("Save what is listed as CSV …"), &BufferTable::save_wanted);
     return bar;
 }
 
@@ -115,7 +115,6 @@ void BufferTable::make_view() {
 void BufferTable::set_buffer(const QString& name, BufferData buffer) {
     const bool same_fields = buffer.fields == model_->buffer().fields && reason_.isEmpty();
     reason_.clear();
-    name_ = name;
     title_->setText(QStringLiteral("<b>%1</b>").arg(name.toHtmlEscaped()));
     title_->setToolTip(name);
     showing_ = true;
@@ -141,7 +140,6 @@ void BufferTable::set_buffer(const QString& name, BufferData buffer) {
 
 void BufferTable::clear(const QString& reason) {
     reason_ = reason.isEmpty() ? tr("No buffer is shown.") : reason;
-    name_.clear();
     title_->clear();
     listing_ = {};
     chosen_ = -1;

@@ -45,13 +45,12 @@ class BufferTable : public QWidget {
   signals:
     void element_selected(qint64 element);  ///< by a person; -1: none
     void show_wanted(qint64 element);       ///< double click or Enter: look at it in 3D
+    void save_wanted();                     ///< save_csv(), into a file that is to be asked for
     void settled();                         ///< filtering and sorting are done
 
   public slots:
     /// The chosen rows as text, with the columns' names.
     void copy();
-    /// Asks for a file and writes what is listed.
-    void save();
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -87,7 +86,7 @@ class BufferTable : public QWidget {
     QThreadPool pool_;
     std::atomic<bool> cancelled_ = false;
     std::uint64_t serial_ = 0;
-    QString name_, reason_;
+    QString reason_;
     Listing listing_;
     qint64 chosen_ = -1;
     bool busy_ = false, running_ = false, showing_ = false;

@@ -86,13 +86,17 @@ void ViewArea::follow_focus(QWidget* now) {
         if (now && docks_[std::size_t(i)]->isAncestorOf(now)) return set_active(i);
 }
 
-void ViewArea::arrange(Arrangement arrangement) {
-    arranging_ = true;
-    const auto count = count_of(arrangement);
+void ViewArea::take_all_out() {
     for (auto* dock : docks_) {
         dock->setFloating(false);
         removeDockWidget(dock);
     }
+}
+
+void ViewArea::arrange(Arrangement arrangement) {
+    arranging_ = true;
+    const auto count = count_of(arrangement);
+    take_all_out();
     if (arrangement == Arrangement::one) {  // what one works with stays
         ensure(active_);
         addDockWidget(Qt::LeftDockWidgetArea, dock(active_));
@@ -173,6 +177,7 @@ QByteArray ViewArea::save() const {
 
 bool ViewArea::restore(const QByteArray& state) {
     arranging_ = true;
+    take_all_out();  // what the state does not name would stay open where it is
     const bool restored = restoreState(state, state_version);
     for (int i = 0; i < most_views; ++i)
         if (is_open(i)) ensure(i);

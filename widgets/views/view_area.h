@@ -49,6 +49,7 @@ class ViewArea : public QMainWindow {
 
   private:
     void ensure(int number);
+    void take_all_out();
     void follow_focus(QWidget* now);
     void mark_active();
     std::function<QWidget*(int)> make_;

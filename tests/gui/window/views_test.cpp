@@ -212,5 +212,44 @@ TEST_F(ViewsTest, WhatViewsShowIsRememberedWithTheProject) {
     EXPECT_EQ(workspace().display().low, -2);
 }
 
+TEST_F(ViewsTest, WhatWasClosedStaysClosedInEveryProject) {
+    const QTemporaryDir folder;
+    const auto path = [&](const char* name) { return folder.path() + "/" + name + ".interreflect"; };
+    trigger("views-4");
+    area().set_active(2);
+    window.session().save_as(path("four").toStdString());
+    open_scene();
+    ASSERT_EQ(area().open_views().size(), 1u);
+    window.session().save_as(path("one").toStdString());
+    // From four views that are open, and from a window that is new.
+    ASSERT_TRUE(window.open_path(path("four")));
+    ASSERT_EQ(area().open_views().size(), 4u);
+    ASSERT_TRUE(window.open_path(path("one")));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(area().open_views().size(), 1u);
+    window.session().close();
+    FakeRenderer fresh_renderer;
+    MainWindow fresh(fresh_renderer, fake_registry(), {.remember = false});
+    fresh.show();
+    ASSERT_TRUE(fresh.open_path(path("one")));
+    EXPECT_EQ(fresh.workspace().area().open_views().size(), 1u);
+    fresh.session().close();
+}
+
+TEST_F(ViewsTest, UndoingAnAddedExperimentShowsWhatWasShownBefore) {
+    add_second_experiment(0.75);
+    const auto second = window.session().document().experiments[1].id;
+    window.session().select_experiment(second);
+    ASSERT_TRUE(settle());
+    choose(header("output-a"), "Depth");
+    trigger("experiment-add");
+    ASSERT_NE(workspace().active_state().a.owner, second);
+    trigger("buffer-main");
+    trigger("undo");
+    EXPECT_EQ(workspace().active_state().a.owner, second);
+    EXPECT_EQ(workspace().shown_key(), "depth");
+    EXPECT_EQ(window.session().experiment()->id, second);
+}
+
 }  // namespace
 }  // namespace ir::gui

@@ -1,0 +1,150 @@
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QFileInfo>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <map>
+
+#include "app/gui/dialog_folder.h"
+#include "app/gui/known_projects.h"
+#include "tests/gui/window/window_fixture.h"
+
+namespace ir::gui {
+namespace {
+
+/// An installation of its own with one sample.
+class SamplesTest : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        before_ = qgetenv("INTERREFLECT_DATA");
+        qputenv("INTERREFLECT_DATA", installation.path().toLocal8Bit());
+        open_scene();
+        window.session().save_as(sample.toStdString());
+        window.session().close();
+    }
+    void TearDown() override {
+        before_.isNull() ? qunsetenv("INTERREFLECT_DATA") : qputenv("INTERREFLECT_DATA", before_);
+        WindowTest::TearDown();
+    }
+    /// Everything in the installation, hidden files as well.
+    std::map<QString, QByteArray> installed() const {
+        std::map<QString, QByteArray> files;
+        QDirIterator at(installation.path(), QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot,
+                        QDirIterator::Subdirectories);
+        while (at.hasNext()) {
+            QFile file(at.next());
+            files[at.filePath()] = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        }
+        return files;
+    }
+    QString opened() { return QString::fromStdString(window.session().open_project().folder().string()); }
+    void open_sample() {
+        ASSERT_TRUE(window.open_path(sample)) << window.banners().text("file").toStdString();
+        ASSERT_TRUE(settle());
+    }
+
+    QTemporaryDir installation;
+    QString sample = installation.path() + "/samples/a.interreflect";
+
+  private:
+    QByteArray before_;
+};
+
+TEST_F(SamplesTest, OpeningAndSavingOneWritesNothingIntoTheInstallation) {
+    const auto before = installed();
+    open_sample();
+    EXPECT_FALSE(opened().startsWith(installation.path())) << opened().toStdString();
+    EXPECT_FALSE(window.session().open_project().is_read_only());
+    type_level("0.75");
+    trigger("save");
+    EXPECT_FALSE(window.isWindowModified());
+    window.session().autosave();
+    EXPECT_EQ(installed(), before) << "while it is open";
+    window.session().close();
+    EXPECT_EQ(installed(), before);
+}
+
+TEST_F(SamplesTest, AChangedCopyComesBackAndAFreshOneIsOffered) {
+    open_sample();
+    EXPECT_TRUE(window.banners().text("sample").isEmpty());
+    const auto copy = opened();
+    type_level("0.75");
+    trigger("save");
+    open_sample();  // while it is open
+    EXPECT_FALSE(window.session().open_project().is_read_only());
+    EXPECT_EQ(opened(), copy);
+    EXPECT_FLOAT_EQ(pixel(), 0.75f);
+    EXPECT_TRUE(window.banners().text("sample").contains(copy));
+    auto* banner = window.banners().findChild<QWidget*>("banner:sample");
+    ASSERT_TRUE(banner);
+    banner->findChild<QPushButton*>()->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banners().text("sample").isEmpty(); }, 5000));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(opened(), copy);
+    EXPECT_FLOAT_EQ(pixel(), 0.25f);
+    const auto aside = QFileInfo(copy).path() + "/a-2.interreflect";
+    ASSERT_TRUE(window.open_path(aside));
+    ASSERT_TRUE(settle());
+    EXPECT_FLOAT_EQ(pixel(), 0.75f);
+}
+
+TEST_F(SamplesTest, AreKnownThroughLinksAndRelativePaths) {
+    QTemporaryDir elsewhere;
+    QFile::link(installation.path() + "/samples", elsewhere.path() + "/link");
+    EXPECT_TRUE(Samples::contains(sample.toStdString()));
+    EXPECT_TRUE(Samples::contains((elsewhere.path() + "/link/a.interreflect/").toStdString()));
+    EXPECT_FALSE(Samples::contains((installation.path() + "/samples").toStdString()));
+    EXPECT_FALSE(Samples::contains((installation.path() + "/samples-of-mine/a").toStdString()));
+    const auto here = QDir::currentPath();
+    QDir::setCurrent(installation.path());
+    EXPECT_TRUE(Samples::contains("samples/a.interreflect"));
+    QDir::setCurrent(here);
+}
+
+TEST_F(WindowTest, ARecentProjectIsFoundFromAnotherFolder) {
+    QSettings().remove("recent");
+    const QTemporaryDir folder;
+    open_scene();
+    window.session().save_as((folder.path() + "/kept.interreflect").toStdString());
+    window.session().close();
+    FakeRenderer other_renderer;
+    MainWindow other(other_renderer, fake_registry(), {.remember = true});
+    const auto here = QDir::currentPath();
+    QDir::setCurrent(folder.path());
+    const bool opened = other.open_path("./kept.interreflect/");
+    QDir::setCurrent(here);
+    ASSERT_TRUE(opened);
+    EXPECT_TRUE(other.session().open_project().folder().is_absolute());
+    const auto all = RecentProjects(true).all();
+    const auto recent = std::find_if(all.begin(), all.end(), [&](const auto& project) {
+        return project.path == folder.path() + "/kept.interreflect";
+    });
+    ASSERT_NE(recent, all.end());
+    EXPECT_FALSE(recent->missing);
+    other.session().close();
+    QSettings().remove("recent");
+}
+
+TEST(DialogFolder, NamesOfExportsAreClean) {
+    EXPECT_EQ(clean_file_name("(a) LDMs: ldm.accessibility").toStdString(), "a-LDMs-ldm-accessibility");
+    EXPECT_EQ(clean_file_name("Höhle 2 / nah").toStdString(), "Höhle-2-nah");
+    EXPECT_EQ(clean_file_name(" ../.. ").toStdString(), "untitled");
+    EXPECT_EQ(clean_file_name(QString(300, 'x')).size(), 100);
+}
+
+TEST(DialogFolder, ExportsGoWhereTheLastOneWent) {
+    const QTemporaryDir last;
+    QSettings().remove("export/folder");
+    EXPECT_FALSE(export_proposal("a", ".png").startsWith(QDir::currentPath() + "/a"));
+    EXPECT_TRUE(export_proposal("a", ".png").endsWith("/a.png"));
+    remember_export(last.path() + "/b.png");
+    EXPECT_EQ(export_proposal("(a) LDMs", ".csv"), last.path() + "/a-LDMs.csv");
+    QSettings().remove("export/folder");
+}
+
+}  // namespace
+}  // namespace ir::gui
