@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include "widgets/panels/empty_tree_view.h"
+#include "widgets/parameters/number_field.h"
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
@@ -112,6 +113,7 @@ QWidget* BenchmarkPanel::make_head() {
     repeats_->setToolTip(tr("Warm runs of which the median counts, after one cold run"));
     repeats_->setAccessibleName(tr("Repeats"));
     repeats_->setKeyboardTracking(false);
+    leave_letters_to_shortcuts(repeats_);
     connect(repeats_, &QSpinBox::valueChanged, this, &BenchmarkPanel::repeats_chosen);
     row->addWidget(repeats_);
     run_ = add_button(row, "run", "rerun", tr("Run"));

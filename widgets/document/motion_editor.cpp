@@ -11,7 +11,7 @@
 #include "widgets/document/options.h"
 #include "widgets/document/ordered_list.h"
 #include "widgets/document/short_forms.h"
-#include "widgets/parameters/row_state.h"
+#include "widgets/style/number_text.h"
 
 namespace ir::widgets {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "widgets/document/motion_target.h"
 #include "widgets/document/short_forms.h"
-#include "widgets/parameters/row_state.h"
+#include "widgets/style/number_text.h"
 
 namespace ir::widgets {
 namespace {

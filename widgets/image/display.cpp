@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderers/image/channels.h"
+#include "widgets/style/number_text.h"
 
 namespace ir::widgets {
 namespace {
@@ -99,9 +100,7 @@ Image shown_channels(const Image& image, int channel) {
 }
 
 QString short_number(double value) {
-    if (std::isnan(value)) return QStringLiteral("NaN");
-    if (std::isinf(value)) return value > 0 ? QStringLiteral("+Inf") : QStringLiteral("-Inf");
-    return QString::number(value, 'g', 4);
+    return number_text(value, 4);
 }
 
 QString channel_name(Semantic semantic, int channels, int channel) {

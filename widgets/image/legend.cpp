@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "renderers/image/colour_map.h"
+#include "widgets/style/number_text.h"
 
 namespace ir::widgets {
 namespace {
@@ -48,9 +49,7 @@ std::vector<Mark> marks_of(const Display& display) {
 }
 
 QStringList colour_lines(const Display& display) {
-    QStringList lines = {translated("exposure %1%2 EV")
-                             .arg(QLatin1String(display.exposure < 0 ? "" : "+"))
-                             .arg(display.exposure)};
+    QStringList lines = {translated("exposure %1").arg(exposure_text(display.exposure))};
     if (display.tone_map == Display::ToneMap::reinhard) lines << translated("tone map Reinhard");
     if (display.tone_map == Display::ToneMap::filmic) lines << translated("tone map filmic");
     return lines << translated("sRGB");

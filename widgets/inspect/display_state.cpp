@@ -69,7 +69,8 @@ void DisplayPanel::fit_exposure() {
     const auto* counts = histogram_->current();
     if (!counts || counts->percentile_99 <= 0) return;
     Display display = display_;
-    display.exposure = std::clamp(-std::log2(counts->percentile_99), -40.0, 40.0);
+    const double tenths = std::floor(-10 * std::log2(counts->percentile_99));
+    display.exposure = std::clamp(tenths / 10, -40.0, 40.0);
     choose(display);
 }
 
@@ -136,7 +137,7 @@ void DisplayPanel::update_counts() {
     };
     set(fit_all_, tr("From the least to the greatest finite value"));
     set(fit_most_, tr("From the 1st to the 99th percentile of the finite values: ignores outliers"));
-    set(fit_exposure_, tr("The exposure that makes the 99th percentile just white"));
+    set(fit_exposure_, tr("The exposure that makes the 99th percentile just white, in tenths of a stop"));
 }
 
 }  // namespace ir::widgets

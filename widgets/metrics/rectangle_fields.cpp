@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/parameters/number_field.h"
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
@@ -67,6 +68,7 @@ RectangleFields::RectangleFields(QWidget* parent) : QWidget(parent) {
         field->setButtonSymbols(QAbstractSpinBox::NoButtons);  // arrow keys and the wheel do it, too
         field->setAlignment(Qt::AlignRight);
         field->setMinimumWidth(38);
+        leave_letters_to_shortcuts(field);
         connect(field, &QSpinBox::valueChanged, this, &RectangleFields::take);
         row->addWidget(field, 1);
     }

@@ -6,9 +6,37 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/parameters/row_state.h"
+#include "widgets/style/number_text.h"
 
 namespace ir::widgets {
+namespace {
+
+bool may_become_number(QChar c) {
+    return c.isDigit() || QStringLiteral("+-.eE").contains(c);
+}
+
+class LetterFilter : public QObject {
+  public:
+    using QObject::QObject;
+
+  protected:
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() != QEvent::ShortcutOverride) return false;
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const QString text = key->text();
+        if (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier) || text.isEmpty() ||
+            !text[0].isPrint() || may_become_number(text[0]))
+            return false;
+        event->ignore();
+        return true;
+    }
+};
+
+}  // namespace
+
+void leave_letters_to_shortcuts(QAbstractSpinBox* field) {
+    field->installEventFilter(new LetterFilter(field));
+}
 
 NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
     setDecimals(12);  // digits are cut by textFromValue, not by rounding the value
@@ -17,6 +45,7 @@ NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setLocale(QLocale::c());
     setMinimumWidth(84);
+    leave_letters_to_shortcuts(this);
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         if (!showing_) emit chosen(value);
     });
@@ -56,7 +85,6 @@ QValidator::State NumberField::validate(QString& text, int&) const {
         if (whole_ && number != std::floor(number)) return QValidator::Invalid;
         return number >= minimum() && number <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
     }
-    const auto may_become_number = [](QChar c) { return c.isDigit() || QStringLiteral("+-.eE").contains(c); };
     return std::all_of(typed.begin(), typed.end(), may_become_number) ? QValidator::Intermediate
                                                                       : QValidator::Invalid;
 }

@@ -4,9 +4,13 @@
 
 namespace ir::widgets {
 
+/// Letters that no number has are shortcuts, as anywhere else in the window; a spin box would swallow them.
+void leave_letters_to_shortcuts(QAbstractSpinBox* field);
+
 /// A spin box that shows numbers in their shortest form, takes typed ones on Enter or when left, steps in
 /// proportion to the value, and leaves the wheel to the page unless it has the focus. Undo and redo belong to
-/// the document, not to the text that is being typed.
+/// the document, not to the text that is being typed. Digits that are not shown are kept: showing a value
+/// changes nothing.
 class NumberField : public QDoubleSpinBox {
     Q_OBJECT
   public:

@@ -59,10 +59,6 @@ QString tooltip_of(const ParameterDescription& parameter) {
 
 }  // namespace
 
-QString number_text(double value) {
-    return QString::number(value, 'g', 7);
-}
-
 QString value_text(const ParameterDescription& parameter, const Value& value) {
     if (const auto* flag = std::get_if<bool>(&value)) return *flag ? tr("on") : tr("off");
     if (const auto* key = std::get_if<std::string>(&value)) {

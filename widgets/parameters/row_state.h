@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderers/core/parameter.h"
+#include "widgets/style/number_text.h"
 
 namespace ir::widgets {
 
@@ -25,7 +26,5 @@ double slider_position(const Range& range, double value);
 double slider_value(const Range& range, double position);
 /// The value as people read it: choice labels, units.
 QString value_text(const ParameterDescription& parameter, const Value& value);
-/// Seven significant digits: hides the noise of single-precision defaults.
-QString number_text(double value);
 
 }  // namespace ir::widgets

@@ -10,6 +10,7 @@
 #include "renderers/image/colour_map.h"
 #include "widgets/parameters/number_field.h"
 #include "widgets/space/filter_row.h"
+#include "widgets/space/space_overlay.h"
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
@@ -23,11 +24,6 @@ QIcon map_icon(const std::string& name) {
         for (int y = 0; y < strip.height(); ++y) strip.setPixelColor(x, y, QColor(c[0], c[1], c[2]));
     }
     return QIcon(QPixmap::fromImage(strip));
-}
-
-QString component_name(int count, int component) {
-    static const char* letters[] = {"x", "y", "z", "w"};
-    return count <= 4 ? QString::fromLatin1(letters[component]) : QString::number(component);
 }
 
 const Field* find_field(const std::vector<Field>& fields, const std::string& name) {
@@ -197,7 +193,7 @@ void LayerDetails::show_colours(const LayerInfo* info) {
     const Field* field = find_field(fields_, layer_.colour_by);
     const int count = field ? field->count : 1;
     component_->clear();
-    for (int c = 0; c < count; ++c) component_->addItem(component_name(count, c));
+    for (int c = 0; c < count && field; ++c) component_->addItem(component_name(layer_.kind, *field, c));
     component_->setCurrentIndex(std::clamp(layer_.component, 0, count - 1));
     map_->setCurrentText(QString::fromStdString(layer_.colour_map));
     // The numbers of another quantity's picture say nothing.
@@ -267,7 +263,7 @@ void LayerDetails::fill_filter_menu() {
     for (const Field& field : fields_) {
         if (has_row(field)) continue;
         QString text = QString::fromStdString(field.name);
-        if (field.count > 1) text += QStringLiteral(" (x)");
+        if (field.count > 1) text += QStringLiteral(" (%1)").arg(component_name(layer_.kind, field, 0));
         connect(filter_menu_->addAction(text), &QAction::triggered, this, [this, name = field.name] {
             requested_[layer_.key].insert(name);
             emit layer_chosen(layer_);

@@ -7,6 +7,8 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "widgets/parameters/number_field.h"
+
 namespace ir::widgets {
 
 SelectorRow::SelectorRow(QWidget* parent) : QWidget(parent) {
@@ -17,6 +19,7 @@ SelectorRow::SelectorRow(QWidget* parent) : QWidget(parent) {
     number_ = new QSpinBox(this);
     number_->setKeyboardTracking(false);
     number_->setMinimumWidth(62);
+    leave_letters_to_shortcuts(number_);
     count_ = new QLabel(this);
     slider_ = new QSlider(Qt::Horizontal, this);
     slider_->setMinimumWidth(40);

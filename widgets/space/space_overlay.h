@@ -31,7 +31,9 @@ QString count_text(std::uint64_t count);
 QString amount_text(OutputKind kind, std::uint64_t elements, std::uint64_t stride);
 /// The same of a drawn layer; where filters are set, how many pass: "12.3 k of 2.7 M points".
 QString amount_text(const LayerInfo& info);
-/// "depth", "radiance [2]", "facing", "one colour".
+/// "depth", "radiance, z", "colatitude, lower bound", "facing", "one colour".
 QString colour_text(const SpaceLayer& layer, const std::vector<Field>& fields);
+/// "y", "upper bound".
+QString component_name(OutputKind kind, const Field& field, int component);
 
 }  // namespace ir::widgets

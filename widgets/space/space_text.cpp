@@ -54,8 +54,15 @@ QString colour_text(const SpaceLayer& layer, const std::vector<Field>& fields) {
     const QString name = QString::fromStdString(layer.colour_by);
     const auto field =
         std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == layer.colour_by; });
-    const bool many = field != fields.end() && field->count > 1;
-    return many ? QStringLiteral("%1 [%2]").arg(name).arg(layer.component) : name;
+    if (field == fields.end() || field->count < 2) return name;
+    return QStringLiteral("%1, %2").arg(name, component_name(layer.kind, *field, layer.component));
+}
+
+QString component_name(OutputKind kind, const Field& field, int component) {
+    // Of regions of a sphere [scene_3d.h].
+    if (kind == OutputKind::sphere_values && field.count == 2)
+        return component == 0 ? QStringLiteral("lower bound") : QStringLiteral("upper bound");
+    return field.count <= 4 ? QString(QLatin1Char("xyzw"[component])) : QString::number(component);
 }
 
 }  // namespace ir::widgets

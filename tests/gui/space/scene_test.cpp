@@ -39,6 +39,25 @@ TEST(DefaultLayer, ColoursByWhatTellsElementsApart) {
     EXPECT_EQ(colour_of(OutputKind::sphere_values, {{"centre", FieldType::f32, 3}}), "");
 }
 
+TEST(ColourText, NamesComponentsForPeople) {
+    const std::vector<Field> fields{{"colatitude", FieldType::f32, 2},
+                                    {"radiance", FieldType::f32, 3},
+                                    {"sums", FieldType::f32, 6},
+                                    {"map", FieldType::u32, 1}};
+    SpaceLayer layer;
+    layer.kind = OutputKind::sphere_values;
+    const auto text = [&](const char* field, int component) {
+        layer.colour_by = field;
+        layer.component = component;
+        return colour_text(layer, fields).toStdString();
+    };
+    EXPECT_EQ(text("colatitude", 0), "colatitude, lower bound");
+    EXPECT_EQ(text("colatitude", 1), "colatitude, upper bound");
+    EXPECT_EQ(text("radiance", 2), "radiance, z");
+    EXPECT_EQ(text("sums", 5), "sums, 5");
+    EXPECT_EQ(text("map", 0), "map");
+}
+
 TEST(FieldRanges, ReadEachTypeAndSkipWhatIsNoNumber) {
     const std::vector<Field> fields{
         {"position", FieldType::f32, 3}, {"layer", FieldType::u32, 1}, {"change", FieldType::i32, 1}};

@@ -275,5 +275,19 @@ TEST_F(WindowTest, EveryMenuEntryHasKeysExceptAbout) {
         }
 }
 
+TEST_F(WindowTest, KeysOfTheWindowWorkWhileANumberFieldHasTheFocus) {
+    open_scene();
+    QTest::mouseMove(&window.view(), window.view().rect().center());
+    type_level("0.75");
+    ASSERT_TRUE(level()->hasFocus());
+    QTest::keyClick(level(), Qt::Key_P);
+    projects::Json memory;
+    window.inspector().save(memory);
+    EXPECT_EQ(memory["pins"].size(), 1u);
+    QTest::keyClick(level(), Qt::Key_E);  // a letter of 1e-3
+    EXPECT_TRUE(level()->text().contains(QLatin1Char('e'))) << level()->text().toStdString();
+    EXPECT_FLOAT_EQ(level()->value(), 0.75f);
+}
+
 }  // namespace
 }  // namespace ir::gui

@@ -1,0 +1,18 @@
+#include "widgets/style/number_text.h"
+
+#include <cmath>
+
+namespace ir::widgets {
+
+QString number_text(double value, int digits) {
+    if (std::isnan(value)) return QStringLiteral("NaN");
+    if (std::isinf(value)) return value > 0 ? QStringLiteral("+Inf") : QStringLiteral("-Inf");
+    return QString::number(value == 0 ? 0.0 : value, 'g', digits);
+}
+
+QString exposure_text(double stops) {
+    const double tenths = std::round(10 * stops) / 10;
+    return QStringLiteral("%1%2 EV").arg(QLatin1String(tenths < 0 ? "" : "+"), number_text(tenths));
+}
+
+}  // namespace ir::widgets
