@@ -1,7 +1,10 @@
 #include "app/gui/document_dock.h"
 
+#include <QCoreApplication>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QSplitter>
+#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include "app/gui/dialog_folder.h"
@@ -20,6 +23,14 @@ using widgets::ItemRef;
 const char* scene_filter = QT_TRANSLATE_NOOP("ir::gui::DocumentDock", "Scenes (*.gltf *.glb);;All files (*)");
 const char* image_filter = QT_TRANSLATE_NOOP(
     "ir::gui::DocumentDock", "Images (*.exr *.hdr *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)");
+
+/// The command line that belongs to this program, as a terminal finds it.
+QString command_line_program() {
+    const auto name = QStringLiteral("interreflect-cli");
+    const QFileInfo beside(QCoreApplication::applicationDirPath() + QLatin1Char('/') + name);
+    const QFileInfo found(QStandardPaths::findExecutable(name));
+    return !beside.exists() || found == beside ? name : beside.absoluteFilePath();
+}
 
 }  // namespace
 
@@ -77,6 +88,7 @@ void DocumentDock::update_document() {
     const auto& open = session_.open_project();
     const auto why = tr("The project is open read-only: %1").arg(text_of(open.read_only_reason()));
     tree_->set_project(session_.document(), session_.registry(), open.is_read_only(), why);
+    editor_->set_command_line({command_line_program(), text_of(open.folder().string()), !open.is_dirty()});
     editor_->set_project(session_.document(), session_.registry(), open.is_read_only(), why);
     if (const auto* chosen = session_.experiment()) tree_->set_current_experiment(text_of(chosen->id));
     update_files();

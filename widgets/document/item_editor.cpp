@@ -139,6 +139,11 @@ void ItemEditor::set_scene_facts(const SceneFacts& facts) {
     show_again();
 }
 
+void ItemEditor::set_command_line(const CommandLine& command_line) {
+    command_line_ = command_line;
+    show_again();
+}
+
 void ItemEditor::set_view_pose(std::function<std::optional<CameraPose>()> pose) {
     camera_->set_view_pose(pose);
     motion_->set_view_pose(std::move(pose));
@@ -168,7 +173,7 @@ void ItemEditor::show_again() {
         return;
     }
     auto* form = forms_.at(item_.kind);
-    form->show_item({*project_, *registry_, facts_, read_only_, why_read_only_}, item_);
+    form->show_item({*project_, *registry_, facts_, read_only_, why_read_only_, command_line_}, item_);
     QWidget* page = form->parentWidget()->parentWidget();  // viewport, scroll area
     if (stack_->currentWidget() != page) stack_->setCurrentWidget(page);
 }

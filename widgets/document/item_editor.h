@@ -38,6 +38,7 @@ class ItemEditor : public QWidget {
     void set_scene_facts(const SceneFacts& facts);
     /// Where "take from the view" finds the pose; nullopt while there is no picture.
     void set_view_pose(std::function<std::optional<CameraPose>()> pose);
+    void set_command_line(const CommandLine& command_line);
     /// Modes that comparisons may have, as the views call them.
     void set_comparison_modes(const std::vector<Option>& modes);
     /// Takes over what is being typed: before saving.
@@ -61,6 +62,7 @@ class ItemEditor : public QWidget {
     bool read_only_ = false;
     QString why_read_only_;
     SceneFacts facts_;
+    CommandLine command_line_;
     ItemRef item_;
     std::map<ItemKind, ItemForm*> forms_;
     QStackedWidget* stack_;

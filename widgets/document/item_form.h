@@ -31,6 +31,13 @@ struct SceneFacts {
     std::map<QString, CameraPose> poses = {};                ///< of those cameras, as far as known
 };
 
+/// How the project is found from a terminal.
+struct CommandLine {
+    QString program = QStringLiteral("interreflect-cli");
+    QString folder = {};    ///< of the project; empty: it was never saved
+    bool is_saved = false;  ///< whether what is shown is what the folder holds
+};
+
 /// The project as the forms see it while they are shown one.
 struct ShownProject {
     const projects::Project& project;
@@ -38,6 +45,7 @@ struct ShownProject {
     const SceneFacts& facts;
     bool read_only = false;
     QString why_read_only = {};
+    CommandLine command_line = {};
 };
 
 /// One item by its values. A field that is spun or dragged gives one undo step; another field, Enter or

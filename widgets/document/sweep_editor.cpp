@@ -1,7 +1,13 @@
 #include "widgets/document/sweep_editor.h"
 
+#include <QApplication>
+#include <QClipboard>
+#include <QFontDatabase>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
+#include <QRegularExpression>
+#include <QToolButton>
 #include <algorithm>
 
 #include "projects/sweep.h"
@@ -34,6 +40,14 @@ Sweep::Axis& axis_at(Axes& axes, int index) {
     return axes[std::size_t(index)];
 }
 
+/// As a POSIX shell takes it for one word.
+QString shell_word(const QString& text) {
+    static const QRegularExpression plain(QStringLiteral("^[A-Za-z0-9_@%+=:,./-]+$"));
+    if (plain.match(text).hasMatch()) return text;
+    return QLatin1Char('\'') + QString(text).replace(QLatin1Char('\''), QStringLiteral("'\\''")) +
+           QLatin1Char('\'');
+}
+
 }  // namespace
 
 SweepEditor::SweepEditor(QWidget* parent) : ItemForm(parent) {
@@ -46,6 +60,30 @@ SweepEditor::SweepEditor(QWidget* parent) : ItemForm(parent) {
             id_, "experiment", [id = id.toStdString()](Sweep& sweep) { sweep.experiment = id; }, false));
     });
     make_axes(make_form_section(tr("Axes"), this));
+    make_command(make_form_section(tr("Run"), this));
+}
+
+void SweepEditor::make_command(QGridLayout* grid) {
+    auto* how = new QLabel(tr("A sweep is run by this command in a terminal:"), this);
+    how->setWordWrap(true);
+    add_wide(grid, how);
+    command_ = new QLineEdit(this);
+    command_->setObjectName(QStringLiteral("command"));
+    command_->setAccessibleName(tr("Command that runs the sweep"));
+    command_->setReadOnly(true);
+    command_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    add_wide(grid, command_);
+    copy_ = make_button("copy", tr("Copy the command, to be pasted into a terminal"), this);
+    copy_->setObjectName(QStringLiteral("copy-command"));
+    copy_->setText(tr("Copy command"));
+    copy_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    grid->addWidget(copy_, grid->rowCount(), 0, 1, 3, Qt::AlignLeft);
+    connect(copy_, &QToolButton::clicked, this,
+            [this] { QApplication::clipboard()->setText(command_->text()); });
+    outcome_ = new QLabel(this);
+    outcome_->setObjectName(QStringLiteral("outcome"));
+    outcome_->setWordWrap(true);
+    add_wide(grid, outcome_);
 }
 
 void SweepEditor::make_axes(QGridLayout* grid) {
@@ -156,6 +194,23 @@ void SweepEditor::show_count(const ShownProject& shown) {
     }
 }
 
+void SweepEditor::show_command(const CommandLine& line) {
+    const QString out = q(sweep_.id);
+    QStringList words = {line.program, QStringLiteral("sweep"), line.folder,
+                         out,          QStringLiteral("--out"), out};
+    for (auto& word : words) word = shell_word(word);
+    const bool is_known = !line.folder.isEmpty();
+    command_->setText(is_known ? words.join(QLatin1Char(' ')) : QString());
+    command_->setCursorPosition(0);
+    set_usable(copy_, is_known ? QString() : tr("Save the project first: the command names its folder."));
+    const QString outcome =
+        tr("A picture of each point, and the list sweep.json, go to the folder %1, which is "
+           "made where the command is run.")
+            .arg(out);
+    outcome_->setText(line.is_saved ? outcome
+                                    : tr("It reads the project as it was saved: save it first. ") + outcome);
+}
+
 void SweepEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     if (item != shown_item_) chosen_ = 0;
     shown_item_ = item;
@@ -179,6 +234,7 @@ void SweepEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     list_->show_lines(lines, chosen_);
     show_axis();
     show_count(shown);
+    show_command(shown.command_line);
 }
 
 }  // namespace ir::widgets

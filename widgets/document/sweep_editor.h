@@ -2,12 +2,16 @@
 
 #include "widgets/document/item_form.h"
 
+class QLineEdit;
+class QToolButton;
+
 namespace ir::widgets {
 
 class ChoiceField;
 class OrderedList;
 
-/// A sweep: the experiment that is varied, and by axes what varies; says how many points that makes.
+/// A sweep: the experiment that is varied, and by axes what varies; says how many points that makes, and how
+/// it is run.
 class SweepEditor : public ItemForm {
     Q_OBJECT
   public:
@@ -22,11 +26,15 @@ class SweepEditor : public ItemForm {
     void choose_key(const QString& key);
     void show_axis();
     void show_count(const ShownProject& shown);
+    void make_command(QGridLayout* grid);
+    void show_command(const CommandLine& line);
 
     TextField *name_, *values_;
     ChoiceField *experiment_, *key_;
     OrderedList* list_;
-    QLabel* count_;
+    QLabel *count_, *outcome_;
+    QLineEdit* command_;
+    QToolButton* copy_;
     ItemRef shown_item_;
     int chosen_ = 0;
     projects::Sweep sweep_;

@@ -1,3 +1,4 @@
+#include <QClipboard>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -52,6 +53,23 @@ TEST_F(SeriesTest, ValuesThatTheExperimentRefusesAreRefused) {
     type_text("axis-values", "1,,2");
     EXPECT_TRUE(message.contains("between two commas")) << message.toStdString();
     EXPECT_EQ(steps(), 0u);
+}
+
+TEST_F(SeriesTest, ASweepSaysByWhichCommandItIsRun) {
+    editor->set_command_line({"interreflect-cli", "/data/it's mine/a.interreflect", true});
+    select(("sweep:" + sweep().id).c_str());
+    const auto id = QString::fromStdString(sweep().id);
+    QApplication::clipboard()->clear();
+    field<QToolButton>("copy-command")->click();
+    EXPECT_EQ(QApplication::clipboard()->text(),
+              "interreflect-cli sweep '/data/it'\\''s mine/a.interreflect' " + id + " --out " + id);
+    EXPECT_TRUE(field<QLabel>("outcome")->text().contains("folder " + id));
+    EXPECT_FALSE(field<QLabel>("outcome")->text().contains("save it first"));
+    editor->set_command_line({"interreflect-cli", "/data/a.interreflect", false});
+    EXPECT_TRUE(field<QLabel>("outcome")->text().contains("save it first"));
+    EXPECT_TRUE(field<QToolButton>("copy-command")->isEnabled());
+    editor->set_command_line({});
+    EXPECT_FALSE(field<QToolButton>("copy-command")->isEnabled()) << "there is no folder to name";
 }
 
 TEST_F(SeriesTest, ANewSweepVariesTheSelectedExperiment) {
