@@ -43,9 +43,13 @@ EditPtr set_values(const Project& project, const Registry& registry, const std::
 /// Back to the method's default.
 EditPtr reset_value(const Project& project, const Registry& registry, const std::string& experiment,
                     const std::string& key);
-/// Another method: keeps transport values and equal keys that the new method allows, defaults for the rest.
+/// Another method: its defaults, but for the transport that carry_transport() takes over, also of presets. A
+/// name that the program gave follows, and names that were made of it.
 EditPtr set_method(const Project& project, const Registry& registry, const std::string& experiment,
                    const std::string& method);
+/// The transport that set_method() cannot take over of what the experiment computes now, one line each.
+std::vector<std::string> lost_by_method(const Project& project, const Registry& registry,
+                                        const std::string& experiment, const std::string& method);
 /// Copies the transport group of another experiment as far as the method supports it.
 EditPtr copy_transport(const Project& project, const Registry& registry, const std::string& from,
                        const std::string& to);
@@ -91,7 +95,7 @@ EditPtr remove(const Project& project, const std::string& id);
 /// A copy behind the original with a free id and " copy" in its name; experiments lose their kept result.
 template <class Item>
 EditPtr duplicate(const Project& project, const std::string& id);
-/// The name that people see.
+/// The name that people see; names that the program made of an experiment's follow.
 template <class Item>
 EditPtr rename(const Project& project, const std::string& id, const std::string& name);
 /// Moves the item to `position` in its list.
@@ -100,7 +104,8 @@ EditPtr move(const Project& project, const std::string& id, std::size_t position
 /// These templates exist for Scene, Camera, LightSet, Motion, ForeignImage, Experiment, Comparison, Sweep,
 /// ErrorPlot.
 
-/// A new experiment with all defaults, ready for add().
+/// A new experiment with all defaults, ready for add(). Without a name it is called after its method, and
+/// follows it.
 Experiment new_experiment(const Project& project, const Registry& registry, const std::string& method,
                           const std::string& name, const std::string& scene, const std::string& camera);
 

@@ -1,9 +1,13 @@
+#include <algorithm>
 #include <cmath>
 
 #include "projects/edit_kinds.h"
 #include "projects/edits.h"
+#include "projects/match.h"
+#include "projects/names.h"
 #include "projects/text.h"
 #include "projects/validate.h"
+#include "renderers/core/carry_transport.h"
 #include "renderers/core/transport.h"
 
 namespace ir::projects::edits {
@@ -43,6 +47,12 @@ std::string label_of(const MethodDescription& method, const Settings& values) {
     return "Change " + parameter_of(method, values.begin()->first).label;
 }
 
+/// Of the experiment's method; none where this build lacks it.
+std::vector<ParameterDescription> parameters_of(const Registry& registry, const Experiment& experiment) {
+    const auto* method = registry.find(experiment.method);
+    return method ? method->parameters : std::vector<ParameterDescription>();
+}
+
 /// What of `values` the method knows and allows.
 Settings allowed_values(const MethodDescription& method, const Settings& values) {
     Settings result;
@@ -56,6 +66,15 @@ Settings allowed_values(const MethodDescription& method, const Settings& values)
         }
     }
     return result;
+}
+
+/// Whether the experiment, as `after` would have it, has its ground truth as its reference, where no scene's
+/// file animates anything: to a name the moment does not matter.
+bool is_judged_rightly(const Project& project, const Experiment& after, const Registry& registry) {
+    auto ahead = project;
+    *find_item(ahead.experiments, after.id) = after;
+    const auto wrong = mismatched_references(ahead, registry, [](const std::string&) { return false; });
+    return std::none_of(wrong.begin(), wrong.end(), [&](const auto& each) { return each.first == after.id; });
 }
 
 template <class Item>
@@ -90,15 +109,33 @@ EditPtr set_method(const Project& project, const Registry& registry, const std::
     Experiment after = experiment_of(project, experiment);
     const auto& description = registry.at(method);
     if (after.method == method) return changed(project, after, "Change method", "");
+    const auto carried = [&](const Settings& values) {
+        return carry_transport(values, parameters_of(registry, experiment_of(project, experiment)),
+                               description.parameters)
+            .values;
+    };
+    if (is_named_by_program(project, after, registry))
+        after.name = free_name(project, description.title, after.id);
     after.method = description.id;
     after.method_version = description.version;
-    after.values = completed(description.parameters, allowed_values(description, after.values));
+    after.values = completed(description.parameters, carried(after.values));
     after.extra_values = Json::object();
     for (auto& [name, preset] : after.presets) {
-        preset.values = allowed_values(description, preset.values);
+        preset.values = carried(preset.values);
         preset.extra_values = Json::object();
     }
-    return changed(project, after, "Change method to " + description.title, "");
+    const auto label = "Change method to " + description.title;
+    auto steps = following_names(project, after, is_judged_rightly(project, after, registry));
+    steps.push_back(changed(project, after, label, ""));
+    return group(label, std::move(steps));
+}
+
+std::vector<std::string> lost_by_method(const Project& project, const Registry& registry,
+                                        const std::string& experiment, const std::string& method) {
+    const auto& before = experiment_of(project, experiment);
+    return carry_transport(effective(before).values, parameters_of(registry, before),
+                           registry.at(method).parameters)
+        .lost;
 }
 
 EditPtr copy_transport(const Project& project, const Registry& registry, const std::string& from,
@@ -215,8 +252,8 @@ Experiment new_experiment(const Project& project, const Registry& registry, cons
                           const std::string& name, const std::string& scene, const std::string& camera) {
     const auto& description = registry.at(method);
     Experiment experiment;
-    experiment.id = free_id_in(project.experiments, name);
-    experiment.name = name.empty() ? experiment.id : name;
+    experiment.id = free_id_in(project.experiments, name.empty() ? "experiment" : name);
+    experiment.name = name.empty() ? free_name(project, description.title) : name;
     experiment.scene = scene;
     experiment.camera = camera;
     experiment.method = description.id;

@@ -1,5 +1,6 @@
 #include "projects/edit_kinds.h"
 #include "projects/edits.h"
+#include "projects/names.h"
 #include "projects/text.h"
 #include "projects/validate.h"
 
@@ -121,7 +122,14 @@ EditPtr rename(const Project& project, const std::string& id, const std::string&
     Item item = item_of<Item>(project, id);
     if (name.empty()) throw UsageError(std::string(ListOf<Item>::word) + " '" + id + "' needs a name");
     item.name = name;
-    return replace(project, item, std::string("Rename ") + ListOf<Item>::word, "");
+    const auto label = std::string("Rename ") + ListOf<Item>::word;
+    auto edit = replace(project, item, label, "");
+    if constexpr (std::is_same_v<Item, Experiment>) {
+        auto steps = following_names(project, item, true);
+        steps.push_back(std::move(edit));
+        return group(label, std::move(steps));
+    }
+    return edit;
 }
 
 template <class Item>

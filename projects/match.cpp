@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "projects/motion.h"
+#include "projects/names.h"
 #include "projects/results.h"
 #include "projects/samples.h"
 #include "projects/settings.h"
@@ -155,8 +156,9 @@ Experiment matching_reference(const Project& project, const Experiment& experime
     auto run = effective(experiment);
     run.values = runnable_settings(experiment, *method);
     const auto computed = ground_truth(run, registry);
-    const auto name = experiment.name + " reference";
-    auto truth = edits::new_experiment(project, registry, reference.id, name, run.scene, run.camera);
+    auto truth = edits::new_experiment(project, registry, reference.id, "", run.scene, run.camera);
+    truth.id = free_id_in(project.experiments, reference_name(experiment.id));
+    truth.name = free_name(project, reference_name(experiment.name));
     truth.lights = run.lights;
     truth.size = run.size;
     truth.time = is_moving(project, experiment, is_animated) ? computed.time : run.time;

@@ -20,6 +20,12 @@ projects::Project as_on_disk(const projects::LoadedProject& loaded) {
     return projects::with_contents(loaded.project, projects::read_contents(loaded.project, loaded.folder));
 }
 
+/// Id of the method that rendered it; empty where the index does not tell.
+std::string method_of(const projects::KeptResult& result) {
+    const auto found = result.inputs.find("method");
+    return found != result.inputs.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
 Json to_json(const projects::ResultVersion& version) {
     Json json{{"label", version.label}, {"key", version.key}};
     if (version.samples > 0) json["samples"] = version.samples;
@@ -51,6 +57,7 @@ int list_results(const projects::LoadedProject& loaded, bool json) {
         const auto& from = entry.provenance;
         rows.push_back({{"key", entry.key},
                         {"experiment", entry.experiment},
+                        {"method", method_of(entry)},
                         {"date", from.date},
                         {"samples", entry.samples},
                         {"build", from.build},
@@ -67,7 +74,8 @@ int list_results(const projects::LoadedProject& loaded, bool json) {
     for (const auto& entry : index.entries()) {
         const auto& from = entry.provenance;
         std::cout << projects::printable(entry.key.substr(0, 12)) << "  "
-                  << projects::printable(entry.experiment) << "  " << projects::printable(from.date) << "  ";
+                  << projects::printable(entry.experiment) << "  " << projects::printable(method_of(entry))
+                  << "  " << projects::printable(from.date) << "  ";
         if (entry.samples > 0) std::cout << entry.samples << " samples  ";
         std::cout << projects::printable(from.build) << "  " << projects::printable(from.driver) << "  "
                   << (current.count(entry.key) ? "current" : "stale") << "\n";

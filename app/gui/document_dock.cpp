@@ -214,7 +214,7 @@ void DocumentDock::add_experiment() {
     std::string added;
     const bool is_added = session_.edit([&](const Project& project) {
         const std::string scene = now ? now->scene : project.scenes.empty() ? "" : project.scenes.front().id;
-        auto fresh = edits::new_experiment(project, session_.registry(), method->id, method->title, scene,
+        auto fresh = edits::new_experiment(project, session_.registry(), method->id, "", scene,
                                            now ? now->camera : "");
         if (now) fresh.lights = now->lights;
         added = fresh.id;

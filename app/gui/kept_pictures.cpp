@@ -6,6 +6,7 @@
 #include "app/gui/json_fields.h"
 #include "app/gui/picture_source.h"
 #include "app/gui/text_of.h"
+#include "projects/names.h"
 #include "projects/samples.h"
 #include "projects/scene_files.h"
 #include "renderers/core/transport.h"
@@ -56,7 +57,16 @@ const KeptResult* PictureSource::kept(const std::string& owner) const {
 
 std::string PictureSource::kept_name(const KeptResult& result) const {
     const auto* experiment = session_.experiment(result.experiment);
-    const auto name = experiment && !experiment->name.empty() ? experiment->name : result.experiment;
+    auto name = experiment && !experiment->name.empty() ? experiment->name : result.experiment;
+    // Of another method than the experiment has now, or of an experiment that is gone.
+    const auto rendered_by = field_or(result.inputs, "method", std::string());
+    if (!experiment || experiment->method != rendered_by) {
+        const auto* method = session_.registry().find(rendered_by);
+        const auto title = method ? method->title : rendered_by;
+        const bool follows = experiment && projects::is_named_by_program(session_.document(), *experiment,
+                                                                         session_.registry());
+        name = follows ? title : tr("%1 (%2)").arg(text_of(name), text_of(title)).toStdString();
+    }
     const auto date = QDateTime::fromString(text_of(result.provenance.date), Qt::ISODate).toLocalTime();
     auto text = text_of(name);
     if (result.samples > 0) text += tr(" · %1 samples").arg(result.samples);

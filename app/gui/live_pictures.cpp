@@ -140,6 +140,12 @@ void LivePictures::update() {
 void LivePictures::update(const std::string& id, Entry& entry) {
     const auto* chosen = session_.experiment(id);
     if (!chosen) return;
+    // What another method has painted, or will yet, must not stand under this one's name.
+    if (std::exchange(entry.method, chosen->method) != chosen->method) {
+        entry.result.reset();
+        entry.signature.clear();
+        entry.first_serial = 0;
+    }
     entry.experiment.reset();
     if (!no_device_.empty()) return set_state(id, entry, State::failed, no_device_);
     try {

@@ -89,6 +89,7 @@ class LivePictures : public QObject {
     struct Entry {
         Want want;
         std::string signature, text, doing;
+        std::string method;                         ///< id, of the experiment
         std::map<std::uint64_t, std::string> sent;  ///< by serial: what is computed
         std::string computed_from;                  ///< of `result`
         State state = State::absent;

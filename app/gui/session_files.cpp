@@ -51,13 +51,11 @@ const MethodDescription* Session::first_method() const {
 void Session::create_from_scene(const std::string& source) {
     const auto* first = first_method();
     if (!first) throw Error("this build has no methods");
-    const auto& method = *first;
     projects::Project start;
     const auto scene = scene_item(start, source, {});
     start.name = scene.name;
     projects::edits::add(start, scene)->apply(start);
-    const auto experiment =
-        projects::edits::new_experiment(start, registry_, method.id, method.title, scene.id, "");
+    const auto experiment = projects::edits::new_experiment(start, registry_, first->id, "", scene.id, "");
     projects::edits::add(start, experiment)->apply(start);
     adopt(std::make_unique<projects::OpenProject>(std::move(start), registry_));
 }

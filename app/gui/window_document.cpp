@@ -94,9 +94,14 @@ void MainWindow::connect_panels() {
     connect(panel, &ExperimentPanel::experiment_chosen, this,
             [this](const QString& chosen) { session_.select_experiment(chosen.toStdString()); });
     connect(panel, &ExperimentPanel::method_chosen, this, [this, id](const QString& method) {
-        session_.edit([&](const Project& p) {
+        std::vector<std::string> lost;
+        const bool is_changed = session_.edit([&](const Project& p) {
+            lost = edits::lost_by_method(p, session_.registry(), id(), method.toStdString());
             return edits::set_method(p, session_.registry(), id(), method.toStdString());
         });
+        if (!is_changed) return;
+        for (const auto& line : lost) messages_->add({Severity::note, "project", line});
+        if (!lost.empty()) status_->say(text_of(lost.front()));
     });
     connect(panel, &ExperimentPanel::scene_chosen, this, [this, id](const QString& scene) {
         session_.edit([&](const Project& p) { return edits::set_scene_of(p, id(), scene.toStdString()); });

@@ -3,6 +3,7 @@
 
 #include "app/gui/stage_chain.h"
 #include "app/gui/workspace.h"
+#include "projects/names.h"
 
 namespace ir::gui {
 
@@ -201,7 +202,8 @@ projects::Comparison Workspace::as_comparison() {
     comparison.output = state.a.is_image() ? state.b.output : state.a.output;
     comparison.mode = widgets::to_key(state.mode);
     if (state.mode == ViewMode::difference) comparison.mode += ":" + widgets::to_key(state.difference);
-    comparison.name = pictures_.owner_name(state.a.owner) + " / " + pictures_.owner_name(state.b.owner);
+    comparison.name =
+        projects::comparison_name(pictures_.owner_name(state.a.owner), pictures_.owner_name(state.b.owner));
     if (!is_automatic()) comparison.range = glm::dvec2(display().low, display().high);
     return comparison;
 }

@@ -104,6 +104,8 @@ QString ResultsModel::text(const ResultRow& row, int column) const {
     switch (column) {
         case experiment_column:
             return row.experiment;
+        case method_column:
+            return row.method;
         case state_column:
             return state_name(row.state);
         case samples_column:
@@ -185,11 +187,12 @@ QVariant ResultsModel::data(const QModelIndex& index, int role) const {
 QVariant ResultsModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || section < 0 || section >= column_count) return {};
     if (role == Qt::DisplayRole)
-        return QStringList{tr("Experiment"), tr("State"), tr("Samples"), tr("Frames"),
-                           tr("Kept"),       tr("Size"),  tr("Device"),  tr("Build")}
+        return QStringList{tr("Experiment"), tr("Method"), tr("State"),  tr("Samples"), tr("Frames"),
+                           tr("Kept"),       tr("Size"),   tr("Device"), tr("Build")}
             .at(section);
     if (role == Qt::ToolTipRole)
-        return QStringList{tr("The experiment that it is the picture of"),
+        return QStringList{tr("The experiment that it is the picture of, as it is called now"),
+                           tr("The method that rendered it"),
                            tr("Whether its experiment would render the same now"),
                            tr("Samples per pixel, where the method counts them"),
                            tr("Frames from an empty history"),

@@ -35,6 +35,7 @@ class ResultsModel : public QAbstractTableModel {
   public:
     enum Column {
         experiment_column,
+        method_column,
         state_column,
         samples_column,
         frames_column,

@@ -46,7 +46,8 @@ ResultsPanel::ResultsPanel(QWidget* parent)
     view_->sortByColumn(ResultsModel::date_column, Qt::DescendingOrder);
     view_->header()->setStretchLastSection(false);
     view_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    view_->header()->setSectionResizeMode(ResultsModel::experiment_column, QHeaderView::Stretch);
+    for (const int column : {ResultsModel::experiment_column, ResultsModel::method_column})
+        view_->header()->setSectionResizeMode(column, QHeaderView::Stretch);
     view_->header()->setMinimumSectionSize(36);
     make_actions();
     auto* split = new QSplitter(Qt::Vertical);

@@ -137,6 +137,9 @@ TEST_F(ReferenceCommand, ResultsAndChangesAreListed) {
     const auto row =
         Json::parse(run("project " + project("p").string() + " --results --json").out)["results"][0];
     EXPECT_EQ(row["experiment"], truth);
+    EXPECT_EQ(row["method"], "reference");
+    EXPECT_NE(run("project " + project("p").string() + " --results").out.find(truth + "  reference  "),
+              std::string::npos);
     EXPECT_EQ(row["state"], "current");
     EXPECT_TRUE(row["can_continue"]);
     const auto key = row["key"].get<std::string>().substr(0, 6);

@@ -406,14 +406,48 @@ TEST(Edits, RefuseWithOneLine) {
     }
 }
 
-TEST(Edits, AnotherMethodKeepsWhatItKnowsAndAllows) {
+TEST(Edits, AnotherMethodTakesNothingOverByAnEqualKey) {
     Project project = sample_project();
     project.experiments[0].values["samples"] = std::int64_t{6};
+    project.experiments[0].presets["paper"].values["samples"] = std::int64_t{7};
     edits::set_method(project, registry(), "fog-nave", "plain")->apply(project);
     const auto& e = project.experiments[0];
     EXPECT_EQ(e.method, "plain");
-    EXPECT_EQ(e.values, (Settings{{"samples", std::int64_t{6}}, {"weight", 1.0}}));
-    EXPECT_TRUE(e.presets.at("paper").values.empty());  // 256 is beyond plain's range
+    EXPECT_EQ(e.method_version, 1);
+    EXPECT_EQ(e.values, defaults(registry().at("plain").parameters));
+    EXPECT_TRUE(e.presets.at("paper").values.empty());
+    EXPECT_EQ(e.presets.at("paper").size, glm::ivec2(1024, 1024)) << "of no method";
+}
+
+TEST(Edits, AnotherMethodTakesOverTheTransport) {
+    // As fog, but for its defaults and a least distance.
+    auto mist = registry().at("fog");
+    mist.id = "mist";
+    for (auto& parameter : mist.parameters) {
+        if (parameter.key == "max_distance") parameter.default_value = 5.0, parameter.hard = {1, 100};
+        if (parameter.key == "density") parameter.default_value = 0.5;
+    }
+    const Registry both({&registry().at("fog"), &mist});
+    Project project = sample_project();
+    auto& e = project.experiments[0];
+    e.values["falloff"] = std::string("smooth");
+    e.presets["paper"].values["max_distance"] = 2.0;
+    const auto before = project;
+    UndoStack stack;
+    EXPECT_TRUE(edits::lost_by_method(project, both, "fog-nave", "mist").empty());
+    stack.push(project, edits::set_method(project, both, "fog-nave", "mist"));
+    EXPECT_EQ(e.values.at("falloff"), Value{std::string("smooth")});
+    EXPECT_EQ(e.values.at("max_distance"), Value{5.0}) << "from one default to the other";
+    EXPECT_EQ(e.values.at("density"), Value{0.5});
+    EXPECT_EQ(e.presets.at("paper").values, (Settings{{"max_distance", 2.0}}));
+    stack.undo(project);
+    EXPECT_EQ(project, before);
+    e.presets["paper"].values["max_distance"] = 0.5;
+    const auto lost = edits::lost_by_method(project, both, "fog-nave", "mist");
+    ASSERT_EQ(lost.size(), 1u);
+    EXPECT_NE(lost[0].find("max_distance"), std::string::npos) << lost[0];
+    edits::set_method(project, both, "fog-nave", "mist")->apply(project);
+    EXPECT_EQ(e.presets.at("paper").values.at("max_distance"), Value{5.0});
 }
 
 TEST(Edits, DuplicatesAreFresh) {
