@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <iomanip>
 #include <sstream>
 
 #include "renderers/core/error.h"
@@ -95,6 +96,15 @@ const std::string* moment_of(const ImageAttributes& attributes) {
     return moment ? moment : find(attributes, prefix + "time");
 }
 
+/// "1.033 s", for people.
+std::string seconds(const std::string& text) {
+    const auto value = numbers(text);
+    if (value.empty()) return text;
+    std::ostringstream shown;
+    shown << std::setprecision(4) << value.front() << " s";
+    return shown.str();
+}
+
 /// The moment does not matter where both say that nothing moves. The first builds did not say.
 void add_moment(const ImageAttributes& a, const ImageAttributes& b, std::vector<Mismatch>& result) {
     const auto *left = moment_of(a), *right = moment_of(b);
@@ -109,7 +119,7 @@ void add_moment(const ImageAttributes& a, const ImageAttributes& b, std::vector<
     if (sides_that_say("false") == 2) return;
     result.push_back(
         {"scene",
-         "time is " + *left + " s and " + *right + " s" +
+         "time is " + seconds(*left) + " and " + seconds(*right) +
              (sides_that_say("true") > 0 ? "" : ", and the files do not both say that nothing moves")});
 }
 

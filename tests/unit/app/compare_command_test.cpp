@@ -116,11 +116,12 @@ TEST_F(Compare, FourValuesAreFourAndAlphaIsNone) {
 TEST_F(Compare, TellsMeansAndBiasWithoutBeingAsked) {
     write("a.exr", picture(0.1f));
     write("b.exr", picture());
-    const auto metrics = nlohmann::json::parse(compare("a.exr", "b.exr", "--json").out)["metrics"];
-    const double bias = metrics["bias"], mean = metrics["mean"], reference = metrics["reference-mean"];
+    const auto metrics = nlohmann::json::parse(compare("a.exr", "b.exr", "--json").out).at("metrics");
+    const double bias = metrics.at("bias"), mean = metrics.at("mean"),
+                 reference = metrics.at("reference-mean");
     EXPECT_NEAR(bias, 0.1 * 10 / 32, 1e-6);
     EXPECT_NEAR(mean - reference, bias, 1e-9);
-    EXPECT_NEAR(metrics["relbias"], bias / reference, 1e-9);
+    EXPECT_NEAR(metrics.at("relbias"), bias / reference, 1e-9);
     EXPECT_NEAR(nlohmann::json::parse(compare("b.exr", "a.exr", "--json").out)["metrics"]["bias"], -bias,
                 1e-9);
 }
@@ -133,14 +134,14 @@ TEST_F(Compare, NumbersThatAreNotFiniteAreNullWithAReason) {
     const auto json = [&](const char* a, const char* b) {
         return nlohmann::json::parse(compare(a, b, "--json").out);
     };
-    const auto equal = json("a.exr", "a.exr");
+    auto equal = json("a.exr", "a.exr");
     EXPECT_TRUE(equal["metrics"]["psnr"].is_null());
     EXPECT_EQ(equal["reasons"]["psnr"], "infinite: the pictures are equal");
     EXPECT_EQ(equal["reasons"].size(), 1u);
-    const auto dark = json("a.exr", "black.exr");
+    auto dark = json("a.exr", "black.exr");
     EXPECT_TRUE(dark["metrics"]["relbias"].is_null());
     EXPECT_EQ(dark["reasons"]["relbias"], "infinite: the mean of the reference is 0");
-    const auto nothing = json("invalid.exr", "a.exr");
+    auto nothing = json("invalid.exr", "a.exr");
     for (const auto* name : {"rmse", "bias", "psnr"}) {
         EXPECT_TRUE(nothing["metrics"][name].is_null()) << name;
         EXPECT_EQ(nothing["reasons"][name], "undefined: no pixel was compared") << name;
