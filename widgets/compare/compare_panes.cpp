@@ -3,18 +3,13 @@
 
 #include "widgets/compare/compare_view.h"
 #include "widgets/compare/difference_worker.h"
+#include "widgets/compare/one_size.h"
 #include "widgets/compare/significance.h"
 #include "widgets/compare/view_link.h"
 
 /// What the panes of a comparison show.
 namespace ir::widgets {
-namespace {
-
-QString size_text(const Picture& picture) {
-    return QStringLiteral("%1×%2").arg(picture.size().width()).arg(picture.size().height());
-}
-
-}  // namespace
+namespace {}  // namespace
 
 QString CompareView::letter_of(int picture) {
     return picture < 26 ? QString(QChar('A' + picture)) : QString::number(picture + 1);
@@ -35,7 +30,9 @@ std::vector<CompareView::Content> CompareView::contents() const {
 }
 
 QString CompareView::size_refusal() const {
-    if (mode_ == Mode::stages && count() > 2) return {};  // each pair for itself
+    const bool each_for_itself =
+        count() > 2 || (count() == 2 && have_difference(*pictures_[0], *pictures_[1]));
+    if (mode_ == Mode::stages && each_for_itself) return {};
     const Picture* first = nullptr;
     int index = 0;
     const int compared = mode_ == Mode::wipe || mode_ == Mode::difference ? std::min(2, count()) : count();
@@ -73,6 +70,12 @@ QString CompareView::refusal() const {
     if (mode_ == Mode::side_by_side && !is_linked()) return {};
     const QString sizes = size_refusal();
     return sizes.isEmpty() ? noise_refusal() : sizes;
+}
+
+QString CompareView::missing() const {
+    for (std::size_t i = 0; i < contents().size(); ++i)
+        if (!panes_[i]->note().isEmpty()) return panes_[i]->note();
+    return {};
 }
 
 QString CompareView::noise_refusal() const {
@@ -165,7 +168,7 @@ void CompareView::request_differences() {
     const auto shared = [this](int i) { return i == StagePair::reference ? reference_ : pictures_[i]; };
     const auto request = [&](int slot) {
         const auto [a, b] = ends_of(slot);
-        if (stage(a).has_image() && stage(b).has_image() && stage(a).size() == stage(b).size())
+        if (have_difference(stage(a), stage(b)))
             worker_->request(slot, {shared(a), shared(b), kind_, stage_name(a), stage_name(b)});
     };
     for (int i = 0; i < pairs && i + 1 < count(); ++i) request(i);
@@ -178,7 +181,7 @@ void CompareView::fill_difference(ImageView& pane, int slot) {
     pane.set_labels(result ? result->picture->label : QString());
     const auto [a, b] = ends_of(slot);
     const bool both = stage(a).has_image() && stage(b).has_image();
-    const bool possible = both && stage(a).size() == stage(b).size();
+    const bool possible = have_difference(stage(a), stage(b));
     if (!result || !possible) {
         pane.set_picture(make_note(
             possible ? tr("Computing the difference …")

@@ -7,6 +7,7 @@
 
 #include "widgets/compare/compare_view.h"
 #include "widgets/compare/difference_worker.h"
+#include "widgets/compare/one_size.h"
 #include "widgets/compare/stage_bar.h"
 
 /// Rows of stages: what stands under the pictures, and which two of them are compared beside the row.
@@ -78,7 +79,8 @@ Display CompareView::stage_display() const {
 QString CompareView::number_of(int slot) const {
     const auto* result = worker_->result(slot);
     const auto [a, b] = ends_of(slot);
-    if (!result || !std::isfinite(result->rmse) || !refusal().isEmpty() || stage(a).size() != stage(b).size())
+    if (!result || !std::isfinite(result->rmse) || !refusal().isEmpty() ||
+        !have_difference(stage(a), stage(b)))
         return {};
     const QString& unit = result->request.a->unit;
     return tr("RMSE %1").arg(result->rmse, 0, 'g', 4) +
@@ -122,6 +124,20 @@ int CompareView::stage_at(QPoint point) const {
     return StagePair::none;
 }
 
+QString CompareView::tip_at(QPoint point) const {
+    if (stage_at(point) >= 0) return tr("Click two stages to see their difference (1 … 9; 0: none)");
+    const auto shown = contents();
+    for (int i = 0; caption_height() && i < int(shown.size()); ++i) {
+        if (!shown[i].difference || !caption_rect(i).contains(point)) continue;
+        const auto [a, b] = ends_of(shown[i].slot);
+        if (have_difference(stage(a), stage(b)))
+            return tr("Root mean square of the difference over all valid pixels.\n%1")
+                .arg(size_rule(stage_name(a), stage(a), stage_name(b), stage(b)))
+                .trimmed();
+    }
+    return {};
+}
+
 bool CompareView::on_board_event(QEvent* event) {
     if (event->type() == QEvent::MouseButtonPress) {
         const auto& press = *static_cast<QMouseEvent*>(event);
@@ -133,9 +149,9 @@ bool CompareView::on_board_event(QEvent* event) {
     }
     if (event->type() == QEvent::ToolTip) {
         const auto& help = *static_cast<QHelpEvent*>(event);
-        if (stage_at(help.pos()) < 0) return false;
-        QToolTip::showText(help.globalPos(), tr("Click two stages to see their difference (1 … 9; 0: none)"),
-                           board_);
+        const QString text = tip_at(help.pos());
+        if (text.isEmpty()) return false;
+        QToolTip::showText(help.globalPos(), text, board_);
         return true;
     }
     return false;

@@ -77,6 +77,8 @@ class CompareView : public QWidget {
     const Display& difference_display() const;
     /// Why the pictures cannot be compared in this mode; empty: they can.
     QString refusal() const;
+    /// What stands in the place of a picture or difference that is not shown; empty: all are.
+    QString missing() const;
     /// What is said of a pixel of the difference beside its value; empty: nothing.
     QString difference_text(QPoint pixel) const;
 
@@ -163,6 +165,7 @@ class CompareView : public QWidget {
     QRect caption_rect(int pane) const;
     void paint_captions(QPainter& painter) const;
     int stage_at(QPoint point) const;
+    QString tip_at(QPoint point) const;
     bool on_board_event(QEvent* event);
     bool choose_by_key(const QKeyEvent& event);
     void update_bar();

@@ -6,6 +6,7 @@
 #include "renderers/core/error.h"
 #include "renderers/image/metrics.h"
 #include "widgets/compare/compare_view.h"
+#include "widgets/compare/one_size.h"
 #include "widgets/compare/significance.h"
 
 namespace ir::widgets {
@@ -66,17 +67,27 @@ double rmse_of(const DifferenceRequest& request) {
     return compute_metrics(*request.a->image, *request.b->image, {"rmse"}, options).values.at("rmse");
 }
 
+DifferenceRequest at_one_size(const DifferenceRequest& request) {
+    const QSize size = request.a->size().expandedTo(request.b->size());
+    auto result = request;
+    result.a = at_size(request.a, size);
+    result.b = at_size(request.b, size);
+    result.name_a = name_at_size(request.name_a, *request.a, *request.b);
+    result.name_b = name_at_size(request.name_b, *request.b, *request.a);
+    return result;
+}
+
 std::shared_ptr<const DifferenceResult> compute(const DifferenceRequest& request) {
     auto result = std::make_shared<DifferenceResult>();
     result->request = request;
-    const Picture& a = *request.a;
+    const auto asked = at_one_size(request);
     Picture picture;
-    picture.label = label_of(request.kind).arg(request.name_a, request.name_b);
-    picture.atlas = a.atlas;
-    picture.unit = unit_of(request.kind, a.unit);
+    picture.label = label_of(request.kind).arg(asked.name_a, asked.name_b);
+    picture.atlas = request.a->atlas;
+    picture.unit = unit_of(request.kind, request.a->unit);
     try {
-        auto computed = computed_difference(request);
-        result->rmse = rmse_of(request);
+        auto computed = computed_difference(asked);
+        result->rmse = rmse_of(asked);
         result->automatic = display_for_difference(request.kind, computed.image);
         picture.image = std::make_shared<const Image>(std::move(computed.image));
         if (!computed.valid.empty()) picture.valid = std::make_shared<const Image>(std::move(computed.valid));

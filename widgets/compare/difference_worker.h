@@ -12,7 +12,7 @@
 
 namespace ir::widgets {
 
-/// Two pictures of equal size and what is asked about them.
+/// Two pictures that have a difference (one_size.h) and what is asked about them.
 struct DifferenceRequest {
     std::shared_ptr<const Picture> a, b;
     DifferenceKind kind = DifferenceKind::signed_;

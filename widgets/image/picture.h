@@ -26,6 +26,7 @@ struct Picture {
     std::string colour_map;  ///< empty: the semantic's own
     Atlas atlas;             ///< levels and layers in one picture; empty: a plain image
     bool stale = false;      ///< a newer one is being rendered
+    std::string origin;      ///< whose computation it is a part of; empty: nobody knows
 
     bool has_image() const { return image && !image->empty(); }
     QSize size() const { return has_image() ? QSize(image->width, image->height) : QSize(); }

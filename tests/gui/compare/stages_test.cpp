@@ -1,7 +1,10 @@
 #include <QComboBox>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QStandardItemModel>
+#include <QToolTip>
+#include <cmath>
 
 #include "tests/gui/compare/pictures.h"
 
@@ -82,7 +85,7 @@ TEST_P(StagesTest, KeysChooseAndClear) {
     wait_for_differences(*view);
 }
 
-TEST_P(StagesTest, AStageOfAnotherSizeIsShownAndNotCompared) {
+TEST_P(StagesTest, APictureOfAnotherSizeAndMethodIsShownAndNotCompared) {
     view->set_pictures({flat(0.2f, "traced"), flat(0.5f, "smoothed"), flat(0.4f, "half", 8, 6)});
     wait_for_differences(*view);
     EXPECT_TRUE(view->refusal().isEmpty());
@@ -90,6 +93,35 @@ TEST_P(StagesTest, AStageOfAnotherSizeIsShownAndNotCompared) {
     EXPECT_EQ(view->captions()[4], "");
     EXPECT_TRUE(view->views()[2]->note().isEmpty());
     EXPECT_TRUE(view->difference_views()[1]->note().contains("8×6"));
+}
+
+TEST_P(StagesTest, StagesOfOneMethodAreComparedAtTheLargerSize) {
+    const auto of_method = [](std::shared_ptr<const Picture> picture) {
+        auto named = *picture;
+        named.origin = "method";
+        return std::make_shared<const Picture>(std::move(named));
+    };
+    Image half(8, 6, 1, 0.5f);
+    half.at(1, 2) = 0.9f;  // covers four pixels of 192
+    view->set_pictures({of_method(make_picture(half, Semantic::generic, "half")),
+                        of_method(flat(0.5f, "whole")), of_method(flat(0.4f, "small", 8, 6))});
+    wait_for_differences(*view);
+    ASSERT_EQ(view->difference_views().size(), 2u);
+    const Image& shown = view->difference_views()[0]->image();
+    ASSERT_EQ(QSize(shown.width, shown.height), QSize(16, 12));
+    for (int y = 0; y < 12; ++y)
+        for (int x = 0; x < 16; ++x)
+            ASSERT_NEAR(shown.at(x, y), x / 2 == 1 && y / 2 == 2 ? 0.4f : 0, 1e-6) << x << ", " << y;
+    EXPECT_EQ(view->captions()[3], QStringLiteral("RMSE %1").arg(std::sqrt(0.16 * 4 / 192), 0, 'g', 4));
+    EXPECT_EQ(view->difference_views()[0]->label(), "|A (8×6) − B|");
+    EXPECT_EQ(view->captions()[4], "RMSE 0.1");
+    EXPECT_EQ(view->difference_views()[1]->label(), "|B − C (8×6)|");
+    QWidget* board = view->main_view().parentWidget();
+    const QPoint caption(view->difference_views()[0]->geometry().center().x(),
+                         view->difference_views()[0]->geometry().bottom() + 4);
+    QHelpEvent help(QEvent::ToolTip, caption, board->mapToGlobal(caption));
+    QApplication::sendEvent(board, &help);
+    EXPECT_TRUE(QToolTip::text().contains("A has 8×6 pixels, B has 16×12")) << QToolTip::text().toStdString();
 }
 
 TEST_P(StagesTest, TheReferenceIsInTheListWhereThereIsOne) {
