@@ -109,11 +109,12 @@ void paint_hover(QPainter& painter, const OverlayState& state, const QRectF& are
     paint_lines(painter, lines, at, area.width());
 }
 
-/// The unit sphere of directions has no metres.
-bool shows_only_spheres(const OverlayState& state) {
-    return !state.layers.empty() &&
-           std::all_of(state.layers.begin(), state.layers.end(),
-                       [](const LayerInfo& info) { return info.asked.kind == OutputKind::sphere_values; });
+/// Neither the unit sphere of directions nor a space of its own has metres.
+bool has_metres(const OverlayState& state) {
+    return state.layers.empty() ||
+           std::any_of(state.layers.begin(), state.layers.end(), [](const LayerInfo& info) {
+               return space_of(info.asked.kind, info.fields) == Space::scene;
+           });
 }
 
 class Overlay final : public QWidget {
@@ -139,7 +140,7 @@ void paint_space_overlay(QPainter& painter, const OverlayState& state, const QRe
     painter.setRenderHint(QPainter::Antialiasing);
     if (state.has_picture) {
         paint_tripod(painter, state.camera, area.bottomLeft() + QPointF(46, -46));
-        if (!shows_only_spheres(state)) paint_scale(painter, state.camera, area);
+        if (has_metres(state)) paint_scale(painter, state.camera, area);
         paint_legends(painter, state, area);
     }
     const QString badge = !state.note.isEmpty() ? state.note

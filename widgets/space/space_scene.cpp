@@ -67,13 +67,18 @@ bool is_spatial(OutputKind kind) {
            kind == OutputKind::sphere_values;
 }
 
+Space space_of(OutputKind kind, const std::vector<Field>& fields) {
+    if (kind == OutputKind::sphere_values) return Space::sphere;
+    return kind == OutputKind::point_set && find_field(fields, "place") ? Space::own : Space::scene;
+}
+
 bool is_geometry(OutputKind kind, const Field& field) {
     const auto one_of = [&](std::initializer_list<const char*> names) {
         return std::any_of(names.begin(), names.end(), [&](const char* name) { return field.name == name; });
     };
     switch (kind) {
         case OutputKind::point_set:
-            return one_of({"position", "normal"});
+            return one_of({"position", "place", "normal"});
         case OutputKind::line_set:
             return one_of({"start", "end"});
         case OutputKind::glyphs:

@@ -108,7 +108,11 @@ struct SpaceSelector {
 
 /// Kinds that a 3D view can draw.
 bool is_spatial(OutputKind kind);
-/// Fields that place elements ("position", "normal", "axis_u", …) rather than being values of them.
+/// Where elements stand: in the scene, in a space of their own such as the unit square of a map (told by the
+/// field "place"), or on the sphere of directions. A view shows one of them.
+enum class Space { scene, own, sphere };
+Space space_of(OutputKind kind, const std::vector<Field>& fields);
+/// Fields that place elements ("position", "place", "normal", "axis_u", …) rather than being values of them.
 bool is_geometry(OutputKind kind, const Field& field);
 /// By how a buffer is drawn before anybody chooses otherwise. Sphere values: by the first value that is no
 /// id; everything else: by "layer", "bounce", "depth", "distance" or the first scalar.

@@ -102,15 +102,26 @@ void SpaceView::update_tools() {
     const bool sphere = shows_sphere(scene_);
     for (QAction* action : {experiment_camera_, free_camera_}) action->setEnabled(!sphere);
     (is_free() ? free_camera_ : experiment_camera_)->setChecked(true);
+    const bool own = shows_own_space();
     const QString on_sphere = tr("A sphere of directions is always seen from outside");
-    experiment_camera_->setToolTip(sphere ? on_sphere : tr("See it as the experiment does (Home)"));
+    experiment_camera_->setText(own ? tr("From the front") : tr("Experiment's camera"));
+    experiment_camera_->setToolTip(sphere ? on_sphere
+                                   : own  ? tr("See all of it from the front (Home)")
+                                          : tr("See it as the experiment does (Home)"));
     free_camera_->setToolTip(sphere ? on_sphere
                                     : tr("Drag to orbit, Shift-drag to slide, Ctrl-drag to look around,\n"
                                          "wheel to go nearer, W A S D Q E to fly"));
     show_scene_->setChecked(scene_.show_scene);
-    show_scene_->setVisible(!sphere);
+    show_scene_->setVisible(!sphere && !own);
     show_centres_->setChecked(scene_.show_centres);
     show_centres_->setVisible(sphere);
+}
+
+/// Told by the fields of what was drawn last.
+bool SpaceView::shows_own_space() const {
+    return std::any_of(picture_.layers.begin(), picture_.layers.end(), [](const LayerInfo& info) {
+        return space_of(info.asked.kind, info.fields) == Space::own && info.note.empty();
+    });
 }
 
 void SpaceView::scene_updated() {
@@ -180,6 +191,7 @@ void SpaceView::set_picture(SpacePicture picture) {
         if (places[i] >= 0) picture_.layers[i].asked = asked.layers[std::size_t(places[i])];
     if (!asked.camera) experiment_pose_ = picture_.camera;
     overlay_.note.clear();
+    update_tools();
     image_->set_image(picture_.colour, Semantic::radiance);
     image_->fit();
     if (pacer_->is_idle()) {
@@ -312,6 +324,7 @@ void SpaceView::frame_all() {
         pose.eye *= glm::length(widgets::sphere_pose().eye) / glm::length(pose.eye);
         return move_camera(pose), finish_gesture();
     }
+    if (shows_own_space()) return use_experiment_camera();
     std::optional<SpaceBox> box;
     for (const LayerInfo& info : picture_.layers) {
         if (!info.bounds || info.elements == 0) continue;

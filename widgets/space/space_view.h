@@ -39,6 +39,7 @@ class SpaceView : public QWidget {
     void set_note(const QString& note);
     /// Drops the picture (another experiment) and says why.
     void clear(const QString& note);
+    const QString& note() const { return overlay_.note; }
 
     /// Extent of the scene: framing and the speed of flying.
     void set_bounds(const SpaceBox& bounds);
@@ -104,6 +105,7 @@ class SpaceView : public QWidget {
     enum class Drag { none, press, orbit, slide, look };
     void make_tools();
     void update_tools();
+    bool shows_own_space() const;
     void scene_updated();
     void want_picture();
     void refine_later();

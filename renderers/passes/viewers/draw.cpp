@@ -21,6 +21,19 @@ scene::Camera sphere_camera(int width, int height) {
     return camera;
 }
 
+/// Looks along -Z at all of the bounds, with a little air.
+scene::Camera framing_camera(const scene::Bounds& bounds, int width, int height) {
+    scene::Camera camera;
+    camera.name = "own space";
+    const auto half = 0.5f * (bounds.max - bounds.min);
+    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    const float half_height = std::max({half.y, half.x / aspect, 1e-6f});
+    camera.target = bounds.centre();
+    camera.eye = camera.target;
+    camera.eye.z += half.z + 1.06f * half_height / std::tan(0.5f * camera.fov_y);
+    return camera;
+}
+
 /// What the rest of the house leaves behind does not matter, nor does it find anything of this.
 void reset_state(const gl::Api& gl) {
     for (const GLenum capability :
@@ -87,6 +100,7 @@ struct Viewer::State {
         for (const auto& layer : view.layers)
             plans.push_back(plan_layer(layer, graph.device_buffer(layer.key), plans.size(),
                                        view.most_elements, tools.device.max_buffer_bytes()));
+        keep_spaces_apart(plans);
         return plans;
     }
 
@@ -114,15 +128,20 @@ Picture3D Viewer::draw(graph::Graph& graph, const graph::FrameInputs& inputs, co
     const auto& gl = s.tools.api;
     auto plans = s.plan(graph, view);
     const bool only_spheres = has_primitive(plans, true) && !has_primitive(plans, false);
-    const bool show_scene = view.show_scene && !only_spheres && inputs.world;
+    const bool own_space = std::any_of(plans.begin(), plans.end(),
+                                       [](const auto& plan) { return plan.drawable && plan.has_own_space; });
+    const bool has_scene = inputs.world && !only_spheres && !own_space;
+    const bool show_scene = view.show_scene && has_scene;
     Picture3D picture;
     picture.camera = view.camera.value_or(only_spheres ? sphere_camera(view.width, view.height) : camera);
 
     scene::Bounds bounds;
-    if (inputs.world && !only_spheres) bounds = inputs.world->bounds;
+    if (has_scene) bounds = inputs.world->bounds;
     if (has_primitive(plans, true)) include_unit_sphere(bounds);
     reset_state(gl);
     s.painter.measure(plans, make_sight(picture.camera, view.width, view.height, 1, bounds), bounds);
+    if (own_space && !view.camera && !bounds.empty())
+        picture.camera = framing_camera(bounds, view.width, view.height);
     const int oversampling = s.oversampling(view);
     const auto sight = make_sight(picture.camera, view.width, view.height, oversampling, bounds);
 

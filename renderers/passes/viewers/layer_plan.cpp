@@ -105,7 +105,8 @@ bool place_sphere(LayerPlan& plan, const std::vector<Field>& fields) {
 bool place_fields(LayerPlan& plan, const std::vector<Field>& fields) {
     switch (plan.drawn.kind) {
         case OutputKind::point_set:
-            return place_vectors(plan, fields, Primitive::points, "position");
+            plan.has_own_space = floats(fields, "place", 3) >= 0;
+            return place_vectors(plan, fields, Primitive::points, plan.has_own_space ? "place" : "position");
         case OutputKind::line_set:
             return place_vectors(plan, fields, Primitive::lines, "start", "end");
         case OutputKind::glyphs:
@@ -206,6 +207,19 @@ void choose_step(LayerPlan& plan, std::uint64_t most_elements) {
 }
 
 }  // namespace
+
+void keep_spaces_apart(std::vector<LayerPlan>& plans) {
+    const bool in_scene = std::any_of(plans.begin(), plans.end(), [](const auto& plan) {
+        return plan.drawable && !plan.has_own_space && plan.primitive != Primitive::sphere;
+    });
+    if (!in_scene) return;
+    for (auto& plan : plans) {
+        if (!plan.drawable || !plan.has_own_space) continue;
+        plan.drawable = false;
+        add_note(plan, "'" + plan.wanted.key +
+                           "' stands in a space of its own: show it in a view without layers of the scene");
+    }
+}
 
 LayerPlan plan_layer(const Layer& layer, const std::optional<graph::DeviceBuffer>& buffer, std::size_t index,
                      std::uint64_t most_elements, std::uint64_t max_buffer_bytes) {

@@ -46,6 +46,7 @@ struct LayerPlan {
     Layer wanted;
     DrawnLayer drawn;
     bool drawable = false;
+    bool has_own_space = false;  ///< stands apart from the scene
     Primitive primitive = Primitive::points;
     FieldType colour_type = FieldType::f32;
     LayerBlock block;
@@ -56,5 +57,8 @@ struct LayerPlan {
 /// `index` is the layer's place in the view.
 LayerPlan plan_layer(const Layer& layer, const std::optional<graph::DeviceBuffer>& buffer, std::size_t index,
                      std::uint64_t most_elements, std::uint64_t max_buffer_bytes);
+
+/// Beside layers of the scene those with a space of their own are not drawn, and say so.
+void keep_spaces_apart(std::vector<LayerPlan>& plans);
 
 }  // namespace ir::passes::viewers

@@ -21,6 +21,9 @@
 ///                region in radians, colatitude from +Y, longitude from +X towards +Z); drawn as a unit
 ///                sphere of regions, or of the nearest centre where bounds are absent
 ///
+/// A point set with `place` f32×3 instead of `position` stands in a space of its own, such as the unit square
+/// of a map. It is drawn without the scene and only among its like, framed to their bounds.
+///
 /// Positions are world space, metres. All other fields are values: a layer can be coloured and filtered by
 /// them.
 namespace ir::passes::viewers {

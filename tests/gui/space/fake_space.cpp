@@ -72,7 +72,7 @@ SpacePicture FakeSpace::draw(const SpaceScene& scene, QSize size) {
         if (!layer.visible) continue;
         LayerInfo info;
         info.key = layer.key;
-        info.fields = layer.kind == OutputKind::sphere_values ? directions().fields : buffer().fields;
+        info.fields = layer.kind == OutputKind::sphere_values ? directions().fields : fields;
         info.elements = std::uint64_t(points);
         info.low = info.least = 1e9;
         info.high = info.most = -1e9;

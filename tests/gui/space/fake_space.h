@@ -11,6 +11,7 @@ class FakeSpace {
     std::vector<CameraPose> cameras;  ///< of the pictures drawn, newest last
     CameraPose experiment;            ///< used where the scene has no camera of its own
     int points = 400;
+    std::vector<Field> fields = buffer().fields;  ///< of what is drawn
 
     static AvailableBuffer buffer();
     static AvailableBuffer directions();

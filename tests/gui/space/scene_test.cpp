@@ -58,6 +58,15 @@ TEST(ColourText, NamesComponentsForPeople) {
     EXPECT_EQ(text("map", 0), "map");
 }
 
+TEST(SpaceOf, IsToldByKindAndFields) {
+    const Field place{"place", FieldType::f32, 3}, position{"position", FieldType::f32, 3};
+    EXPECT_EQ(space_of(OutputKind::point_set, {position}), Space::scene);
+    EXPECT_EQ(space_of(OutputKind::point_set, {{"id", FieldType::u32}, place}), Space::own);
+    EXPECT_EQ(space_of(OutputKind::glyphs, {place}), Space::scene);
+    EXPECT_EQ(space_of(OutputKind::sphere_values, {}), Space::sphere);
+    EXPECT_EQ(colour_of(OutputKind::point_set, {place}), "") << "a place is no value";
+}
+
 TEST(FieldRanges, ReadEachTypeAndSkipWhatIsNoNumber) {
     const std::vector<Field> fields{
         {"position", FieldType::f32, 3}, {"layer", FieldType::u32, 1}, {"change", FieldType::i32, 1}};

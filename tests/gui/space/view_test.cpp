@@ -346,6 +346,23 @@ TEST_F(SpaceViewTest, ASphereIsSeenFromOutside) {
     EXPECT_FALSE(wanted_.back().camera.has_value());
 }
 
+TEST_F(SpaceViewTest, ASpaceOfItsOwnHasNeitherSceneNorExperimentsCamera) {
+    space_.fields = {{"place", FieldType::f32, 3}};
+    view_.refresh();
+    QTest::qWait(20);
+    EXPECT_FALSE(action("show_scene")->isVisible());
+    EXPECT_EQ(action("experiment_camera")->text(), "From the front");
+    drag(Qt::LeftButton, {}, {40, 0});
+    EXPECT_TRUE(view_.is_free()) << "it can be orbited all the same";
+    QTest::keyClick(&view_, Qt::Key_F);
+    QTest::qWait(20);
+    EXPECT_FALSE(wanted_.back().camera.has_value()) << "the renderer knows how large it is";
+    space_.fields = FakeSpace::buffer().fields;
+    view_.refresh();
+    QTest::qWait(20);
+    EXPECT_TRUE(action("show_scene")->isVisible());
+}
+
 TEST_F(SpaceViewTest, ASphereFitsTheSmallerSide) {
     view_.set_layers({default_layer(FakeSpace::directions())});
     for (const QSize size : {QSize(480, 360), QSize(240, 640)}) {

@@ -206,6 +206,30 @@ TEST_F(LayersTest, SaysWhyALayerIsNotDrawn) {
     EXPECT_EQ(picture.layer.at(pixel(picture, spot_px(4))), 6) << "layers keep their numbers";
 }
 
+TEST_F(LayersTest, ASpaceOfItsOwnIsFramedWithoutTheScene) {
+    add_square({0, 0, 0}, {0, 0, 1}, 50);
+    TestBuffer map("map", OutputKind::point_set, {{"place", FieldType::f32, 3}});
+    for (const auto corner :
+         {glm::vec3(30, 10, 0), glm::vec3(34, 10, 0), glm::vec3(30, 12, 0), glm::vec3(34, 12, 0)})
+        map.add(corner);
+    run({map, row()});
+    const auto picture = draw({{.key = "map", .size_px = 4}}, width, height);
+    EXPECT_EQ(picture.layers[0].note, "");
+    for (int i = 0; i < 4; ++i) EXPECT_GT(pixels_of(picture, i), 0) << i;
+    const auto place = [&](float x, float y) { return place_px(picture.camera, width, height, {x, y, 0}); };
+    EXPECT_LT(place(30, 10).x, 0.1f * width) << "as large as it fits";
+    EXPECT_GT(place(34, 10).x, 0.9f * width);
+    EXPECT_GT(place(30, 10).y, place(30, 12).y) << "upright";
+    const auto background = colour_at(picture, {1, 1});
+    expect_colour(colour_at(picture, place(32, 11)), background);  // and nothing behind it
+
+    const auto mixed = draw({{.key = "row"}, {.key = "map"}}, width, height);
+    EXPECT_EQ(mixed.layers[0].note, "");
+    EXPECT_NE(mixed.layers[1].note.find("a space of its own"), std::string::npos) << mixed.layers[1].note;
+    EXPECT_EQ(mixed.camera.eye, camera_.eye);
+    for (const auto layer : mixed.layer) ASSERT_NE(layer, 1);
+}
+
 TEST_F(LayersTest, DrawsAsAskedAsFarAsItCan) {
     run({row()});
     Layer layer{.key = "row", .colour_by = "heat", .colour_map = "rainbow", .filters = {{"mass", 0, 1}}};

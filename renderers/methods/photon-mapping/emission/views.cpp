@@ -70,7 +70,7 @@ void show_samples(graph::GraphBuilder& builder, const Sources& sources, const Em
     const auto elements = (shown.points + shown.stride - 1) / shown.stride * steps;
     const auto buffer = builder.buffer({.text = graph::text_of(view_outputs(), "emission.samples"),
                                         .kind = OutputKind::point_set,
-                                        .fields = {{"position", FieldType::f32, 3},
+                                        .fields = {{"place", FieldType::f32, 3},
                                                    {source_selector, FieldType::u32},
                                                    {warp_selector, FieldType::u32},
                                                    {"point", FieldType::u32},

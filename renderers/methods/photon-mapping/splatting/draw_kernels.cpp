@@ -111,7 +111,7 @@ Kernels declare_kernels(graph::GraphBuilder& builder, const StoredPhotons& photo
                                                 .label = "Vertices of the icosahedron",
                                                 .doc = "On the unit sphere."},
                                        .kind = OutputKind::point_set,
-                                       .fields = {{"position", FieldType::f32, 3}},
+                                       .fields = {{"place", FieldType::f32, 3}},
                                        .elements = solid.vertices.size(),
                                        .fingerprint = "1"});
     kernels.corners = builder.buffer({.text = {.key = "splat.icosahedron.corners",
