@@ -90,14 +90,12 @@ void BenchmarkDock::connect_runs() {
         emit said(tr("%1: %n row(s) measured", nullptr, int(report.rows.size())).arg(text_of(running_)));
         running_.clear();
         update();
-        emit settled();
     });
     connect(&runs_, &BenchmarkRuns::failed, this, [this](const QString& error, bool cancelled) {
         problems_[running_] = cancelled ? tr("Cancelled") : error;
         running_.clear();
         update();
         cancelled ? emit said(tr("Cancelled the benchmark")) : emit failed(error);
-        emit settled();
     });
 }
 

@@ -37,7 +37,6 @@ class BenchmarkDock : public QWidget {
   signals:
     void said(const QString& text);  ///< for the status line
     void failed(const QString& error);
-    void settled();
 
   private:
     const engine::NamedBenchmark& chosen() const;

@@ -27,6 +27,7 @@ class ImageLoader : public QObject {
     ImageFile get(const std::filesystem::path& file);
     /// Why a file could not be read; empty when nothing is known against it.
     std::string error(const std::filesystem::path& file) const;
+    bool is_reading() const { return reading_; }
 
   signals:
     void arrived(const QString& file);

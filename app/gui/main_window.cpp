@@ -69,8 +69,8 @@ MainWindow::~MainWindow() {
 }
 
 bool MainWindow::is_settled() const {
-    return live_.is_settled() && workspace_.is_settled() && metrics_.is_settled() && plots_->is_settled() &&
-           benchmarks_->is_settled();
+    return live_.is_settled() && !images_.is_reading() && !kept_.is_busy() && workspace_.is_settled() &&
+           metrics_.is_settled() && plots_->is_settled() && benchmarks_->is_settled();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -77,12 +77,8 @@ class MainWindow : public QMainWindow {
     /// Throws UsageError that lists the known layouts.
     void apply_layout(const QString& name);
     static QStringList layout_names();
-    /// Whether everything that is shown has arrived, or cannot.
+    /// Whether everything that is shown has arrived, or cannot. Workspace::missing() says what cannot.
     bool is_settled() const;
-
-  signals:
-    /// Everything that is shown has arrived, or something of it is new.
-    void settled();
 
   protected:
     void closeEvent(QCloseEvent*) override;

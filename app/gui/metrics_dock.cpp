@@ -54,7 +54,6 @@ MetricsDock::MetricsDock(Session& session, LivePictures& live, Workspace& worksp
     connect(panel_, &Panel::swap_wanted, this, [this] { workspace_.swap(); });
     connect(panel_, &Panel::mask_chosen, this, &MetricsDock::choose_mask);
     connect(panel_, &Panel::override_wanted, this, &MetricsDock::compare_anyway);
-    connect(panel_, &Panel::measured, this, &MetricsDock::settled);
 }
 
 void MetricsDock::set_visible(bool visible) {

@@ -26,10 +26,6 @@ class MetricsDock : public QObject {
     void save(projects::Json& memory) const;
     void load(const projects::Json& memory);
 
-  signals:
-    /// The numbers are there.
-    void settled();
-
   private:
     struct Pair {
         widgets::ViewSource a, b;

@@ -63,16 +63,6 @@ std::vector<OutputOption> options_of_file(const std::vector<ImageLayer>& layers)
     return options;
 }
 
-QString why_no_picture(const ResourceReport* resource, const std::string& key) {
-    if (!resource) return tr("This method has no buffer “%1”.").arg(text_of(key));
-    if (!resource->available)
-        return resource->explains ? tr("“%1” explains a pixel: Shift-click one, or press H over it.")
-                                        .arg(text_of(resource->label))
-                                  : tr("“%1” has not been computed.").arg(text_of(resource->label));
-    return tr("“%1” holds a %2, which has no picture.")
-        .arg(text_of(resource->label), text_of(to_string(resource->kind)));
-}
-
 /// A layer "variance" or "….variance" beside the main one of a file, as dumped by a method that estimates it.
 const ImageLayer* variance_layer(const std::vector<ImageLayer>& layers, const ImageLayer& of) {
     if (&of != &layers.front()) return nullptr;
@@ -200,9 +190,9 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
                     (part.isEmpty() ? QString() : QStringLiteral(" · ") + part);
     const auto state = live_.state(source.owner);
     picture.stale = state == LivePictures::State::rendering;
+    picture.origin = source.owner;
     if (!result) {
-        const auto& reason = live_.text(source.owner);
-        picture.note = reason.empty() ? tr("Rendering …") : text_of(reason);
+        picture.note = why_nothing(source.owner);
         return picture;
     }
     if (resource) {
@@ -212,7 +202,10 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
     }
     const auto found = result->images.find({source.output, source.level, source.layer});
     if (found == result->images.end() || found->second.empty()) {
-        picture.note = picture.stale ? tr("Rendering …") : why_no_picture(resource, key);
+        picture.note = why_absent(source.owner, key);
+        if (picture.note.isEmpty())
+            picture.note = tr("“%1” holds a %2, which has no picture.")
+                               .arg(option.label, text_of(to_string(option.kind)));
         return picture;
     }
     picture.image = {result, &found->second};

@@ -31,6 +31,16 @@ class PictureSource {
     std::string key_of(const widgets::ViewSource& source) const;
 
     std::shared_ptr<const widgets::Picture> picture(const widgets::ViewSource& source);
+    // picture_absence.cpp; all in one line
+    /// Why nothing of an experiment can be shown; empty: something can.
+    QString why_nothing(const std::string& owner) const;
+    /// Why an output or buffer of an experiment is not there, or not of the newest frame; empty: it is.
+    QString why_absent(const std::string& owner, const std::string& key) const;
+    /// Why a buffer has no elements: as above, or what its own description says of the picked pixel; empty:
+    /// it has some, or is an image.
+    QString why_empty(const std::string& owner, const std::string& key) const;
+    /// Why an experiment will not get any further before it is finished; empty: it is finished or goes on.
+    QString why_unfinished(const std::string& owner) const;
     /// How it is shown when nobody chose: by its meaning and its values.
     widgets::Display automatic_display(const widgets::ViewSource& source);
     /// What a user should know before comparing: transports that differ. Empty: nothing.

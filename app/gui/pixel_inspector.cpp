@@ -194,7 +194,7 @@ void PixelInspector::show_everything() {
     const auto result = live_.result(experiment());
     const auto pixel = explained();
     if (!result || !pixel || result->inspection.x != pixel->x() || result->inspection.y != pixel->y()) return;
-    std::vector<std::string> drawn, spheres;
+    std::vector<std::string> drawn;
     bool complete = true;
     const auto* method = session_.registry().find(session_.experiment(experiment())->method);
     for (const auto& output : method->outputs) {
@@ -202,13 +202,12 @@ void PixelInspector::show_everything() {
         const auto* resource = find_resource(result->report, output.key);
         complete = complete && resource && resource->available;
         if (!resource || !resource->available || resource->elements > most_drawn) continue;
-        (output.kind == OutputKind::sphere_values ? spheres : drawn).push_back(output.key);
+        drawn.push_back(output.key);
     }
     if (!complete && live_.state(experiment()) == LivePictures::State::rendering) return;
-    if (drawn.empty() && spheres.empty()) return;
+    if (drawn.empty()) return;
     open_explanation_ = false;
     workspace_.show_in_space(experiment(), drawn);
-    workspace_.show_in_space(experiment(), spheres);
 }
 
 void PixelInspector::update() {
@@ -226,6 +225,7 @@ void PixelInspector::update_explain() {
     const auto* chosen = session_.experiment(id);
     const auto* method = chosen ? session_.registry().find(chosen->method) : nullptr;
     const auto result = live_.result(id);
+    const auto pixel = explained();
     if (method) {
         for (const auto& output : method->outputs) {
             if (!output.explains) continue;
@@ -233,12 +233,13 @@ void PixelInspector::update_explain() {
             const bool available = resource && resource->available;
             const bool counted = available && resource->width == 0;
             outputs.push_back({output.key, text_of(output.label), text_of(to_string(output.kind)),
-                               text_of(output.doc), counted ? qint64(resource->elements) : -1, available});
+                               text_of(output.doc), counted ? qint64(resource->elements) : -1, available,
+                               pixel ? workspace_.pictures().why_empty(id, output.key) : QString()});
         }
         for (const auto& each : workspace_.selectors(id))
             selectors.push_back({each.key, text_of(each.label), text_of(each.doc), each.count, each.item});
     }
-    explain_->set_content(explained(), outputs, selectors);
+    explain_->set_content(pixel, outputs, selectors);
 }
 
 void PixelInspector::ask() {

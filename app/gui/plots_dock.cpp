@@ -113,7 +113,6 @@ void PlotsDock::connect_studies() {
                 if (!error.isEmpty()) state.problem = error;
                 update();
                 if (runs_when_read_ && id == chosen()) run_if_needed();
-                if (is_settled()) emit settled();
             });
 }
 
@@ -247,7 +246,6 @@ void PlotsDock::finish(const std::string& id, const engine::ErrorStudy& study, c
     emit said(tr("%1: %n point(s) measured", nullptr, count_measured(study))
                   .arg(now ? text_of(now->name) : text_of(id)));
     update();
-    if (is_settled()) emit settled();
 }
 
 /// What was measured until then stays, where nothing better is there.
@@ -263,7 +261,6 @@ void PlotsDock::fail(const std::string& id, const QString& error, bool cancelled
     if (!cancelled) emit failed(error);
     if (cancelled) emit said(tr("Cancelled the plot"));
     update();
-    if (is_settled()) emit settled();
 }
 
 void PlotsDock::load_point(const QString& id) {

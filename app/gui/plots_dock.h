@@ -57,7 +57,6 @@ class PlotsDock : public QWidget {
     void edit_wanted(const QString& plot);
     /// An experiment has another setting now, and is to be seen.
     void loaded(const QString& experiment);
-    void settled();
 
   private:
     /// What is known of a plot.

@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QLoggingCategory>
 #include <QTimer>
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -12,7 +12,6 @@
 #include "app/gui/export_plot.h"
 #include "app/gui/main_window.h"
 #include "projects/light_spec.h"
-#include "projects/scene_files.h"
 #include "renderers/core/error.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
@@ -20,8 +19,8 @@
 namespace ir::gui {
 namespace {
 
-/// After the last change the window is left alone for so long before it is grabbed.
-constexpr int settle_ms = 400;
+/// Nothing was under way for so long before the window is grabbed; so often it is looked at.
+constexpr int settle_ms = 400, look_ms = 50;
 constexpr int failed = 1, bad_input = 3;
 
 struct Arguments {
@@ -57,77 +56,37 @@ void describe(CLI::App& command, Arguments& arguments) {
                        "OpenGL through egl or osmesa (default: the best that works)");
 }
 
-/// Experiments that the open views show, every one once.
-std::vector<std::string> shown_experiments(MainWindow& window) {
-    std::vector<std::string> ids;
-    const auto add = [&](const widgets::ViewSource& source) {
-        if (window.session().experiment(source.owner) &&
-            std::find(ids.begin(), ids.end(), source.owner) == ids.end())
-            ids.push_back(source.owner);
-    };
-    for (const int view : window.workspace().area().open_views()) {
-        const auto& state = window.workspace().state(view);
-        add(state.a);
-        if (widgets::compares(state.mode)) add(state.b);
-        if (widgets::takes_many(state.mode))
-            for (const auto& each : state.more) add(each);
-    }
-    return ids;
-}
-
-bool lacks_a_file(const Session& session, const std::string& experiment) {
-    const auto* chosen = session.experiment(experiment);
-    const auto& open = session.open_project();
-    const auto* scene = projects::find_item(session.document().scenes, projects::effective(*chosen).scene);
-    return scene && std::any_of(scene->parts.begin(), scene->parts.end(), [&](const auto& part) {
-               return projects::status(part, open.folder(), &open.contents()).state ==
-                      projects::FileState::missing;
-           });
-}
-
-/// What kept a shown experiment from its picture.
-struct Outcome {
-    int status = 0;
-    std::string line;
-};
-
-/// The worst of all shown experiments. Where a scene could not be loaded, that is the input's fault.
-Outcome outcome(MainWindow& window, const std::string& scene_error) {
-    Outcome worst;
-    for (const auto& id : shown_experiments(window)) {
-        const auto state = window.live().state(id);
-        if (state != LivePictures::State::failed && state != LivePictures::State::blocked) continue;
-        const auto& reason = window.live().text(id);
-        const bool input = reason == scene_error || lacks_a_file(window.session(), id);
-        if (worst.line.empty() || (input && worst.status != bad_input))
-            worst = {input ? bad_input : failed, reason};
-    }
-    return worst;
-}
-
 std::string in_one_line(const std::string& text) {
     return QString::fromStdString(text).simplified().toStdString();
 }
 
-/// Saves the window once nothing has changed for a while, and ends the program.
-void take_screenshot(MainWindow& window, const Renderer& renderer, const QString& file) {
-    auto* timer = new QTimer(&window);
-    timer->setSingleShot(true);
-    timer->setInterval(settle_ms);
-    const auto scene_error = std::make_shared<std::string>();
-    QObject::connect(&renderer, &Renderer::failed, &window,
-                     [scene_error](const std::string& tag, const std::string& error, bool cancelled) {
-                         if (tag == "scene" && !cancelled) *scene_error = error;
+/// What the views lack, and why a plot was not carried out, each reason once.
+QStringList missing(MainWindow& window) {
+    QStringList reasons;
+    for (const int view : window.workspace().area().open_views()) reasons << window.workspace().missing(view);
+    reasons.removeAll(QString());
+    reasons.removeDuplicates();
+    return reasons;
+}
+
+/// Saves the window once nothing has been under way for a while, and ends the program. The state is looked at
+/// again and again: whatever forgot to say that it is done would be waited for in vain.
+void take_screenshot(MainWindow& window, const QString& file) {
+    auto* looks = new QTimer(&window);
+    const auto reasons = std::make_shared<QStringList>();
+    QObject::connect(&window.plots(), &PlotsDock::failed, looks,
+                     [reasons](const QString& reason) { *reasons << reason; });
+    QObject::connect(looks, &QTimer::timeout, &window,
+                     [&window, file, reasons, still = QElapsedTimer()]() mutable {
+                         if (!still.isValid() || !window.is_settled()) still.start();
+                         if (still.elapsed() < settle_ms) return;
+                         *reasons << missing(window);
+                         if (!window.grab().save(file)) *reasons << "cannot write " + file;
+                         for (const auto& reason : *reasons)
+                             std::cerr << "interreflect: " << in_one_line(reason.toStdString()) << "\n";
+                         QApplication::exit(reasons->isEmpty() ? 0 : failed);
                      });
-    QObject::connect(&window, &MainWindow::settled, timer, [timer] { timer->start(); });
-    QObject::connect(timer, &QTimer::timeout, &window, [&window, file, scene_error] {
-        if (!window.is_settled()) return;
-        Outcome end = outcome(window, *scene_error);
-        if (!window.grab().save(file)) end = {failed, "cannot write " + file.toStdString()};
-        if (!end.line.empty()) std::cerr << "interreflect: " << in_one_line(end.line) << "\n";
-        QApplication::exit(end.status);
-    });
-    if (window.is_settled()) timer->start();
+    looks->start(look_ms);
 }
 
 /// Qt aborts where it finds no display, so that is looked at first; a screenshot needs none.
@@ -156,7 +115,7 @@ int run_window(const Arguments& arguments) {
     if (!arguments.layout.empty()) window.apply_layout(QString::fromStdString(arguments.layout));
     window.show();
     const auto project = QString::fromStdString(arguments.project);
-    if (screenshot) take_screenshot(window, *renderer, QString::fromStdString(arguments.screenshot));
+    if (screenshot) take_screenshot(window, QString::fromStdString(arguments.screenshot));
     if (!project.isEmpty() && !window.open_path(project) && screenshot) {
         std::cerr << "interreflect: "
                   << in_one_line(window.banners().text(QStringLiteral("file")).toStdString()) << "\n";

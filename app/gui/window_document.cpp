@@ -52,7 +52,6 @@ void MainWindow::connect_session() {
     connect(&live_, &LivePictures::state_changed, this, [this] {
         update_actions();
         update_state_banner();
-        if (is_settled()) emit settled();
     });
     connect(&scenes_, &SceneShelf::changed, this, [this] {
         session_.set_scene_cameras(scenes_.current() ? scenes_.current()->camera_values

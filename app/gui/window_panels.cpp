@@ -55,16 +55,7 @@ void MainWindow::connect_views() {
         update_lists();
         update_camera();
     });
-    connect(&workspace_, &Workspace::picture_shown, this, [this] {
-        update_display_panel();
-        if (is_settled()) emit settled();
-    });
-    connect(&metrics_, &MetricsDock::settled, this, [this] {
-        if (is_settled()) emit settled();
-    });
-    connect(&renderer_, &Renderer::scene_view_arrived, this, [this] {
-        if (is_settled()) emit settled();
-    });
+    connect(&workspace_, &Workspace::picture_shown, this, &MainWindow::update_display_panel);
     connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
         if (session_.experiment() && session_.experiment()->id == id) update_lists();
     });

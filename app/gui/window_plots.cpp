@@ -24,9 +24,6 @@ void MainWindow::connect_plots() {
         document_->select({widgets::ItemKind::plot, plot});
         document_->editor().setFocus();
     });
-    connect(plots_, &PlotsDock::settled, this, [this] {
-        if (is_settled()) emit settled();
-    });
 }
 
 void MainWindow::connect_benchmarks() {
@@ -34,9 +31,6 @@ void MainWindow::connect_benchmarks() {
     connect(benchmarks_, &BenchmarkDock::failed, this, [this](const QString& error) {
         messages_->add({Severity::error, "benchmarks", error.toStdString()});
         banners_->show_banner(QStringLiteral("benchmarks"), widgets::BannerStack::Kind::error, error);
-    });
-    connect(benchmarks_, &BenchmarkDock::settled, this, [this] {
-        if (is_settled()) emit settled();
     });
 }
 

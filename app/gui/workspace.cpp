@@ -27,7 +27,7 @@ Workspace::Workspace(Session& session, LivePictures& live, Renderer& renderer, I
     connect(&live_, &LivePictures::picture_arrived, this, &Workspace::on_picture);
     connect(&live_, &LivePictures::state_changed, this, [this](const std::string& id) {
         for (const int view : area_->open_views())
-            if (state(view).a.owner == id || state(view).b.owner == id) update_view(view);
+            if (shows(view, id)) update_view(view);
     });
     connect(&images, &ImageLoader::arrived, this, &Workspace::update_all);
     connect(&images, &ImageLoader::failed, this, &Workspace::update_all);
@@ -119,10 +119,30 @@ void Workspace::set_state(int view, ViewState state) {
 }
 
 bool Workspace::is_settled() const {
-    for (const int view : area_->open_views())
-        if (const auto* shown = pane(view))
-            if (const_cast<ViewPane*>(shown)->compare().is_computing()) return false;
-    return drawing_.empty();
+    const auto views = area_->open_views();
+    return std::none_of(views.begin(), views.end(), [this](int view) {
+        return drawings_[std::size_t(view)].is_under_way() ||
+               (pane(view) && pane(view)->compare().is_computing());
+    });
+}
+
+QString Workspace::missing(int view) const {
+    const auto& shown = state(view);
+    if (!session_.has_project()) return {};
+    for (const auto& source : sources(shown))
+        if (const auto why = pictures_.why_unfinished(source.owner); !why.isEmpty()) return why;
+    if (!pane(view)) return {};
+    if (pane(view)->content() == ViewPane::Content::space)
+        for (const auto& layer : shown.space.layers)
+            if (const auto why = pictures_.why_empty(shown.a.owner, layer.key);
+                layer.visible && !why.isEmpty())
+                return why;
+    return pane(view)->missing();
+}
+
+bool Workspace::shows(int view, const std::string& owner) const {
+    const auto shown = sources(state(view));
+    return std::any_of(shown.begin(), shown.end(), [&](const auto& source) { return source.owner == owner; });
 }
 
 void Workspace::update_all() {
@@ -140,9 +160,7 @@ void Workspace::update_all() {
 void Workspace::on_picture(const std::string& id) {
     bool completed_some = false;
     for (const int view : area_->open_views()) {
-        const auto shown = sources(state(view));
-        if (std::none_of(shown.begin(), shown.end(), [&](const auto& source) { return source.owner == id; }))
-            continue;
+        if (!shows(view, id)) continue;
         auto state = completed(without_lost(view));
         if (state != states_[std::size_t(view)]) {
             states_[std::size_t(view)] = std::move(state);

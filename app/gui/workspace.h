@@ -52,7 +52,8 @@ class Workspace : public QObject {
     void choose_display(const widgets::Display& display);
     void choose_automatic();
 
-    /// Puts buffers that stand in space into one view: the active one if it shows space, else another.
+    /// Puts buffers that stand in space into views, those of each space (widgets::Space) into one: one that
+    /// shows it already, else another than the active one.
     void show_in_space(const std::string& owner, const std::vector<std::string>& keys);
     /// An output in another view than the active one, which stays as it is.
     void show_beside(const std::string& owner, const std::string& key);
@@ -80,6 +81,8 @@ class Workspace : public QObject {
 
     /// No 3D picture and no difference is under way.
     bool is_settled() const;
+    /// Why an open view does not show all that it is asked for, in one line; empty: it does, or will soon.
+    QString missing(int view) const;
 
     void save(projects::Json& memory) const;
     void load(const projects::Json& memory);
@@ -111,6 +114,7 @@ class Workspace : public QObject {
     void on_active_changed();
     void on_picture(const std::string& id);
     std::vector<std::string> shown_experiments() const;
+    bool shows(int view, const std::string& owner) const;
 
     // workspace_state.cpp
     widgets::ViewState without_lost(int view) const;
@@ -148,7 +152,8 @@ class Workspace : public QObject {
     // workspace_beside.cpp
     bool shows_explanation(const widgets::ViewState& state, const std::string& owner) const;
     /// Where something of `owner` is shown that must not cover what is looked at.
-    int view_beside(const std::string& owner, const std::function<bool(const widgets::ViewState&)>& is_fit);
+    int view_beside(const std::string& owner, const std::set<int>& filled,
+                    const std::function<bool(const widgets::ViewState&)>& is_fit);
 
     // workspace_space.cpp
     void connect_space(int view, widgets::SpacePane& space);
@@ -167,18 +172,18 @@ class Workspace : public QObject {
     /// What a view showed before another experiment came into it.
     std::array<widgets::ViewState, widgets::ViewArea::most_views> before_;
     std::array<widgets::ViewPane*, widgets::ViewArea::most_views> panes_{};
-    /// 3D pictures of a view: what the newest was drawn from, whose they are, and the first serial of that
-    /// owner.
+    /// 3D pictures of a view: what the newest was drawn from, whose they are, and which requests of that
+    /// owner were sent and answered.
     struct Drawing {
         std::weak_ptr<const engine::LiveResult> result;
         std::string owner;
-        std::uint64_t first_serial = 0;
+        std::uint64_t first_serial = 0, newest_serial = 0, answered_serial = 0;
+        bool is_under_way() const { return answered_serial < newest_serial; }
     };
     std::array<Drawing, widgets::ViewArea::most_views> drawings_;
     widgets::ViewArea* area_ = nullptr;
     widgets::ViewLink link_;
     DisplayMemory displays_;
-    std::set<int> drawing_;  ///< views whose 3D picture is under way
     std::vector<widgets::PinMark> pins_;
     std::map<std::string, std::map<std::string, Want>> panel_wants_;  ///< by panel
     QSize region_size_;

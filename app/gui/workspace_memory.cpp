@@ -39,7 +39,6 @@ void Workspace::load(const projects::Json& memory) {
     if (const auto& kept = member_or_null(memory, "inspections"); kept.is_object())
         for (const auto& [id, inspection] : kept.items()) inspections_[id] = inspection_from_json(inspection);
     drawings_ = {};
-    drawing_.clear();
     displays_.clear();
     displays_.load(member_or_null(memory, "displays"));
     std::tie(region_size_, region_) = region_from_json(member_or_null(memory, "region"));

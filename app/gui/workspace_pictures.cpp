@@ -143,12 +143,10 @@ void Workspace::update_table(int view) {
     const auto key = pictures_.key_of(source);
     const auto result = live_.result(source.owner);
     const auto* resource = result ? find_resource(result->report, key) : nullptr;
-    if (!result) return pane.table().clear(tr("Rendering …"));
+    if (!result) return pane.table().clear(pictures_.why_nothing(source.owner));
     const auto found = result->buffers.find(key);
-    if (found == result->buffers.end())
-        return pane.table().clear(resource && resource->explains
-                                      ? tr("Explains a pixel: Shift-click one, or press H over it.")
-                                      : tr("Not computed."));
+    if (found == result->buffers.end() || found->second.elements == 0)
+        return pane.table().clear(pictures_.why_empty(source.owner, key));
     // Shared with the result, not copied.
     widgets::BufferData data{found->second.fields, found->second.elements, {result, &found->second.bytes}};
     if (data.bytes == pane.table().model().buffer().bytes) return;

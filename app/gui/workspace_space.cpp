@@ -147,11 +147,12 @@ void Workspace::update_space(int view) {
     if (space.view().scene() != wanted) space.set_scene(wanted);
     auto& drawing = drawings_[std::size_t(view)];
     if (drawing.owner != owner) {
-        drawing = {{}, owner, 0};
-        space.view().clear(tr("Rendering …"));
+        drawing = {};
+        drawing.owner = owner;
+        space.view().clear(tr("Drawing …"));
     }
     const auto result = live_.result(owner);
-    if (!result) return space.view().set_note(tr("Rendering …"));
+    if (!result) return space.view().set_note(pictures_.why_nothing(owner));
     if (drawing.result.lock() == result) return;
     drawing.result = result;
     space.view().refresh();
@@ -171,21 +172,25 @@ void Workspace::request_space(int view, const SpaceScene& scene, QSize device_px
     request.view.show_centres = scene.show_centres;
     for (const auto& layer : scene.layers)
         if (layer.visible) request.view.layers.push_back(layer_of(layer));
-    drawing_.insert(view);
-    const auto serial = renderer_.draw(std::move(request));
-    auto& first = drawings_[std::size_t(view)].first_serial;
-    if (first == 0) first = serial;
+    auto& drawing = drawings_[std::size_t(view)];
+    drawing.newest_serial = renderer_.draw(std::move(request));
+    if (drawing.first_serial == 0) drawing.first_serial = drawing.newest_serial;
 }
 
 void Workspace::on_scene_view(std::shared_ptr<const engine::SceneViewResult> result) {
     for (int view = 0; view < widgets::ViewArea::most_views; ++view) {
         if (tag_of(view) != result->tag || !pane(view)) continue;
-        const auto first = drawings_[std::size_t(view)].first_serial;
-        if (first == 0 || result->serial < first) return;  // of what the view showed before
-        drawing_.erase(view);
+        auto& drawing = drawings_[std::size_t(view)];
+        if (drawing.first_serial == 0 || result->serial < drawing.first_serial)
+            return;  // of what the view showed before
+        drawing.answered_serial = std::max(drawing.answered_serial, result->serial);
         auto& space = pane(view)->space();
         if (!result->error.empty()) return space.view().set_note(QString::fromStdString(result->error));
-        space.view().set_picture(picture_of(result->picture));
+        auto picture = picture_of(result->picture);
+        for (auto& layer : picture.layers)  // the viewer knows no reasons
+            if (const auto& owner = state(view).a.owner; layer.elements == 0)
+                layer.note = pictures_.why_empty(owner, layer.key).toStdString();
+        space.view().set_picture(std::move(picture));
     }
 }
 

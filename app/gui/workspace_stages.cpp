@@ -49,8 +49,14 @@ void Workspace::name_stages(int view, std::vector<std::shared_ptr<const Picture>
 
 void Workspace::update_reference(int view) {
     const auto source = reference_of(session_, state(view).a.owner);
-    const bool wanted = compares_reference(state(view));
-    pane(view)->compare().set_reference(!source.owner.empty(), wanted ? pictures_.picture(source) : nullptr);
+    auto picture = compares_reference(state(view)) ? pictures_.picture(source) : nullptr;
+    // Of the experiment's size it is compared like its own pictures, with stages of smaller sizes, too.
+    if (picture && picture->size() == main_size(state(view).a.owner)) {
+        auto named = *picture;
+        named.origin = state(view).a.owner;
+        picture = std::make_shared<const Picture>(std::move(named));
+    }
+    pane(view)->compare().set_reference(!source.owner.empty(), std::move(picture));
 }
 
 QString Workspace::missing_stages(const ViewState& state) const {

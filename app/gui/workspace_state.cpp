@@ -19,6 +19,14 @@ constexpr std::size_t most_stages = 6;
 /// Buffers of 3D views are sent along up to this size, so that their values can be read.
 constexpr std::uint64_t most_sent_bytes = 4u << 20;
 
+using widgets::Space;
+
+Space space_of(const std::vector<widgets::AvailableBuffer>& buffers, const std::string& key) {
+    for (const auto& buffer : buffers)
+        if (buffer.key == key) return widgets::space_of(buffer.kind, buffer.fields);
+    return Space::scene;
+}
+
 bool is_picture(OutputKind kind) {
     return kind == OutputKind::image || kind == OutputKind::pyramid || kind == OutputKind::stack;
 }
@@ -77,8 +85,11 @@ ViewState Workspace::completed(ViewState state) const {
         const bool shown = std::any_of(layers.begin(), layers.end(),
                                        [&](const auto& layer) { return layer.key == output->key; });
         if (!shown) {
+            const auto buffers = spatial_buffers(state.a.owner);
+            const auto before = layers.empty() ? Space::scene : space_of(buffers, layers.front().key);
             layers.clear();
-            for (const auto& buffer : spatial_buffers(state.a.owner))
+            if (space_of(buffers, output->key) != before) state.space.camera.reset();  // it saw another space
+            for (const auto& buffer : buffers)
                 if (buffer.key == output->key && !buffer.fields.empty())
                     layers = {widgets::default_layer(buffer)};  // by its fields, once they are known
         }

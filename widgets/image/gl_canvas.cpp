@@ -1,3 +1,4 @@
+#include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
@@ -224,6 +225,8 @@ class GlCanvas final : public QOpenGLWidget, public Canvas {
 
 bool has_opengl() {
     static const bool found = [] {
+        // Beside an X server it makes contexts, but widgets that draw with one crash in Qt when it is shown.
+        if (QGuiApplication::platformName() == QLatin1String("offscreen")) return false;
         QSurfaceFormat wanted;
         wanted.setVersion(3, 3);
         wanted.setProfile(QSurfaceFormat::CoreProfile);

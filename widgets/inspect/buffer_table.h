@@ -31,6 +31,7 @@ class BufferTable : public QWidget {
     void set_buffer(const QString& name, BufferData buffer);
     /// Nothing to show, and why ("Not computed.").
     void clear(const QString& reason = {});
+    const QString& reason() const { return reason_; }  ///< of the above; empty: a buffer is shown
     /// Scrolls to an element and chooses it; emits nothing. -1: none.
     void select_element(qint64 element);
     qint64 selected_element() const { return chosen_; }

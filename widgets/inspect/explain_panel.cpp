@@ -212,14 +212,18 @@ void ExplainPanel::update_pixel() {
         const QString amount = amount_text(output);
         if (pixel_ && !amount.isEmpty()) details << amount;
         QString text = details.join(QStringLiteral(", "));
-        if (!output.doc.isEmpty()) text += QLatin1Char('\n') + first_sentence(output.doc);
+        const QString more =
+            pixel_ && !output.why_none.isEmpty() ? output.why_none : first_sentence(output.doc);
+        if (!more.isEmpty()) text += QLatin1Char('\n') + more;
         row.details->setText(text);
         row.name->setToolTip(QStringLiteral("<p>%1</p>").arg(output.doc.toHtmlEscaped()));
         row.details->setToolTip(row.name->toolTip());
         row.show->setEnabled(pixel_.has_value() && output.elements != 0);
         row.show->setToolTip(!pixel_                ? tr("Choose a pixel first")
                              : ready                ? tr("Show %1 in the active view").arg(output.label)
-                             : output.elements == 0 ? tr("There are none for this pixel")
+                             : output.elements == 0 ? output.why_none.isEmpty()
+                                                          ? tr("There are none for this pixel")
+                                                          : output.why_none
                                                     : tr("Have it computed and show it in the active view"));
     }
     for (std::size_t i = 0; i < selector_rows_.size(); ++i) {

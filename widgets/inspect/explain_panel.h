@@ -20,6 +20,7 @@ struct ExplainOutput {
     QString label, kind, doc;  ///< kind: "point_set", as core names it
     qint64 elements = -1;      ///< -1: not known, or an image
     bool available = false;    ///< false: not computed yet
+    QString why_none = {};     ///< why it is not there, or has no elements for this pixel
     bool operator==(const ExplainOutput&) const = default;
 };
 

@@ -109,6 +109,18 @@ void ViewPane::show_values(QPoint pixel, int number) {
     emit cursor_moved(pixel);
 }
 
+QString ViewPane::missing() const {
+    switch (content_) {
+        case Content::picture:
+            return compare_->missing();
+        case Content::space:
+            return space_->isVisible() ? space_->view().note() : QString();
+        case Content::table:
+            return table_->reason();
+    }
+    return {};
+}
+
 QImage ViewPane::snapshot(bool overlays) const {
     if (content_ == Content::space && space_) return space_->view().snapshot(overlays);
     if (content_ == Content::table && table_) return table_->grab().toImage();

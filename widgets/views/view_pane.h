@@ -36,6 +36,9 @@ class ViewPane : public QWidget {
     /// The picture under the cursor or, without one, A.
     std::shared_ptr<const Picture> picture_at(int number) const;
 
+    /// What is said in the place of something that should be seen; empty: nothing is missing. What is hidden,
+    /// as behind a tab, asks for no picture of space, and lacks none.
+    QString missing() const;
     /// What is seen, with labels, legend and marks on request.
     QImage snapshot(bool overlays) const;
 

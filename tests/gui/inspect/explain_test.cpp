@@ -64,6 +64,15 @@ TEST_F(ExplainPanelTest, ShowsBuffersAndStops) {
     EXPECT_EQ(cleared.count(), 1);
 }
 
+TEST_F(ExplainPanelTest, SaysWhyThereAreNone) {
+    auto reasoned = outputs;
+    reasoned[1].why_none = "None for pixel 4, 5: no ray leaves it.";
+    panel.set_content(QPoint(4, 5), reasoned, {});
+    const auto rows = panel.findChild<QWidget*>("output:explain_rays")->findChildren<QLabel*>();
+    EXPECT_TRUE(rows.at(1)->text().contains("no ray leaves it")) << rows.at(1)->text().toStdString();
+    EXPECT_EQ(show_button("explain_rays")->toolTip(), reasoned[1].why_none);
+}
+
 TEST_F(ExplainPanelTest, ChoosesItemsOneByOneOrAll) {
     const auto show = [&](int count, int chosen) {
         panel.set_content({}, outputs, {{"map", "Layered depth map", "Direction", count, chosen}});

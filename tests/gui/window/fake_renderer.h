@@ -45,17 +45,22 @@ inline const MethodDescription& fake_method() {
         distance.soft = {0, 10};
         m.parameters = {level, items, distance};
         m.selectors = {{"item", "Item", "The one that is shown.", "items"}};
-        m.outputs = {{.key = "picture", .label = "Picture", .semantic = Semantic::radiance},
-                     {.key = "depth", .label = "Depth", .semantic = Semantic::depth},
-                     {.key = "levels", .label = "Levels", .kind = OutputKind::pyramid},
-                     {.key = "slices", .label = "Slices", .kind = OutputKind::stack},
-                     {.key = "cloud", .label = "Cloud", .kind = OutputKind::point_set},
-                     {.key = "ball", .label = "Ball", .kind = OutputKind::sphere_values},
-                     {.key = "numbers", .label = "Numbers", .kind = OutputKind::table},
-                     {.key = "why", .label = "Why", .kind = OutputKind::line_set, .explains = true},
-                     {.key = "shares", .label = "Shares", .explains = true},
-                     {.key = "noise", .label = "Noise"},
-                     {.key = "cover", .label = "Cover", .semantic = Semantic::mask}};
+        m.outputs = {
+            {.key = "picture", .label = "Picture", .semantic = Semantic::radiance},
+            {.key = "depth", .label = "Depth", .semantic = Semantic::depth},
+            {.key = "levels", .label = "Levels", .kind = OutputKind::pyramid},
+            {.key = "slices", .label = "Slices", .kind = OutputKind::stack},
+            {.key = "cloud", .label = "Cloud", .kind = OutputKind::point_set},
+            {.key = "ball", .label = "Ball", .kind = OutputKind::sphere_values},
+            {.key = "numbers", .label = "Numbers", .kind = OutputKind::table},
+            {.key = "why",
+             .label = "Why",
+             .kind = OutputKind::line_set,
+             .doc = "Lines of the pixel. Empty while no pixel is picked, and where nothing is in its way.",
+             .explains = true},
+            {.key = "shares", .label = "Shares", .explains = true},
+            {.key = "noise", .label = "Noise"},
+            {.key = "cover", .label = "Cover", .semantic = Semantic::mask}};
         m.variance = "noise";
         return m;
     }();
@@ -66,6 +71,7 @@ inline constexpr int fake_levels = 3, fake_slices = 4, fake_elements = 6;
 
 inline std::vector<Field> fake_fields(const std::string& key) {
     if (key == "cloud") return {{"position", FieldType::f32, 3}, {"layer", FieldType::u32}};
+    if (key == "grid") return {{"place", FieldType::f32, 3}};
     if (key == "ball") return {{"centre", FieldType::f32, 3}, {"item", FieldType::u32}};
     if (key == "numbers") return {{"value", FieldType::f32}, {"count", FieldType::u32}};
     if (key == "why") return {{"start", FieldType::f32, 3}, {"end", FieldType::f32, 3}};
@@ -124,6 +130,8 @@ inline const MethodDescription& fake_filter() {
         m.parameters.push_back(smooth);
         m.outputs.push_back({.key = "rough", .label = "Rough", .semantic = Semantic::radiance});
         m.outputs.push_back({.key = "smoothed", .label = "Smoothed", .semantic = Semantic::radiance});
+        m.outputs.push_back(
+            {.key = "grid", .label = "Grid", .kind = OutputKind::point_set, .explains = true});
         m.stages = {{.output = "rough", .label = "Traced"},
                     {.output = "smoothed", .label = "Smoothed", .active_when = {"smooth", {true}}},
                     {.output = "picture", .label = "Composed"}};
@@ -147,7 +155,11 @@ class FakeRenderer final : public Renderer {
     std::uint64_t request(engine::LiveRequest request) override {
         requests.push_back(request);
         const auto serial = std::uint64_t(requests.size());
-        if (!hold) QTimer::singleShot(0, this, [this, request, serial] { answer(request, serial); });
+        if (!failure.empty())
+            QTimer::singleShot(0, this,
+                               [this, tag = request.tag, why = failure] { emit failed(tag, why, false); });
+        else if (!hold)
+            QTimer::singleShot(0, this, [this, request, serial] { answer(request, serial); });
         return serial;
     }
     void load_scene(const std::vector<scene::Part>& parts) override {
@@ -174,7 +186,7 @@ class FakeRenderer final : public Renderer {
     std::uint64_t draw(engine::SceneViewRequest request) override {
         views.push_back(request);
         const auto serial = std::uint64_t(views.size());
-        QTimer::singleShot(0, this, [this, request, serial] { answer(request, serial); });
+        if (!hold_views) QTimer::singleShot(0, this, [this, request, serial] { answer(request, serial); });
         return serial;
     }
     void probe(engine::ProbeRequest request) override {
@@ -211,6 +223,7 @@ class FakeRenderer final : public Renderer {
             computed.push_back(key);
             result->buffers[key] = {fake_fields(key), fake_elements, fake_bytes(key)};
         }
+        if (!shows_surface) result->valid = Image(request.experiment.width, request.experiment.height, 1, 0);
         result->finished = true;
         result->report = report(request, computed);
         emit result_arrived(result);
@@ -241,7 +254,7 @@ class FakeRenderer final : public Renderer {
         return Image(w, h, colour ? 3 : 1, value);
     }
 
-    static FrameReport report(const engine::LiveRequest& request, const std::vector<std::string>& computed) {
+    FrameReport report(const engine::LiveRequest& request, const std::vector<std::string>& computed) const {
         FrameReport report;
         report.backend = "fake";
         PassReport pass;
@@ -253,6 +266,7 @@ class FakeRenderer final : public Renderer {
             ResourceReport resource;
             resource.key = output.key;
             resource.label = output.label;
+            resource.doc = output.doc;
             resource.pass = "paint";
             resource.kind = output.kind;
             resource.semantic = output.semantic;
@@ -265,7 +279,7 @@ class FakeRenderer final : public Renderer {
                 resource.width = request.experiment.width;
                 resource.height = request.experiment.height;
             } else {
-                resource.elements = fake_elements;
+                resource.elements = output.explains && finds_none ? 0 : fake_elements;
             }
             if (output.key == "levels") resource.levels = fake_levels;
             if (output.key == "slices") resource.layers = fake_slices;
@@ -291,7 +305,8 @@ class FakeRenderer final : public Renderer {
             passes::viewers::DrawnLayer drawn;
             drawn.key = layer.key;
             drawn.fields = fake_fields(layer.key);
-            drawn.elements = fake_elements;
+            drawn.elements = finds_none ? 0 : fake_elements;
+            if (finds_none) drawn.note = "'" + layer.key + "' has no elements";
             drawn.most = drawn.high = fake_elements - 1;
             picture.layers.push_back(drawn);
         }
@@ -325,7 +340,9 @@ class FakeRenderer final : public Renderer {
     /// What the render thread does; without it nothing answers.
     std::function<engine::KeepResult(const engine::KeepRequest&)> on_keep;
     std::vector<std::string> releases;
-    bool hold = false;
+    bool hold = false, hold_views = false;
+    bool finds_none = false, shows_surface = true;  ///< of what explains a pixel; of every pixel
+    std::string failure;                            ///< of every request from now on
     int cancels = 0;
 };
 

@@ -104,6 +104,55 @@ TEST_F(InspectWindowTest, WhatExplainsAPixelNeverCoversThePicture) {
     EXPECT_EQ(window.workspace().state(2).a.output, "shares");
 }
 
+TEST_F(InspectWindowTest, EachSpaceOfAnExplanationHasAViewOfItsOwn) {
+    window.session().edit([&](const projects::Project& project) {
+        return projects::edits::set_method(project, fake_registry(), window.session().experiment()->id,
+                                           "filter");
+    });
+    ASSERT_TRUE(settle());
+    for (const char* views : {"views-1", "views-4"}) {  // with room for new views, and without
+        trigger(views);
+        auto& workspace = window.workspace();
+        window.inspector().explain_nothing();
+        widgets::ViewState picture;
+        picture.a = {window.session().experiment()->id, {}};
+        for (const int view : workspace.area().open_views()) workspace.set_state(view, picture);
+        ASSERT_TRUE(settle());
+        window.inspector().explain({20, 10});
+        ASSERT_TRUE(settle());
+        std::map<std::string, std::vector<std::string>> layers;
+        for (const int view : workspace.area().open_views()) {
+            const auto& state = workspace.state(view);
+            if (workspace.pane(view)->content() != widgets::ViewPane::Content::space) continue;
+            for (const auto& layer : state.space.layers) layers[state.a.output].push_back(layer.key);
+        }
+        EXPECT_EQ(layers["why"], std::vector<std::string>{"why"}) << views;
+        EXPECT_EQ(layers["grid"], std::vector<std::string>{"grid"}) << views;
+        EXPECT_EQ(workspace.active_state(), picture) << views;
+    }
+}
+
+TEST_F(InspectWindowTest, ABufferOfAnotherSpaceLeavesTheCameraBehind) {
+    window.session().edit([&](const projects::Project& project) {
+        return projects::edits::set_method(project, fake_registry(), window.session().experiment()->id,
+                                           "filter");
+    });
+    ASSERT_TRUE(settle());
+    window.inspector().explain({20, 10});
+    ASSERT_TRUE(settle());
+    window.workspace().show_output("cloud");
+    ASSERT_TRUE(settle());
+    window.workspace().active_pane().space().view().use_free_camera();
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(window.workspace().active_state().space.camera.has_value());
+    window.workspace().show_output("why");
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(window.workspace().active_state().space.camera.has_value()) << "still in the scene";
+    window.workspace().show_output("grid");
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(window.workspace().active_state().space.camera.has_value());
+}
+
 TEST_F(InspectWindowTest, AnExplanationIsNoEdit) {
     const auto position = window.session().open_project().undo_stack().position();
     window.inspector().explain({1, 2});

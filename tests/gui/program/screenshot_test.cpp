@@ -1,0 +1,96 @@
+// The real program: --screenshot ends, whatever it is asked to show and wherever it runs.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <QImage>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+namespace ir {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A guard for programs that hang; none of these takes a tenth of it.
+constexpr int most_seconds = 200;
+
+std::string contents(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// How the program meets its platform: what stands before it on the command line.
+struct Platform {
+    const char *name, *environment;
+};
+
+class Screenshot : public testing::TestWithParam<Platform> {
+  protected:
+    Screenshot() {
+        std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+        std::replace(name.begin(), name.end(), '/', '-');
+        root_ = fs::temp_directory_path() / ("interreflect-screenshot-" + name);
+        fs::remove_all(root_);
+        fs::create_directories(root_);
+    }
+    ~Screenshot() override { fs::remove_all(root_); }
+
+    /// A sample, its experiments cut to one frame.
+    fs::path sample(const std::string& name) {
+        const auto folder = root_ / (name + ".interreflect");
+        fs::copy(fs::path(SOURCE_ROOT) / "projects/samples" / folder.filename(), folder,
+                 fs::copy_options::recursive);
+        replace(folder, R"("frames": \d+)", R"("frames": 1)");
+        return folder;
+    }
+    static void replace(const fs::path& project, const std::string& what, const std::string& with) {
+        const auto text = contents(project / "project.json");
+        std::ofstream(project / "project.json") << std::regex_replace(text, std::regex(what), with);
+    }
+
+    struct Outcome {
+        int status = 0;
+        std::string err;
+        QImage picture;
+    };
+    Outcome shot(const fs::path& project) {
+        const auto file = root_ / "window.png", err = root_ / "err";
+        const std::string command = "timeout " + std::to_string(most_seconds) + " env " +
+                                    GetParam().environment + " " + PROGRAM + " " + project.string() +
+                                    " --layout picture --size 900x600 --screenshot " + file.string() + " 2>" +
+                                    err.string();
+        const int status = std::system(command.c_str());
+        EXPECT_TRUE(WIFEXITED(status)) << command;
+        return {WEXITSTATUS(status), contents(err), QImage(QString::fromStdString(file.string()))};
+    }
+
+    fs::path root_;
+};
+
+TEST_P(Screenshot, EndsWithTheSampleOfFilterStages) {
+    const auto outcome = shot(sample("photon-fig7-2"));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_GE(outcome.picture.width(), 900);
+}
+
+TEST_P(Screenshot, OfAMissingSceneSaysSoAndIsWrittenNevertheless) {
+    const auto project = sample("photon-fig7-2");
+    replace(project, "builtin:conference@1[^\"]*", "gone.gltf");
+    const auto outcome = shot(project);
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("gone.gltf"), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << "said once: " << outcome.err;
+    EXPECT_GE(outcome.picture.width(), 900);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , Screenshot,
+    testing::Values(Platform{"default", ""}, Platform{"offscreen", "QT_QPA_PLATFORM=offscreen"},
+                    Platform{"without_display", "-u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM"}),
+    [](const auto& each) { return each.param.name; });
+
+}  // namespace
+}  // namespace ir
