@@ -8,6 +8,7 @@
 #include "app/cli/plot_project.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/benchmarks.h"
+#include "app/engine/interruption.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
 
@@ -70,7 +71,7 @@ int run_benchmark(const Flags& flags) {
     const auto options = benchmark_options(flags);
     if (!flags.csv.empty()) require_folder_of(flags.csv, "--csv");
     engine::BenchmarkCallbacks callbacks;
-    callbacks.cancel = &interruption();
+    callbacks.cancel = &engine::interruption();
     callbacks.memory_budget = parse_bytes(flags.machine.memory);
     const bool shows_progress = isatty(STDERR_FILENO);
     if (shows_progress) callbacks.progress = print_progress;

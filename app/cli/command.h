@@ -4,15 +4,10 @@
 #include <functional>
 #include <string>
 
-#include "renderers/core/progress.h"
-
 namespace ir::cli {
 
-/// The contract with scripts.
+/// The contract with scripts; engine::interruption_status() where a signal ended the work.
 enum ExitStatus { done = 0, failed = 1, wrong_usage = 2, bad_input = 3, limit_exceeded = 4 };
-
-/// Set by Ctrl-C; long work looks at it between slices.
-CancelToken& interruption();
 
 /// Each adds its subcommand; the chosen one's callback stores what main runs after parsing.
 using Run = std::function<int()>;

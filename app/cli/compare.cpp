@@ -7,6 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/compare_difference.h"
 #include "app/cli/compare_sides.h"
+#include "app/engine/interruption.h"
 #include "app/engine/number_text.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
@@ -200,7 +201,9 @@ int compare(Flags flags) {
     options.valid_image = image.mask();
     options.valid_reference = reference.mask();
     options.mask = mask.empty() ? nullptr : &mask;
+    options.cancel = &engine::interruption();
     const auto result = compute_metrics(image.image, reference.image, names, options);
+    engine::interruption().check();
 
     if (!flags.json) print(names, result);
     auto json = as_json(flags, names, result, found);

@@ -1,19 +1,10 @@
-#include <csignal>
 #include <iostream>
 
 #include "app/cli/command.h"
+#include "app/engine/interruption.h"
 #include "app/engine/version.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
-
-namespace ir::cli {
-
-CancelToken& interruption() {
-    static CancelToken token;
-    return token;
-}
-
-}  // namespace ir::cli
 
 namespace {
 
@@ -25,13 +16,17 @@ int fail(const std::string& line, int status) {
     return status;
 }
 
+/// Commands that write nothing have nothing to put away: signals end them as if they were not watched.
+bool writes(const CLI::App& app) {
+    for (const char* name : {"info", "list", "describe", "scene"})
+        if (app.got_subcommand(name)) return false;
+    return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     using namespace ir::cli;
-    interruption();
-    std::signal(SIGINT, [](int) { interruption().cancel(); });
-
     CLI::App app{
         "Interreflect on the command line: renders, compares and checks experiments without a window."};
     app.set_version_flag("--version", "interreflect-cli " + ir::engine::version());
@@ -50,6 +45,7 @@ int main(int argc, char** argv) {
     add_bench(app, run);
     try {
         app.parse(argc, argv);
+        if (writes(app)) ir::engine::watch_interruptions();
         const int status = run();
         std::cout.flush();
         if (!std::cout) return fail("standard output cannot be written", failed);
@@ -69,7 +65,7 @@ int main(int argc, char** argv) {
     } catch (const ir::UsageError& error) {
         return fail(error.what(), wrong_usage);
     } catch (const ir::Cancelled&) {
-        return fail("cancelled", failed);
+        return fail("interrupted", ir::engine::interruption_status());
     } catch (const std::bad_alloc&) {
         return fail("out of memory; lower the image size or the method's sizes", failed);
     } catch (const std::exception& error) {

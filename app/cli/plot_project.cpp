@@ -107,6 +107,19 @@ int complain(const ProjectPlots& job, const projects::ErrorPlot& plot, const Err
     return file_at_fault ? bad_input : failed;
 }
 
+/// A plot without a single number is no plot.
+void require_numbers(const projects::ErrorPlot& plot, const engine::ErrorStudy& study) {
+    const auto& points = study.points;
+    const auto is_measured = [](const auto& point) { return point.problem.empty(); };
+    if (points.empty() || std::any_of(points.begin(), points.end(), is_measured)) return;
+    const auto problem = "plot '" + plot.id +
+                         "': no point could be measured; the first: " + points.front().experiment + ": " +
+                         points.front().problem;
+    const auto is_refused = [](const auto& point) { return point.is_refused; };
+    if (std::any_of(points.begin(), points.end(), is_refused)) throw UsageError(problem);
+    throw Error(problem);
+}
+
 }  // namespace
 
 int plot_project(const ProjectPlots& job) {
@@ -132,6 +145,7 @@ int plot_project(const ProjectPlots& job) {
             all[plot.id] = Json::parse(engine::study_json(study));
             if (!job.csv.empty()) write_text(job.csv, engine::study_csv(study));
             if (job.keep) engine::keep_study(loaded.project, plot, loaded.folder, study);
+            require_numbers(plot, study);
         } catch (const Cancelled&) {
             throw;
         } catch (const Error& error) {

@@ -8,6 +8,7 @@
 #include "app/cli/run_frames.h"
 #include "app/engine/execution.h"
 #include "app/engine/from_project.h"
+#include "app/engine/interruption.h"
 #include "app/engine/moving.h"
 #include "app/engine/number_text.h"
 #include "projects/autosave.h"
@@ -119,7 +120,9 @@ void verify(Json& row, engine::Machine& machine, const projects::LoadedProject& 
             projects::hash_file(loaded.folder / "results" / file.path) != file.content_hash)
             row["changed"].push_back("kept picture: its file was changed");
     engine::Execution execution(machine, engine::from_project(loaded.project, experiment, loaded.folder));
-    const auto report = run_frames(execution, {});
+    graph::FrameOptions options;
+    options.cancel = &engine::interruption();
+    const auto report = run_frames(execution, options);
     if (report.backend != kept->provenance.backend || report.device != kept->provenance.driver)
         row["changed"].push_back("device: " + kept->provenance.driver + " → " + report.device);
     for (const auto& file : kept->files)

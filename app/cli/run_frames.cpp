@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "app/engine/interruption.h"
 #include "renderers/core/error.h"
 
 namespace ir::cli {
@@ -21,7 +22,7 @@ graph::FrameOptions frame_options(const MachineFlags& flags, const std::vector<s
     options.wanted = wanted;
     options.memory_budget = parse_bytes(flags.memory);
     options.initial_capacity = initial_capacity;
-    options.cancel = &interruption();
+    options.cancel = &engine::interruption();
     if (show_progress && isatty(STDERR_FILENO))
         options.progress = [](const std::string& what, double fraction) {
             std::fprintf(stderr, "\r\033[K%3.0f %% %s", 100 * fraction, what.c_str());

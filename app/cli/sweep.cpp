@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -55,10 +56,14 @@ std::string list_name(const Shard& shard) {
     return "sweep-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count) + ".json";
 }
 
+Json entry_of(const projects::SweepPoint& point) {
+    return {{"id", point.experiment.id}, {"coordinates", point.coordinates}};
+}
+
 /// Renders one point; what went wrong stands in its entry.
 Json render_point(const Flags& flags, engine::Machine& machine, const projects::LoadedProject& loaded,
                   const projects::SweepPoint& point, int& status) {
-    Json entry{{"id", point.experiment.id}, {"coordinates", point.coordinates}};
+    auto entry = entry_of(point);
     try {
         const auto statistics =
             render_one(flags.job, machine, loaded.project, point.experiment, loaded.folder);
@@ -78,6 +83,44 @@ Json render_point(const Flags& flags, engine::Machine& machine, const projects::
     return entry;
 }
 
+/// The file that says what became of each variation. It is there from the beginning, so that it tells what is
+/// not rendered yet however the sweep ends.
+class SweepList {
+  public:
+    SweepList(std::filesystem::path file, Json head, const std::vector<projects::SweepPoint>& points)
+        : file_(std::move(file)), list_(std::move(head)) {
+        list_["points"] = Json::array();
+        for (const auto& point : points) {
+            auto entry = entry_of(point);
+            entry["problem"] = "not rendered yet";
+            list_["points"].push_back(std::move(entry));
+        }
+        write();
+    }
+
+    const std::filesystem::path& file() const { return file_; }
+    std::string text() const { return list_.dump(2) + "\n"; }
+    /// How many were rendered.
+    std::size_t done() const { return done_; }
+
+    void put(std::size_t point, Json entry) {
+        done_ += entry.contains("image") ? 1 : 0;
+        list_["points"][point] = std::move(entry);
+        if (Clock::now() - written_ > std::chrono::seconds(1)) write();
+    }
+    void write() {
+        write_text(file_, text());
+        written_ = Clock::now();
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::filesystem::path file_;
+    Json list_;
+    Clock::time_point written_;
+    std::size_t done_ = 0;
+};
+
 int run_sweep(const Flags& flags) {
     const auto shard = parse_shard(flags.shard);
     const auto loaded = projects::load_project(flags.job.project, engine::registry());
@@ -94,19 +137,27 @@ int run_sweep(const Flags& flags) {
     std::filesystem::create_directories(flags.job.out, error);
     if (error) throw Error("--out " + flags.job.out + ": cannot be created (" + error.message() + ")");
     engine::Machine machine(machine_options(flags.job.machine));
-    Json list{{"sweep", sweep.id},
-              {"experiment", sweep.experiment},
-              {"shard", shard.index},
-              {"shards", shard.count},
-              {"points", Json::array()}};
+    SweepList list(std::filesystem::path(flags.job.out) / list_name(shard),
+                   {{"sweep", sweep.id},
+                    {"experiment", sweep.experiment},
+                    {"shard", shard.index},
+                    {"shards", shard.count}},
+                   points);
     int status = done;
-    for (const auto& point : points)
-        list["points"].push_back(render_point(flags, machine, loaded, point, status));
-    write_text(std::filesystem::path(flags.job.out) / list_name(shard), list.dump(2) + "\n");
+    try {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            list.put(i, render_point(flags, machine, loaded, points[i], status));
+    } catch (const Cancelled&) {
+        list.write();
+        std::cerr << "interreflect-cli: rendered " << list.done() << " of " << points.size()
+                  << " variations; " << list.file().string() << " lists which\n";
+        throw;
+    }
+    list.write();
     if (flags.job.json == "-")
-        std::cout << list.dump(2) << "\n";
+        std::cout << list.text();
     else if (!flags.job.json.empty())
-        write_text(flags.job.json, list.dump(2) + "\n");
+        write_text(flags.job.json, list.text());
     return status;
 }
 

@@ -78,12 +78,17 @@ class Study {
         if (callbacks_.cancel) callbacks_.cancel->check();
     }
 
+    static void refuse(ErrorPoint& point, const std::string& problem, bool is_refused = true) {
+        point.problem = problem;
+        point.is_refused = is_refused && !problem.empty();
+    }
+
     ErrorPoint blank(const PlannedRun& planned, const PlannedPoint& point) const {
         ErrorPoint result;
         result.experiment = planned.experiment;
         result.value = point.value;
         result.frames = point.frames;
-        result.problem = point.problem;
+        refuse(result, point.problem);
         return result;
     }
 
@@ -102,9 +107,11 @@ class Study {
                 throw;
             } catch (const Error& error) {
                 if (machine_.context().is_lost()) throw;
+                const bool is_refused =
+                    dynamic_cast<const UsageError*>(&error) || dynamic_cast<const InputError*>(&error);
                 for (auto& result : results)
                     if (result.problem.empty() && result.errors.empty())
-                        result.problem = projects::printable(error.what(), 300);
+                        refuse(result, projects::printable(error.what(), 300), is_refused);
             }
         }
         for (std::size_t i = 0; i < results.size(); ++i) {
@@ -232,7 +239,7 @@ class Study {
                 refusal = error.what();  // a metric may not apply: too few pixels, too few channels
             }
         }
-        if (point.errors.empty()) point.problem = projects::printable(refusal, 300);
+        if (point.errors.empty()) refuse(point, projects::printable(refusal, 300));
     }
 
     Machine& machine_;

@@ -21,8 +21,9 @@ struct ErrorPoint {
     std::map<std::string, double> errors;  ///< by metric
     std::size_t pixels = 0, skipped = 0;
     std::uint64_t memory_bytes = 0;
-    std::string problem;    ///< not empty: one line why there is no picture; the numbers say nothing then
-    bool on_front = false;  ///< no other point is as good in both time and error, and better in one
+    std::string problem;      ///< not empty: one line why there is no picture; the numbers say nothing then
+    bool is_refused = false;  ///< with a problem: the document is at fault, not the rendering; not stored
+    bool on_front = false;    ///< no other point is as good in both time and error, and better in one
 };
 
 /// A document's ErrorPlot, carried out.

@@ -100,9 +100,11 @@ MetricResult measure(const Image& image, const Image& reference, const std::vect
         add_pixel(image, reference, i, sums);
     }
     result.pixels = pixels.compared.size();
-    for (const auto& name : names)
+    for (const auto& name : names) {
+        if (options.cancel) options.cancel->check();
         result.values[name] = result.pixels ? compute(name, image, reference, pixels, sums, options, result)
                                             : std::numeric_limits<double>::quiet_NaN();
+    }
     return result;
 }
 

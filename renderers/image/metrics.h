@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderers/core/output.h"
+#include "renderers/core/progress.h"
 #include "renderers/image/flip.h"
 #include "renderers/image/image.h"
 
@@ -67,12 +68,13 @@ struct MetricOptions {
     std::optional<Rectangle> rectangle = {};
     const Image* mask = nullptr;
     FlipOptions flip = {};
+    const CancelToken* cancel = nullptr;  ///< looked at before each metric
 };
 
 /// Compares two images of equal size by the channels that are values. `pixels` and `skipped` add up to the
 /// region. Without any valid pixel all values are NaN. Throws UsageError for sizes that differ (naming both),
 /// for unknown metrics, for rectangles that are empty or lie outside, and for ꟻLIP of other than 1 or 3
-/// channels.
+/// channels. Throws Cancelled.
 MetricResult compute_metrics(const Image& image, const Image& reference,
                              const std::vector<std::string>& metrics, const MetricOptions& options = {});
 

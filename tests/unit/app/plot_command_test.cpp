@@ -119,6 +119,20 @@ TEST_F(PlotCommand, RefusesInOneLine) {
     expect_refused("sweep " + path() + " directions --out " + file("out"), 3, "directions");
 }
 
+TEST_F(PlotCommand, EndsWithTheProjectAtFaultWhereEveryPointIsRefused) {
+    json["plots"][0]["values"] = {8, "many"};
+    store();
+    EXPECT_EQ(plot("").status, 0) << "what is left is a plot";
+    json["plots"][0]["values"] = {"many", "none"};
+    store();
+    const auto outcome = plot("");
+    EXPECT_EQ(outcome.status, 3) << outcome.err;
+    EXPECT_NE(outcome.err.find("plot 'directions': no point could be measured; the first: ldm-50: "),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.out.find("ldm-200"), std::string::npos) << "the table says why of each";
+}
+
 TEST_F(PlotCommand, ShardsOfASweepMakeTheWhole) {
     const auto sweep = [&](const std::string& flags) {
         const auto outcome =

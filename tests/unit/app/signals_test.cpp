@@ -1,0 +1,151 @@
+// What an interruption leaves behind, of every command, on the real program.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "projects/results_guard.h"
+#include "renderers/image/exr.h"
+#include "tests/child_process.h"
+
+namespace ir {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+
+/// A project whose reference takes for ever, with plots and sweeps.
+class Signals : public testing::Test {
+  protected:
+    Signals() {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        root_ = fs::temp_directory_path() / ("interreflect-signals-" + std::string(test->name()));
+        fs::remove_all(root_);
+        project_ = root_ / "p.interreflect";
+        fs::create_directories(project_);
+        json_ = Json::parse(
+            read_text(fs::path(SOURCE_ROOT) / "projects/samples/atrium-error.interreflect/project.json"));
+        json_["scenes"][0]["parts"] = {{{"source", "builtin:cornell@1"}}};
+        json_["cameras"] = Json::array();
+        for (auto& experiment : json_["experiments"]) {
+            experiment["size"] = {16, 12};
+            experiment["camera"] = "";
+        }
+        json_["plots"][0]["values"] = {8, 16};
+        json_["sweeps"][0]["experiment"] = truth;
+        json_["sweeps"][0]["axes"] = {{{"key", "samples"}, {"values", {8, endless, 16}}}};
+        set_truth(endless, 1);
+    }
+    ~Signals() override { fs::remove_all(root_); }
+
+    static constexpr int endless = 1'000'000;
+    static constexpr const char* truth = "reference";
+
+    /// So many samples in each of so many frames.
+    void set_truth(int samples, int frames) {
+        for (auto& experiment : json_["experiments"])
+            if (experiment["id"] == truth) {
+                experiment["values"]["samples"] = samples;
+                experiment["frames"] = frames;
+            }
+        store();
+    }
+    void store() const { std::ofstream(project_ / "project.json") << json_.dump(2); }
+    std::string path() const { return project_.string(); }
+    std::string file(const std::string& name) const { return (root_ / name).string(); }
+    bool is_locked() const { return fs::exists(project_ / ".lock"); }
+    ChildProcess start(const Words& words) const { return ChildProcess(CLI_PROGRAM, words, root_); }
+    int run(const Words& words) const { return start(words).wait(); }
+    Words keeping(const std::string& command) const {
+        if (command == "reference") return {"reference", path(), "--samples", std::to_string(endless)};
+        return {"render", path(), "--experiment", truth, "--keep", "--out", file("out")};
+    }
+
+    fs::path root_, project_;
+    Json json_;
+};
+
+TEST_F(Signals, EndEveryCommandWithTheStatusOfShells) {
+    Image noise(1024, 1024, 3);
+    for (std::size_t i = 0; i < noise.pixels.size(); ++i) noise.pixels[i] = static_cast<float>(i % 97) / 97;
+    write_exr(file("a.exr"), {{"", {"R", "G", "B"}, noise}}, {});
+    fs::copy_file(file("a.exr"), file("b.exr"));
+    set_truth(8, 1);
+    ASSERT_EQ(run(keeping("render")), 0) << "so that there is something to verify";
+    fs::remove_all(file("out"));
+    set_truth(endless, 1);
+    const std::vector<Words> commands{
+        {"render", "--scene", "builtin:cornell", "--method", "reference", "--set", "samples=1000000",
+         "--size", "16x12", "--out", file("c.exr")},
+        keeping("render"),
+        keeping("reference"),
+        {"plot", path()},
+        {"sweep", path(), "directions", "--out", file("sweep")},
+        {"bench", "error", "--project", path()},
+        {"bench", "view-normals-defaults"},
+        {"compare", file("a.exr"), file("b.exr"), "--metric", "all", "--diff", file("d.exr")},
+        {"project", path(), "--verify"},
+    };
+    for (const auto& command : commands)
+        for (const int signal : {SIGINT, SIGTERM}) {
+            SCOPED_TRACE(command[0] + " " + std::to_string(signal));
+            auto child = start(command);
+            ASSERT_TRUE(child.reaches([&] { return child.watches(signal); })) << child.err();
+            child.send(signal);
+            EXPECT_EQ(child.wait(), 128 + signal) << child.err();
+            EXPECT_FALSE(child.was_killed()) << "it ends by itself";
+            EXPECT_NE(child.err().find("interreflect-cli: interrupted\n"), std::string::npos) << child.err();
+            EXPECT_FALSE(is_locked());
+        }
+    for (const char* name : {"c.exr", "d.exr", "out/reference.exr"})
+        EXPECT_FALSE(fs::exists(file(name))) << "nothing tells it from a finished picture";
+}
+
+TEST_F(Signals, OneThatIsPassedOnTwiceIsOne) {
+    auto child = start(keeping("reference"));
+    ASSERT_TRUE(child.reaches([&] { return child.watches(SIGTERM); }));
+    for (const int signal : {SIGTERM, SIGINT, SIGTERM}) child.send(signal);
+    // Those that wait together arrive in the order of their numbers.
+    const int status = child.wait();
+    EXPECT_TRUE(status == 128 + SIGTERM || status == 128 + SIGINT) << status;
+    EXPECT_NE(child.err().find("interreflect-cli: interrupted\n"), std::string::npos) << child.err();
+}
+
+TEST_F(Signals, ASecondOneEndsAtOnceWhatDoesNotStop) {
+    set_truth(8, 1);
+    // It waits for the results as it would for a slice that takes long.
+    const projects::ResultsGuard guard(project_);
+    auto child = start(keeping("render"));
+    ASSERT_TRUE(child.reaches([&] { return fs::exists(file("out/reference.json")); })) << child.err();
+    while (!child.has_ended()) {
+        child.send(SIGTERM);
+        ChildProcess::rest();
+    }
+    EXPECT_EQ(child.wait(), 128 + SIGTERM);
+    EXPECT_EQ(child.err().find("interrupted"), std::string::npos) << "nothing could be put away";
+}
+
+TEST_F(Signals, ASweepLeavesAListOfWhatIsDone) {
+    const auto list = [&] {
+        const auto text = read_text(file("sweep/sweep.json"));
+        return text.empty() ? Json() : Json::parse(text);
+    };
+    auto child = start({"sweep", path(), "directions", "--out", file("sweep")});
+    ASSERT_TRUE(child.reaches([&] { return fs::exists(file("sweep/reference-0001.json")); })) << child.err();
+    ASSERT_EQ(list()["points"].size(), 3u) << "it is there from the beginning";
+    child.send(SIGTERM);
+    EXPECT_EQ(child.wait(), 128 + SIGTERM);
+    EXPECT_NE(child.err().find("rendered 1 of 3 variations"), std::string::npos) << child.err();
+    const auto points = list()["points"];
+    ASSERT_EQ(points.size(), 3u);
+    EXPECT_EQ(points[0]["image"], "reference-0001.exr");
+    EXPECT_FALSE(points[0].contains("problem"));
+    for (const int left : {1, 2}) {
+        EXPECT_EQ(points[left]["problem"], "not rendered yet");
+        EXPECT_FALSE(points[left].contains("image"));
+    }
+    EXPECT_EQ(points[2]["coordinates"], Json({{"samples", 16}}));
+}
+
+}  // namespace
+}  // namespace ir
