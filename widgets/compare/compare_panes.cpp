@@ -9,7 +9,6 @@
 
 /// What the panes of a comparison show.
 namespace ir::widgets {
-namespace {}  // namespace
 
 QString CompareView::letter_of(int picture) {
     return picture < 26 ? QString(QChar('A' + picture)) : QString::number(picture + 1);
