@@ -105,9 +105,12 @@ TEST_F(RenderThreadTest, PicturesHaveNoAlphaAndKeepTheirFourthNumber) {
     EXPECT_EQ(result.images.at(position).channels, 4) << "w: distance";
     thread->probe({"a", {{3, 4}}});
     ASSERT_TRUE(wait([](const Answers& a) { return !a.probes.empty(); }));
-    for (const auto& row : answers().probes.front().rows) {
+    const auto probe = answers().probes.front();
+    for (const auto& row : probe.rows) {
         for (const auto& part : {albedo, material, position})
-            if (row.key == part.key) EXPECT_EQ(row.values[0].size(), 4u) << row.key;
+            if (row.key == part.key) {
+                EXPECT_EQ(row.values[0].size(), 4u) << row.key;
+            }
         if (row.key != "radiance") continue;
         EXPECT_EQ(row.channels, 3);
         EXPECT_EQ(row.values[0].size(), 3u);
