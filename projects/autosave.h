@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "projects/document_json.h"
-#include "projects/file_system.h"
 #include "projects/store.h"
+#include "renderers/core/file_system.h"
 
 namespace ir::projects {
 

@@ -31,7 +31,8 @@ void copy_companions(const fs::path& from, const fs::path& to, FileSystem& files
     for (const char* folder : {"results", "thumbnails"}) {
         for (const auto& file : files.list(from / folder)) {
             const bool is_index = folder == std::string_view("results") && file == "index.json";
-            if (!(is_index && is_merged) && file.extension() != ".tmp" && file != results_guard_name)
+            if (!(is_index && is_merged) && file.extension() != temporary_extension &&
+                file != results_guard_name)
                 copy_atomically(files, from / folder / file, to / folder / file);
         }
     }
@@ -274,7 +275,10 @@ void OpenProject::save_as(const fs::path& given) {
     const bool is_new = !files_.exists(target);
     files_.create_directories(target);
     auto lock = Lock::acquire(target);
-    if (!lock.is_held()) throw Error(target.string() + ": cannot be saved there: " + lock.reason());
+    if (!lock.is_held()) {
+        if (is_new) files_.remove_all(target);
+        throw Error(target.string() + ": cannot be saved there: " + lock.reason());
+    }
 
     const Project before = project_;
     const auto folder_before = folder_;

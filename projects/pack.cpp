@@ -1,7 +1,6 @@
 #include "projects/pack.h"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 
 #include "projects/plots.h"
@@ -11,6 +10,7 @@
 #include "projects/tar.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/write_file.h"
 
 namespace ir::projects {
 namespace {
@@ -112,37 +112,31 @@ class Packer {
 
 /// Copies one file of an archive to disk.
 void extract(std::istream& content, std::uint64_t size, const fs::path& target) {
-    std::error_code error;
-    fs::create_directories(target.parent_path(), error);
-    std::ofstream out(target, std::ios::binary);
-    std::vector<char> buffer(1u << 20);
-    for (std::uint64_t left = size; left > 0 && out && content;) {
-        const auto count = static_cast<std::streamsize>(std::min<std::uint64_t>(left, buffer.size()));
-        content.read(buffer.data(), count);
-        out.write(buffer.data(), content.gcount());
-        left -= static_cast<std::uint64_t>(content.gcount());
-    }
-    out.close();
-    if (!out || !content) throw Error(target.string() + ": cannot be written; free some space and try again");
+    auto& files = real_file_system();
+    files.create_directories(target.parent_path());
+    write_atomically(files, target, [&](std::ostream& out) {
+        std::vector<char> buffer(1u << 20);
+        for (std::uint64_t left = size; left > 0 && out;
+             left -= static_cast<std::uint64_t>(content.gcount())) {
+            const auto count = static_cast<std::streamsize>(std::min<std::uint64_t>(left, buffer.size()));
+            if (!content.read(buffer.data(), count))
+                throw Error(target.string() + ": cannot be unpacked; the archive cannot be read to its end");
+            out.write(buffer.data(), count);
+        }
+    });
 }
 
 }  // namespace
 
 std::vector<Message> pack_project(const fs::path& given, const fs::path& file, const Registry& registry) {
     const auto loaded = load_project(given, registry);
-    const fs::path temporary = file.string() + ".tmp";
-    std::error_code ignored;
-    try {
-        TarWriter tar(temporary);
-        auto messages = Packer(loaded, tar).run();
+    std::vector<Message> messages;
+    write_file(file, [&](std::ostream& out) {
+        TarWriter tar(out);
+        messages = Packer(loaded, tar).run();
         tar.finish();
-        real_file_system().sync(temporary);
-        real_file_system().rename(temporary, file);
-        return messages;
-    } catch (...) {
-        fs::remove(temporary, ignored);
-        throw;
-    }
+    });
+    return messages;
 }
 
 fs::path unpack_project(const fs::path& file, const fs::path& parent) {

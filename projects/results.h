@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "projects/document.h"
-#include "projects/file_system.h"
 #include "projects/scene_files.h"
+#include "renderers/core/file_system.h"
 #include "renderers/core/method.h"
 #include "renderers/core/report.h"
 

@@ -22,8 +22,8 @@ constexpr const char* origin_file_name = "sample.json";
 std::vector<fs::path> files_of_sample(const fs::path& sample, FileSystem& files) {
     auto list = files.list(sample);
     std::erase_if(list, [](const fs::path& file) {
-        return file.native().front() == '.' || file.extension() == ".tmp" || file == previous_file_name ||
-               file == autosave_file_name;
+        return file.native().front() == '.' || file.extension() == temporary_extension ||
+               file == previous_file_name || file == autosave_file_name;
     });
     return list;
 }

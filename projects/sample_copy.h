@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "projects/file_system.h"
+#include "renderers/core/file_system.h"
 #include "renderers/core/method.h"
 
 namespace ir::projects {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "projects/file_system.h"
 #include "projects/json.h"
+#include "renderers/core/file_system.h"
 
 namespace ir::projects {
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "projects/document_json.h"
-#include "projects/file_system.h"
 #include "renderers/core/error.h"
+#include "renderers/core/file_system.h"
 
 namespace ir::projects {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <fstream>
 #include <optional>
 #include <vector>
 
@@ -71,10 +72,6 @@ bool stays_inside(const std::string& name) {
 
 }  // namespace
 
-TarWriter::TarWriter(const fs::path& file) : file_(file), stream_(file, std::ios::binary | std::ios::trunc) {
-    if (!stream_) throw Error(file.string() + ": cannot be created; choose a place that you may write to");
-}
-
 void TarWriter::header(const std::string& name, std::uint64_t size) {
     Header header{};
     if (!put_name(header, name)) throw Error(printable(name, 300) + ": this name is too long to be packed");
@@ -90,18 +87,18 @@ void TarWriter::header(const std::string& name, std::uint64_t size) {
     std::memcpy(header.version, "00", 2);
     put_octal(header.checksum, 6, checksum_of(header));
     header.checksum[7] = ' ';
-    stream_.write(reinterpret_cast<const char*>(&header), sizeof header);
+    out_.write(reinterpret_cast<const char*>(&header), sizeof header);
 }
 
 void TarWriter::pad(std::uint64_t size) {
     static constexpr std::array<char, block_size> zeros{};
     const auto rest = size % block_size;
-    if (rest != 0) stream_.write(zeros.data(), static_cast<std::streamsize>(block_size - rest));
+    if (rest != 0) out_.write(zeros.data(), static_cast<std::streamsize>(block_size - rest));
 }
 
 void TarWriter::add_text(const std::string& name, const std::string& text) {
     header(name, text.size());
-    stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
+    out_.write(text.data(), static_cast<std::streamsize>(text.size()));
     pad(text.size());
 }
 
@@ -113,19 +110,18 @@ void TarWriter::add_file(const std::string& name, const fs::path& source) {
     header(name, size);
     std::vector<char> buffer(1u << 20);
     std::uint64_t written = 0;
-    while (content.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || content.gcount() > 0) {
-        stream_.write(buffer.data(), content.gcount());
+    while (out_ && (content.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) ||
+                    content.gcount() > 0)) {
+        out_.write(buffer.data(), content.gcount());
         written += static_cast<std::uint64_t>(content.gcount());
     }
-    if (written != size) throw Error(source.string() + ": changed while it was packed; try again");
+    if (out_ && written != size) throw Error(source.string() + ": changed while it was packed; try again");
     pad(size);
 }
 
 void TarWriter::finish() {
     static constexpr std::array<char, 2 * block_size> end{};
-    stream_.write(end.data(), end.size());
-    stream_.close();
-    if (!stream_) throw Error(file_.string() + ": could not be written completely; free some space");
+    out_.write(end.data(), end.size());
 }
 
 void read_tar(const fs::path& file,

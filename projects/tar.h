@@ -2,9 +2,9 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <istream>
+#include <ostream>
 #include <string>
 
 namespace ir::projects {
@@ -12,19 +12,17 @@ namespace ir::projects {
 /// Writes a POSIX ustar archive of plain files. Equal contents give equal bytes: no dates, no owners.
 class TarWriter {
   public:
-    /// Throws Error when `file` cannot be created.
-    explicit TarWriter(const std::filesystem::path& file);
+    /// Whether all could be written is for the owner of the stream to see.
+    explicit TarWriter(std::ostream& out) : out_(out) {}
     void add_text(const std::string& name, const std::string& text);
     /// Throws Error when `source` cannot be read or its size changes meanwhile.
     void add_file(const std::string& name, const std::filesystem::path& source);
-    /// Writes the end and closes; throws Error when anything could not be written.
-    void finish();
+    void finish();  ///< writes the end
 
   private:
     void header(const std::string& name, std::uint64_t size);
     void pad(std::uint64_t size);
-    std::filesystem::path file_;
-    std::ofstream stream_;
+    std::ostream& out_;
 };
 
 /// Calls `read(name, content, size)` for every plain file, which may read up to `size` bytes of `content`.

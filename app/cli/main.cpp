@@ -1,3 +1,4 @@
+#include <csignal>
 #include <iostream>
 
 #include "app/cli/command.h"
@@ -27,6 +28,7 @@ bool writes(const CLI::App& app) {
 
 int main(int argc, char** argv) {
     using namespace ir::cli;
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error with a line, as a full disk is
     CLI::App app{
         "Interreflect on the command line: renders, compares and checks experiments without a window."};
     app.set_version_flag("--version", "interreflect-cli " + ir::engine::version());

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 
 #include "app/engine/interruption.h"
 #include "renderers/core/error.h"
+#include "renderers/core/write_file.h"
 
 namespace ir::cli {
 
@@ -85,21 +85,13 @@ void note_lists(const std::vector<std::string>& patterns, const FrameReport& rep
 }
 
 void require_folder_of(const std::string& file, const std::string& option) {
-    const auto folder = std::filesystem::absolute(file).parent_path();
+    const auto folder = std::filesystem::absolute(behind_links(file)).parent_path();
     if (!std::filesystem::is_directory(folder))
         throw UsageError(option + " '" + file + "': there is no folder " + folder.string());
 }
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
-    auto temporary = file;
-    temporary += ".part";
-    std::ofstream stream(temporary, std::ios::binary);
-    stream << text;
-    stream.close();
-    std::error_code error;
-    if (stream) std::filesystem::rename(temporary, file, error);
-    if (!stream || error)
-        throw Error(file.string() + ": cannot be written; check that the folder exists and has room");
+    write_file(file, text);
 }
 
 }  // namespace ir::cli

@@ -26,7 +26,7 @@ void note_lists(const std::vector<std::string>& patterns, const FrameReport& rep
 /// Before work whose result goes to `file`: throws UsageError, naming `option`, where its folder is missing.
 void require_folder_of(const std::string& file, const std::string& option);
 
-/// Written to a temporary, then renamed. Throws Error.
+/// Throws Error.
 void write_text(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace ir::cli

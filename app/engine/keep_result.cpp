@@ -66,7 +66,7 @@ void add_file(KeptResult& result, const char* role, const fs::path& results, con
 
 void write_files(KeptResult& result, const Execution& execution, const FrameReport& report,
                  const fs::path& results, bool with_state) {
-    auto& files = projects::real_file_system();
+    auto& files = real_file_system();
     const auto relative = projects::result_folder(result.key);
     files.create_directories(results / relative);
     const auto& variance = execution.method().variance;
@@ -75,7 +75,7 @@ void write_files(KeptResult& result, const Execution& execution, const FrameRepo
               execution.layers(variance.empty() ? std::vector<std::string>() : std::vector{variance}),
               attributes);
     add_file(result, projects::main_role, results, relative + "/main.exr");
-    projects::write_atomically(files, results / relative / "statistics.json", statistics_json(report) + "\n");
+    write_atomically(files, results / relative / "statistics.json", statistics_json(report) + "\n");
     add_file(result, projects::statistics_role, results, relative + "/statistics.json");
     const auto state = with_state ? execution.state() : std::nullopt;
     if (!state) return;

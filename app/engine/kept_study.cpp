@@ -1,13 +1,13 @@
 #include "app/engine/kept_study.h"
 
 #include "app/engine/version.h"
-#include "projects/file_system.h"
 #include "projects/hash.h"
 #include "projects/object_reader.h"
 #include "projects/plots.h"
 #include "projects/results.h"
 #include "projects/results_guard.h"
 #include "projects/text.h"
+#include "renderers/core/file_system.h"
 
 namespace ir::engine {
 namespace {
@@ -63,14 +63,14 @@ void keep_study(const projects::Project& project, const projects::ErrorPlot& plo
     json["study"] = projects::parse_json(study_json(study), plot.id);
     const auto file = study_file(folder, plot.id);
     const projects::ResultsGuard guard(folder);
-    auto& files = projects::real_file_system();
+    auto& files = real_file_system();
     files.create_directories(file.parent_path());
-    projects::write_atomically(files, file, projects::pretty_json(json));
+    write_atomically(files, file, projects::pretty_json(json));
 }
 
 std::optional<KeptStudy> load_study(const std::filesystem::path& folder, const std::string& plot) {
     const auto file = study_file(folder, plot);
-    auto& files = projects::real_file_system();
+    auto& files = real_file_system();
     if (!files.exists(file)) return {};
     const Json json = projects::parse_json(files.read(file, most_bytes), file.string());
     projects::ObjectReader reader(json, file.string(), "");

@@ -15,7 +15,8 @@
 
 #include "app/engine/state_layout.h"
 #include "renderers/core/error.h"
-#include "renderers/image/atomic_file.h"
+#include "renderers/core/write_file.h"
+#include "renderers/image/exr_stream.h"
 
 namespace ir::engine {
 namespace {
@@ -103,6 +104,16 @@ graph::History read_parts(Imf::MultiPartInputFile& input, const std::string& fil
     return history;
 }
 
+void write_parts(std::ostream& out, StateLayout& layout, const std::vector<Imf::Header>& headers) {
+    ExrStream stream(out);
+    Imf::MultiPartOutputFile output(stream, headers.data(), static_cast<int>(headers.size()));
+    for (std::size_t i = 0; i < layout.parts().size(); ++i) {
+        Imf::OutputPart part(output, static_cast<int>(i));
+        part.setFrameBuffer(frame_buffer(layout.parts()[i]));
+        part.writePixels(layout.parts()[i].height);
+    }
+}
+
 }  // namespace
 
 void write_state(const fs::path& file, const graph::History& history, const ImageAttributes& attributes) {
@@ -110,22 +121,15 @@ void write_state(const fs::path& file, const graph::History& history, const Imag
     // OpenEXR only reads from the frame buffer of an output file.
     StateLayout layout(const_cast<graph::History&>(history));
     layout.widen(history);
-    AtomicFile atomic(file);
-    try {
-        const auto headers = headers_of(layout.parts(), history, attributes);
-        Imf::MultiPartOutputFile output(atomic.temporary().c_str(), headers.data(),
-                                        static_cast<int>(headers.size()));
-        for (std::size_t i = 0; i < layout.parts().size(); ++i) {
-            Imf::OutputPart part(output, static_cast<int>(i));
-            part.setFrameBuffer(frame_buffer(layout.parts()[i]));
-            part.writePixels(layout.parts()[i].height);
+    write_file(file, [&](std::ostream& out) {
+        try {
+            write_parts(out, layout, headers_of(layout.parts(), history, attributes));
+        } catch (const Error&) {
+            throw;
+        } catch (const std::exception& problem) {
+            throw Error(file.string() + ": cannot be written (" + problem.what() + ")");
         }
-    } catch (const Error&) {
-        throw;
-    } catch (const std::exception& problem) {
-        throw Error(file.string() + ": cannot be written (" + problem.what() + ")");
-    }
-    atomic.commit();
+    });
 }
 
 graph::History read_state(const fs::path& file, ImageAttributes* attributes) {

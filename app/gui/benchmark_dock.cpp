@@ -1,7 +1,6 @@
 #include "app/gui/benchmark_dock.h"
 
 #include <QFileDialog>
-#include <QSaveFile>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -9,6 +8,7 @@
 #include "app/gui/json_fields.h"
 #include "app/gui/text_of.h"
 #include "renderers/core/error.h"
+#include "renderers/core/write_file.h"
 
 namespace ir::gui {
 namespace {
@@ -17,13 +17,6 @@ constexpr int redraw_ms = 60;
 constexpr int most_repeats = 1000;
 
 const QString own_place = QStringLiteral("own"), experiments_place = QStringLiteral("experiment");
-
-void write_file(const QString& name, const std::string& text) {
-    QSaveFile file(name);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), qint64(text.size())) < 0 ||
-        !file.commit())
-        throw Error(name.toStdString() + ": cannot be written: " + file.errorString().toStdString());
-}
 
 bool is_known(const std::string& name) {
     const auto& all = engine::benchmarks();
@@ -151,11 +144,11 @@ const engine::BenchmarkReport* BenchmarkDock::report() const {
 }
 
 void BenchmarkDock::write_csv(const QString& file) const {
-    if (report()) write_file(file, engine::benchmark_csv(*report()));
+    if (report()) write_file(file.toStdString(), engine::benchmark_csv(*report()));
 }
 
 void BenchmarkDock::write_json(const QString& file) const {
-    if (report()) write_file(file, engine::benchmark_json(*report()));
+    if (report()) write_file(file.toStdString(), engine::benchmark_json(*report()));
 }
 
 void BenchmarkDock::export_to(const QString& suffix, const QString& filter,

@@ -1,16 +1,16 @@
 #include "app/gui/export_plot.h"
 
 #include <QString>
-#include <fstream>
 #include <iostream>
 
 #include "app/engine/kept_study.h"
 #include "app/gui/known_projects.h"
 #include "app/gui/plot_points.h"
+#include "app/gui/write_picture.h"
 #include "projects/scene_files.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"
-#include "renderers/image/atomic_file.h"
+#include "renderers/core/write_file.h"
 #include "widgets/plot/plot_chart.h"
 
 namespace ir::gui {
@@ -47,15 +47,6 @@ engine::ErrorStudy numbers_of(const projects::LoadedProject& loaded, const proje
     return study;
 }
 
-void write_numbers(const std::string& file, const std::string& text) {
-    AtomicFile target(file);
-    std::ofstream out(target.temporary(), std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) throw Error(file + ": cannot be written; is the disk full?");
-    target.commit();
-}
-
 }  // namespace
 
 void check_plot_file(const std::string& file) {
@@ -68,12 +59,11 @@ void export_plot(const PlotExport& job) {
     const auto& plot = plot_of(loaded.project, job.plot);
     auto study = numbers_of(loaded, plot, job.backend);
     engine::mark_front(study.points, plot.metric);
-    if (ends_with(job.file, ".csv")) return write_numbers(job.file, engine::study_csv(study));
+    if (ends_with(job.file, ".csv")) return write_file(job.file, engine::study_csv(study));
     const auto drawn = draw_study(loaded.project, engine::registry(), plot, study, {plot.over, true, true});
     const auto& style = job.dark ? widgets::PlotStyle::screen() : widgets::PlotStyle::paper();
-    if (!widgets::plot_picture(drawn.data, job.size, job.scale, style)
-             .save(QString::fromStdString(job.file), "PNG"))
-        throw Error(job.file + ": cannot be written");
+    write_picture(QString::fromStdString(job.file),
+                  widgets::plot_picture(drawn.data, job.size, job.scale, style));
 }
 
 }  // namespace ir::gui

@@ -2,10 +2,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 
+#include "app/gui/write_picture.h"
 #include "renderers/core/error.h"
-#include "renderers/image/atomic_file.h"
+#include "renderers/core/write_file.h"
 #include "renderers/image/channels.h"
 #include "renderers/image/exr.h"
 
@@ -61,7 +61,7 @@ QString Exports::title() const {
 void Exports::save_view(const QString& file) const {
     const QImage image = workspace_.active_pane().snapshot(true);
     if (image.isNull()) throw Error("the view shows nothing to save");
-    if (!image.save(file, "PNG")) throw Error(file.toStdString() + ": cannot be written");
+    write_picture(file, image);
 }
 
 void Exports::save_buffer(const QString& file) const {
@@ -74,12 +74,7 @@ void Exports::save_values(const QString& file) const {
     auto& pane = workspace_.active_pane();
     if (pane.content() == widgets::ViewPane::Content::table) return pane.table().save_csv(file);
     const auto shown = picture();
-    AtomicFile target(file.toStdString());
-    std::ofstream out(target.temporary(), std::ios::binary);
-    write_csv(out, *shown);
-    out.close();
-    if (!out) throw Error(file.toStdString() + ": cannot be written; is the disk full?");
-    target.commit();
+    write_file(file.toStdString(), [&](std::ostream& out) { write_csv(out, *shown); });
 }
 
 void Exports::save_all_buffers(const QString& file) const {

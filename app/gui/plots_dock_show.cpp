@@ -1,15 +1,15 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFileDialog>
-#include <fstream>
 
 #include "app/gui/dialog_folder.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/plots_dock.h"
 #include "app/gui/text_of.h"
+#include "app/gui/write_picture.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
-#include "renderers/image/atomic_file.h"
+#include "renderers/core/write_file.h"
 #include "widgets/document/plot_options.h"
 
 /// What the dock shows of a plot, and how that leaves it.
@@ -158,17 +158,11 @@ engine::ErrorStudy PlotsDock::study_with_front() const {
 
 void PlotsDock::write_picture(const QString& file, const QSize& size, int scale, bool on_paper) const {
     const auto& style = on_paper ? widgets::PlotStyle::paper() : widgets::PlotStyle::screen();
-    const auto picture = widgets::plot_picture(panel_->data(), size, scale, style);
-    if (!picture.save(file, "PNG")) throw Error(file.toStdString() + ": cannot be written");
+    gui::write_picture(file, widgets::plot_picture(panel_->data(), size, scale, style));
 }
 
 void PlotsDock::write_numbers(const QString& file) const {
-    AtomicFile target(file.toStdString());
-    std::ofstream out(target.temporary(), std::ios::binary);
-    out << engine::study_csv(study_with_front());
-    out.close();
-    if (!out) throw Error(file.toStdString() + ": cannot be written; is the disk full?");
-    target.commit();
+    write_file(file.toStdString(), engine::study_csv(study_with_front()));
 }
 
 QString PlotsDock::ask_for_file(const QString& suffix, const QString& filter) {

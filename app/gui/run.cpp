@@ -5,12 +5,14 @@
 #include <QElapsedTimer>
 #include <QLoggingCategory>
 #include <QTimer>
+#include <csignal>
 #include <iostream>
 #include <memory>
 
 #include "app/engine/version.h"
 #include "app/gui/export_plot.h"
 #include "app/gui/main_window.h"
+#include "app/gui/write_picture.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
 #include "widgets/style/icons.h"
@@ -81,7 +83,11 @@ void take_screenshot(MainWindow& window, const QString& file) {
                          if (!still.isValid() || !window.is_settled()) still.start();
                          if (still.elapsed() < settle_ms) return;
                          *reasons << missing(window);
-                         if (!window.grab().save(file)) *reasons << "cannot write " + file;
+                         try {
+                             write_picture(file, window.grab().toImage());
+                         } catch (const Error& error) {
+                             *reasons << QString::fromStdString(error.what());
+                         }
                          for (const auto& reason : *reasons)
                              std::cerr << "interreflect: " << in_one_line(reason.toStdString()) << "\n";
                          QApplication::exit(reasons->isEmpty() ? 0 : failed);
@@ -145,6 +151,7 @@ int run_export(const Arguments& arguments) {
 }  // namespace
 
 int run(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error with a line, as a full disk is
     CLI::App command{"Interreflect: a workbench for research on interactive global illumination."};
     Arguments arguments;
     describe(command, arguments);

@@ -8,7 +8,9 @@
 
 #include "app/gui/dialog_folder.h"
 #include "app/gui/main_window.h"
+#include "app/gui/write_picture.h"
 #include "projects/store.h"
+#include "renderers/core/error.h"
 
 namespace ir::gui {
 namespace {
@@ -169,13 +171,17 @@ void MainWindow::store_memory() {
     playback_.save(session_.memory());
 }
 
-/// The picture by which the project is known on the start page. Nothing of value is lost with it.
+/// The picture by which the project is known on the start page.
 void MainWindow::save_thumbnail() {
     const QImage picture = workspace_.active_pane().snapshot(false);
     if (picture.isNull()) return;
     const QString file = thumbnail_file(QString::fromStdString(session_.open_project().folder().string()));
     QDir().mkpath(QFileInfo(file).path());
-    picture.scaledToWidth(thumbnail_width, Qt::SmoothTransformation).save(file);
+    try {
+        write_picture(file, picture.scaledToWidth(thumbnail_width, Qt::SmoothTransformation));
+    } catch (const Error&) {
+        // Nothing of value is lost with it.
+    }
 }
 
 void MainWindow::update_recent() {

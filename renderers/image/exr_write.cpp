@@ -9,8 +9,9 @@
 #include <set>
 
 #include "renderers/core/error.h"
-#include "renderers/image/atomic_file.h"
+#include "renderers/core/write_file.h"
 #include "renderers/image/exr.h"
+#include "renderers/image/exr_stream.h"
 
 namespace ir {
 namespace {
@@ -104,9 +105,9 @@ Imf::FrameBuffer frame_buffer_of(const Part& part) {
     return buffer;
 }
 
-void write_parts(const std::filesystem::path& file, const std::vector<Part>& parts,
-                 const std::vector<Imf::Header>& headers) {
-    Imf::MultiPartOutputFile output(file.c_str(), headers.data(), static_cast<int>(headers.size()));
+void write_parts(std::ostream& out, const std::vector<Part>& parts, const std::vector<Imf::Header>& headers) {
+    ExrStream stream(out);
+    Imf::MultiPartOutputFile output(stream, headers.data(), static_cast<int>(headers.size()));
     for (std::size_t i = 0; i < parts.size(); ++i) {
         Imf::OutputPart part(output, static_cast<int>(i));
         part.setFrameBuffer(frame_buffer_of(parts[i]));
@@ -124,13 +125,13 @@ void write_exr(const std::filesystem::path& file, const std::vector<ImageLayer>&
     for (const auto& part : parts) headers.push_back(header_of(part, parts.front(), parts.size() > 1));
     insert_attributes(headers.front(), attributes);
 
-    AtomicFile atomic(file);
-    try {
-        write_parts(atomic.temporary(), parts, headers);
-    } catch (const std::exception& problem) {
-        throw Error(file.string() + ": cannot be written (" + problem.what() + ")");
-    }
-    atomic.commit();
+    write_file(file, [&](std::ostream& out) {
+        try {
+            write_parts(out, parts, headers);
+        } catch (const std::exception& problem) {
+            throw Error(file.string() + ": cannot be written (" + problem.what() + ")");
+        }
+    });
 }
 
 }  // namespace ir

@@ -1,3 +1,4 @@
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include <fstream>
 
 #include "renderers/core/error.h"
-#include "renderers/image/atomic_file.h"
+#include "renderers/core/write_file.h"
 #include "renderers/image/colour_map.h"
 #include "renderers/image/exr.h"
 
@@ -107,13 +108,13 @@ void write_png(const std::filesystem::path& file, const Image& linear, double ex
     spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("oiio:UnassociatedAlpha", 1);
 
-    AtomicFile atomic(file);
-    const auto output = OIIO::ImageOutput::create("png");
+    OIIO::Filesystem::IOVecOutput encoded;
+    const auto output = OIIO::ImageOutput::create("png", &encoded);
     if (!output) throw Error(file.string() + ": this OpenImageIO cannot write PNG");
-    const bool written = output->open(atomic.temporary().string(), spec) &&
+    const bool written = output->open(file.string(), spec) &&
                          output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) && output->close();
     if (!written) throw Error(file.string() + ": cannot be written (" + first_line(output->geterror()) + ")");
-    atomic.commit();
+    write_file(file, {reinterpret_cast<const char*>(encoded.buffer().data()), encoded.buffer().size()});
 }
 
 }  // namespace ir

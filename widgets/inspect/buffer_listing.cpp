@@ -5,44 +5,15 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QSaveFile>
 #include <QTableView>
 #include <algorithm>
-#include <ostream>
-#include <streambuf>
 
 #include "renderers/core/error.h"
+#include "renderers/core/write_file.h"
 #include "widgets/inspect/buffer_table.h"
 
 /// Filtering, sorting, jumping, copying and saving of the table of elements.
 namespace ir::widgets {
-namespace {
-
-/// A stream into a QIODevice, so that to_csv needs no copy of the text.
-class DeviceStream final : public std::streambuf {
-  public:
-    explicit DeviceStream(QIODevice& device) : device_(device) { setp(buffer_, buffer_ + sizeof buffer_); }
-    ~DeviceStream() override { sync(); }
-
-  protected:
-    int overflow(int c) override {
-        if (sync() != 0) return traits_type::eof();
-        if (c != traits_type::eof()) sputc(traits_type::to_char_type(c));
-        return traits_type::not_eof(c);
-    }
-    int sync() override {
-        const auto size = pptr() - pbase();
-        const bool done = device_.write(pbase(), size) == size;
-        setp(buffer_, buffer_ + sizeof buffer_);
-        return done ? 0 : -1;
-    }
-
-  private:
-    QIODevice& device_;
-    char buffer_[1 << 16];
-};
-
-}  // namespace
 
 void BufferTable::read_filter() {
     const std::string text = filter_->text().trimmed().toStdString();
@@ -165,19 +136,9 @@ void BufferTable::copy() {
 }
 
 void BufferTable::save_csv(const QString& file) const {
-    QSaveFile out(file);
-    const auto fail = [&] {
-        throw Error("cannot write " + file.toStdString() + ": " + out.errorString().toStdString());
-    };
-    if (!out.open(QIODevice::WriteOnly)) fail();
-    {
-        DeviceStream device(out);
-        std::ostream stream(&device);
-        to_csv(stream, model_->buffer(), model_->listed() ? &*model_->listed() : nullptr);
-        stream.flush();
-        if (!stream) fail();
-    }
-    if (!out.commit()) fail();
+    write_file(file.toStdString(), [this](std::ostream& out) {
+        to_csv(out, model_->buffer(), model_->listed() ? &*model_->listed() : nullptr);
+    });
 }
 
 }  // namespace ir::widgets

@@ -19,6 +19,7 @@
 #include <sstream>
 
 #include "renderers/core/error.h"
+#include "tests/unit/scarce_disk.h"
 #include "widgets/inspect/buffer_table.h"
 
 namespace ir::widgets {
@@ -312,6 +313,8 @@ TEST_F(BufferTableTest, CopiesAndSavesWhatIsListed) {
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_EQ(file.readAll().count('\n'), 4);
     EXPECT_THROW(table.save_csv(folder.filePath("no/such/folder.csv")), Error);
+    const auto csv = folder.filePath("nodes.csv");
+    EXPECT_EQ(is_refused_without_room(csv.toStdString(), [&] { table.save_csv(csv); }), "");
 }
 
 TEST_F(BufferTableTest, MillionsOfRowsDoNotBlock) {

@@ -14,6 +14,7 @@
 
 #include "renderers/core/error.h"
 #include "tests/gui/window/window_fixture.h"
+#include "tests/unit/scarce_disk.h"
 #include "widgets/panels/empty_tree_view.h"
 
 namespace ir::gui {
@@ -187,6 +188,9 @@ TEST_F(BenchmarksWindowTest, WritesTheNumbers) {
     EXPECT_TRUE(line.starts_with("variant,Total [ms]")) << line;
     EXPECT_EQ(projects::Json::parse(json)["table"].size(), 8u);
     EXPECT_THROW(dock().write_csv("/nowhere/t.csv"), Error);
+    const auto full = folder.filePath("full");
+    EXPECT_EQ(is_refused_without_room(full.toStdString(), [&] { dock().write_csv(full); }), "");
+    EXPECT_EQ(is_refused_without_room(full.toStdString(), [&] { dock().write_json(full); }), "");
 }
 
 /// The real thing, without a fake.

@@ -5,6 +5,7 @@
 #include "renderers/core/error.h"
 #include "renderers/image/exr.h"
 #include "tests/gui/window/window_fixture.h"
+#include "tests/unit/scarce_disk.h"
 
 namespace ir::gui {
 namespace {
@@ -212,6 +213,20 @@ TEST_F(InspectWindowTest, WhatIsShownIsExported) {
     EXPECT_EQ(file.readAll().count('\n'), fake_elements + 1);
     EXPECT_THROW(window.exports().save_buffer(exr), Error);
     EXPECT_THROW(window.exports().save_view(folder.path() + "/no/such/folder.png"), Error);
+}
+
+TEST_F(InspectWindowTest, ExportsThatDoNotFitOnTheDiskAreRefused) {
+    const QTemporaryDir folder;
+    const QString file = folder.path() + "/file.png";
+    const auto refused = [&](void (Exports::*save)(const QString&) const) {
+        return is_refused_without_room(file.toStdString(), [&] { (window.exports().*save)(file); });
+    };
+    EXPECT_EQ(refused(&Exports::save_view), "");
+    EXPECT_EQ(refused(&Exports::save_buffer), "");
+    EXPECT_EQ(refused(&Exports::save_values), "");
+    window.workspace().show_output("numbers");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(refused(&Exports::save_values), "");
 }
 
 TEST_F(InspectWindowTest, AMessageLeadsToItsPlace) {

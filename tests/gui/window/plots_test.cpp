@@ -15,6 +15,7 @@
 #include "app/gui/export_plot.h"
 #include "renderers/core/error.h"
 #include "tests/gui/window/window_fixture.h"
+#include "tests/unit/scarce_disk.h"
 
 namespace ir::gui {
 namespace {
@@ -296,6 +297,12 @@ TEST_F(PlotsWindowTest, ExportsAreTheStudysNumbersAndAPicture) {
     EXPECT_GT(picture.convertToFormat(QImage::Format_Indexed8).colorCount(), 8);
     EXPECT_THROW(plots().write_picture("/nowhere/at/all.png", {64, 64}, 1, true), Error);
     EXPECT_THROW(plots().write_numbers("/nowhere/at/all.csv"), std::exception);
+    EXPECT_EQ(is_refused_without_room(csv.toStdString(), [&] { plots().write_numbers(csv); }), "");
+    EXPECT_EQ(is_refused_without_room(png.toStdString(),
+                                      [&] {
+                                          plots().write_picture(png, {64, 64}, 1, true);
+                                      }),
+              "");
 }
 
 TEST_F(PlotsWindowTest, APlotInTheTreeBringsTheDockForward) {

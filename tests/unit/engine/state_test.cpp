@@ -12,6 +12,7 @@
 #include "app/engine/state_file.h"
 #include "projects/samples.h"
 #include "renderers/core/error.h"
+#include "tests/unit/scarce_disk.h"
 
 namespace ir::engine {
 namespace {
@@ -114,6 +115,22 @@ TEST_F(StateTest, DamagedFilesAreOneLine) {
         std::ofstream(folder / "false.exr", std::ios::binary) << bytes;
         EXPECT_THROW(read_state(folder / "false.exr"), InputError) << from;
     }
+}
+
+TEST_F(StateTest, IsWholeOrTheOneBeforeOnAFullDisk) {
+    const auto before = odd_history();
+    auto after = before;
+    after.entries.resize(5);
+    const Ordeal ordeal{[&](const fs::path& disk) { write_state(disk / "state.exr", before, {}); },
+                        [&](const fs::path& disk) { write_state(disk / "state.exr", after, {}); },
+                        [&](const fs::path& disk, bool done) -> std::string {
+                            const auto read = read_state(disk / "state.exr").entries.size();
+                            return read == (done ? after : before).entries.size() ? "" : "another state";
+                        }};
+    EXPECT_EQ(with_small_files(folder, ordeal, 200), "ok");
+    const auto answer = with_few_pages(folder, ordeal);
+    if (answer == "not allowed") GTEST_SKIP() << "may not mount; files of limited size went well";
+    EXPECT_EQ(answer, "ok");
 }
 
 /// Each method of this build that accumulates, on a small picture.

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <map>
+#include <sstream>
 #include <string>
 
-#include "projects/file_system.h"
 #include "renderers/core/error.h"
+#include "renderers/core/file_system.h"
 
 namespace ir::projects::testing {
 
@@ -19,6 +20,7 @@ class MemoryFileSystem final : public FileSystem {
     int kill_at = -1;  ///< the step at which Killed is thrown; a write stops half way
     int fail_at = -1;  ///< the step from which on writing fails as on a full disk
     bool disk_is_full = false;
+    bool forgets_to_sync = false;  ///< what a write must not
 
     bool exists(const std::filesystem::path& path) override { return names_.count(path.string()) != 0; }
 
@@ -29,7 +31,11 @@ class MemoryFileSystem final : public FileSystem {
         return found->second->now;
     }
 
-    void write(const std::filesystem::path& file, std::string_view bytes) override {
+    void write(const std::filesystem::path& file, const std::filesystem::path& target,
+               const Fill& fill) override {
+        std::ostringstream filled;
+        fill(filled);
+        const auto bytes = filled.str();
         auto& node = names_[file.string()];
         if (!node) node = std::make_shared<Node>();
         node->now.clear();
@@ -40,15 +46,11 @@ class MemoryFileSystem final : public FileSystem {
         }
         if (disk_is_full || (fail_at >= 0 && steps > fail_at)) {
             node->now = bytes.substr(0, bytes.size() / 3);
-            throw Error(file.string() + ": cannot write: No space left on device");
+            throw Error(target.string() + ": cannot be written: No space left on device");
         }
         node->now = bytes;
-    }
-
-    void sync(const std::filesystem::path& file) override {
         step();
-        auto& node = *names_.at(file.string());
-        node.durable = node.now;
+        if (!forgets_to_sync) node->durable = node->now;
     }
 
     void sync_directory(const std::filesystem::path&) override {
@@ -69,8 +71,8 @@ class MemoryFileSystem final : public FileSystem {
 
     void create_directories(const std::filesystem::path&) override { step(); }
 
-    void copy(const std::filesystem::path& from, const std::filesystem::path& to) override {
-        write(to, names_.at(from.string())->now);
+    void pour(const std::filesystem::path& file, std::ostream& out) override {
+        out << names_.at(file.string())->now;
     }
 
     std::vector<std::filesystem::path> list(const std::filesystem::path& folder) override {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <atomic>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <sstream>
 #include <string>
 
-#include "projects/file_system.h"
+#include "renderers/core/file_system.h"
 #include "tests/unit/projects/memory_file_system.h"
 
 namespace ir::projects::testing {
@@ -35,30 +37,28 @@ class OrdealFileSystem final : public FileSystem {
     }
     std::int64_t modified(const std::filesystem::path& file) override { return real().modified(file); }
 
-    void write(const std::filesystem::path& file, std::string_view bytes) override {
+    /// Two steps: bytes, then their sync.
+    void write(const std::filesystem::path& file, const std::filesystem::path& target,
+               const Fill& fill) override {
         const std::lock_guard guard(mutex_);
+        std::ostringstream filled;
+        fill(filled);
+        const auto bytes = filled.str();
         const bool fails = next_step_fails();
         const bool dies = steps - 1 == kill_at;
         if (dead_ && !dies) throw Killed{};
         const auto part = static_cast<std::size_t>(static_cast<double>(bytes.size()) * torn);
-        real().write(file, fails || dies ? bytes.substr(0, part) : bytes);
+        real().write(file, target, fill_with(fails || dies ? bytes.substr(0, part) : bytes));
         auto& node = names_[file.string()];
         if (!node) node = std::make_shared<Node>();
         node->modified = std::filesystem::last_write_time(file);
         died_writing_ = died_writing_ || dies;
         if (dies) throw Killed{};
-        if (fails) throw Error(file.string() + ": cannot write: No space left on device");
+        if (fails) throw Error(target.string() + ": cannot be written: No space left on device");
+        step(target, "sync");
+        node->durable = bytes;
     }
-    void copy(const std::filesystem::path& from, const std::filesystem::path& to) override {
-        write(to, real().read(from, 1u << 30));
-    }
-    void sync(const std::filesystem::path& file) override {
-        const std::lock_guard guard(mutex_);
-        step(file, "sync");
-        auto& node = *names_.at(file.string());
-        node.durable = real().read(file, 1u << 30);
-        node.modified = std::filesystem::last_write_time(file);
-    }
+    void pour(const std::filesystem::path& file, std::ostream& out) override { real().pour(file, out); }
     void sync_directory(const std::filesystem::path& folder) override {
         const std::lock_guard guard(mutex_);
         step(folder, "sync");
@@ -102,7 +102,7 @@ class OrdealFileSystem final : public FileSystem {
         for (const auto& [name, node] : left) {
             std::error_code ignored;
             std::filesystem::create_directories(std::filesystem::path(name).parent_path(), ignored);
-            real().write(name, node->durable);
+            std::ofstream(name, std::ios::binary) << node->durable;
             std::filesystem::last_write_time(name, node->modified);
         }
     }

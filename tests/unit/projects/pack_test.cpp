@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "projects/hash.h"
 #include "projects/results.h"
@@ -69,10 +70,12 @@ TEST(Pack, OrdinaryTarReadsIt) {
     if (std::system("tar --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "needs the tar program";
     TemporaryFolder here;
     const std::string long_name = "d/" + std::string(90, 'x') + "/" + std::string(90, 'y') + ".bin";
-    TarWriter tar(here.path() / "a.tar");
+    std::ofstream archive(here.path() / "a.tar", std::ios::binary);
+    TarWriter tar(archive);
     tar.add_text(long_name, std::string(700, 'z'));
     tar.add_text("d/empty", "");
     tar.finish();
+    archive.close();
     const std::string in = "cd " + here.path().string() + " && ";
     ASSERT_EQ(std::system((in + "tar xf a.tar").c_str()), 0);
     EXPECT_EQ(testing::read_text(here.path() / long_name), std::string(700, 'z'));
@@ -103,10 +106,12 @@ TEST(Pack, NamesCannotLeaveTheProject) {
     fs::create_directories(there.path() / "inside");
     for (const char* name : {"../evil", "/evil", "a.interreflect/../../evil", "a.interreflect",
                              "b/project.json", "c.interreflect/project.json"}) {
-        TarWriter tar(here.path() / "bad.tar");
+        std::ofstream archive(here.path() / "bad.tar", std::ios::binary);
+        TarWriter tar(archive);
         tar.add_text("a.interreflect/project.json", "{}");
         tar.add_text(name, "x");
         tar.finish();
+        archive.close();
         EXPECT_THROW(unpack_project(here.path() / "bad.tar", there.path() / "inside"), InputError) << name;
         EXPECT_TRUE(fs::is_empty(there.path() / "inside")) << name;
         EXPECT_FALSE(fs::exists(there.path() / "evil"));

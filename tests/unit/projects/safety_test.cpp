@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <sched.h>
 #include <signal.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -15,6 +14,7 @@
 #include "tests/unit/projects/numbered.h"
 #include "tests/unit/projects/ordeal_file_system.h"
 #include "tests/unit/projects/sample.h"
+#include "tests/unit/scarce_disk.h"
 
 namespace ir::projects {
 namespace {
@@ -302,32 +302,6 @@ TEST_F(Safety, SaveAsKeepsTheResultsOfBothProjects) {
     EXPECT_EQ(testing::read_text(temporary.path() / "c.interreflect/results/index.json"), "damaged");
 }
 
-/// Runs in a child process, whose own limits, mounts and rights are nobody else's. Returns what it printed to
-/// the pipe; "ok" when all went well.
-std::string in_child(const std::function<std::string()>& run) {
-    int ends[2];
-    if (::pipe(ends) != 0) return "no pipe";
-    const pid_t child = ::fork();
-    if (child == 0) {
-        std::string answer;
-        try {
-            answer = run();
-        } catch (const std::exception& error) {
-            answer = std::string("unexpected: ") + error.what();
-        }
-        const auto written = ::write(ends[1], answer.data(), answer.size());
-        ::_exit(written == static_cast<ssize_t>(answer.size()) ? 0 : 1);
-    }
-    ::close(ends[1]);
-    std::string answer;
-    char block[4096];
-    for (ssize_t count; (count = ::read(ends[0], block, sizeof block)) > 0;)
-        answer.append(block, static_cast<std::size_t>(count));
-    ::close(ends[0]);
-    ::waitpid(child, nullptr, 0);
-    return answer;
-}
-
 /// Saves a project that has outgrown its place: refused with one line that names the file, nothing lost, and
 /// saved as soon as there is room.
 std::string outgrow(const fs::path& folder, const std::function<void()>& make_room) {
@@ -368,13 +342,6 @@ TEST_F(Safety, ALimitOnTheSizeOfFilesLosesNothing) {
         });
     });
     EXPECT_EQ(answer, "ok");
-}
-
-/// A mount that only the calling process sees; false where that is not allowed.
-bool mount_private(const char* type, const fs::path& place, unsigned long flags, const char* options) {
-    if (::unshare(CLONE_NEWNS) != 0 && ::unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return false;
-    if (::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) return false;
-    return ::mount(type, place.c_str(), type, flags, options) == 0;
 }
 
 TEST_F(Safety, AFullDiskLosesNothing) {

@@ -8,6 +8,7 @@
 #include "projects/lock.h"
 #include "projects/session.h"
 #include "renderers/core/error.h"
+#include "renderers/core/write_file.h"
 #include "tests/unit/projects/memory_file_system.h"
 #include "tests/unit/projects/sample.h"
 
@@ -127,8 +128,8 @@ TEST(Store, WhatIsSavedSurvivesThePowerCut) {
 /// A saver that forgets to sync must fail the same ordeal: the ordeal can tell.
 TEST(Store, TheOrdealDetectsAMissingSync) {
     MemoryFileSystem files = with_first_version();
-    files.write(folder / "project.json.tmp", write_project(second_version()));
-    files.rename(folder / "project.json.tmp", folder / "project.json");
+    files.forgets_to_sync = true;
+    save_project(second_version(), folder, "", files);
     files.lose_unsynced(true);
     EXPECT_THROW(load_project(folder, registry(), files), InputError);
 }
@@ -162,7 +163,7 @@ TEST(Store, AReallyFullDiskLosesNothing) {
     EXPECT_THROW(
         {
             try {
-                real_file_system().write("/dev/full", "x");
+                write_file("/dev/full", "x");
             } catch (const Error& error) {
                 EXPECT_NE(std::string(error.what()).find("free some space"), std::string::npos);
                 throw;
@@ -232,7 +233,7 @@ TEST(Autosave, KilledOrDamagedIsNoRecoveryAndNoError) {
     }
     MemoryFileSystem files = with_first_version();
     for (const char* damaged : {"", "{", "[]", R"({"base_hash": 3})", R"({"project": {"schema": 99}})"}) {
-        files.write(folder / autosave_file_name, damaged);
+        write_atomically(files, folder / autosave_file_name, damaged);
         EXPECT_FALSE(find_recovery(folder, registry(), files)) << damaged;
     }
 }

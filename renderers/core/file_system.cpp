@@ -1,0 +1,202 @@
+#include "renderers/core/file_system.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <tuple>
+
+#include "renderers/core/error.h"
+#include "renderers/core/output_buffer.h"
+
+namespace ir {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Closes on every way out.
+class Descriptor {
+  public:
+    Descriptor(const fs::path& path, int flags) : value_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+    ~Descriptor() {
+        if (value_ >= 0) ::close(value_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    bool is_open() const { return value_ >= 0; }
+    int get() const { return value_; }
+
+  private:
+    int value_;
+};
+
+/// An empty file with the permissions of `target`, as far as that is possible. Negative: see errno.
+int create_like(const fs::path& target, const fs::path& file) {
+    struct stat info {};
+    const bool is_new = ::lstat(target.c_str(), &info) != 0 || !S_ISREG(info.st_mode);
+    const int descriptor =
+        ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, is_new ? 0666 : 0600);
+    if (descriptor < 0 || is_new) return descriptor;
+    // Not every file system knows them, and only the superuser gives files away.
+    std::ignore = ::fchown(descriptor, info.st_uid, info.st_gid);
+    std::ignore = ::fchmod(descriptor, info.st_mode & 0777);
+    return descriptor;
+}
+
+class RealFileSystem final : public FileSystem {
+  public:
+    bool exists(const fs::path& path) override {
+        std::error_code ignored;
+        return fs::exists(path, ignored);
+    }
+
+    std::string read(const fs::path& file, std::size_t limit) override {
+        const Descriptor descriptor(file, O_RDONLY);
+        struct stat info {};
+        if (!descriptor.is_open() || ::fstat(descriptor.get(), &info) != 0)
+            throw InputError(file.string(), "", std::string("cannot be opened: ") + std::strerror(errno));
+        if (!S_ISREG(info.st_mode)) throw InputError(file.string(), "", "is no regular file; give another");
+        std::string bytes;
+        char block[65536];
+        while (true) {
+            const auto count = ::read(descriptor.get(), block, sizeof block);
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0) fail(file, "read", errno);
+            if (count == 0) return bytes;
+            bytes.append(block, static_cast<std::size_t>(count));
+            if (bytes.size() > limit)
+                throw InputError(file.string(), "",
+                                 "has more than the " + std::to_string(limit) +
+                                     " bytes that are read; it is no such file");
+        }
+    }
+
+    void write(const fs::path& temporary, const fs::path& target, const Fill& fill) override {
+        const int descriptor = create_like(target, temporary);
+        if (descriptor < 0) fail(target, "be written", errno);
+        OutputBuffer buffer(descriptor);
+        std::ostream out(&buffer);
+        try {
+            fill(out);
+        } catch (const std::exception&) {
+            if (buffer.error() == 0) throw;  // otherwise that is the cause
+        }
+        buffer.close();
+        if (buffer.error() != 0) fail(target, "be written", buffer.error());
+        // Some file systems lose bytes and say nothing.
+        std::error_code error;
+        const auto length = fs::file_size(temporary, error);
+        if (error || length != buffer.length() || out.fail()) fail(target, "be written", EIO);
+    }
+
+    void sync_directory(const fs::path& folder) override {
+        const Descriptor descriptor(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+        // Some network file systems cannot sync folders, and not everybody may read those he may write: there
+        // is nothing more to be done.
+        if (!descriptor.is_open() && errno == EACCES) return;
+        if (!descriptor.is_open()) fail(folder, "open", errno);
+        if (::fsync(descriptor.get()) != 0 && errno != EINVAL && errno != ENOTSUP)
+            fail(folder, "sync", errno);
+    }
+
+    void rename(const fs::path& from, const fs::path& to) override {
+        if (::rename(from.c_str(), to.c_str()) != 0) fail(to, "replace", errno);
+    }
+
+    void remove(const fs::path& file) override {
+        if (::unlink(file.c_str()) != 0 && errno != ENOENT) fail(file, "remove", errno);
+    }
+
+    void create_directories(const fs::path& folder) override {
+        std::error_code error;
+        fs::create_directories(folder, error);
+        if (error) fail(folder, "create", error.value());
+    }
+
+    void pour(const fs::path& file, std::ostream& out) override {
+        const Descriptor descriptor(file, O_RDONLY);
+        if (!descriptor.is_open()) fail(file, "open", errno);
+        std::vector<char> block(1u << 20);
+        while (out) {
+            const auto count = ::read(descriptor.get(), block.data(), block.size());
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0) fail(file, "read", errno);
+            if (count == 0) return;
+            out.write(block.data(), count);
+        }
+    }
+
+    std::vector<fs::path> list(const fs::path& folder) override {
+        std::vector<fs::path> found;
+        std::error_code error;
+        fs::recursive_directory_iterator entry(folder, error), end;
+        for (; !error && entry != end; entry.increment(error))
+            if (entry->is_regular_file(error)) found.push_back(entry->path().lexically_relative(folder));
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+    void remove_all(const fs::path& folder) override {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+    }
+
+    std::int64_t modified(const fs::path& file) override {
+        struct stat info {};
+        if (::stat(file.c_str(), &info) != 0) fail(file, "inspect", errno);
+        return std::int64_t{info.st_mtim.tv_sec} * 1'000'000'000 + info.st_mtim.tv_nsec;
+    }
+};
+
+/// Unique among processes and threads; one that an earlier process of this number left is in nobody's way.
+fs::path temporary_beside(FileSystem& files, const fs::path& file) {
+    static std::atomic<unsigned> counter = 0;
+    while (true) {
+        const auto number = std::to_string(::getpid()) + "-" + std::to_string(++counter);
+        fs::path temporary = file.string() + "." + number + temporary_extension;
+        if (!files.exists(temporary)) return temporary;
+    }
+}
+
+}  // namespace
+
+Fill fill_with(std::string_view bytes) {
+    return
+        [bytes](std::ostream& out) { out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())); };
+}
+
+FileSystem& real_file_system() {
+    static RealFileSystem files;
+    return files;
+}
+
+void write_atomically(FileSystem& files, const fs::path& file, const Fill& fill) {
+    const auto temporary = temporary_beside(files, file);
+    try {
+        files.write(temporary, file, fill);
+        files.rename(temporary, file);
+    } catch (const std::exception&) {
+        try {
+            files.remove(temporary);
+        } catch (const Error&) {
+            // The first failure is the one to report.
+        }
+        throw;
+    }
+    files.sync_directory(file.parent_path());
+}
+
+void write_atomically(FileSystem& files, const fs::path& file, std::string_view bytes) {
+    write_atomically(files, file, fill_with(bytes));
+}
+
+void copy_atomically(FileSystem& files, const fs::path& from, const fs::path& to) {
+    files.create_directories(to.parent_path());
+    write_atomically(files, to, [&](std::ostream& out) { files.pour(from, out); });
+}
+
+}  // namespace ir

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <ImfIO.h>
+
+#include <ostream>
+#include <stdexcept>
+
+namespace ir {
+
+/// OpenEXR writes into a stream of ours, which remembers the failures that OpenEXR swallows when it closes.
+class ExrStream final : public Imf::OStream {
+  public:
+    explicit ExrStream(std::ostream& out) : Imf::OStream("the file"), out_(out) {}
+    void write(const char* bytes, int count) override {
+        if (!out_.write(bytes, count)) throw std::runtime_error("it takes no more bytes");
+    }
+    std::uint64_t tellp() override { return static_cast<std::uint64_t>(out_.tellp()); }
+    void seekp(std::uint64_t place) override { out_.seekp(static_cast<std::streamoff>(place)); }
+
+  private:
+    std::ostream& out_;
+};
+
+}  // namespace ir
