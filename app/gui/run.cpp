@@ -117,6 +117,7 @@ int run_window(const Arguments& arguments) {
     if (!arguments.size.empty()) {
         const auto size = projects::parse_size(arguments.size, "--size");
         window.resize(size.x, size.y);
+        if (!screenshot) window.fit_screen();
     }
     if (!arguments.layout.empty()) window.apply_layout(QString::fromStdString(arguments.layout));
     window.show();

@@ -2,14 +2,17 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScreen>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QStyle>
 #include <QTabWidget>
 #include <QTreeView>
 #include <QVBoxLayout>
 
 #include "app/gui/main_window.h"
+#include "app/gui/window_geometry.h"
 #include "renderers/core/error.h"
 #include "widgets/models/report_rows.h"
 
@@ -276,6 +279,13 @@ void MainWindow::restore_window() {
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/docks")).toByteArray(), dock_version);
+    fit_screen();
+}
+
+void MainWindow::fit_screen() {
+    if (isMaximized() || isFullScreen()) return;
+    setGeometry(
+        within(geometry(), screen()->availableGeometry(), style()->pixelMetric(QStyle::PM_TitleBarHeight)));
 }
 
 }  // namespace ir::gui

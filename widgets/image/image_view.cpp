@@ -36,7 +36,7 @@ ImageView::ImageView(QWidget* parent, Surface surface) : QWidget(parent) {
     overlay_->raise();
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(160, 120);
+    setMinimumSize(64, 48);  // four side-by-side pairs fit a small screen
     setAccessibleName(tr("Picture"));
     fly_timer_.setInterval(16);
     settle_timer_.setInterval(settle_ms);

@@ -93,7 +93,7 @@ class NumberEditor final : public ParameterEditor {
             slider_ = new Calm<QSlider>(Qt::Horizontal, this);
             slider_->setRange(0, whole_ && !is_logarithmic(range_) ? whole_steps() : slider_steps);
             slider_->setFocusPolicy(Qt::StrongFocus);
-            slider_->setMinimumWidth(50);
+            slider_->setMinimumWidth(30);
             layout->addWidget(slider_, 1);
             connect(slider_, &QSlider::valueChanged, this, &NumberEditor::slide);
             connect(slider_, &QSlider::sliderReleased, this, &ParameterEditor::finished);
@@ -102,8 +102,7 @@ class NumberEditor final : public ParameterEditor {
         field_->set_whole(whole_);
         field_->setMinimum(std::max(parameter.hard.min, whole_ ? -9e15 : -1e300));
         field_->setMaximum(std::min(parameter.hard.max, whole_ ? 9e15 : 1e300));
-        if (!parameter.unit.empty()) {
-            const QString suffix = QLatin1Char(' ') + QString::fromStdString(parameter.unit);
+        if (const auto suffix = suffix_text(parameter); !suffix.isEmpty()) {
             field_->setSuffix(suffix);
             field_->setMinimumWidth(field_->minimumWidth() + field_->fontMetrics().horizontalAdvance(suffix));
         }

@@ -44,15 +44,15 @@ void ParameterPanel::add_section(const QString& title, bool transport) {
 
 void ParameterPanel::add_row(QGridLayout* grid, const ParameterDescription& parameter) {
     const QString key = QString::fromStdString(parameter.key);
-    FormRow row{new QLabel(QString::fromStdString(parameter.label), content_),
-                make_editor(parameter, content_), new QToolButton(content_)};
+    FormRow row{new QLabel(label_text(parameter), content_), make_editor(parameter, content_),
+                new QToolButton(content_)};
     row.label->setWordWrap(true);
     row.label->setBuddy(row.editor);
     row.editor->setObjectName(QStringLiteral("editor:") + key);
     row.reset->setObjectName(QStringLiteral("reset:") + key);
     row.reset->setIcon(icon("reset"));
     row.reset->setAutoRaise(true);
-    row.reset->setAccessibleName(tr("Reset %1").arg(row.label->text()));
+    row.reset->setAccessibleName(tr("Reset %1").arg(QString::fromStdString(parameter.label)));
     const int line = grid->rowCount();
     grid->addWidget(row.label, line, 0);
     grid->addWidget(row.editor, line, 1);

@@ -57,7 +57,20 @@ QString tooltip_of(const ParameterDescription& parameter) {
     return text + QStringLiteral("</p>");
 }
 
+constexpr std::size_t longest_suffix = 12;  ///< bytes; "W/(m² sr)" fits
+
 }  // namespace
+
+QString label_text(const ParameterDescription& parameter) {
+    auto text = parameter.label;
+    if (parameter.unit.size() > longest_suffix) text += " (" + parameter.unit + ")";
+    return QString::fromStdString(text);
+}
+
+QString suffix_text(const ParameterDescription& parameter) {
+    if (parameter.unit.empty() || parameter.unit.size() > longest_suffix) return {};
+    return QLatin1Char(' ') + QString::fromStdString(parameter.unit);
+}
 
 QString value_text(const ParameterDescription& parameter, const Value& value) {
     if (const auto* flag = std::get_if<bool>(&value)) return *flag ? tr("on") : tr("off");

@@ -16,6 +16,10 @@ namespace {
 
 constexpr int tick_width = 64, tick_height = 30;  ///< logical pixels that a label wants
 constexpr double farthest_level = 30;             ///< below the least value, as a factor
+/// Of the height below the legend: what Qt Charts gives to the axis below at most. It cuts the title off
+/// then.
+constexpr double axis_share = 0.4;
+constexpr int rings_entry = -1, rest_entry = -2;  ///< of the legend, in place of a series
 
 int most_ticks(double pixels, int each) {
     return std::clamp(int(pixels) / each, 3, 10);
@@ -153,23 +157,38 @@ void PlotChart::make_scales() {
                                   : tr("%1 points have no such number").arg(unknown));
 }
 
-/// Entries after one another, in as many lines as they need, below the title.
+/// Entries after one another, below the title, in as many lines as they need and the axes leave.
 void PlotChart::lay_out_legend() {
     const QFontMetricsF metrics(font_);
     const double line = metrics.height() + 4, width = std::max(120.0, size().width() - 24);
     const double top = data_.title.isEmpty() ? 8 : 10 + QFontMetricsF(title_font_).height() + 4;
+    const double lowest = size().height() - (2 * line + 6) / axis_share - 24;
     legend_.clear();
     double x = 12, y = top;
+    int rest = 0;
     const auto add = [&](const QString& text, int series) {
         const QString shown = metrics.elidedText(text, Qt::ElideMiddle, width - 40);
         const double needed = 32 + metrics.horizontalAdvance(shown) + 18;
-        if (x > 12 && x + needed - 18 > width + 12) x = 12, y += line;
+        const bool is_full = x > 12 && x + needed - 18 > width + 12;
+        if (rest > 0 || (is_full && y + 2 * line > lowest)) {
+            ++rest;
+            return;
+        }
+        if (is_full) x = 12, y += line;
         legend_.push_back({shown, series, {x, y + line / 2}});
         x += needed;
     };
     for (std::size_t s = 0; s < data_.series.size(); ++s) add(data_.series[s].name, int(s));
     const bool rings = std::any_of(marks_.begin(), marks_.end(), [](const Mark& mark) { return mark.ring; });
-    if (rings && !data_.ring_name.isEmpty()) add(data_.ring_name, -1);
+    if (rings && !data_.ring_name.isEmpty()) add(data_.ring_name, rings_entry);
+    if (rest > 0) {
+        const auto text = [&] { return tr("and %1 more").arg(rest); };
+        for (; x > 12 && x + metrics.horizontalAdvance(text()) > width + 12; ++rest) {
+            x = legend_.back().at.x();
+            legend_.pop_back();
+        }
+        legend_.push_back({text(), rest_entry, {x, y + line / 2}});
+    }
     const double bottom = legend_.empty() ? top : y + line;
     setMargins(QMargins(6, int(std::ceil(bottom)) + 4, 16, 2));
 }
@@ -246,14 +265,21 @@ void PlotChart::paint_header(QPainter& painter) const {
     painter.drawText(QRectF(12, 8, size().width() - 24, bold.height() + 2), Qt::AlignLeft | Qt::AlignTop,
                      bold.elidedText(data_.title, Qt::ElideRight, size().width() - 24));
     painter.setFont(font_);
+    const QFontMetricsF metrics(font_);
     for (const auto& entry : legend_) {
+        const double baseline = entry.at.y() + (metrics.ascent() - metrics.descent()) / 2;
+        if (entry.series == rest_entry) {
+            painter.setPen(style_.dim);
+            painter.drawText(QPointF(entry.at.x(), baseline), entry.text);
+            continue;
+        }
         const QPointF centre = entry.at + QPointF(12, 0);
-        QPen pen(entry.series < 0 ? style_.front : style_.series(entry.series), 1.5);
-        if (entry.series < 0) pen.setDashPattern({2, 3});
+        const bool is_series = entry.series != rings_entry;
+        QPen pen(is_series ? style_.series(entry.series) : style_.front, 1.5);
+        if (!is_series) pen.setDashPattern({2, 3});
         painter.setPen(pen);
-        if (entry.series >= 0 || data_.join_rings)
-            painter.drawLine(centre - QPointF(12, 0), centre + QPointF(12, 0));
-        if (entry.series >= 0) {
+        if (is_series || data_.join_rings) painter.drawLine(centre - QPointF(12, 0), centre + QPointF(12, 0));
+        if (is_series) {
             draw_mark(painter, centre, entry.series, 4.5, style_);
         } else {
             painter.setPen(QPen(style_.front, 1.5));
@@ -261,9 +287,7 @@ void PlotChart::paint_header(QPainter& painter) const {
             painter.drawEllipse(centre, 6, 6);
         }
         painter.setPen(style_.text);
-        const QFontMetricsF metrics(font_);
-        painter.drawText(QPointF(centre.x() + 18, entry.at.y() + (metrics.ascent() - metrics.descent()) / 2),
-                         entry.text);
+        painter.drawText(QPointF(centre.x() + 18, baseline), entry.text);
     }
 }
 

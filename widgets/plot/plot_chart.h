@@ -48,7 +48,7 @@ class PlotChart : public QChart {
   private:
     struct Entry {
         QString text;
-        int series;  ///< -1: the rings
+        int series;  ///< or what else it names
         QPointF at;
     };
     void rebuild();

@@ -28,7 +28,7 @@ PlotView::PlotView(QWidget* parent)
     setMouseTracking(true);
     viewport()->setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(220, 160);
+    setMinimumSize(220, 180);  // title, a line of the legend, both axes
     setBackgroundBrush(chart_->colours().background);
     setAccessibleName(tr("Plot"));
     setAccessibleDescription(

@@ -1,6 +1,7 @@
 #include "widgets/space/space_pane.h"
 
 #include <QHBoxLayout>
+#include <QScrollArea>
 #include <QSplitter>
 #include <algorithm>
 
@@ -9,6 +10,8 @@ namespace {
 
 /// From here on (logical pixels) the panel leaves enough of the view.
 constexpr int roomy_width = 620;
+/// What the panel keeps of itself in the narrowest view, where it scrolls.
+constexpr int least_panel_width = 60;
 
 }  // namespace
 
@@ -18,9 +21,15 @@ SpacePane::SpacePane(QWidget* parent, ImageView::Surface surface) : QWidget(pare
     auto* splitter = new QSplitter(this);
     row->addWidget(splitter);
     view_ = new SpaceView(splitter, surface);
-    panel_ = new LayerPanel(splitter);
+    panel_ = new LayerPanel;
+    auto* scroll = new QScrollArea(splitter);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(panel_);
+    scroll->setWidgetResizable(true);
+    scroll->setMinimumSize(least_panel_width, 0);
+    panel_scroll_ = scroll;
     splitter->addWidget(view_);
-    splitter->addWidget(panel_);
+    splitter->addWidget(scroll);
     splitter->setStretchFactor(0, 1);
     splitter->setStretchFactor(1, 0);
     splitter->setCollapsible(0, false);
@@ -50,7 +59,7 @@ void SpacePane::set_panel_shown(bool shown) {
 
 void SpacePane::show_panel(bool shown) {
     if (shown == is_panel_shown()) return;
-    panel_->setVisible(shown);
+    panel_scroll_->setVisible(shown);
     emit panel_shown_changed(shown);
 }
 

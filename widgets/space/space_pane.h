@@ -25,7 +25,7 @@ class SpacePane : public QWidget {
 
     /// Whether the panel stands beside the view. Until somebody says so, it does where there is room.
     void set_panel_shown(bool shown);
-    bool is_panel_shown() const { return !panel_->isHidden(); }
+    bool is_panel_shown() const { return !panel_scroll_->isHidden(); }
 
   signals:
     void panel_shown_changed(bool shown);
@@ -40,6 +40,7 @@ class SpacePane : public QWidget {
     void mark(int layer, std::int64_t element);
     SpaceView* view_;
     LayerPanel* panel_;
+    QWidget* panel_scroll_;
     bool chosen_ = false;         ///< somebody decided about the layers
     bool panel_decided_ = false;  ///< somebody decided about the panel
 };

@@ -19,12 +19,15 @@ QString text_of(const std::string& text) {
     return QString::fromStdString(text);
 }
 
-QComboBox* make_combo(QWidget* parent, const QString& name, const QString& tip, int least) {
+/// Logical pixels: what a control keeps of itself in the narrowest view.
+constexpr int least_width = 22;
+
+QComboBox* make_combo(QWidget* parent, const QString& name, const QString& tip) {
     auto* combo = new QComboBox(parent);
     combo->setObjectName(name);
     combo->setToolTip(tip);
     combo->setAccessibleName(tip);
-    combo->setMinimumWidth(least);
+    combo->setMinimumWidth(least_width);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     combo->setMinimumContentsLength(2);
     combo->view()->setMinimumWidth(240);
@@ -127,11 +130,11 @@ ViewHeader::SourceLine ViewHeader::make_line(const QString& name, ViewSource Vie
     result.badge = new QLabel(name.toUpper(), result.line);
     result.badge->setStyleSheet(QStringLiteral("font-weight: bold; padding: 0 3px;"));
     result.owner =
-        make_combo(result.line, QStringLiteral("owner-") + name, tr("Experiment or image that is shown"), 48);
+        make_combo(result.line, QStringLiteral("owner-") + name, tr("Experiment or image that is shown"));
     result.output =
-        make_combo(result.line, QStringLiteral("output-") + name, tr("Output or buffer that is shown"), 48);
+        make_combo(result.line, QStringLiteral("output-") + name, tr("Output or buffer that is shown"));
     result.part =
-        make_combo(result.line, QStringLiteral("part-") + name, tr("Level or slice, or all at once"), 48);
+        make_combo(result.line, QStringLiteral("part-") + name, tr("Level or slice, or all at once"));
     row->addWidget(result.badge);
     row->addWidget(result.owner, 3);
     row->addWidget(result.output, 3);
@@ -160,7 +163,7 @@ ViewHeader::SourceLine ViewHeader::make_line(const QString& name, ViewSource Vie
 }
 
 void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
-    mode_ = make_combo(first, QStringLiteral("mode"), tr("How pictures are put beside each other"), 64);
+    mode_ = make_combo(first, QStringLiteral("mode"), tr("How pictures are put beside each other"));
     mode_->setMinimumContentsLength(8);
     for (const auto mode : all_modes()) mode_->addItem(mode_name(mode), int(mode));
     connect(mode_, &QComboBox::activated, this, [this](int index) {
@@ -180,6 +183,7 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
     pictures_ = new QToolButton(second);
     pictures_->setObjectName(QStringLiteral("pictures"));
     pictures_->setText(tr("Pictures"));
+    pictures_->setMinimumWidth(least_width);
     pictures_->setToolTip(tr("Further pictures of this row: hold 1 … 9 to see one of them"));
     pictures_->setAccessibleName(pictures_->toolTip());
     pictures_->setPopupMode(QToolButton::InstantPopup);
@@ -194,7 +198,7 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
             if (on) state.more.clear();
         });
     });
-    difference_ = make_combo(second, QStringLiteral("difference"), tr("Kind of difference"), 64);
+    difference_ = make_combo(second, QStringLiteral("difference"), tr("Kind of difference"));
     difference_->setMinimumContentsLength(9);
     for (const auto kind : all_differences()) {
         difference_->addItem(difference_name(kind), int(kind));

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QElapsedTimer>
+#include <QGraphicsTextItem>
 #include <QPainter>
 #include <QSignalSpy>
 #include <QToolTip>
@@ -208,6 +209,26 @@ TEST(PlotStyle, SeriesDifferInColourOrMark) {
             for (const auto& other : marks) EXPECT_NE(image, other) << s;
             marks.push_back(image);
         }
+    }
+}
+
+TEST_F(PlotViewTest, TheTitlesOfTheAxesAreWhole) {
+    for (const QSize size : {QSize(640, 400), QSize(900, 180), QSize(300, 160)}) {
+        view.resize(size);
+        QApplication::processEvents();
+        int found = 0;
+        for (const auto* item : view.scene()->items()) {
+            const auto* text = qgraphicsitem_cast<const QGraphicsTextItem*>(item);
+            if (!text ||
+                (text->toPlainText() != view.data().x.title && text->toPlainText() != view.data().y.title))
+                continue;
+            ++found;
+            const auto place = text->sceneBoundingRect();
+            EXPECT_TRUE(view.sceneRect().contains(place))
+                << text->toPlainText().toStdString() << " from " << place.top() << " to " << place.bottom()
+                << " of " << size.height();
+        }
+        EXPECT_EQ(found, 2) << "at " << size.width() << " x " << size.height();
     }
 }
 
