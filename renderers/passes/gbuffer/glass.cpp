@@ -15,9 +15,11 @@ bool may_be_glass(const scene::Material& material) {
     return material.transmission > 0.5f && !material.unlit;
 }
 
-std::ptrdiff_t glass_count(const graph::GraphBuilder& builder) {
-    const auto& materials = builder.inputs().scene->materials;
-    return std::count_if(materials.begin(), materials.end(), may_be_glass);
+/// Of the materials of triangles, each of which has one range.
+std::ptrdiff_t glass_count(const graph::FrameInputs& inputs) {
+    return std::ranges::count_if(inputs.world->ranges, [&](const scene::MaterialRange& range) {
+        return may_be_glass(inputs.scene->materials.at(static_cast<std::size_t>(range.material)));
+    });
 }
 
 /// Adds up logarithms, in the order of triangles.
@@ -54,7 +56,7 @@ void exponentiate(const PassContext& p, graph::ImageRef glass, graph::CounterRef
 
 std::optional<graph::ImageRef> glass_before(graph::GraphBuilder& builder, const SceneBuffers& scene,
                                             const GBuffer& gbuffer, bool normal_maps) {
-    if (glass_count(builder) == 0) return {};
+    if (glass_count(builder.inputs()) == 0) return {};
     auto g = gbuffer;
     g.glass = builder.image(
         {.text = {.key = "gbuffer.glass",
@@ -81,8 +83,8 @@ void see_through_glass(graph::GraphBuilder& builder, const GBuffer& gbuffer, gra
     builder.note(
         "glass is drawn as what lies behind it, straight through, without reflections; its pixels are "
         "not valid (" +
-        std::to_string(glass_count(builder)) + " of " +
-        std::to_string(builder.inputs().scene->materials.size()) + " materials)");
+        std::to_string(glass_count(builder.inputs())) + " of " +
+        std::to_string(builder.inputs().world->ranges.size()) + " materials)");
     builder.pass("through glass")
         .reads(*gbuffer.glass)
         .writes(radiance)

@@ -7,7 +7,7 @@
 namespace ir::passes {
 
 /// What a G-buffer that leaves glass out says of it: declares "gbuffer.glass" and the pass "glass", which
-/// also makes its pixels invalid. Nothing where no material may be glass.
+/// also makes its pixels invalid. Nothing where no triangle may be glass.
 std::optional<graph::ImageRef> glass_before(graph::GraphBuilder& builder, const SceneBuffers& scene,
                                             const GBuffer& gbuffer, bool normal_maps);
 
