@@ -56,7 +56,8 @@ TEST(RemainingTime, NeverRisesAndIsNeverFarTooShort) {
     expect_never_rises(all);
     for (std::size_t i = 0; i < all.size(); ++i) {
         const double rest = reports[i].at * (1 - reports[i].fraction) / reports[i].fraction;
-        if (all[i] >= 0) EXPECT_LE(rest, 1.5 * all[i] + 5 + 1e-9) << "after " << reports[i].at << " s";
+        if (all[i] < 0) continue;
+        EXPECT_LE(rest, 1.5 * all[i] + 5 + 1e-9) << "after " << reports[i].at << " s";
     }
     EXPECT_EQ(all[59], -1) << "20 s were said and an hour may follow";
 }
