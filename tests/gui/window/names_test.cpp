@@ -91,9 +91,10 @@ TEST_F(NamesWindowTest, NoPictureOfTheOldMethodStandsUnderTheNewName) {
     emit methods->activated(methods->findText("Fake truth"));
     EXPECT_EQ(experiment_shown(), "Fake truth");
     EXPECT_FALSE(picture()->has_image());
-    renderer.answer(renderer.requests.front(), 1);  // the old method was not finished yet
+    const auto first = renderer.requests.front(), last = renderer.requests.back();
+    renderer.answer(first, 1);  // the old method was not finished yet
     EXPECT_FALSE(picture()->has_image());
-    renderer.answer(renderer.requests.back(), renderer.requests.size());
+    renderer.answer(last, renderer.requests.size());
     EXPECT_TRUE(picture()->has_image());
 }
 
