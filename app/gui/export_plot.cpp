@@ -3,6 +3,7 @@
 #include <QString>
 #include <iostream>
 
+#include "app/engine/interruption.h"
 #include "app/engine/kept_study.h"
 #include "app/gui/known_projects.h"
 #include "app/gui/plot_points.h"
@@ -37,7 +38,9 @@ engine::ErrorStudy numbers_of(const projects::LoadedProject& loaded, const proje
     engine::MachineOptions options;
     options.backend = backend;
     engine::Machine machine(options);
-    auto study = engine::run_error_study(machine, project, plot, folder);
+    engine::StudyCallbacks callbacks;
+    callbacks.cancel = &engine::interruption();
+    auto study = engine::run_error_study(machine, project, plot, folder, callbacks);
     if (Samples::contains(folder)) return study;  // nothing is written where the program is installed
     try {
         engine::keep_study(project, plot, folder, study);

@@ -77,15 +77,26 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     document_->commit();
     if (!may_discard()) return event->ignore();
     benchmarks_->cancel();
-    if (options_.remember) {
-        QSettings settings;
-        settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-        settings.setValue(QStringLiteral("window/docks"),
-                          has_hidden_docks_ ? hidden_docks_ : saveState(dock_version));
-    }
+    remember_window();
     store_memory();
     session_.close();
     event->accept();
+}
+
+void MainWindow::leave() {
+    document_->commit();
+    benchmarks_->cancel();
+    remember_window();
+    store_memory();
+    session_.leave();
+}
+
+void MainWindow::remember_window() const {
+    if (!options_.remember) return;
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/docks"),
+                      has_hidden_docks_ ? hidden_docks_ : saveState(dock_version));
 }
 
 void MainWindow::changeEvent(QEvent* event) {

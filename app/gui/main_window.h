@@ -79,6 +79,8 @@ class MainWindow : public QMainWindow {
     /// Throws UsageError that lists the known layouts.
     void apply_layout(const QString& name);
     static QStringList layout_names();
+    /// As closing, but asks nothing: Session::leave().
+    void leave();
     /// Whether everything that is shown has arrived, or cannot. Workspace::missing() says what cannot.
     bool is_settled() const;
 
@@ -153,6 +155,7 @@ class MainWindow : public QMainWindow {
     void say_copy(const QString& sample, const projects::SampleCopy& copy);
     void begin_sample_afresh(const QString& sample, const projects::SampleCopy& copy);
     void store_memory();
+    void remember_window() const;
 
     // window_banners.cpp
     void update_project_banners();

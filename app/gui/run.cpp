@@ -4,11 +4,13 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QLoggingCategory>
+#include <QSocketNotifier>
 #include <QTimer>
 #include <csignal>
 #include <iostream>
 #include <memory>
 
+#include "app/engine/interruption.h"
 #include "app/engine/version.h"
 #include "app/gui/export_plot.h"
 #include "app/gui/main_window.h"
@@ -108,6 +110,16 @@ void check_display(const Arguments& arguments) {
 #endif
 }
 
+/// Nobody may be there to be asked. What a screenshot shows was changed by nobody.
+void end_by_signal(MainWindow& window, bool puts_away) {
+    QObject::connect(&window.session(), &Session::message, [](const Message& message) {
+        std::cerr << "interreflect: " << in_one_line(message.text) << "\n";
+    });
+    if (puts_away) window.leave();
+    std::cerr << "interreflect: interrupted\n";
+    QApplication::exit(engine::interruption_status());
+}
+
 int run_window(const Arguments& arguments) {
     engine::Machine::Options machine;
     machine.backend = arguments.backend;
@@ -134,6 +146,11 @@ int run_window(const Arguments& arguments) {
         window.show_plot(arguments.plot);
         window.plots().run_if_needed();
     }
+    QSocketNotifier notifier(engine::interruption_descriptor(), QSocketNotifier::Read);
+    QObject::connect(&notifier, &QSocketNotifier::activated, &window, [&] {
+        notifier.setEnabled(false);
+        end_by_signal(window, !screenshot);
+    });
     return QApplication::exec();
 }
 
@@ -175,6 +192,7 @@ int run(int argc, char** argv) {
             QLoggingCategory::setFilterRules(QStringLiteral("default.warning=false\nqt.qpa.*=false"));
         QLocale::setDefault(QLocale::c());
         QApplication application(argc, argv);
+        engine::watch_interruptions();
         QApplication::setOrganizationName("Interreflect");
         QApplication::setApplicationName("Interreflect");
         QApplication::setApplicationVersion(QString::fromStdString(engine::version()));
@@ -188,6 +206,8 @@ int run(int argc, char** argv) {
         return fail(in_one_line(error.what()), bad_input);
     } catch (const UsageError& error) {
         return fail(error.what(), 2);
+    } catch (const Cancelled&) {
+        return fail("interrupted", engine::interruption_status());
     } catch (const std::exception& error) {
         return fail(error.what(), 1);
     }

@@ -20,8 +20,9 @@ Session::Session(const Registry& registry, QObject* parent)
 }
 
 Session::~Session() {
-    // The program ends in order, not by an error that unwinds everything.
-    if (project_ && project_->folder().empty() && std::uncaught_exceptions() == 0) project_->close();
+    // The program ends in order, neither told to nor by an error that unwinds everything.
+    if (project_ && project_->folder().empty() && !is_left_ && std::uncaught_exceptions() == 0)
+        project_->close();
 }
 
 const projects::Experiment* Session::experiment(const std::string& id) const {

@@ -41,6 +41,9 @@ class Session : public QObject {
     void save(bool overwrite = false);
     void save_as(const std::filesystem::path& path);
     void close();
+    /// The program is told to end and asks nobody: what is not saved is written down, and offered when the
+    /// project is opened again. Nothing should be changed afterwards.
+    void leave();
     void take_recovery();  ///< can be undone
     void discard_recovery();
     void break_lock();
@@ -129,6 +132,7 @@ class Session : public QObject {
     projects::Json memory_ = projects::Json::object();
     projects::Json saved_memory_;  ///< as it is on disk
     std::filesystem::path unsaved_folder_;
+    bool is_left_ = false;
     QTimer autosave_timer_;
 };
 

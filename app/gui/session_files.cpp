@@ -120,6 +120,17 @@ void Session::close() {
     emit project_replaced();
 }
 
+void Session::leave() {
+    if (!project_) return;
+    is_left_ = true;
+    finish_camera_move();
+    autosave();
+    project_->wait_for_autosave();
+    if (const auto error = project_->take_autosave_error(); !error.empty())
+        emit message({Severity::error, "autosave", error});
+    save_memory();
+}
+
 void Session::save(bool overwrite) {
     finish_camera_move();
     project_->save(overwrite);
