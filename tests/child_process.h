@@ -75,6 +75,14 @@ class ChildProcess {
                 return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0;
         return false;
     }
+    /// Whether it has the file open.
+    bool has_open(const std::filesystem::path& file) const {
+        std::error_code error;
+        const std::filesystem::path open = "/proc/" + std::to_string(pid_) + "/fd";
+        for (const auto& entry : std::filesystem::directory_iterator(open, error))
+            if (std::filesystem::read_symlink(entry.path(), error) == file) return true;
+        return false;
+    }
     bool has_ended() {
         if (!ended_ && waitpid(pid_, &status_, WNOHANG) == pid_) ended_ = true;
         return ended_;

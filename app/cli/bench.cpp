@@ -1,11 +1,9 @@
-#include <unistd.h>
-
-#include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/plot_project.h"
+#include "app/cli/progress_line.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/benchmarks.h"
 #include "app/engine/interruption.h"
@@ -42,7 +40,7 @@ struct Flags {
     std::vector<std::string> variants;
     ProjectPlots plots;
     int repeats = 5;
-    bool json = false;
+    bool json = false, quiet = false;
 };
 
 engine::BenchmarkOptions benchmark_options(const Flags& flags) {
@@ -59,10 +57,9 @@ engine::BenchmarkOptions benchmark_options(const Flags& flags) {
     return options;
 }
 
-void print_progress(const engine::BenchmarkProgress& progress) {
-    std::fprintf(stderr, "\r\033[K%3.0f %% %s (%zu of %zu), %s", 100 * progress.fraction,
-                 progress.label.c_str(), progress.row + 1, progress.rows,
-                 progress.repeat == 0 ? "cold" : std::to_string(progress.repeat).c_str());
+std::string text_of(const engine::BenchmarkProgress& progress) {
+    return progress.label + " (" + std::to_string(progress.row + 1) + " of " + std::to_string(progress.rows) +
+           "), " + (progress.repeat == 0 ? "cold" : std::to_string(progress.repeat));
 }
 
 /// Failed where no variant could be measured.
@@ -73,11 +70,12 @@ int run_benchmark(const Flags& flags) {
     engine::BenchmarkCallbacks callbacks;
     callbacks.cancel = &engine::interruption();
     callbacks.memory_budget = parse_bytes(flags.machine.memory);
-    const bool shows_progress = isatty(STDERR_FILENO);
-    if (shows_progress) callbacks.progress = print_progress;
+    ProgressLine line(!flags.quiet, 1);
+    line.begin({}, 1);
+    callbacks.progress = [&](const auto& progress) { line.tell(text_of(progress), progress.fraction); };
     engine::Machine machine(machine_options(flags.machine));
     const auto report = engine::run_benchmark(machine, benchmark, options, callbacks);
-    if (shows_progress) std::fprintf(stderr, "\r\033[K");
+    line.clear();
     for (const auto& row : report.rows)
         if (!row.problem.empty())
             std::cerr << "interreflect-cli: " << row.label << ": " << row.problem << "\n";
@@ -105,9 +103,11 @@ void add_bench(CLI::App& app, Run& run) {
         ->check(CLI::Range(1, 1000));
     command->add_option("--csv", flags->csv, "Write the table to this file");
     command->add_flag("--json", flags->json, "Print one JSON object");
+    command->add_flag("--quiet", flags->quiet, "No progress on standard error");
     add_machine_flags(*command, flags->machine);
     command->callback([flags, command, &run] {
         if (command->count("--repeats") > 0) flags->plots.repeats = flags->repeats;
+        flags->plots.show_progress = !flags->quiet;
         run = [flags] {
             if (flags->name.empty()) {
                 std::cout << list(flags->json);

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/progress_line.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/error_study.h"
 #include "app/engine/kept_study.h"
@@ -127,20 +128,23 @@ int plot_project(const ProjectPlots& job) {
     for (const auto& message : loaded.messages) std::cerr << "note: " << message.text << "\n";
     const auto plots = chosen_plots(loaded.project, job);
     engine::Machine machine(machine_options(job.machine));
-    const auto options = frame_options(job.machine, {}, 1, job.show_progress);
+    const auto options = frame_options(job.machine);
+    ProgressLine line(job.show_progress, static_cast<double>(plots.size()));
     engine::StudyCallbacks callbacks;
     callbacks.cancel = options.cancel;
-    callbacks.progress = options.progress;
+    callbacks.progress = line.callback();
+    callbacks.keeps_reference = job.keep;
     callbacks.repeats = job.repeats;
     callbacks.memory_budget = options.memory_budget;
     auto& table = job.json == "-" ? std::cerr : std::cout;
     Json all = Json::object();
     int status = done;
     for (const auto& plot : plots) {
+        line.begin(plot.id, 1);
         try {
             const auto study =
                 engine::run_error_study(machine, loaded.project, plot, loaded.folder, callbacks);
-            if (options.progress) options.progress("", 1);
+            line.clear();
             print_study(table, plot, study);
             all[plot.id] = Json::parse(engine::study_json(study));
             if (!job.csv.empty()) write_text(job.csv, engine::study_csv(study));
@@ -149,6 +153,7 @@ int plot_project(const ProjectPlots& job) {
         } catch (const Cancelled&) {
             throw;
         } catch (const Error& error) {
+            line.clear();
             status = std::max<int>(status, complain(job, plot, error));
         }
     }

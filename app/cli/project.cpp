@@ -11,6 +11,7 @@
 #include "app/engine/interruption.h"
 #include "app/engine/moving.h"
 #include "app/engine/number_text.h"
+#include "app/engine/run_frames.h"
 #include "projects/autosave.h"
 #include "projects/check.h"
 #include "projects/hash.h"
@@ -122,7 +123,7 @@ void verify(Json& row, engine::Machine& machine, const projects::LoadedProject& 
     engine::Execution execution(machine, engine::from_project(loaded.project, experiment, loaded.folder));
     graph::FrameOptions options;
     options.cancel = &engine::interruption();
-    const auto report = run_frames(execution, options);
+    const auto report = engine::run_frames(execution, options);
     if (report.backend != kept->provenance.backend || report.device != kept->provenance.driver)
         row["changed"].push_back("device: " + kept->provenance.driver + " → " + report.device);
     for (const auto& file : kept->files)

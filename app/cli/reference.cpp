@@ -1,17 +1,15 @@
 // `interreflect-cli reference`: matches experiments with their ground truth and computes it.
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/cli/command.h"
+#include "app/cli/render_project.h"
+#include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
-#include "app/engine/keep_result.h"
 #include "app/engine/moving.h"
 #include "projects/open_project.h"
 #include "projects/results.h"
@@ -24,7 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t longest_line = 4096;
 
@@ -34,53 +31,19 @@ struct Flags {
     std::vector<std::string> experiments;
     std::int64_t samples = 0;
     bool quiet = false, json = false;
+    double checkpoint = engine::Checkpoints::usual_seconds;
 };
 
-/// What a run has done so far.
-struct Progress {
-    std::uint64_t first = 0, samples = 0, asked = 0;
-    double pixels = 0, seconds = 0;
-    std::map<std::string, double> figures;  ///< that the method declared
-
-    double samples_per_second() const {
-        return seconds > 0 ? static_cast<double>(samples - first) * pixels / seconds : 0;
+/// What a run says of itself: samples, their rate, and what else the method declares.
+std::string text_of(const engine::Execution& execution, const FrameReport& report) {
+    auto text = engine::samples_text(execution, report);
+    for (const auto& [key, value] : report.figures) {
+        if (key == engine::rate_figure) continue;
+        char figure[160];
+        std::snprintf(figure, sizeof figure, ", %s %.4g", key.substr(0, 60).c_str(), value);
+        text += figure;
     }
-    std::string text() const {
-        char line[160];
-        std::snprintf(line, sizeof line, "%llu of %llu samples, %.3g M samples/s",
-                      static_cast<unsigned long long>(samples), static_cast<unsigned long long>(asked),
-                      samples_per_second() / 1e6);
-        std::string result = line;
-        for (const auto& [key, value] : figures) {
-            std::snprintf(line, sizeof line, ", %s %.4g", key.substr(0, 60).c_str(), value);
-            result += line;
-        }
-        return result;
-    }
-};
-
-/// Frames until all samples are there; a line on a terminal follows them.
-FrameReport trace(engine::Execution& execution, graph::FrameOptions options, Progress& progress,
-                  bool is_shown) {
-    const auto start = Clock::now();
-    progress.first = progress.samples = execution.samples();
-    if (is_shown)
-        options.progress = [&](const std::string&, double fraction) {
-            const double all = static_cast<double>(execution.experiment().frames);
-            std::fprintf(stderr, "\r\033[K%3.0f %% %s",
-                         100 * std::min(1.0, (execution.committed_frames() + fraction) / all),
-                         progress.text().c_str());
-        };
-    FrameReport report;
-    while (!execution.is_done()) {
-        report = execution.run_frame(options);
-        if (report.began_anew) progress.first = 0;
-        progress.samples = execution.samples();
-        progress.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        if (!report.figures.empty()) progress.figures = report.figures;
-    }
-    if (is_shown) std::fprintf(stderr, "\r\033[K");
-    return report;
+    return text;
 }
 
 class References {
@@ -95,6 +58,10 @@ class References {
         match_all();
         open_.wait_for_files();
         open_.save();
+        double frames = 0;
+        for (const auto& id : ids_)
+            frames += frames_of(*projects::find_item(open_.project().experiments, id));
+        line_.emplace(!flags_.quiet, frames);
         for (const auto& id : ids_) guarded("reference '" + id + "'", [&] { compute(id); });
         if (flags_.json) std::cout << Json{{"references", rows_}}.dump(2) << "\n";
         return status_;
@@ -113,6 +80,7 @@ class References {
         try {
             work();
         } catch (const Error& error) {
+            if (line_) line_->clear();
             std::cerr << "interreflect-cli: "
                       << projects::printable(flags_.project + ": " + what + ": " + error.what(), longest_line)
                       << "\n";
@@ -170,45 +138,17 @@ class References {
         const auto experiment = *projects::find_item(open_.project().experiments, id);
         const auto folder = open_.folder();
         engine::Execution execution(machine(), engine::from_project(open_.project(), experiment, folder));
-        auto problems = engine::resume_kept(execution, open_.project(), experiment, folder);
-        auto options = frame_options(flags_.machine, {}, 1, false);
-        if (const auto& variance = execution.method().variance; !variance.empty())
-            options.wanted.push_back(variance);
-        Progress progress;
-        progress.asked = projects::sample_count(experiment, engine::registry());
-        progress.pixels = static_cast<double>(execution.experiment().width) * execution.experiment().height;
-        FrameReport report;
-        try {
-            report = trace(execution, options, progress, !flags_.quiet && isatty(STDERR_FILENO));
-        } catch (const Cancelled&) {
-            keep_what_is_there(experiment, execution, options, progress);
-            throw;
-        }
-        for (const auto& problem : problems) report.messages.push_back({Severity::warning, "state", problem});
-        print_messages(execution, report);
-        const auto key = engine::keep_result(open_.project(), experiment, folder, execution, report);
-        open_.mark_kept(id, key);
+        auto options = frame_options(flags_.machine);
+        line_->begin(id, frames_of(experiment));
+        options.progress = line_->callback();
+        const auto run =
+            run_and_keep(execution, options, open_.project(), experiment, folder, flags_.checkpoint);
+        line_->clear();
+        print_messages(execution, run.report);
+        open_.mark_kept(id, run.key);
         open_.save();
-        write(execution, report, id);
-        tell(id, key, progress);
-    }
-
-    /// The samples of all whole frames of a computation that somebody stopped: a next one goes on from them.
-    void keep_what_is_there(const projects::Experiment& experiment, engine::Execution& execution,
-                            graph::FrameOptions options, const Progress& progress) {
-        if (execution.samples() <= progress.first) return;
-        const auto partial = projects::with_sample_count(experiment, execution.samples(), engine::registry());
-        const auto folder = open_.folder();
-        // A frame that asks for no more than is there shows it.
-        execution.update(engine::from_project(open_.project(), partial, folder));
-        options.cancel = nullptr;
-        options.progress = nullptr;
-        const auto report = execution.run_frame(options);
-        open_.mark_kept(experiment.id,
-                        engine::keep_result(open_.project(), partial, folder, execution, report));
-        open_.save();
-        std::cerr << "interreflect-cli: kept " << execution.samples() << " of " << progress.asked
-                  << " samples of '" << experiment.id << "'; run it again to go on\n";
+        write(execution, run.report, id);
+        tell(id, execution, run);
     }
 
     void write(const engine::Execution& execution, const FrameReport& report, const std::string& id) const {
@@ -218,25 +158,29 @@ class References {
         write_text(stem + ".json", engine::statistics_json(report) + "\n");
     }
 
-    void tell(const std::string& id, const std::string& key, const Progress& progress) {
+    void tell(const std::string& id, const engine::Execution& execution, const KeptRun& run) {
+        const auto samples = execution.samples();
         if (!flags_.json)
             std::cout << id << "  "
-                      << (progress.samples == progress.first
-                              ? std::to_string(progress.samples) + " samples are kept already"
-                              : progress.text())
-                      << "  " << key.substr(0, 16) << "\n";
+                      << (samples == run.resumed_from ? std::to_string(samples) + " samples are kept already"
+                                                      : text_of(execution, run.report))
+                      << "  " << run.key.substr(0, 16) << "\n";
+        auto figures = run.report.figures;
+        const double rate = figures[engine::rate_figure];
+        figures.erase(engine::rate_figure);
         rows_.push_back({{"experiment", id},
-                         {"key", key},
-                         {"samples", progress.samples},
-                         {"resumed_from", progress.first},
-                         {"seconds", progress.seconds},
-                         {"samples_per_second", progress.samples_per_second()},
-                         {"figures", progress.figures}});
+                         {"key", run.key},
+                         {"samples", samples},
+                         {"resumed_from", run.resumed_from},
+                         {"seconds", run.report.wall_ms / 1000},
+                         {"samples_per_second", rate},
+                         {"figures", figures}});
     }
 
     const Flags& flags_;
     projects::OpenProject open_;
     std::optional<engine::Machine> machine_;
+    std::optional<ProgressLine> line_;
     std::vector<std::string> ids_;  ///< of the references
     Json rows_ = Json::array();
     int status_ = done;
@@ -256,6 +200,7 @@ void add_reference(CLI::App& app, Run& run) {
                      "Samples per pixel; references that have fewer go on (default: as the project says)")
         ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
     command->add_option("--out", flags->out, "Folder for the references as ID.exr and ID.json");
+    add_checkpoint_flag(*command, flags->checkpoint);
     command->add_flag("--quiet", flags->quiet, "No progress on standard error");
     command->add_flag("--json", flags->json, "Print one JSON object");
     add_machine_flags(*command, flags->machine);

@@ -7,7 +7,9 @@
 
 #include "app/cli/command.h"
 #include "app/cli/inspection.h"
+#include "app/cli/progress_line.h"
 #include "app/cli/render_project.h"
+#include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/execution.h"
 #include "app/engine/from_project.h"
@@ -27,6 +29,7 @@ struct Flags {
     double fov_y = 45, time = 0, initial_capacity = 1;
     int frames = 1;
     bool keep = false, quiet = false, match = false;
+    double checkpoint = engine::Checkpoints::usual_seconds;
     std::int64_t samples = 0;
 };
 
@@ -135,8 +138,19 @@ int render_scene(const Flags& flags) {
     engine::Machine machine(machine_options(flags.machine));
     engine::Execution execution(machine, experiment);
     execution.inspect(inspection);
-    const auto options = frame_options(flags.machine, flags.dumps, flags.initial_capacity, !flags.quiet);
-    auto report = run_frames(execution, options);
+    auto options = frame_options(flags.machine, flags.dumps, flags.initial_capacity);
+    ProgressLine line(!flags.quiet, 1);
+    line.begin({}, 1);
+    options.progress = line.callback();
+    FrameReport report;
+    try {
+        report = engine::run_frames(execution, options);
+    } catch (const Cancelled&) {
+        line.clear();
+        std::cerr << "interreflect-cli: " << flags.out << " is not written\n";
+        throw;
+    }
+    line.clear();
     if (experiment.environment && !find(execution.method().parameters, "environment_light"))
         report.messages.push_back(
             {Severity::note, "render",
@@ -205,6 +219,7 @@ void add_render(CLI::App& app, Run& run) {
         ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
     command->add_flag("--keep", flags->keep,
                       "Keep the results in the project; what accumulates goes on from the kept state");
+    add_checkpoint_flag(*command, flags->checkpoint);
     command->add_flag("--quiet", flags->quiet, "No progress on standard error");
     add_machine_flags(*command, flags->machine);
     command->callback([flags, command, &run] {
@@ -219,13 +234,14 @@ void add_render(CLI::App& app, Run& run) {
                      "--env", "--seed", "--frames", "--time", "--initial-capacity", "--match", "--samples"},
                     "with a PROJECT, whose experiments say it; change the project or give --scene "
                     "and --method");
+                if (!flags->keep) refuse_given(*command, {"--checkpoint"}, "without --keep");
                 return render_project({flags->machine, flags->project, flags->out, flags->experiments,
                                        flags->dumps, flags->inspection, flags->keep, !flags->quiet,
-                                       flags->json});
+                                       flags->json, flags->checkpoint});
             }
             if (flags->scene.empty() || flags->method.empty())
                 throw UsageError("give a PROJECT, or --scene and --method");
-            refuse_given(*command, {"--keep", "--experiment"}, "without a PROJECT");
+            refuse_given(*command, {"--keep", "--experiment", "--checkpoint"}, "without a PROJECT");
             if (!flags->match) refuse_given(*command, {"--samples"}, "without --match");
             if (flags->eye.empty()) refuse_given(*command, {"--fov-y", "--up"}, "without --eye and --target");
             return render_scene(*flags);

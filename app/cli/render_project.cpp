@@ -4,6 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
 #include "app/engine/keep_result.h"
@@ -54,36 +55,45 @@ Inspection inspection_of(const ProjectRender& job, const engine::Experiment& exp
 
 std::string render_one(const ProjectRender& job, engine::Machine& machine, const projects::Project& project,
                        const projects::Experiment& experiment, const std::filesystem::path& folder,
-                       projects::OpenProject* keep_in) {
+                       ProgressLine& line, projects::OpenProject* keep_in) {
     const auto resolved = engine::from_project(project, experiment, folder);
     const auto inspection = inspection_of(job, resolved);
     engine::Execution execution(machine, resolved);
     execution.inspect(inspection);
-    auto options = frame_options(job.machine, job.dumps, 1, job.show_progress);
-    std::vector<std::string> problems;
-    if (keep_in) {
-        problems = engine::resume_kept(execution, project, experiment, folder);
-        if (const auto& variance = execution.method().variance; !variance.empty())
-            options.wanted.push_back(variance);
+    const auto stem = std::filesystem::path(job.out) / experiment.id;
+    const auto with = [&](const char* extension) { return std::filesystem::path(stem.string() + extension); };
+    auto options = frame_options(job.machine, job.dumps);
+    line.begin(experiment.id, frames_of(experiment));
+    options.progress = line.callback();
+    KeptRun run;
+    try {
+        if (keep_in)
+            run = run_and_keep(execution, options, project, experiment, folder, job.checkpoint);
+        else
+            run.report = engine::run_frames(execution, options);
+    } catch (const Cancelled&) {
+        line.clear();
+        std::cerr << "interreflect-cli: " << with(".exr").string() << " is not written\n";
+        throw;
     }
-    auto report = run_frames(execution, options);
-    for (const auto& problem : problems) report.messages.push_back({Severity::warning, "state", problem});
+    line.clear();
+    auto& report = run.report;
+    if (keep_in) keep_in->mark_kept(experiment.id, run.key);
     for (auto& warning : inspection_warnings(inspection, resolved))
         report.messages.push_back(std::move(warning));
     warn_of_unmatched(job.dumps, report);
-    const auto stem = std::filesystem::path(job.out) / experiment.id;
-    const auto with = [&](const char* extension) { return std::filesystem::path(stem.string() + extension); };
     write_exr(with(".exr"), execution.layers(job.dumps), execution.attributes());
     Image colours;  // a result's fourth channel is no opacity
     write_png(with(".png"), values_of(execution.main_result(), Semantic::radiance, colours));
     write_text(with(".json"), engine::statistics_json(report) + "\n");
     print_messages(execution, report);
-    if (keep_in)
-        keep_in->mark_kept(experiment.id,
-                           engine::keep_result(project, experiment, folder, execution, report));
     (job.json == "-" ? std::cerr : std::cout) << experiment.id << "  " << with(".exr").string() << "  "
                                               << static_cast<long>(report.wall_ms) << " ms\n";
     return engine::statistics_json(report);
+}
+
+double frames_of(const projects::Experiment& experiment) {
+    return std::max(1, projects::effective(experiment).frames);
 }
 
 int render_project(const ProjectRender& job) {
@@ -104,13 +114,17 @@ int render_project(const ProjectRender& job) {
     engine::Machine machine(machine_options(job.machine));
     nlohmann::ordered_json all = nlohmann::ordered_json::object();
     int status = done;
+    double frames = 0;
+    for (const auto& id : ids) frames += frames_of(*projects::find_item(loaded.project.experiments, id));
+    ProgressLine line(job.show_progress, frames);
     for (const auto& id : ids) {
         const auto& experiment = *projects::find_item(loaded.project.experiments, id);
         try {
             const auto statistics =
-                render_one(job, machine, loaded.project, experiment, loaded.folder, editable.get());
+                render_one(job, machine, loaded.project, experiment, loaded.folder, line, editable.get());
             all[id] = nlohmann::ordered_json::parse(statistics);
         } catch (const Error& error) {
+            line.clear();
             std::cerr << "interreflect-cli: "
                       << projects::printable(job.project + ": experiment '" + id + "': " + error.what(),
                                              longest_line)

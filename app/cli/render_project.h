@@ -5,7 +5,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/inspection.h"
-#include "app/engine/execution.h"
+#include "app/cli/progress_line.h"
+#include "app/engine/run_frames.h"
 #include "projects/open_project.h"
 
 namespace ir::cli {
@@ -17,13 +18,17 @@ struct ProjectRender {
     InspectionFlags inspection;
     bool keep = false, show_progress = true;
     std::string json = {};  ///< file for all statistics, by experiment; "-": standard output
+    double checkpoint = engine::Checkpoints::usual_seconds;  ///< of what is kept
 };
 
 /// Renders an experiment to OUT/ID.exr, OUT/ID.png and OUT/ID.json, and keeps the result where a project is
 /// given for that. Returns the statistics. Throws Error.
 std::string render_one(const ProjectRender& job, engine::Machine& machine, const projects::Project& project,
                        const projects::Experiment& experiment, const std::filesystem::path& folder,
-                       projects::OpenProject* keep_in = nullptr);
+                       ProgressLine& line, projects::OpenProject* keep_in = nullptr);
+
+/// How much of the progress an experiment is.
+double frames_of(const projects::Experiment& experiment);
 
 /// An experiment that cannot run does not keep the others from it; the status then says that the file is at
 /// fault. Renders the chosen experiments (all when none is named) to OUT/ID.exr and OUT/ID.json, and a

@@ -1,9 +1,6 @@
 #include "app/cli/run_frames.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 
 #include "app/engine/interruption.h"
@@ -17,37 +14,13 @@ engine::MachineOptions machine_options(const MachineFlags& flags) {
 }
 
 graph::FrameOptions frame_options(const MachineFlags& flags, const std::vector<std::string>& wanted,
-                                  double initial_capacity, bool show_progress) {
+                                  double initial_capacity) {
     graph::FrameOptions options;
     options.wanted = wanted;
     options.memory_budget = parse_bytes(flags.memory);
     options.initial_capacity = initial_capacity;
     options.cancel = &engine::interruption();
-    if (show_progress && isatty(STDERR_FILENO))
-        options.progress = [](const std::string& what, double fraction) {
-            std::fprintf(stderr, "\r\033[K%3.0f %% %s", 100 * fraction, what.c_str());
-            if (fraction >= 1) std::fprintf(stderr, "\r\033[K");
-        };
     return options;
-}
-
-FrameReport run_frames(engine::Execution& execution, const graph::FrameOptions& options) {
-    FrameReport last;
-    std::vector<Message> messages;
-    double wall_ms = 0, growths = 0;
-    while (!execution.is_done()) {
-        last = execution.run_frame(options);
-        wall_ms += last.wall_ms;
-        growths += last.counters["growth"];
-        for (const auto& message : last.messages) {
-            const auto same = [&](const Message& known) { return known.text == message.text; };
-            if (std::none_of(messages.begin(), messages.end(), same)) messages.push_back(message);
-        }
-    }
-    last.wall_ms = wall_ms;
-    last.counters["growth"] = growths;
-    last.messages = std::move(messages);
-    return last;
 }
 
 void print_messages(const engine::Execution& execution, const FrameReport& report) {

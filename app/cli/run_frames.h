@@ -10,11 +10,8 @@
 namespace ir::cli {
 
 engine::MachineOptions machine_options(const MachineFlags& flags);
-graph::FrameOptions frame_options(const MachineFlags& flags, const std::vector<std::string>& wanted,
-                                  double initial_capacity, bool show_progress);
-
-/// All frames of the experiment; the report of the last, with the messages of all and wall_ms summed.
-FrameReport run_frames(engine::Execution& execution, const graph::FrameOptions& options);
+graph::FrameOptions frame_options(const MachineFlags& flags, const std::vector<std::string>& wanted = {},
+                                  double initial_capacity = 1);
 
 /// Loader warnings and frame messages, one line each, to standard error.
 void print_messages(const engine::Execution& execution, const FrameReport& report);

@@ -62,19 +62,20 @@ Json entry_of(const projects::SweepPoint& point) {
 
 /// Renders one point; what went wrong stands in its entry.
 Json render_point(const Flags& flags, engine::Machine& machine, const projects::LoadedProject& loaded,
-                  const projects::SweepPoint& point, int& status) {
+                  const projects::SweepPoint& point, ProgressLine& line, int& status) {
     auto entry = entry_of(point);
     try {
         const auto statistics =
-            render_one(flags.job, machine, loaded.project, point.experiment, loaded.folder);
+            render_one(flags.job, machine, loaded.project, point.experiment, loaded.folder, line);
         entry["image"] = point.experiment.id + ".exr";
         entry["wall_ms"] = Json::parse(statistics).at("wall_ms");
     } catch (const Cancelled&) {
         throw;
     } catch (const Error& error) {
-        const auto line = projects::printable(error.what(), 4096);
-        std::cerr << "interreflect-cli: " << point.experiment.id << ": " << line << "\n";
-        entry["problem"] = line;
+        const auto problem = projects::printable(error.what(), 4096);
+        line.clear();
+        std::cerr << "interreflect-cli: " << point.experiment.id << ": " << problem << "\n";
+        entry["problem"] = problem;
         status = std::max<int>(
             status, dynamic_cast<const UsageError*>(&error) || dynamic_cast<const InputError*>(&error)
                         ? bad_input
@@ -144,9 +145,12 @@ int run_sweep(const Flags& flags) {
                     {"shards", shard.count}},
                    points);
     int status = done;
+    double frames = 0;
+    for (const auto& point : points) frames += frames_of(point.experiment);
+    ProgressLine line(flags.job.show_progress, frames);
     try {
         for (std::size_t i = 0; i < points.size(); ++i)
-            list.put(i, render_point(flags, machine, loaded, points[i], status));
+            list.put(i, render_point(flags, machine, loaded, points[i], line, status));
     } catch (const Cancelled&) {
         list.write();
         std::cerr << "interreflect-cli: rendered " << list.done() << " of " << points.size()

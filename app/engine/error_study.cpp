@@ -52,7 +52,8 @@ class Study {
         study_.plot = plot_.id;
         study_.device = machine_.context().info().renderer;
         options_.progress = [this](const std::string& what, double part) { tell(what, part); };
-        reference_ = study_reference(machine_, project_, plot_.reference, folder_, options_);
+        reference_ = study_reference(machine_, project_, plot_.reference, folder_, options_,
+                                     callbacks_.keeps_reference);
         study_.reference_noise = reference_.noise;
         study_.notes = reference_.notes;
         for (const auto& planned : runs) run_points(planned);

@@ -42,6 +42,7 @@ struct StudyCallbacks {
     std::function<void(const ErrorPoint&)> point;  ///< as soon as it is there; fronts are not marked yet
     int repeats = 1;                               ///< runs of which the median time counts
     std::uint64_t memory_budget = 0;               ///< bytes of one execution; 0 = none
+    bool keeps_reference = false;  ///< in the project's results, also with fewer samples when cancelled
 };
 
 /// Renders reference and experiments and measures all metrics that apply. A reference that is kept with

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -106,8 +107,10 @@ class Execution {
     bool is_extended() const { return is_extended_; }
 
     /// Runs the next frame, 1/30 s after the one before; at the experiment's time where the method
-    /// accumulates. Throws as Graph::run.
-    FrameReport run_frame(const graph::FrameOptions& options);
+    /// accumulates. Where samples add up the frame adds at most `most_samples`; 0 only shows what is there,
+    /// and without any sample adds one. Throws as Graph::run.
+    FrameReport run_frame(const graph::FrameOptions& options, std::uint64_t most_samples = unlimited);
+    static constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
     /// Computes what the last frame left out, and explains again after inspect(), on the contents of that
     /// frame. Throws and returns as Graph::explain.
     bool explain(const graph::FrameOptions& options);
@@ -115,6 +118,10 @@ class Execution {
     int committed_frames() const { return frame_; }
     /// In the history (projects/samples.h).
     std::uint64_t samples() const { return samples_; }
+    /// Whether samples add up over frames, so that a state can be continued.
+    bool accumulates() const;
+    /// In the history of an experiment that is done, unless a restored state has more.
+    std::uint64_t samples_asked() const;
     /// Whether all that the experiment asks for is committed and its picture is there.
     bool is_done() const { return shown_ && frame_ >= experiment_.frames; }
 
@@ -141,9 +148,8 @@ class Execution {
     double seconds_per_frame() const;
     void move_world(double time);
     std::string world_fingerprint() const;
-    bool accumulates() const;
     std::uint64_t samples_per_frame() const;
-    std::uint64_t sample_limit() const;
+    std::uint64_t sample_limit(std::uint64_t most) const;
     void count_frame(const FrameReport& report, std::uint64_t limit);
     void set_samples(std::uint64_t samples);
     Machine& machine_;

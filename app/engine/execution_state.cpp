@@ -86,19 +86,23 @@ std::uint64_t Execution::samples_per_frame() const {
     return projects::samples_per_frame(method_->description, settings_);
 }
 
-std::uint64_t Execution::sample_limit() const {
-    const auto unlimited = graph::FrameInputs{}.sample_limit;
-    if (!accumulates() || samples_ == 0) return unlimited;
+std::uint64_t Execution::samples_asked() const {
+    return static_cast<std::uint64_t>(std::max(0, experiment_.frames)) * samples_per_frame();
+}
+
+std::uint64_t Execution::sample_limit(std::uint64_t most) const {
+    if (!accumulates()) return unlimited;
+    if (samples_ == 0) return std::max<std::uint64_t>(1, most);
     if (!shown_ && frame_ >= experiment_.frames) return 0;
     const auto beyond = samples_ % samples_per_frame();
-    return beyond == 0 ? unlimited : samples_per_frame() - beyond;
+    return beyond == 0 ? most : std::min(most, samples_per_frame() - beyond);
 }
 
 void Execution::count_frame(const FrameReport& report, std::uint64_t limit) {
     if (report.began_anew) {
         samples_ = 0;
         origins_.clear();
-        limit = graph::FrameInputs{}.sample_limit;
+        limit = unlimited;
     }
     const auto added = std::min(samples_per_frame(), limit);
     is_extended_ = is_extended_ || added > 0;

@@ -5,6 +5,7 @@
 
 #include "app/engine/from_project.h"
 #include "app/engine/keep_result.h"
+#include "app/engine/run_frames.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
@@ -54,7 +55,7 @@ std::optional<StudyReference> from_kept(const projects::Project& project,
 
 StudyReference rendered(Machine& machine, const projects::Project& project,
                         const projects::Experiment& experiment, const std::filesystem::path& folder,
-                        graph::FrameOptions options) {
+                        graph::FrameOptions options, bool keeps) {
     const auto key = variance_key(experiment);
     if (!key.empty()) options.wanted.push_back(key);
     Execution execution(machine, from_project(project, experiment, folder));
@@ -63,15 +64,20 @@ StudyReference rendered(Machine& machine, const projects::Project& project,
     if (execution.samples() > 0)
         result.notes.push_back("the reference goes on from a kept state of " +
                                std::to_string(execution.samples()) + " samples");
-    const int frames = execution.experiment().frames;
-    const auto progress = options.progress;
-    while (!execution.is_done()) {
-        if (progress)
-            options.progress = [&, done = execution.committed_frames()](const std::string& what,
-                                                                        double part) {
-                progress("Reference: " + what, (done + part) / frames);
-            };
-        execution.run_frame(options);
+    if (const auto progress = options.progress)
+        options.progress = [progress](const std::string& what, double part) {
+            progress("Reference: " + what, part);
+        };
+    Checkpoints checkpoints;
+    if (keeps && execution.accumulates())
+        checkpoints.keep = [&](const FrameReport& report) {
+            keep_result(project, experiment, folder, execution, report);
+        };
+    const auto report = run_frames(execution, options, checkpoints);
+    try {
+        if (checkpoints.keep) checkpoints.keep(report);
+    } catch (const Error& error) {
+        result.notes.push_back(std::string("the reference was not kept: ") + error.what());
     }
     result.image = execution.main_result();
     result.valid = execution.graph().read_image("valid").value_or(Image());
@@ -100,7 +106,8 @@ double noise_of(const Image& variance, const Image& valid) {
 }
 
 StudyReference study_reference(Machine& machine, const projects::Project& project, const std::string& id,
-                               const std::filesystem::path& folder, const graph::FrameOptions& options) {
+                               const std::filesystem::path& folder, const graph::FrameOptions& options,
+                               bool keeps) {
     if (const auto* image = find_item(project.images, id)) return from_image(*image, folder);
     const auto* experiment = find_item(project.experiments, id);
     if (!experiment) throw UsageError("there is no experiment or image '" + id + "' to be the reference");
@@ -111,7 +118,7 @@ StudyReference study_reference(Machine& machine, const projects::Project& projec
         why_not_kept = std::string("the reference was rendered, because its kept result cannot be read: ") +
                        error.what();
     }
-    auto result = rendered(machine, project, *experiment, folder, options);
+    auto result = rendered(machine, project, *experiment, folder, options, keeps);
     if (!why_not_kept.empty()) result.notes.push_back(why_not_kept);
     return result;
 }

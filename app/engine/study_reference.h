@@ -22,8 +22,11 @@ struct StudyReference {
 double noise_of(const Image& variance, const Image& valid);
 
 /// The foreign image, the kept result where that is current, or else the picture rendered now. `id` names an
-/// experiment or an image of the project. Throws Cancelled, Error, InputError, UsageError with one line.
+/// experiment or an image of the project. With `keeps` a picture whose samples add up is kept in the
+/// project's results, also one that is cancelled. Throws Cancelled, Error, InputError, UsageError with one
+/// line.
 StudyReference study_reference(Machine& machine, const projects::Project& project, const std::string& id,
-                               const std::filesystem::path& folder, const graph::FrameOptions& options);
+                               const std::filesystem::path& folder, const graph::FrameOptions& options,
+                               bool keeps = false);
 
 }  // namespace ir::engine

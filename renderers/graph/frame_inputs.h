@@ -21,8 +21,8 @@ struct FrameInputs {
     double time = 0;  ///< seconds
     int threads = 0;  ///< for cpu passes; 0 = all
     /// What the frame may add at most to its history, where a parameter accumulates (core/parameter.h): less
-    /// than that parameter asks for when a stored history is continued, 0 when it is only shown. Unlimited
-    /// where there is no history.
+    /// than that parameter asks for when a stored history is continued or a frame should not take long, 0
+    /// when the history is only shown. At least 1 where there is none.
     std::uint64_t sample_limit = std::numeric_limits<std::uint64_t>::max();
     Inspection inspection;
 };

@@ -41,9 +41,10 @@ bool Progress::continues(const graph::PassContext& context) {
 }
 
 SampleRange Progress::of_frame(const graph::PassContext& context, std::uint64_t per_frame) const {
-    if (!continues(context)) return {0, per_frame};
+    const auto added = std::min(per_frame, context.inputs().sample_limit);
+    if (!continues(context)) return {0, std::max<std::uint64_t>(1, added)};
     const std::uint64_t before = context.previous_elements<std::uint32_t>(buffer_)[0];
-    return {before, before + std::min(per_frame, context.inputs().sample_limit)};
+    return {before, before + added};
 }
 
 Totals Progress::advance(const graph::PassContext& context, std::uint64_t per_frame,
@@ -81,10 +82,6 @@ void report_figures(const graph::PassContext& context, const Tally& tally, const
     const auto& view = context.inputs().view;
     const auto pixels = static_cast<double>(view.width) * view.height;
     context.set_figure("rays", static_cast<double>(tally.rays));
-    if (tally.milliseconds > 0) {
-        context.set_figure("reference.samples_per_second",
-                           static_cast<double>(tally.paths) / tally.milliseconds * 1e3);
-    }
     context.set_figure("reference.trace_ms", tally.milliseconds);
     context.set_figure("reference.samples_total", pixels * samples);
     context.set_figure("reference.error", std::sqrt(mean_variance));

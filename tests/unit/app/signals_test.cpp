@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 
+#include "projects/results.h"
 #include "projects/results_guard.h"
 #include "renderers/image/exr.h"
 #include "tests/child_process.h"
@@ -61,6 +63,34 @@ class Signals : public testing::Test {
         return {"render", path(), "--experiment", truth, "--keep", "--out", file("out")};
     }
 
+    /// Off a terminal a line tells how far it is; whether that is beyond the first samples.
+    static bool has_samples(const ChildProcess& child) {
+        const auto text = child.err();
+        return std::regex_search(text, std::regex("[1-9][0-9]* of [0-9]+ samples"));
+    }
+    /// Of the largest state that is kept.
+    std::uint64_t kept_samples() const {
+        std::uint64_t samples = 0;
+        for (const auto& entry : projects::ResultIndex::load(project_).entries())
+            if (projects::file_of(entry, projects::state_role)) samples = std::max(samples, entry.samples);
+        return samples;
+    }
+    /// Of so many samples, going on from what is kept, or at once in an empty project.
+    std::vector<float> picture(std::uint64_t samples) {
+        set_truth(static_cast<int>(samples), 1);
+        EXPECT_EQ(run(keeping("render")), 0) << read_text(root_ / "stderr");
+        return read_image(file("out/reference.exr")).pixels;
+    }
+    void expect_continues_to_the_same_bits() {
+        const auto kept = kept_samples();
+        ASSERT_GT(kept, 0u);
+        ASSERT_LT(kept, std::uint64_t{endless}) << "it says that it is not all";
+        const auto continued = picture(kept + 5);
+        EXPECT_EQ(kept_samples(), kept + 5);
+        fs::remove_all(project_ / "results");
+        EXPECT_EQ(continued, picture(kept + 5));
+    }
+
     fs::path root_, project_;
     Json json_;
 };
@@ -116,13 +146,78 @@ TEST_F(Signals, ASecondOneEndsAtOnceWhatDoesNotStop) {
     // It waits for the results as it would for a slice that takes long.
     const projects::ResultsGuard guard(project_);
     auto child = start(keeping("render"));
-    ASSERT_TRUE(child.reaches([&] { return fs::exists(file("out/reference.json")); })) << child.err();
+    ASSERT_TRUE(child.reaches([&] { return child.has_open(project_ / "results/.guard"); })) << child.err();
     while (!child.has_ended()) {
         child.send(SIGTERM);
         ChildProcess::rest();
     }
     EXPECT_EQ(child.wait(), 128 + SIGTERM);
     EXPECT_EQ(child.err().find("interrupted"), std::string::npos) << "nothing could be put away";
+}
+
+TEST_F(Signals, KeepWhatAddsUp) {
+    for (const char* command : {"render", "reference"})
+        for (const int signal : {SIGTERM, SIGINT}) {
+            SCOPED_TRACE(command + std::to_string(signal));
+            fs::remove_all(project_ / "results");
+            set_truth(endless, 1);
+            auto child = start(keeping(command));
+            ASSERT_TRUE(child.reaches([&] { return has_samples(child); })) << child.err();
+            child.send(signal);
+            EXPECT_EQ(child.wait(), 128 + signal);
+            EXPECT_NE(child.err().find("samples of 'reference'; run it again to go on\n"), std::string::npos)
+                << child.err();
+            EXPECT_FALSE(is_locked());
+            EXPECT_FALSE(fs::exists(file("out/reference.exr")));
+            expect_continues_to_the_same_bits();
+            fs::remove_all(file("out"));
+        }
+}
+
+TEST_F(Signals, APlotKeepsItsReference) {
+    auto child = start({"plot", path()});
+    ASSERT_TRUE(child.reaches([&] { return has_samples(child); })) << child.err();
+    child.send(SIGTERM);
+    EXPECT_EQ(child.wait(), 128 + SIGTERM);
+    EXPECT_FALSE(fs::exists(project_ / "results/plots")) << "half a plot is none";
+    expect_continues_to_the_same_bits();
+}
+
+TEST_F(Signals, ACheckpointOutlivesWhatNobodyCanCatch) {
+    auto words = keeping("render");
+    words.insert(words.end(), {"--checkpoint", "0.1", "--quiet"});
+    auto child = start(words);
+    ASSERT_TRUE(child.reaches([&] { return fs::exists(project_ / "results/index.json"); })) << child.err();
+    // The next one replaces it: only the largest state is kept.
+    const auto first = kept_samples();
+    ASSERT_TRUE(child.reaches([&] { return kept_samples() > first; })) << child.err();
+    child.send(SIGKILL);
+    EXPECT_EQ(child.wait(), 128 + SIGKILL);
+    EXPECT_EQ(child.err(), "") << "quiet";
+    int states = 0;
+    for (const auto& entry : projects::ResultIndex::load(project_).entries())
+        states += projects::file_of(entry, projects::state_role) ? 1 : 0;
+    EXPECT_EQ(states, 1);
+    expect_continues_to_the_same_bits();
+    EXPECT_EQ(run({"render", path(), "--checkpoint", "5", "--out", file("out")}), 2) << "keeps nothing";
+}
+
+TEST_F(Signals, ProgressIsOneTotalWithTheTimeLeft) {
+    for (const char* id : {"ldm-50", "ldm-200"})  // two of 1 frame before one of 6
+        for (auto& experiment : json_["experiments"])
+            if (experiment["id"] == id) experiment["values"]["directions"] = 8;
+    set_truth(endless, 6);
+    auto child = start({"render", path(), "--out", file("out")});
+    const std::regex line(" *([0-9]+) % reference: .* samples/s, .* left");
+    std::smatch found;
+    std::string text;
+    ASSERT_TRUE(child.reaches([&] {
+        text = child.err();
+        return std::regex_search(text, found, line);
+    })) << child.err();
+    EXPECT_GE(std::stoi(found[1]), 25) << "2 of 8 frames were those of other experiments";
+    child.send(SIGTERM);
+    child.wait();
 }
 
 TEST_F(Signals, ASweepLeavesAListOfWhatIsDone) {

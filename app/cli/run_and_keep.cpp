@@ -1,0 +1,45 @@
+#include "app/cli/run_and_keep.h"
+
+#include <iostream>
+
+#include "app/engine/keep_result.h"
+#include "renderers/core/error.h"
+
+namespace ir::cli {
+
+void add_checkpoint_flag(CLI::App& command, double& seconds) {
+    command
+        .add_option("--checkpoint", seconds,
+                    "Seconds of rendering after which what adds up is kept, so that no more is lost whatever "
+                    "ends the program; 0: only when it is interrupted")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+}
+
+KeptRun run_and_keep(engine::Execution& execution, graph::FrameOptions options,
+                     const projects::Project& project, const projects::Experiment& experiment,
+                     const std::filesystem::path& folder, double checkpoint) {
+    KeptRun run;
+    const auto problems = engine::resume_kept(execution, project, experiment, folder);
+    run.resumed_from = execution.samples();
+    if (const auto& variance = execution.method().variance; !variance.empty())
+        options.wanted.push_back(variance);
+    const auto keep = [&](const FrameReport& report) {
+        run.key = engine::keep_result(project, experiment, folder, execution, report);
+    };
+    try {
+        run.report = engine::run_frames(execution, options, {keep, checkpoint});
+    } catch (const Cancelled&) {
+        if (!run.key.empty())
+            std::cerr << "interreflect-cli: kept " << execution.samples() << " of "
+                      << execution.samples_asked() << " samples of '" << experiment.id
+                      << "'; run it again to go on\n";
+        throw;
+    }
+    if (run.report.began_anew) run.resumed_from = 0;
+    for (const auto& problem : problems) run.report.messages.push_back({Severity::warning, "state", problem});
+    keep(run.report);
+    return run;
+}
+
+}  // namespace ir::cli
