@@ -124,7 +124,7 @@ QWidget* MainWindow::make_parameter_dock() {
     auto* scroll = new QScrollArea;
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
-    scroll->setMinimumWidth(340);
+    scroll->setMinimumWidth(350);
     return scroll;
 }
 

@@ -93,7 +93,7 @@ class NumberEditor final : public ParameterEditor {
             slider_ = new Calm<QSlider>(Qt::Horizontal, this);
             slider_->setRange(0, whole_ && !is_logarithmic(range_) ? whole_steps() : slider_steps);
             slider_->setFocusPolicy(Qt::StrongFocus);
-            slider_->setMinimumWidth(30);
+            slider_->setMinimumWidth(16);
             layout->addWidget(slider_, 1);
             connect(slider_, &QSlider::valueChanged, this, &NumberEditor::slide);
             connect(slider_, &QSlider::sliderReleased, this, &ParameterEditor::finished);

@@ -114,7 +114,13 @@ TEST(ParameterDock, NeverScrollsSideways) {
             return projects::edits::set_method(project, engine::registry(), id, method->id);
         });
         QApplication::processEvents();
-        const auto room = scroll->minimumWidth() - scroll->verticalScrollBar()->sizeHint().width();
+        for (auto* label : scroll->findChildren<QLabel*>()) {  // as where each value was changed
+            auto font = label->font();
+            font.setBold(true);
+            label->setFont(font);
+        }
+        const auto room = scroll->minimumWidth() - 2 * scroll->frameWidth() -
+                          scroll->verticalScrollBar()->sizeHint().width();
         EXPECT_LE(scroll->widget()->minimumSizeHint().width(), room) << method->id;
     }
     window.session().close();
