@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderers/core/error.h"
+#include "renderers/core/regular_file.h"
 
 namespace ir::projects {
 namespace {
@@ -29,10 +30,7 @@ std::string hash_bytes(std::string_view bytes) {
 }
 
 std::string hash_file(const std::filesystem::path& file, const std::stop_token& stop) {
-    std::error_code ignored;
-    // Devices and pipes may never end.
-    if (!std::filesystem::is_regular_file(file, ignored))
-        throw InputError(file.string(), "", "is no file that exists; locate it");
+    require_regular_file(file);
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw InputError(file.string(), "", "cannot be opened; check its permissions");
     const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);

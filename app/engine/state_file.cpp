@@ -15,6 +15,7 @@
 
 #include "app/engine/state_layout.h"
 #include "renderers/core/error.h"
+#include "renderers/core/regular_file.h"
 #include "renderers/core/write_file.h"
 #include "renderers/image/exr_stream.h"
 
@@ -133,7 +134,7 @@ void write_state(const fs::path& file, const graph::History& history, const Imag
 }
 
 graph::History read_state(const fs::path& file, ImageAttributes* attributes) {
-    if (!fs::is_regular_file(file)) throw InputError(file.string(), "", "there is no such file");
+    require_regular_file(file);
     try {
         Imf::MultiPartInputFile input(file.c_str());
         ImageAttributes found;

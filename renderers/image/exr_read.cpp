@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "renderers/core/error.h"
+#include "renderers/core/regular_file.h"
 #include "renderers/image/exr.h"
 #include "renderers/image/exr_channels.h"
 
@@ -148,8 +149,7 @@ void default_layer_first(std::vector<ImageLayer>& layers) {
 }  // namespace
 
 std::vector<ImageLayer> read_exr(const std::filesystem::path& file, ImageAttributes* attributes) {
-    if (!std::filesystem::is_regular_file(file))
-        throw InputError(file.string(), "", "there is no such file; check the path");
+    require_regular_file(file);
     std::vector<ImageLayer> layers;
     try {
         Imf::MultiPartInputFile input(file.c_str());

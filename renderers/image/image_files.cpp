@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "renderers/core/error.h"
+#include "renderers/core/regular_file.h"
 #include "renderers/core/write_file.h"
 #include "renderers/image/colour_map.h"
 #include "renderers/image/exr.h"
@@ -92,8 +93,7 @@ std::vector<std::uint8_t> encoded_pixels(const Image& image, int channels, float
 }  // namespace
 
 Image read_image(const std::filesystem::path& file, const std::string& layer) {
-    if (!std::filesystem::is_regular_file(file))
-        throw InputError(file.string(), "", "there is no such file; check the path");
+    require_regular_file(file);
     if (has_exr_magic(file)) return chosen_layer(file, layer);
     if (!layer.empty())
         throw InputError(file.string(), "", "has no layer '" + layer + "'; only EXR files have layers");
