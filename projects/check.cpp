@@ -5,6 +5,7 @@
 #include "projects/motion.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
+#include "projects/store.h"
 #include "projects/text.h"
 
 namespace ir::projects {
@@ -22,8 +23,8 @@ class Checker {
         files();
         for (const auto& experiment : project_.experiments) check(experiment);
         references();
-        for (const auto& key : unknown_keys(project_, registry_))
-            say(Severity::warning, "unknown key " + printable(key) + " is kept and ignored");
+        for (auto& message : unknown_key_messages(project_, registry_))
+            messages_.push_back(std::move(message));
         if (read_.schema_in_file < schema_version)
             say(Severity::note, "has schema " + std::to_string(read_.schema_in_file) + ", the newest is " +
                                     std::to_string(schema_version) + "; saving or --upgrade rewrites it");
@@ -38,7 +39,10 @@ class Checker {
 
     void report(const std::string& what, const FileStatus& status, const std::string& mend) {
         const std::string source = "'" + printable(status.source) + "'";
-        if (status.state == FileState::missing)
+        std::error_code ignored;
+        if (status.state == FileState::missing && fs::exists(status.resolved, ignored))
+            say(Severity::error, what + ": " + source + " is no regular file; locate another");
+        else if (status.state == FileState::missing)
             say(Severity::error, what + ": " + source + " is missing; locate it" + mend);
         if (status.state == FileState::changed)
             say(Severity::warning,
@@ -80,35 +84,32 @@ class Checker {
             say(Severity::note, where + "its kept result is stale; render it again");
     }
 
-    void check(const Motion& motion) {
+    /// What is at `place`, a JSON pointer, cannot work.
+    void refuse(const std::string& place, const std::string& who, const std::string& problem) {
+        say(Severity::error, printable((folder_ / project_file_name).string(), 400) + ": " + place + ": " +
+                                 who + ": " + problem);
+    }
+
+    void check(const Motion& motion, const std::string& at) {
         const std::string who = "motion '" + motion.id + "'";
         const Motion* counts = nullptr;
         switch (motion.kind) {
             case Motion::Kind::camera:
-                refer(who, "camera", project_.cameras, motion.camera);
+                refer(at + "/camera", who, "camera", project_.cameras, motion.camera);
                 counts = motion_of_camera(project_, motion.camera);
                 break;
-            case Motion::Kind::light: {
-                refer(who, "set of lights", project_.lights, motion.lights, scene_lights);
-                const auto* set = find_item(project_.lights, motion.lights);
-                const bool is_numbered = set && !set->use_scene_lights;
-                if (is_numbered && (!motion.light_name.empty() ||
-                                    static_cast<std::size_t>(motion.light) >= set->lights.size()))
-                    say(Severity::warning,
-                        who + ": there is no such light in '" + set->id + "'; choose another");
-                if (!is_numbered && motion.light_name.empty())
-                    say(Severity::warning, who + ": a light of the scene's file moves by its name; give one");
+            case Motion::Kind::light:
+                refer(at + "/lights", who, "set of lights", project_.lights, motion.lights, scene_lights);
+                check_light(motion, at + "/light", who);
                 counts = motion.light_name.empty()
                              ? motion_of_light(project_, motion.lights, motion.light)
                              : motion_of_light(project_, motion.lights, motion.light_name);
                 break;
-            }
             case Motion::Kind::part: {
-                refer(who, "scene", project_.scenes, motion.scene);
+                refer(at + "/scene", who, "scene", project_.scenes, motion.scene);
                 const auto* scene = find_item(project_.scenes, motion.scene);
                 if (scene && static_cast<std::size_t>(motion.part) >= scene->parts.size())
-                    say(Severity::warning,
-                        who + ": there is no such part in '" + scene->id + "'; choose another");
+                    refuse(at + "/part", who, no_such("part", motion.part, scene->id, scene->parts.size()));
                 counts = motion_of_part(project_, motion.scene, motion.part);
             }
         }
@@ -116,38 +117,74 @@ class Checker {
             say(Severity::warning, who + ": does not count, because '" + counts->id + "' moves the same");
     }
 
-    template <class List>
-    void refer(const std::string& who, const char* word, const List& list, const std::string& id,
-               const std::string& none = "") {
-        if (id != none && !id.empty() && !find_item(list, id))
-            say(Severity::warning,
-                who + ": there is no " + word + " '" + printable(id, 60) + "'; choose another");
+    void check_light(const Motion& motion, const std::string& at, const std::string& who) {
+        const auto* set = find_item(project_.lights, motion.lights);
+        if (!set || set->use_scene_lights) {
+            if (motion.light_name.empty())
+                refuse(at, who, "a light of the scene's file moves by its name; give one");
+        } else if (!motion.light_name.empty()) {
+            refuse(at, who, "the lights of '" + set->id + "' have no names; give a number, counted from 0");
+        } else if (static_cast<std::size_t>(motion.light) >= set->lights.size()) {
+            refuse(at, who, no_such("light", motion.light, set->id, set->lights.size()));
+        }
     }
 
-    void refer_to_picture(const std::string& who, const std::string& id) {
-        if (!find_item(project_.images, id)) refer(who, "experiment or image", project_.experiments, id);
+    static std::string no_such(const std::string& word, int number, const std::string& id,
+                               std::size_t count) {
+        return "there is no " + word + " " + std::to_string(number) + " in '" + id + "', which has " +
+               std::to_string(count) + "; choose another, counted from 0";
+    }
+
+    /// `id` stands at `place`; one that is empty or `none` stands for nothing.
+    template <class List>
+    void refer(const std::string& place, const std::string& who, const std::string& word, const List& list,
+               const std::string& id, const std::string& none = "") {
+        if (id == none || id.empty() || find_item(list, id)) return;
+        std::vector<std::string> known;
+        for (const auto& item : list) known.push_back(item.id);
+        refuse(place, who,
+               "there is no " + word + " '" + printable(id, 60) + "'; " +
+                   (known.empty() ? "add it" : "choose " + printable(listed(known), 200) + ", or add it"));
+    }
+
+    void refer_to_picture(const std::string& place, const std::string& who, const std::string& id) {
+        if (!find_item(project_.images, id))
+            refer(place, who, "experiment or image", project_.experiments, id);
+    }
+
+    /// `look(item, where it stands)` for each.
+    template <class List, class Look>
+    void each(const std::string& key, const List& list, Look look) {
+        for (std::size_t i = 0; i < list.size(); ++i) look(list[i], pointer_to("/" + key, i));
     }
 
     void references() {
-        for (const auto& e : project_.experiments) {
+        each("experiments", project_.experiments, [&](const Experiment& e, const std::string& at) {
             const std::string who = "experiment '" + e.id + "'";
-            if (e.scene.empty()) say(Severity::warning, who + ": has no scene; choose one");
-            refer(who, "scene", project_.scenes, e.scene);
-            refer(who, "camera", project_.cameras, e.camera);
-            refer(who, "set of lights", project_.lights, e.lights, scene_lights);
-            refer(who, "experiment", project_.experiments, e.reference);
-        }
-        for (const auto& motion : project_.motion) check(motion);
-        for (const auto& sweep : project_.sweeps)
-            refer("sweep '" + sweep.id + "'", "experiment", project_.experiments, sweep.experiment);
-        for (const auto& c : project_.comparisons)
-            for (const auto& side : {c.a, c.b}) refer_to_picture("comparison '" + c.id + "'", side);
-        for (const auto& plot : project_.plots) {
+            if (e.scene.empty()) refuse(at + "/scene", who, "has no scene; choose one");
+            refer(at + "/scene", who, "scene", project_.scenes, e.scene);
+            refer(at + "/camera", who, "camera", project_.cameras, e.camera);
+            refer(at + "/lights", who, "set of lights", project_.lights, e.lights, scene_lights);
+            refer(at + "/reference", who, "experiment", project_.experiments, e.reference);
+        });
+        each("motion", project_.motion,
+             [&](const Motion& motion, const std::string& at) { check(motion, at); });
+        each("sweeps", project_.sweeps, [&](const Sweep& sweep, const std::string& at) {
+            refer(at + "/experiment", "sweep '" + sweep.id + "'", "experiment", project_.experiments,
+                  sweep.experiment);
+        });
+        each("comparisons", project_.comparisons, [&](const Comparison& c, const std::string& at) {
+            const std::string who = "comparison '" + c.id + "'";
+            refer_to_picture(at + "/a", who, c.a);
+            refer_to_picture(at + "/b", who, c.b);
+        });
+        each("plots", project_.plots, [&](const ErrorPlot& plot, const std::string& at) {
             const std::string who = "plot '" + plot.id + "'";
-            if (plot.reference.empty()) say(Severity::warning, who + ": has no reference; choose one");
-            refer_to_picture(who, plot.reference);
-            for (const auto& id : plot.experiments) refer(who, "experiment", project_.experiments, id);
-        }
+            if (plot.reference.empty()) refuse(at + "/reference", who, "has no reference; choose one");
+            refer_to_picture(at + "/reference", who, plot.reference);
+            for (const auto& id : plot.experiments)
+                refer(at + "/experiments", who, "experiment", project_.experiments, id);
+        });
     }
 
     const ReadProject& read_;

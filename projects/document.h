@@ -141,7 +141,7 @@ struct Experiment {
     std::string reference;  ///< id of the experiment that this one is judged by; may be empty
     std::map<std::string, Preset> presets;
     std::string active_preset;  ///< a key of presets, or empty
-    std::string last_kept_key;  ///< see results.h; empty: nothing kept yet
+    std::string last_kept_key;  ///< in results/index.json, not in the document; empty: nothing kept
     Json extra = Json::object();
     bool operator==(const Experiment&) const = default;
 };

@@ -33,5 +33,7 @@ Json key_inputs(const Motion::Key& key, Motion::Kind kind);
 
 /// JSON pointers of all kept keys that this build does not know, values of known methods included.
 std::vector<std::string> unknown_keys(const Project& project, const Registry& registry);
+/// A warning for each.
+std::vector<Message> unknown_key_messages(const Project& project, const Registry& registry);
 
 }  // namespace ir::projects

@@ -259,7 +259,7 @@ ReadProject read_project(const std::string& text, const std::string& file, const
     });
     project.images = read_list<ForeignImage>(reader, "images", read_image);
     project.experiments = read_list<Experiment>(reader, "experiments", [&](ObjectReader& inner) {
-        return read_experiment(inner, registry, result.messages);
+        return read_experiment(inner, registry, result.schema_in_file, result.messages);
     });
     project.comparisons = read_list<Comparison>(reader, "comparisons", read_comparison);
     project.sweeps = read_list<Sweep>(reader, "sweeps", read_sweep);

@@ -175,7 +175,6 @@ Json write_experiment(const Experiment& e) {
     put_unless_empty(json, "reference", e.reference);
     put_unless_empty(json, "active_preset", e.active_preset);
     for (const auto& [name, preset] : e.presets) json["presets"][name] = write_preset(preset);
-    put_unless_empty(json, "last_kept_key", e.last_kept_key);
     return with_extra(json, e.extra);
 }
 

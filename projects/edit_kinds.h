@@ -80,13 +80,6 @@ std::size_t index_of(const Project& project, const std::string& id) {
     return static_cast<std::size_t>(&item_of<Item>(project, id) - list_of<Item>(project).data());
 }
 
-/// What a replacement must not take back: kept results are no matter of undo.
-template <class Item>
-void keep_facts(Item&, const Item&) {}
-inline void keep_facts(Experiment& replacement, const Experiment& present) {
-    replacement.last_kept_key = present.last_kept_key;
-}
-
 /// One item becomes another with the same id.
 template <class Item>
 class Replace final : public Edit {
@@ -109,9 +102,7 @@ class Replace final : public Edit {
     static void put(Project& project, const Item& item) {
         auto* present = find_item(list_of<Item>(project), item.id);
         if (!present) throw Error("undo: item '" + item.id + "' is missing");
-        Item replacement = item;
-        keep_facts(replacement, *present);
-        *present = std::move(replacement);
+        *present = item;
     }
     Item before_, after_;
 };

@@ -50,22 +50,32 @@ void read_groups(ObjectReader& reader, Values into, Json& extra_transport) {
     }
 }
 
-/// Parameters that the file does not mention: newer than the file, or removed by hand.
-void complete(Experiment& experiment, const MethodDescription& method, std::vector<Message>& messages) {
+/// The version of the method that an experiment's values are of.
+struct VersionRead {
+    int version;
+    bool
+        is_given;  ///< by the file; else it is that of the build, or, in a file of an older schema, the first
+};
+
+/// Parameters that the file does not mention have their defaults; or, where they are newer than the file,
+/// what made the picture then.
+void complete(Experiment& experiment, const MethodDescription& method, const VersionRead& read,
+              std::vector<Message>& messages) {
     for (const auto& parameter : method.parameters) {
         if (experiment.values.count(parameter.key) != 0) continue;
-        const bool is_newer = parameter.since_version > experiment.method_version;
+        const bool is_newer = parameter.since_version > read.version;
         const bool has_older = is_newer && parameter.value_in_older_projects.has_value();
         const Value value =
             has_older ? parameter.checked(*parameter.value_in_older_projects) : parameter.default_value;
         experiment.values[parameter.key] = value;
-        const std::string reason = has_older ? " as before version " + std::to_string(parameter.since_version)
-                                   : is_newer
-                                       ? " (new in version " + std::to_string(parameter.since_version) + ")"
-                                       : " (its default)";
-        messages.push_back({Severity::note, "project",
-                            "experiment '" + experiment.id + "': " + parameter.key +
-                                " was not in the file; " + ir::to_string(value) + reason + " is taken"});
+        if (!has_older && !(is_newer && read.is_given)) continue;
+        const auto since = std::to_string(parameter.since_version);
+        messages.push_back(
+            {Severity::note, "project",
+             "experiment '" + experiment.id + "': " + parameter.key + " was not in the file; " +
+                 ir::to_string(value) +
+                 (has_older ? " as before version " + since : " (new in version " + since + ")") +
+                 " is taken"});
     }
 }
 
@@ -105,7 +115,8 @@ std::optional<Value> to_value(const Json& json) {
     return std::nullopt;
 }
 
-Experiment read_experiment(ObjectReader& reader, const Registry& registry, std::vector<Message>& messages) {
+Experiment read_experiment(ObjectReader& reader, const Registry& registry, int schema_in_file,
+                           std::vector<Message>& messages) {
     Experiment e;
     e.id = reader.required_id("id");
     e.name = reader.text("name", e.id);
@@ -114,17 +125,20 @@ Experiment read_experiment(ObjectReader& reader, const Registry& registry, std::
     e.camera = reader.text("camera");
     e.lights = reader.text("lights", e.lights);
     e.method = reader.required_text("method");
-    e.method_version = static_cast<int>(reader.integer("method_version", 1, 1, 1'000'000));
     const auto* method = registry.find(e.method);
+    const int newest = method ? method->version : 1;
+    const bool has_version = reader.has("method_version");
+    e.method_version = static_cast<int>(reader.integer("method_version", newest, 1, 1'000'000));
     read_groups(reader, {e.values, e.extra_values, method}, e.extra_transport);
-    if (method) complete(e, *method, messages);
+    const bool is_older = !has_version && schema_in_file < schema_version;
+    if (method) complete(e, *method, {is_older ? 1 : e.method_version, has_version}, messages);
     e.size = reader.optional_size("size").value_or(e.size);
     e.seed = reader.natural("seed", e.seed);
     e.frames = static_cast<int>(reader.integer("frames", e.frames, 1, 1'000'000'000));
     e.time = reader.number("time", e.time);
     e.reference = reader.text("reference");
     read_presets(reader, e, method);
-    e.last_kept_key = reader.text("last_kept_key");
+    reader.take("last_kept_key");  // of version 0.1; the index of the results says it
     return e;
 }
 

@@ -27,21 +27,18 @@ void supersede(ResultIndex& index, const KeptResult& result, const std::set<std:
     }
 }
 
-void collect_keys(const Project& project, std::set<std::string>& keys) {
-    for (const auto& experiment : project.experiments)
-        if (!experiment.last_kept_key.empty()) keys.insert(experiment.last_kept_key);
-}
-
 }  // namespace
 
-std::set<std::string> keys_in_use(const Project& project, const fs::path& project_folder, FileSystem& files) {
+std::set<std::string> keys_in_use(const ResultIndex& index, const fs::path& project_folder,
+                                  const Registry& registry) {
     std::set<std::string> keys;
-    collect_keys(project, keys);
-    if (!files.exists(project_folder / project_file_name)) return keys;
+    for (const auto& [experiment, key] : index.last_kept()) keys.insert(key);
     try {
-        collect_keys(load_project(project_folder, Registry({}), files).project, keys);
+        const auto saved = load_project(project_folder, registry).project;
+        const auto now = with_contents(saved, read_contents(saved, project_folder));
+        for (const auto& experiment : now.experiments) keys.insert(result_key(now, experiment, registry));
     } catch (const InputError&) {
-        // Damaged: it names nothing that could be told.
+        // Damaged or not there: it asks for nothing that could be told.
     }
     return keys;
 }
@@ -51,7 +48,9 @@ void keep(const fs::path& project_folder, KeptResult result, const std::set<std:
     auto index = ResultIndex::load(project_folder, files);
     const auto before = files_of(index);
     supersede(index, result, in_use);
+    const auto experiment = result.experiment, key = result.key;
     index.put(std::move(result));
+    index.set_last_kept(experiment, key);
     index.save(project_folder, files);
     const auto after = files_of(index);
     for (const auto& path : before)

@@ -23,8 +23,7 @@ void copy_companions(const fs::path& from, const fs::path& to, FileSystem& files
     auto results = ResultIndex::load(to, files);
     bool is_merged = true;
     try {
-        const auto own = ResultIndex::load(from, files);
-        for (const auto& entry : own.entries()) results.put(entry);
+        results.merge(ResultIndex::load(from, files));
     } catch (const InputError&) {
         is_merged = !results.entries().empty();  // a damaged index comes along where it replaces none
     }
@@ -97,9 +96,10 @@ void OpenProject::load() {
     reading_messages_ = std::move(loaded.messages);
     file_hash_ = loaded.file_hash;
     project_ = std::move(loaded.project);
+    last_kept_ = std::move(loaded.last_kept);
     undo_.clear();
     recorded_.clear();
-    kept_since_save_ = begins_unsaved_ = false;
+    begins_unsaved_ = false;
     has_autosave_ = lost_lock_ = false;
     recovery_.reset();
     older_recoveries_.clear();
@@ -146,6 +146,7 @@ std::vector<std::string> OpenProject::stale_experiments() const {
 
 void OpenProject::changed() {
     ++revision_;
+    tell_last_kept(project_, last_kept_);
     look_at_new_files();
 }
 
@@ -189,14 +190,9 @@ void OpenProject::record_hashes() {
     recorded_.merge(record_missing_hashes(project_, contents_));
 }
 
-void OpenProject::mark_kept(const std::string& experiment, const std::string& key) {
-    require_writable();
-    auto* found = find_item(project_.experiments, experiment);
-    if (!found) throw UsageError("there is no experiment '" + printable(experiment, 60) + "' in the project");
-    if (found->last_kept_key == key) return;
-    found->last_kept_key = key;
-    kept_since_save_ = true;
-    ++revision_;
+bool OpenProject::set_last_kept(LastKept keys) {
+    last_kept_ = std::move(keys);
+    return tell_last_kept(project_, last_kept_);
 }
 
 void OpenProject::write(const std::string& expected_hash) {
@@ -216,7 +212,7 @@ void OpenProject::write(const std::string& expected_hash) {
         throw;
     }
     undo_.set_clean();
-    kept_since_save_ = begins_unsaved_ = false;
+    begins_unsaved_ = false;
     schema_in_file_ = schema_version;
     reading_messages_.clear();
     drop_autosave();

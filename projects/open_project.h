@@ -66,10 +66,11 @@ class OpenProject {
     void undo();
     void redo();
     const UndoStack& undo_stack() const { return undo_; }
-    bool is_dirty() const { return !undo_.is_clean() || kept_since_save_ || begins_unsaved_; }
+    bool is_dirty() const { return !undo_.is_clean() || begins_unsaved_; }
 
-    /// Remembers that a result was kept: part of the document, but no step of undo.
-    void mark_kept(const std::string& experiment, const std::string& key);
+    /// What the index of the results says now; others keep results, too. No change of the document, and no
+    /// matter of undo. Returns whether it was news.
+    bool set_last_kept(LastKept keys);
 
     /// Throws Error (one line) and loses nothing on failure. `overwrite` also when the file on disk changed.
     /// Sources without a recorded hash get that of contents(), as far as it is known; no step of undo.
@@ -128,12 +129,13 @@ class OpenProject {
     Lock lock_;
     std::filesystem::path unsaved_place_;
     UnsavedHome unsaved_home_;
-    bool read_only_ = false, kept_since_save_ = false, begins_unsaved_ = false;
+    bool read_only_ = false, begins_unsaved_ = false;
     bool has_autosave_ = false, lost_lock_ = false;
     std::string autosave_error_, unsaved_error_;
     int schema_in_file_ = schema_version;
     std::vector<Message> reading_messages_;
     Project project_;
+    LastKept last_kept_;
     UndoStack undo_;
     std::vector<Message> messages_;
     ContentHashes contents_;

@@ -26,17 +26,8 @@ class OpenProject::TakeRecovery final : public Edit {
     bool changes_nothing() const override { return false; }
 
   private:
-    /// `left` is the present state as it was when it was entered. Results that were kept since are no matter
-    /// of undo.
     static void exchange(Project& present, Project& left, const Project& entered) {
-        Project next = entered;
-        for (auto& experiment : next.experiments) {
-            const auto* now = find_item(present.experiments, experiment.id);
-            const auto* then = find_item(left.experiments, experiment.id);
-            if (now && then && now->last_kept_key != then->last_kept_key)
-                experiment.last_kept_key = now->last_kept_key;
-        }
-        left = std::exchange(present, std::move(next));
+        left = std::exchange(present, entered);
     }
     Project before_, after_;
     std::shared_ptr<TakenRecovery> taken_;

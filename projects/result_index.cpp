@@ -37,13 +37,18 @@ ResultFile read_file(const Json& json, const std::string& index, const std::stri
     return file;
 }
 
-KeptResult read_result(const Json& json, const std::string& index, const std::string& pointer) {
+KeptResult read_result(const Json& json, const std::string& index, const std::string& pointer,
+                       LastKept& last_kept) {
     ObjectReader reader(json, index, pointer);
     KeptResult result;
     result.key = reader.required_id("key");
     result.experiment = reader.text("experiment");
     result.state_key = reader.text("state_key");
     result.samples = reader.natural("samples", 0);
+    reader.each("last_of", [&](const Json& experiment, const std::string& place) {
+        if (!experiment.is_string()) throw InputError(index, place, "must be a text in quotes");
+        last_kept[experiment] = result.key;
+    });
     reader.each("files", [&](const Json& file, const std::string& place) {
         result.files.push_back(read_file(file, index, place));
     });
@@ -65,8 +70,9 @@ void append(Json& json, const Json& extra) {
         if (!json.contains(it.key())) json[it.key()] = *it;
 }
 
-Json to_json(const KeptResult& result) {
+Json to_json(const KeptResult& result, const Json& last_of) {
     Json json = Json::object({{"key", result.key}, {"experiment", result.experiment}});
+    if (!last_of.empty()) json["last_of"] = last_of;
     if (!result.state_key.empty()) json["state_key"] = result.state_key;
     if (result.samples > 0) json["samples"] = result.samples;
     json["files"] = Json::array();
@@ -97,7 +103,7 @@ ResultIndex ResultIndex::load(const fs::path& project_folder, FileSystem& files)
     reader.integer("schema", index_schema, 1, index_schema);
     std::set<std::string> keys;
     reader.each("entries", [&](const Json& entry, const std::string& pointer) {
-        index.entries_.push_back(read_result(entry, name, pointer));
+        index.entries_.push_back(read_result(entry, name, pointer, index.last_kept_));
         if (!keys.insert(index.entries_.back().key).second)
             throw InputError(name, pointer + "/key", "stands twice; remove one of the entries");
     });
@@ -107,7 +113,9 @@ ResultIndex ResultIndex::load(const fs::path& project_folder, FileSystem& files)
 
 void ResultIndex::save(const fs::path& project_folder, FileSystem& files) const {
     Json json = Json::object({{"schema", index_schema}, {"entries", Json::array()}});
-    for (const auto& entry : entries_) json["entries"].push_back(to_json(entry));
+    std::map<std::string, Json> last_of;
+    for (const auto& [experiment, key] : last_kept_) last_of[key].push_back(experiment);
+    for (const auto& entry : entries_) json["entries"].push_back(to_json(entry, last_of[entry.key]));
     append(json, extra_);
     files.create_directories(project_folder / results_name);
     write_atomically(files, project_folder / results_name / index_name, pretty_json(json));
@@ -142,7 +150,41 @@ void ResultIndex::put(KeptResult result) {
 }
 
 bool ResultIndex::erase(const std::string& key) {
+    std::erase_if(last_kept_, [&](const auto& last) { return last.second == key; });
     return std::erase_if(entries_, [&](const KeptResult& entry) { return entry.key == key; }) > 0;
+}
+
+void ResultIndex::set_last_kept(const std::string& experiment, const std::string& key) {
+    if (!find(key)) throw UsageError("no result is kept with this key");
+    last_kept_[experiment] = key;
+}
+
+LastKept ResultIndex::last_kept() const {
+    LastKept last, dates;
+    for (const auto& entry : entries_) {
+        auto& date = dates[entry.experiment];
+        if (entry.provenance.date < date) continue;
+        date = entry.provenance.date;
+        last[entry.experiment] = entry.key;
+    }
+    for (const auto& [experiment, key] : last_kept_) last[experiment] = key;
+    return last;
+}
+
+void ResultIndex::merge(const ResultIndex& newer) {
+    for (const auto& entry : newer.entries_) put(entry);
+    for (const auto& [experiment, key] : newer.last_kept()) last_kept_[experiment] = key;
+}
+
+bool tell_last_kept(Project& project, const LastKept& keys) {
+    bool is_news = false;
+    for (auto& experiment : project.experiments) {
+        const auto found = keys.find(experiment.id);
+        const auto key = found == keys.end() ? std::string() : found->second;
+        is_news = is_news || experiment.last_kept_key != key;
+        experiment.last_kept_key = key;
+    }
+    return is_news;
 }
 
 std::set<std::string> files_of(const ResultIndex& index) {
@@ -187,10 +229,13 @@ Pruned prune_results(const Project& project, const Registry& registry, const fs:
     if (!fs::is_directory(results, ignored)) return pruned;
     const ResultsGuard guard(project_folder);
     auto index = ResultIndex::load(project_folder);
+    // Others may have kept results since the document was read.
+    auto now = project;
+    tell_last_kept(now, index.last_kept());
     std::set<std::string> keys;
-    for (const auto& experiment : project.experiments) {
+    for (const auto& experiment : now.experiments) {
         keys.insert(experiment.last_kept_key);
-        keys.insert(result_key(project, experiment, registry));
+        keys.insert(result_key(now, experiment, registry));
     }
     std::set<fs::path> named{index_name, results_guard_name};
     for (const auto& plot : project.plots) named.insert(study_path(plot.id));

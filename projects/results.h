@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -70,7 +71,12 @@ struct KeptResult {
     bool operator==(const KeptResult&) const = default;
 };
 
-/// results/index.json
+/// Key of the result that was kept last, by the experiment's id.
+using LastKept = std::map<std::string, std::string>;
+/// Tells each experiment of a document (Experiment::last_kept_key). Returns whether that was news.
+bool tell_last_kept(Project& project, const LastKept& keys);
+
+/// results/index.json. It alone says what was kept, so that whoever keeps a result writes nothing else.
 class ResultIndex {
   public:
     /// An absent index is empty. Throws InputError for a damaged one and for paths that leave results/.
@@ -85,11 +91,18 @@ class ResultIndex {
     const KeptResult* find_state(const std::string& state_key) const;
     void put(KeptResult result);  ///< replaces an entry with the same key
     bool erase(const std::string& key);
+    /// The entry with this key is the experiment's last: several experiments may have the same picture.
+    void set_last_kept(const std::string& experiment, const std::string& key);
+    /// For experiments that nothing was said of, the newest by date.
+    LastKept last_kept() const;
+    /// Entries and last results of `newer` count where both have them.
+    void merge(const ResultIndex& newer);
 
     bool operator==(const ResultIndex&) const = default;
 
   private:
     std::vector<KeptResult> entries_;
+    LastKept last_kept_;  ///< keys of entries
     Json extra_ = Json::object();
 };
 

@@ -5,22 +5,27 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
+
+#include "renderers/core/error.h"
+#include "renderers/core/file_system.h"
 
 namespace ir::projects {
 
 ResultsGuard::ResultsGuard(const std::filesystem::path& project_folder) {
     const auto results = project_folder / "results";
-    std::error_code ignored;
-    std::filesystem::create_directories(results, ignored);
-    descriptor_ =
-        ::open((results / results_guard_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
-    if (descriptor_ < 0) return;
-    while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+    real_file_system().create_directories(results);
+    const auto file = results / results_guard_name;
+    descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
+    if (descriptor_ < 0) throw Error(results.string() + ": cannot be written: " + std::strerror(errno));
+    int status;
+    while ((status = ::flock(descriptor_, LOCK_EX)) != 0 && errno == EINTR) {
     }
+    is_guarding_ = status == 0;
 }
 
 ResultsGuard::~ResultsGuard() {
-    if (descriptor_ >= 0) ::close(descriptor_);
+    ::close(descriptor_);
 }
 
 }  // namespace ir::projects

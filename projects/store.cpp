@@ -19,6 +19,14 @@ void keep_previous(const fs::path& folder, const std::string& bytes, FileSystem&
     write_atomically(files, folder / previous_file_name, bytes);
 }
 
+LastKept read_last_kept(const fs::path& folder, FileSystem& files) {
+    try {
+        return ResultIndex::load(folder, files).last_kept();
+    } catch (const InputError&) {
+        return {};  // a damaged index keeps nobody from opening the project; --check names it
+    }
+}
+
 }  // namespace
 
 fs::path folder_with_suffix(const fs::path& given) {
@@ -63,6 +71,8 @@ LoadedProject load_project(const fs::path& given, const Registry& registry, File
         throw InputError(error.what(), "", left);
     }
     loaded.file_hash = hash_bytes(bytes);
+    loaded.last_kept = read_last_kept(loaded.folder, files);
+    tell_last_kept(loaded.project, loaded.last_kept);
     return loaded;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "projects/document_json.h"
+#include "projects/results.h"
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
 
@@ -29,6 +30,7 @@ class ChangedOnDisk : public Error {
 struct LoadedProject : ReadProject {
     std::filesystem::path folder;
     std::string file_hash;  ///< of the bytes read; save() compares
+    LastKept last_kept;     ///< which the document's experiments have been told
 };
 
 /// Reads without locking and without writing anything: what the command line uses to render. Throws

@@ -88,4 +88,12 @@ std::vector<std::string> unknown_keys(const Project& project, const Registry& re
     return found.keys;
 }
 
+std::vector<Message> unknown_key_messages(const Project& project, const Registry& registry) {
+    std::vector<Message> messages;
+    for (const auto& key : unknown_keys(project, registry))
+        messages.push_back(
+            {Severity::warning, "project", "unknown key " + printable(key) + " is kept and ignored"});
+    return messages;
+}
+
 }  // namespace ir::projects

@@ -9,9 +9,10 @@
 
 namespace ir::projects {
 
-/// An experiment with its values checked and completed against its method's description; those of an unknown
-/// method are kept as they are.
-Experiment read_experiment(ObjectReader& reader, const Registry& registry, std::vector<Message>& messages);
+/// An experiment of a file that had this schema, with its values checked and completed against its method's
+/// description; those of an unknown method are kept as they are.
+Experiment read_experiment(ObjectReader& reader, const Registry& registry, int schema_in_file,
+                           std::vector<Message>& messages);
 
 /// A plain boolean, number or text; nothing for what no parameter can hold.
 std::optional<Value> to_value(const Json& json);

@@ -6,11 +6,11 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/load_project.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/error_study.h"
 #include "app/engine/kept_study.h"
-#include "projects/store.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/image/metrics.h"
@@ -124,8 +124,7 @@ void require_numbers(const projects::ErrorPlot& plot, const engine::ErrorStudy& 
 }  // namespace
 
 int plot_project(const ProjectPlots& job) {
-    const auto loaded = projects::load_project(job.project, engine::registry());
-    for (const auto& message : loaded.messages) std::cerr << "note: " << message.text << "\n";
+    const auto loaded = load_project(job.project);
     const auto plots = chosen_plots(loaded.project, job);
     engine::Machine machine(machine_options(job.machine));
     const auto options = frame_options(job.machine);

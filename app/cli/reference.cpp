@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/cli/command.h"
+#include "app/cli/load_project.h"
 #include "app/cli/render_project.h"
 #include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
@@ -13,7 +14,10 @@
 #include "app/engine/moving.h"
 #include "projects/open_project.h"
 #include "projects/results.h"
+#include "projects/results_guard.h"
 #include "projects/samples.h"
+#include "projects/scene_files.h"
+#include "projects/store.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
 
@@ -48,19 +52,15 @@ std::string text_of(const engine::Execution& execution, const FrameReport& repor
 
 class References {
   public:
-    explicit References(const Flags& flags) : flags_(flags), open_(flags.project, engine::registry()) {
-        if (open_.is_read_only())
-            throw Error(flags.project + ": cannot keep references: " + open_.read_only_reason());
-    }
+    explicit References(const Flags& flags) : flags_(flags) {}
 
     int run() {
         if (!flags_.out.empty()) make_folder(flags_.out);
+        folder_ = projects::project_folder(flags_.project);
+        require_results(flags_.project, folder_);
         match_all();
-        open_.wait_for_files();
-        open_.save();
         double frames = 0;
-        for (const auto& id : ids_)
-            frames += frames_of(*projects::find_item(open_.project().experiments, id));
+        for (const auto& id : ids_) frames += frames_of(*projects::find_item(project_.experiments, id));
         line_.emplace(!flags_.quiet, frames);
         for (const auto& id : ids_) guarded("reference '" + id + "'", [&] { compute(id); });
         if (flags_.json) std::cout << Json{{"references", rows_}}.dump(2) << "\n";
@@ -90,16 +90,16 @@ class References {
         }
     }
 
-    std::vector<std::string> chosen() const {
+    std::vector<std::string> chosen(const projects::Project& project) const {
         auto ids = flags_.experiments;
         for (const auto& id : ids)
-            if (!projects::find_item(open_.project().experiments, id))
+            if (!projects::find_item(project.experiments, id))
                 throw UsageError("no experiment '" + id + "' in the project");
         if (!ids.empty()) return ids;
-        if (open_.project().experiments.empty())
-            throw InputError((open_.folder() / "project.json").string(), "",
+        if (project.experiments.empty())
+            throw InputError((folder_ / projects::project_file_name).string(), "",
                              "has no experiments to match; add one");
-        for (const auto& experiment : open_.project().experiments) {
+        for (const auto& experiment : project.experiments) {
             const auto* method = engine::registry().find(experiment.method);
             if (!method || !method->is_reference) ids.push_back(experiment.id);
         }
@@ -111,42 +111,54 @@ class References {
         return *machine_;
     }
 
+    /// The document is open for writing only here, and only one command at a time has it: others that match
+    /// other experiments wait, and find what this one has added.
     void match_all() {
-        const auto& registry = engine::registry();
-        for (const auto& id : chosen())
+        const projects::ResultsGuard guard(folder_);
+        projects::OpenProject open(folder_, engine::registry());
+        open.wait_for_files();
+        const auto change = [&](projects::EditPtr edit) {
+            if (!edit) return;
+            if (open.is_read_only())
+                throw Error("has to be matched, but the project is " + open.read_only_reason() +
+                            "; match it there and save, or close it");
+            open.edit(std::move(edit));
+        };
+        for (const auto& id : chosen(open.project()))
             guarded("experiment '" + id + "'", [&] {
-                const auto is_animated =
-                    engine::animated_scenes(machine().scenes(), open_.project(), open_.folder());
-                if (auto edit = projects::match(open_.project(), id, registry, is_animated))
-                    open_.edit(std::move(edit));
-                const auto truth = projects::find_item(open_.project().experiments, id)->reference;
-                if (std::find(ids_.begin(), ids_.end(), truth) == ids_.end()) ids_.push_back(truth);
+                const auto is_animated = engine::animated_scenes(machine().scenes(), open.project(), folder_);
+                change(projects::match(open.project(), id, engine::registry(), is_animated));
+                const auto truth = projects::find_item(open.project().experiments, id)->reference;
+                if (std::find(ids_.begin(), ids_.end(), truth) != ids_.end()) return;
+                change(more_or_fewer_samples(open, truth));
+                ids_.push_back(truth);
             });
+        if (!open.is_read_only()) open.save();
+        project_ = open.project();
+    }
+
+    /// Null where the reference has as many samples as are asked for.
+    projects::EditPtr more_or_fewer_samples(const projects::OpenProject& open, const std::string& id) const {
+        const auto& registry = engine::registry();
+        const auto now = projects::with_contents(open.project(), open.contents());
+        const auto& truth = *projects::find_item(now.experiments, id);
         const auto samples = static_cast<std::uint64_t>(flags_.samples);
-        for (const auto& id : ids_) {
-            const auto& truth = *projects::find_item(open_.project().experiments, id);
-            const auto count = projects::sample_count(truth, registry);
-            // What is kept already never gets fewer.
-            const bool is_kept =
-                projects::result_state(open_.project(), truth, registry) == projects::ResultState::current;
-            if (samples > count || (samples > 0 && samples < count && !is_kept))
-                open_.edit(projects::set_sample_count(open_.project(), id, samples, registry));
-        }
+        const auto count = projects::sample_count(truth, registry);
+        // What is kept already never gets fewer.
+        const bool is_kept = projects::result_state(now, truth, registry) == projects::ResultState::current;
+        if (samples <= count && (samples == 0 || samples == count || is_kept)) return nullptr;
+        return projects::set_sample_count(open.project(), id, samples, registry);
     }
 
     void compute(const std::string& id) {
-        const auto experiment = *projects::find_item(open_.project().experiments, id);
-        const auto folder = open_.folder();
-        engine::Execution execution(machine(), engine::from_project(open_.project(), experiment, folder));
+        const auto experiment = *projects::find_item(project_.experiments, id);
+        engine::Execution execution(machine(), engine::from_project(project_, experiment, folder_));
         auto options = frame_options(flags_.machine);
         line_->begin(id, frames_of(experiment));
         options.progress = line_->callback();
-        const auto run =
-            run_and_keep(execution, options, open_.project(), experiment, folder, flags_.checkpoint);
+        const auto run = run_and_keep(execution, options, project_, experiment, folder_, flags_.checkpoint);
         line_->clear();
         print_messages(execution, run.report);
-        open_.mark_kept(id, run.key);
-        open_.save();
         write(execution, run.report, id);
         tell(id, execution, run);
     }
@@ -178,7 +190,8 @@ class References {
     }
 
     const Flags& flags_;
-    projects::OpenProject open_;
+    std::filesystem::path folder_;
+    projects::Project project_;  ///< matched
     std::optional<engine::Machine> machine_;
     std::optional<ProgressLine> line_;
     std::vector<std::string> ids_;  ///< of the references

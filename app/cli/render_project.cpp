@@ -4,11 +4,11 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/load_project.h"
 #include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
 #include "app/engine/keep_result.h"
-#include "projects/open_project.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/image/channels.h"
@@ -55,7 +55,7 @@ Inspection inspection_of(const ProjectRender& job, const engine::Experiment& exp
 
 std::string render_one(const ProjectRender& job, engine::Machine& machine, const projects::Project& project,
                        const projects::Experiment& experiment, const std::filesystem::path& folder,
-                       ProgressLine& line, projects::OpenProject* keep_in) {
+                       ProgressLine& line) {
     const auto resolved = engine::from_project(project, experiment, folder);
     const auto inspection = inspection_of(job, resolved);
     engine::Execution execution(machine, resolved);
@@ -67,7 +67,7 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
     options.progress = line.callback();
     KeptRun run;
     try {
-        if (keep_in)
+        if (job.keep)
             run = run_and_keep(execution, options, project, experiment, folder, job.checkpoint);
         else
             run.report = engine::run_frames(execution, options);
@@ -78,7 +78,6 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
     }
     line.clear();
     auto& report = run.report;
-    if (keep_in) keep_in->mark_kept(experiment.id, run.key);
     for (auto& warning : inspection_warnings(inspection, resolved))
         report.messages.push_back(std::move(warning));
     warn_of_unmatched(job.dumps, report);
@@ -97,17 +96,9 @@ double frames_of(const projects::Experiment& experiment) {
 }
 
 int render_project(const ProjectRender& job) {
-    const auto& registry = engine::registry();
-    std::unique_ptr<projects::OpenProject> editable;
-    projects::LoadedProject loaded;
-    if (job.keep) {
-        editable = std::make_unique<projects::OpenProject>(job.project, registry);
-        if (editable->is_read_only())
-            throw Error(job.project + ": cannot keep results: " + editable->read_only_reason());
-    }
-    loaded = projects::load_project(job.project, registry);
-    for (const auto& message : loaded.messages) std::cerr << "note: " << message.text << "\n";
+    const auto loaded = load_project(job.project);
     const auto ids = chosen_ids(loaded.project, job.experiments);
+    if (job.keep) require_results(job.project, loaded.folder);
     std::error_code error;
     std::filesystem::create_directories(job.out, error);
     if (error) throw Error("--out " + job.out + ": cannot be created (" + error.message() + ")");
@@ -120,8 +111,7 @@ int render_project(const ProjectRender& job) {
     for (const auto& id : ids) {
         const auto& experiment = *projects::find_item(loaded.project.experiments, id);
         try {
-            const auto statistics =
-                render_one(job, machine, loaded.project, experiment, loaded.folder, line, editable.get());
+            const auto statistics = render_one(job, machine, loaded.project, experiment, loaded.folder, line);
             all[id] = nlohmann::ordered_json::parse(statistics);
         } catch (const Error& error) {
             line.clear();
@@ -137,10 +127,6 @@ int render_project(const ProjectRender& job) {
                 dynamic_cast<const UsageError*>(&error) || dynamic_cast<const InputError*>(&error);
             status = std::max<int>(status, file_at_fault ? bad_input : failed);
         }
-    }
-    if (editable) {
-        editable->wait_for_files();  // hashes that were never recorded are known then
-        editable->save();
     }
     if (job.json == "-")
         std::cout << all.dump(2) << "\n";

@@ -7,7 +7,7 @@
 #include "app/cli/inspection.h"
 #include "app/cli/progress_line.h"
 #include "app/engine/run_frames.h"
-#include "projects/open_project.h"
+#include "projects/document.h"
 
 namespace ir::cli {
 
@@ -21,11 +21,11 @@ struct ProjectRender {
     double checkpoint = engine::Checkpoints::usual_seconds;  ///< of what is kept
 };
 
-/// Renders an experiment to OUT/ID.exr, OUT/ID.png and OUT/ID.json, and keeps the result where a project is
-/// given for that. Returns the statistics. Throws Error.
+/// Renders an experiment to OUT/ID.exr, OUT/ID.png and OUT/ID.json, and keeps the result in `folder` where
+/// the job says so. Returns the statistics. Throws Error.
 std::string render_one(const ProjectRender& job, engine::Machine& machine, const projects::Project& project,
                        const projects::Experiment& experiment, const std::filesystem::path& folder,
-                       ProgressLine& line, projects::OpenProject* keep_in = nullptr);
+                       ProgressLine& line);
 
 /// How much of the progress an experiment is.
 double frames_of(const projects::Experiment& experiment);

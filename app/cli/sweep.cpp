@@ -5,9 +5,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/load_project.h"
 #include "app/cli/render_project.h"
 #include "app/cli/run_frames.h"
-#include "projects/store.h"
 #include "projects/sweep.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
@@ -124,8 +124,7 @@ class SweepList {
 
 int run_sweep(const Flags& flags) {
     const auto shard = parse_shard(flags.shard);
-    const auto loaded = projects::load_project(flags.job.project, engine::registry());
-    for (const auto& message : loaded.messages) std::cerr << "note: " << message.text << "\n";
+    const auto loaded = load_project(flags.job.project);
     const auto& sweep = chosen_sweep(loaded.project, flags.name);
     std::vector<projects::SweepPoint> points;
     try {

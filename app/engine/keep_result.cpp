@@ -94,15 +94,16 @@ std::string keep_result(const projects::Project& project, const projects::Experi
     const projects::ResultsGuard guard(folder);
     const auto index = projects::ResultIndex::load(folder);
     if (const auto* kept = same_picture(index, result, execution)) {
-        if (kept->key == result.key) return result.key;
+        const bool is_same = kept->key == result.key;
+        if (is_same && index.last_kept()[experiment.id] == result.key) return result.key;
         result.provenance = kept->provenance;
         for (const auto& file : kept->files)
-            if (file.role != projects::state_role) result.files.push_back(file);
+            if (is_same || file.role != projects::state_role) result.files.push_back(file);
     } else {
         write_files(result, execution, report, results, !has_larger_state(index, result, results));
     }
     const auto key = result.key;
-    projects::keep(folder, std::move(result), projects::keys_in_use(project, folder), guard);
+    projects::keep(folder, std::move(result), projects::keys_in_use(index, folder, registry()), guard);
     return key;
 }
 

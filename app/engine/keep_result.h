@@ -9,8 +9,8 @@
 namespace ir::engine {
 
 /// Stores an execution's main result, its variance where it is there, statistics, and the history of methods
-/// that accumulate in the project's results/, with provenance, and returns the key that the experiment should
-/// remember (projects::Experiment::last_kept_key): that of the scene files as they are now, which it reads.
+/// that accumulate in the project's results/, with provenance, as the experiment's last, and returns its key:
+/// that of the scene files as they are now, which it reads. Several processes may do so at the same time.
 /// A picture that has fewer samples than the experiment asks for gets the key of what it is. One that was
 /// restored from a kept result and not extended is not stored again: the result then shares its files. Every
 /// file appears whole or not at all. Throws Error.

@@ -116,9 +116,8 @@ struct ExportRequest {
 };
 
 /// Keeps what an execution rendered as a result of a project, once nothing of its tag is left to render.
-/// Refused where the execution shows something else than the experiment now asks for. The answer's key is for
-/// OpenProject::mark_kept(); where a picture was cancelled with fewer samples than asked for, it is the key
-/// of the picture as it is.
+/// Refused where the execution shows something else than the experiment now asks for. Where a
+/// picture was cancelled with fewer samples than asked for, the answer's key is that of the picture as it is.
 struct KeepRequest {
     std::string tag;  ///< of an execution
     projects::Project project;

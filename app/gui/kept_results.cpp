@@ -10,6 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int look_ms = 2000;
+
 /// Tells whether the index may have changed, without reading it.
 std::string stamp_of(const fs::path& folder) {
     const auto file = folder / "results" / "index.json";
@@ -25,6 +27,10 @@ std::string stamp_of(const fs::path& folder) {
 KeptResults::KeptResults(Session& session, QObject* parent) : QObject(parent), session_(session) {
     connect(&session_, &Session::project_replaced, this, &KeptResults::follow_session);
     connect(&session_, &Session::document_changed, this, &KeptResults::follow_session);
+    // Commands keep results while the window stays as it is.
+    looking_.setInterval(look_ms);
+    connect(&looking_, &QTimer::timeout, this, &KeptResults::look);
+    looking_.start();
 }
 
 KeptResults::~KeptResults() {
@@ -123,6 +129,7 @@ void KeptResults::finish(const fs::path& folder, Reading reading, const std::str
         stamp_ = std::move(reading.stamp);
         error_ = std::move(reading.error);
         is_known_ = true;
+        if (error_.empty()) session_.set_last_kept(index_.last_kept());
     }
     if (!waiting_.empty()) {
         auto next = std::move(waiting_.front());

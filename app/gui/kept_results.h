@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -64,6 +65,7 @@ class KeptResults : public QObject {
     std::string stamp_, error_;
     std::vector<std::function<void()>> waiting_;
     std::thread thread_;
+    QTimer looking_;
     bool is_known_ = true, is_busy_ = false;
 };
 

@@ -112,7 +112,6 @@ void ResultsDock::on_kept(const engine::KeepResult& result) {
     if (!session_.has_project() || session_.open_project().folder() != folder) return;
     const auto name = text_of(workspace_.pictures().owner_name(result.experiment));
     if (!result.error.empty()) return emit failed(tr("%1 was not kept: %2").arg(name, text_of(result.error)));
-    if (session_.experiment(result.experiment)) session_.mark_kept(result.experiment, result.key);
     kept_.look();
     emit said(tr("Kept the result of %1").arg(name));
 }

@@ -58,8 +58,8 @@ void Session::end_gesture() {
     if (project_) project_->end_gesture();
 }
 
-void Session::mark_kept(const std::string& experiment, const std::string& key) {
-    guarded([&] { return project_ && (project_->mark_kept(experiment, key), changed(true)); });
+void Session::set_last_kept(const projects::LastKept& keys) {
+    if (project_) changed(project_->set_last_kept(keys));
 }
 
 void Session::undo() {

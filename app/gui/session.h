@@ -69,8 +69,8 @@ class Session : public QObject {
         return guarded([&] { return project_ && changed(project_->edit(make(project_->project()))); });
     }
     void end_gesture();
-    /// A result of the experiment was kept: part of the document, but no step of undo.
-    void mark_kept(const std::string& experiment, const std::string& key);
+    /// What is kept now, by whomever.
+    void set_last_kept(const projects::LastKept& keys);
     void undo();
     void redo();
 

@@ -93,10 +93,15 @@ class ProjectCommand : public testing::Test {
 TEST_F(ProjectCommand, ChecksWhatIsThereAndWhatIsNot) {
     EXPECT_EQ(check(0), "[]");
     json["from_the_future"] = 1;
-    json["experiments"][0]["camera"] = "gone";
     store();
     EXPECT_NE(check(0).find("unknown key /from_the_future"), std::string::npos);
-    EXPECT_NE(check(0).find("there is no camera 'gone'"), std::string::npos);
+    const auto camera = json["experiments"][0]["camera"];
+    json["experiments"][0]["camera"] = "gone";
+    store();
+    EXPECT_NE(check(3).find("project.json: /experiments/0/camera: experiment '" + id() +
+                            "': there is no camera 'gone'; choose "),
+              std::string::npos);
+    json["experiments"][0]["camera"] = camera;
     json["scenes"][0]["parts"][0]["source"] = "gone.glb";
     store();
     EXPECT_NE(check(3).find("'gone.glb' is missing"), std::string::npos);
@@ -106,6 +111,57 @@ TEST_F(ProjectCommand, ChecksWhatIsThereAndWhatIsNot) {
     json["scenes"][0]["parts"][0]["content_hash"] = "of another file";
     store();
     EXPECT_NE(check(0).find("is not the file that was recorded"), std::string::npos);
+}
+
+/// What is left out has its default: nothing is said of that.
+TEST_F(ProjectCommand, AProjectWrittenByHandIsNotTalkedAbout) {
+    for (const char* method : {"view-normals", "ldm-ao", "reference"}) {
+        SCOPED_TRACE(method);
+        json = {{"schema", 4}, {"scenes", {{{"id", "box"}, {"parts", {{{"source", "builtin:cornell@1"}}}}}}}};
+        json["experiments"] = {{{"id", "a"}, {"scene", "box"}, {"method", method}, {"size", {16, 12}}}};
+        store();
+        EXPECT_EQ(check(0), "[]");
+        for (const char* flags : {"", "--check"}) {
+            const auto outcome = command(flags);
+            EXPECT_EQ(outcome.status, 0);
+            EXPECT_EQ(outcome.err, "");
+            EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 2) << outcome.out;
+        }
+    }
+    json["experiments"][0]["method"] = "view-normals";
+    store();
+    const auto render = "render " + project.string() + " --quiet --out " + (root_ / "out").string();
+    EXPECT_EQ(run(render).err, "");
+    json["experiments"][0]["camara"] = "nave";
+    json["experiments"][0]["values"]["directons"] = 4;
+    store();
+    const auto outcome = run(render);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 2) << outcome.err;
+    for (const char* key : {"/experiments/0/camara", "/experiments/0/values/directons"})
+        EXPECT_NE(outcome.err.find(std::string("note: unknown key ") + key), std::string::npos)
+            << outcome.err;
+}
+
+/// A device may never end; it is no file that is missing.
+TEST_F(ProjectCommand, DevicesAreNamedAsWhatTheyAre) {
+    const auto out = (root_ / "out.exr").string();
+    for (const std::string& line :
+         {"render --scene /dev/zero --method view-normals --out " + out, std::string("scene /dev/zero"),
+          std::string("compare /dev/zero /dev/zero"), std::string("project /dev/zero"),
+          "project /dev/zero --unpack " + root_.string(), "render /dev/zero --out " + root_.string()}) {
+        const auto outcome = run(line);
+        EXPECT_EQ(outcome.status, 3) << line;
+        EXPECT_NE(outcome.err.find("/dev/zero"), std::string::npos) << outcome.err;
+        EXPECT_EQ(outcome.err.find("no such file"), std::string::npos) << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+    EXPECT_NE(run("scene /dev/zero").err.find("regular file"), std::string::npos);
+    EXPECT_NE(run("compare /dev/zero /dev/zero").err.find("is no regular file"), std::string::npos);
+    EXPECT_NE(run("compare /nowhere.exr /dev/zero").err.find("there is no such file"), std::string::npos);
+    json["scenes"][0]["parts"][0]["source"] = "/dev/zero";
+    store();
+    EXPECT_NE(check(3).find("'/dev/zero' is no regular file; locate another"), std::string::npos);
 }
 
 TEST_F(ProjectCommand, ChecksResultsAndUnsavedChanges) {
@@ -195,8 +251,10 @@ TEST_F(ProjectCommand, KeptResultsAreOfTheFilesAsTheyAre) {
     json["scenes"][0]["parts"][0].erase("content_hash");
     store();
     keep();
-    EXPECT_TRUE(json["scenes"][0]["parts"][0].contains("content_hash")) << "what was not recorded is now";
+    EXPECT_FALSE(json["scenes"][0]["parts"][0].contains("content_hash")) << "the document is not written";
     EXPECT_EQ(result(), "current");
+    write_triangle(2);
+    EXPECT_EQ(result(), "stale");
     for (const auto& entry : fs::recursive_directory_iterator(project / "results"))
         EXPECT_NE(entry.path().extension(), ".tmp");
 }
@@ -224,8 +282,8 @@ TEST_F(ProjectCommand, VerifyReportsWhatIsMissingAndGoesOn) {
               std::string::npos);
     fs::remove_all(project / "results");
     outcome = command("--verify");
-    EXPECT_EQ(outcome.status, 3);
-    EXPECT_NE(outcome.out.find("does not list the kept result"), std::string::npos);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.out.find("no experiment has a kept result"), std::string::npos);
 }
 
 }  // namespace

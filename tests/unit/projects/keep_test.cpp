@@ -145,18 +145,69 @@ TEST_F(KeepTest, SharedFilesStayAsLongAsOneNamesThem) {
     EXPECT_TRUE(fs::exists(at("k256/state.exr")));
 }
 
-TEST_F(KeepTest, WhatTheSavedDocumentNamesIsInUse) {
-    auto project = sample_project();
-    project.experiments[0].last_kept_key = "saved";
+TEST_F(KeepTest, LastResultsAndWhatTheSavedDocumentAsksForAreInUse) {
+    const auto project = sample_project();
+    put(kept("k16", 16, false));
+    EXPECT_EQ(keys_in_use(index(), folder.path(), registry()), std::set<std::string>{"k16"});
     save_project(project, folder.path(), "");
-    project.experiments[0].last_kept_key = "unsaved";
-    EXPECT_EQ(keys_in_use(project, folder.path()), (std::set<std::string>{"saved", "unsaved"}));
+    const auto now = load_project(folder.path(), registry()).project;
+    std::set<std::string> keys{"k16"};
+    for (const auto& each : now.experiments) keys.insert(result_key(now, each, registry()));
+    EXPECT_EQ(keys_in_use(index(), folder.path(), registry()), keys);
     testing::write_text(folder.path() / project_file_name, "damaged");
-    EXPECT_EQ(keys_in_use(project, folder.path()), (std::set<std::string>{"unsaved"}));
+    EXPECT_EQ(keys_in_use(index(), folder.path(), registry()), std::set<std::string>{"k16"});
+}
+
+TEST_F(KeepTest, EachExperimentHasItsLastResultAlsoWhereTwoHaveTheSamePicture) {
+    put(kept("k1", 1));
+    put(kept("k2", 1));
+    auto shared = kept("k1", 1);
+    shared.experiment = "twin";
+    put(shared);
+    EXPECT_EQ(index().last_kept(), (LastKept{{"fog-nave", "k2"}, {"twin", "k1"}}));
+    put(kept("k1", 1));
+    EXPECT_EQ(index().last_kept(), (LastKept{{"fog-nave", "k1"}, {"twin", "k1"}}));
+    // What is gone is nobody's; the one before is the last again.
+    auto edited = index();
+    edited.erase("k1");
+    EXPECT_EQ(edited.last_kept(), (LastKept{{"fog-nave", "k2"}}));
+}
+
+/// As version 0.1 wrote it.
+TEST_F(KeepTest, AnIndexThatDoesNotSayWhatWasLastIsReadByDate) {
+    ResultIndex old;
+    for (const auto& [key, day] : {std::pair{"k1", 2}, std::pair{"k2", 3}, std::pair{"k3", 1}}) {
+        auto result = kept(key, 1);
+        result.provenance.date = "2024-05-0" + std::to_string(day) + "T12:00:00Z";
+        old.put(result);
+    }
+    old.save(folder.path());
+    EXPECT_EQ(index().last_kept(), (LastKept{{"fog-nave", "k2"}}));
+}
+
+TEST_F(KeepTest, AFolderThatCannotBeWrittenIsNamed) {
+    testing::write_text(folder.path() / "results", "in the way");
+    try {
+        const ResultsGuard guard(folder.path());
+        FAIL() << "nothing is guarded";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find((folder.path() / "results").string()), std::string::npos)
+            << error.what();
+    }
+}
+
+/// Between reading a document and pruning others keep results.
+TEST_F(KeepTest, PruneKeepsWhatWasKeptSinceTheDocumentWasRead) {
+    const auto project = sample_project();
+    put(kept("k64", 64));
+    EXPECT_TRUE(prune_results(project, registry(), folder.path()).keys.empty());
+    EXPECT_NE(index().find("k64"), nullptr);
 }
 
 TEST_F(KeepTest, PruneKeepsTheGuardAndDropsStatesWithTheirResults) {
-    put(kept("k64", 64));
+    auto result = kept("k64", 64);
+    result.experiment = "gone";
+    put(result);
     EXPECT_EQ(prune_results(sample_project(), registry(), folder.path()).files,
               (std::vector<std::string>{"k64/main.exr", "k64/state.exr"}));
     EXPECT_TRUE(fs::exists(at(results_guard_name)));
@@ -172,11 +223,13 @@ TEST_F(KeepTest, WritersAtOnceLoseNoEntries) {
             for (int i = 0; i < results; ++i) {
                 auto result = kept("w" + std::to_string(w) + "-" + std::to_string(i), 1, false);
                 result.state_key.clear();
+                result.experiment = result.key;
                 put(result);
             }
         });
     for (auto& thread : threads) thread.join();
     EXPECT_EQ(index().entries().size(), static_cast<std::size_t>(writers * results));
+    EXPECT_EQ(index().last_kept().size(), static_cast<std::size_t>(writers * results));
     EXPECT_TRUE(check_results(index(), folder.path()).empty());
 }
 

@@ -134,7 +134,7 @@ TEST(Motion, WhatMovesNothingIsSaid) {
     project.motion[1].light = 9;
     project.motion[2].part = 9;
     const auto messages = check({project, schema_version, {}}, ".", registry());
-    for (const char* text : {"no such light in 'evening'", "no such part in 'church'"})
+    for (const char* text : {"there is no light 9 in 'evening'", "there is no part 9 in 'church'"})
         EXPECT_TRUE(std::any_of(messages.begin(), messages.end(), [&](const auto& message) {
             return message.text.find(text) != std::string::npos;
         })) << text;

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "projects/check.h"
 #include "projects/hash.h"
+#include "projects/keep.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
 #include "projects/sweep.h"
@@ -54,14 +58,39 @@ TEST_F(OpenProjectTest, EditsSavesAndOpensAgain) {
         EXPECT_TRUE(open.is_dirty());
         open.redo();
         EXPECT_FALSE(open.is_dirty());
-        open.mark_kept("fog-nave", "key");
-        EXPECT_TRUE(open.is_dirty());
-        open.save();
     }
+    OpenProject again(folder, registry());
+    EXPECT_EQ(again.project().experiments[0].values.at("density"), Value{0.7});
+}
+
+/// A window has the project open and unsaved while commands keep results in it.
+TEST_F(OpenProjectTest, WhatOthersKeepIsToldAndIsNoChangeOfTheDocument) {
+    OpenProject open(folder, registry());
+    open.edit(density(open, 0.7));
+    const auto revision = open.undo_stack().position();
+    KeptResult result;
+    result.key = "key";
+    result.experiment = "fog-nave";
+    keep(folder, result, {}, ResultsGuard(folder));
+    EXPECT_TRUE(open.set_last_kept(ResultIndex::load(folder).last_kept()));
+    EXPECT_FALSE(open.set_last_kept(ResultIndex::load(folder).last_kept())) << "no news";
+    const auto key = [&] { return open.project().experiments[0].last_kept_key; };
+    EXPECT_EQ(key(), "key");
+    EXPECT_EQ(open.undo_stack().position(), revision);
+    open.undo();
+    EXPECT_FALSE(open.is_dirty());
+    EXPECT_EQ(key(), "key") << "kept results are no matter of undo";
+    open.redo();
+    EXPECT_EQ(key(), "key");
+    open.save();  // nobody else changed the document
+
     OpenProject again(folder, registry());
     EXPECT_EQ(again.project().experiments[0].values.at("density"), Value{0.7});
     EXPECT_EQ(again.project().experiments[0].last_kept_key, "key");
     EXPECT_TRUE(mentions(again.messages(), "stale"));
+    EXPECT_EQ(testing::read_text(folder / project_file_name).find("last_kept"), std::string::npos);
+    testing::write_text(folder / "results/index.json", "damaged");
+    EXPECT_EQ(load_project(folder, registry()).project.experiments[0].last_kept_key, "");
 }
 
 TEST_F(OpenProjectTest, TheSecondOpensReadOnly) {
@@ -176,15 +205,77 @@ TEST_F(OpenProjectTest, CheckReportsUnknownThings) {
     auto project = load_project(folder, registry()).project;
     project.extra["mood"] = 1;
     project.experiments[0].method = "teleport";
-    project.experiments[1].camera = "gone";
-    project.comparisons[1].b = "nobody";
     save_project(project, folder, "");
     OpenProject open(folder, registry());
     EXPECT_TRUE(mentions(open.messages(), "unknown key /mood"));
     EXPECT_TRUE(mentions(open.messages(), "method 'teleport' is unknown"));
-    EXPECT_TRUE(mentions(open.messages(), "there is no camera 'gone'"));
-    EXPECT_TRUE(mentions(open.messages(), "there is no experiment or image 'nobody'"));
     EXPECT_NE(why_not_runnable(open.project(), open.project().experiments[0], registry(), folder), "");
+}
+
+/// Each names the file, the place and the mend, and is an error: it cannot work.
+TEST_F(OpenProjectTest, CheckFindsReferencesToNothing) {
+    const auto good = load_project(folder, registry()).project;
+    const auto errors = [&](const Project& project) {
+        std::vector<std::string> lines;
+        for (const auto& message : check({project, schema_version, {}}, folder, registry()))
+            if (message.severity == Severity::error) lines.push_back(message.text);
+        return lines;
+    };
+    EXPECT_EQ(errors(good), std::vector<std::string>());
+    const auto motion_of = [](Project& project, Motion::Kind kind) -> Motion& {
+        return *std::find_if(project.motion.begin(), project.motion.end(),
+                             [&](const Motion& motion) { return motion.kind == kind; });
+    };
+    struct Case {
+        const char *place, *text;
+        std::function<void(Project&)> damage;
+    };
+    const std::vector<Case> cases{
+        {"/experiments/1/scene", "there is no scene 'gone'",
+         [](auto& p) { p.experiments[1].scene = "gone"; }},
+        {"/experiments/1/scene", "has no scene", [](auto& p) { p.experiments[1].scene.clear(); }},
+        {"/experiments/1/camera", "there is no camera 'gone'",
+         [](auto& p) { p.experiments[1].camera = "gone"; }},
+        {"/experiments/1/lights", "there is no set of lights 'gone'",
+         [](auto& p) { p.experiments[1].lights = "gone"; }},
+        {"/experiments/1/reference", "there is no experiment 'gone'",
+         [](auto& p) { p.experiments[1].reference = "gone"; }},
+        {"/camera", "there is no camera 'gone'",
+         [&](auto& p) { motion_of(p, Motion::Kind::camera).camera = "gone"; }},
+        {"/lights", "there is no set of lights 'gone'",
+         [&](auto& p) {
+             auto& motion = motion_of(p, Motion::Kind::light);
+             motion.lights = "gone", motion.light_name = "lamp";
+         }},
+        {"/light", "there is no light 99",
+         [&](auto& p) {
+             auto& motion = motion_of(p, Motion::Kind::light);
+             motion.light = 99, motion.light_name.clear(), motion.lights = p.lights[0].id;
+         }},
+        {"/scene", "there is no scene 'gone'",
+         [&](auto& p) { motion_of(p, Motion::Kind::part).scene = "gone"; }},
+        {"/part", "there is no part 99", [&](auto& p) { motion_of(p, Motion::Kind::part).part = 99; }},
+        {"/comparisons/0/a", "there is no experiment or image 'gone'",
+         [](auto& p) { p.comparisons[0].a = "gone"; }},
+        {"/sweeps/0/experiment", "there is no experiment 'gone'",
+         [](auto& p) { p.sweeps[0].experiment = "gone"; }},
+        {"/plots/0/reference", "there is no experiment or image 'gone'",
+         [](auto& p) { p.plots[0].reference = "gone"; }},
+        {"/plots/0/experiments", "there is no experiment 'gone'",
+         [](auto& p) { p.plots[0].experiments.push_back("gone"); }},
+    };
+    for (const auto& one : cases) {
+        SCOPED_TRACE(std::string(one.place) + " " + one.text);
+        auto project = good;
+        one.damage(project);
+        const auto found = errors(project);
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_EQ(found[0].find((folder / project_file_name).string() + ": /"), 0u) << found[0];
+        EXPECT_NE(found[0].find(std::string(one.place) + ": "), std::string::npos) << found[0];
+        EXPECT_NE(found[0].find(one.text), std::string::npos) << found[0];
+        EXPECT_NE(found[0].find("; "), std::string::npos) << "the mend: " << found[0];
+        EXPECT_EQ(found[0].find('\n'), std::string::npos) << found[0];
+    }
 }
 
 TEST(SceneFiles, HashesCoverWhatGltfRefersTo) {

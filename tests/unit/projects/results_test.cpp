@@ -227,7 +227,6 @@ TEST(ResultIndex, CheckFindsMissingAndChangedFiles) {
 TEST(ResultIndex, PruneKeepsWhatExperimentsNeed) {
     TemporaryFolder folder;
     auto project = sample_project();
-    project.experiments[0].last_kept_key = "last";
     const auto current = key_of(project);
     ResultIndex index;
     for (const auto& key : {current, std::string("last"), std::string("old")}) {
@@ -237,6 +236,7 @@ TEST(ResultIndex, PruneKeepsWhatExperimentsNeed) {
     testing::write_text(folder.path() / "results/stray.exr", "x");
     testing::write_text(folder.path() / "keep.txt", "outside");
     fs::create_symlink(folder.path() / "keep.txt", folder.path() / "results/link");
+    index.set_last_kept("fog-nave", "last");
     index.save(folder.path());
 
     const auto pruned = prune_results(project, registry(), folder.path());

@@ -153,9 +153,9 @@ TEST_F(Safety, ALockThatWasCleanedAwayIsTakenAgain) {
 TEST_F(Safety, ARecoveryStaysUntilSomebodyDecides) {
     crash_in_state(2);
     {
-        // As `render --keep` does it: a session that never looks at recoveries.
+        // As `reference` does it: a session that never looks at recoveries.
         OpenProject open(folder, registry());
-        open.mark_kept("fog-nave", "key");
+        open.edit(edits::set_seed(open.project(), "fog-nave", 99));
         open.save();
         open.close();
     }
@@ -202,7 +202,7 @@ TEST_F(Safety, TakingARecoveryCanBeUndoneBackToUnsavedEdits) {
         edit_to(open, 3);
         open.take_recovery();
         EXPECT_EQ(state_of(open.project()), 2);
-        open.mark_kept("fog-nave", "key");
+        open.set_last_kept({{"fog-nave", "key"}});
         open.undo();
         EXPECT_EQ(state_of(open.project()), 3);
         EXPECT_EQ(find_item(open.project().experiments, "fog-nave")->last_kept_key, "key");

@@ -225,8 +225,9 @@ TEST_F(HashedProject, ResultsAreStaleWhenInputsOrFilesChanged) {
     OpenProject open(folder, registry());
     open.wait_for_files();
     EXPECT_TRUE(open.stale_experiments().empty());
-    for (const auto& e : open.project().experiments)
-        open.mark_kept(e.id, result_key(open.project(), e, registry()));
+    LastKept kept;
+    for (const auto& e : open.project().experiments) kept[e.id] = result_key(open.project(), e, registry());
+    open.set_last_kept(kept);
     EXPECT_TRUE(open.stale_experiments().empty());
 
     open.edit(edits::set_seed(open.project(), "plain-nave", 77));

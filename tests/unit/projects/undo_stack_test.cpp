@@ -89,14 +89,5 @@ TEST(UndoStack, ForgetsTheOldestBeyondItsLimit) {
     EXPECT_FALSE(stack.is_clean());
 }
 
-TEST(UndoStack, KeptResultsAreNoMatterOfUndo) {
-    Project project = sample_project();
-    UndoStack stack;
-    stack.push(project, density(project, 0.2));
-    project.experiments[0].last_kept_key = "kept";
-    stack.undo(project);
-    EXPECT_EQ(project.experiments[0].last_kept_key, "kept");
-}
-
 }  // namespace
 }  // namespace ir::projects
