@@ -64,7 +64,7 @@ std::string in_one_line(const std::string& text) {
     return QString::fromStdString(text).simplified().toStdString();
 }
 
-/// What the views lack, and why a plot was not carried out, each reason once.
+/// What the views lack, each reason once.
 QStringList missing(MainWindow& window) {
     QStringList reasons;
     for (const int view : window.workspace().area().open_views()) reasons << window.workspace().missing(view);
