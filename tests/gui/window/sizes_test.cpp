@@ -7,69 +7,10 @@
 #include "app/engine/execution.h"
 #include "app/gui/window_geometry.h"
 #include "tests/gui/window/window_fixture.h"
+#include "widgets/parameters/parameter_panel.h"
 
 namespace ir::gui {
 namespace {
-
-/// 1920×1200 at twice the scale, less the title bar: the smallest that is promised.
-constexpr QSize smallest(960, 570);
-
-class SizesTest : public WindowTest {
-  protected:
-    void show_four(const char* output) {
-        open_scene();
-        trigger("views-4");
-        for (int view = 0; view < 4; ++view) {
-            window.workspace().area().set_active(view);
-            window.workspace().show_output(output);
-        }
-        ASSERT_TRUE(settle());
-    }
-    void expect_fits() {
-        const auto least = window.minimumSizeHint();
-        EXPECT_LE(least.width(), smallest.width()) << widest().toStdString();
-        EXPECT_LE(least.height(), smallest.height()) << widest().toStdString();
-        window.resize(smallest);
-        QApplication::processEvents();
-        EXPECT_LE(window.width(), smallest.width());
-        EXPECT_LE(window.height(), smallest.height());
-    }
-    /// The least sizes of all panels, for whoever has to mend this.
-    QString widest() {
-        QString text = "centre " + size_text(window.centralWidget()->minimumSizeHint());
-        for (const auto* dock : window.findChildren<QDockWidget*>())
-            if (!dock->isHidden())
-                text += "\n" + dock->objectName() + " " + size_text(dock->minimumSizeHint());
-        return text;
-    }
-    static QString size_text(QSize size) {
-        return QString::number(size.width()) + " x " + QString::number(size.height());
-    }
-};
-
-TEST_F(SizesTest, FourViewsInSpaceFitTheSmallestScreen) {
-    show_four("cloud");
-    for (int view = 0; view < 4; ++view) window.workspace().pane(view)->space().set_panel_shown(view < 2);
-    ASSERT_TRUE(settle());
-    expect_fits();
-}
-
-TEST_F(SizesTest, FourComparisonsFitTheSmallestScreen) {
-    show_four("");
-    for (const auto mode : widgets::all_modes()) {
-        for (int view = 0; view < 4; ++view) {
-            window.workspace().area().set_active(view);
-            window.workspace().set_mode(mode);
-        }
-        ASSERT_TRUE(settle());
-        expect_fits();
-    }
-}
-
-TEST_F(SizesTest, FourTablesFitTheSmallestScreen) {
-    show_four("numbers");
-    expect_fits();
-}
 
 TEST(WindowGeometry, IsWithinWhatTheScreenOffers) {
     const QRect screen(0, 30, 960, 570);
@@ -79,7 +20,6 @@ TEST(WindowGeometry, IsWithinWhatTheScreenOffers) {
     EXPECT_EQ(within(QRect(-50, 0, 300, 200), screen, 20), QRect(0, 50, 300, 200));
 }
 
-/// Also run at twice the scale, where what once was 1440×900 is more than the screen.
 TEST_F(WindowTest, OpensWithinTheScreen) {
     const auto available = window.screen()->availableGeometry();
     for (const QSize remembered : {QSize(), QSize(4000, 3000)}) {
@@ -100,30 +40,27 @@ TEST_F(WindowTest, OpensWithinTheScreen) {
 }
 
 /// With the parameters of the methods that come with the program.
-TEST(ParameterDock, NeverScrollsSideways) {
-    FakeRenderer renderer;
-    MainWindow window(renderer, engine::registry(), {.remember = false});
-    window.show();
-    ASSERT_TRUE(window.open_path("builtin:cornell"));
+TEST_F(WindowTest, ParametersNeverScrollSideways) {
+    open_scene();
     window.apply_layout("default");
     auto* scroll = qobject_cast<QScrollArea*>(window.findChild<QDockWidget*>("parameters")->widget());
     ASSERT_TRUE(scroll);
+    auto* panel = scroll->findChild<widgets::ParameterPanel*>();
+    ASSERT_TRUE(panel);
     for (const auto* method : engine::registry().methods()) {
-        const auto id = window.session().experiment()->id;
-        window.session().edit([&](const projects::Project& project) {
-            return projects::edits::set_method(project, engine::registry(), id, method->id);
-        });
-        QApplication::processEvents();
-        for (auto* label : scroll->findChildren<QLabel*>()) {  // as where each value was changed
+        panel->set_parameters(method->id, method->parameters);
+        panel->set_values({});
+        for (auto* label : panel->findChildren<QLabel*>()) {  // as where each value was changed
             auto font = label->font();
             font.setBold(true);
             label->setFont(font);
         }
+        QApplication::processEvents();
         const auto room = scroll->minimumWidth() - 2 * scroll->frameWidth() -
                           scroll->verticalScrollBar()->sizeHint().width();
+        EXPECT_GT(panel->minimumSizeHint().width(), 100) << method->id;
         EXPECT_LE(scroll->widget()->minimumSizeHint().width(), room) << method->id;
     }
-    window.session().close();
 }
 
 }  // namespace
