@@ -12,6 +12,66 @@
 namespace ir::gui {
 namespace {
 
+/// 1280×800, less the title bar: the smallest that is promised for four views.
+constexpr QSize smallest(1280, 770);
+
+class SizesTest : public WindowTest {
+  protected:
+    void show_four(const char* output) {
+        open_scene();
+        trigger("views-4");
+        for (int view = 0; view < 4; ++view) {
+            window.workspace().area().set_active(view);
+            window.workspace().show_output(output);
+        }
+        ASSERT_TRUE(settle());
+    }
+    void expect_fits() {
+        const auto least = window.minimumSizeHint();
+        EXPECT_LE(least.width(), smallest.width()) << widest().toStdString();
+        EXPECT_LE(least.height(), smallest.height()) << widest().toStdString();
+        window.resize(smallest);
+        QApplication::processEvents();
+        EXPECT_LE(window.width(), smallest.width());
+        EXPECT_LE(window.height(), smallest.height());
+    }
+    /// The least sizes of all panels, for whoever has to mend this.
+    QString widest() {
+        QString text = "centre " + size_text(window.centralWidget()->minimumSizeHint());
+        for (const auto* dock : window.findChildren<QDockWidget*>())
+            if (!dock->isHidden())
+                text += "\n" + dock->objectName() + " " + size_text(dock->minimumSizeHint());
+        return text;
+    }
+    static QString size_text(QSize size) {
+        return QString::number(size.width()) + " x " + QString::number(size.height());
+    }
+};
+
+TEST_F(SizesTest, FourViewsInSpaceFitTheSmallestScreen) {
+    show_four("cloud");
+    for (int view = 0; view < 4; ++view) window.workspace().pane(view)->space().set_panel_shown(view < 2);
+    ASSERT_TRUE(settle());
+    expect_fits();
+}
+
+TEST_F(SizesTest, FourComparisonsFitTheSmallestScreen) {
+    show_four("");
+    for (const auto mode : widgets::all_modes()) {
+        for (int view = 0; view < 4; ++view) {
+            window.workspace().area().set_active(view);
+            window.workspace().set_mode(mode);
+        }
+        ASSERT_TRUE(settle());
+        expect_fits();
+    }
+}
+
+TEST_F(SizesTest, FourTablesFitTheSmallestScreen) {
+    show_four("numbers");
+    expect_fits();
+}
+
 TEST(WindowGeometry, IsWithinWhatTheScreenOffers) {
     const QRect screen(0, 30, 960, 570);
     EXPECT_EQ(within(QRect(100, 100, 1440, 900), screen, 20), QRect(0, 50, 960, 550));
