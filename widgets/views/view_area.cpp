@@ -89,6 +89,7 @@ void ViewArea::follow_focus(QWidget* now) {
 void ViewArea::take_all_out() {
     for (auto* dock : docks_) {
         dock->setFloating(false);
+        dock->hide();  // one that was removed while it was seen is saved, and restored, as if it were seen
         removeDockWidget(dock);
     }
 }

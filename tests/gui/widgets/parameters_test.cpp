@@ -161,7 +161,7 @@ TEST_F(PanelTest, EnterWithoutTypingKeepsHiddenDigits) {
     values["radius"] = 0.123456789;
     panel.set_values(values);
     auto* field = in<NumberField>("radius");
-    EXPECT_EQ(field->text(), "0.1234568 m");
+    EXPECT_EQ(field->text(), "0.123457 m");
     field->setFocus();
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_EQ(edits, 0);
