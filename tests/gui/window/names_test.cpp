@@ -5,6 +5,7 @@
 
 #include "renderers/image/exr.h"
 #include "tests/gui/window/window_fixture.h"
+#include "widgets/parameters/experiment_panel.h"
 
 namespace ir::gui {
 namespace {
@@ -17,8 +18,11 @@ class NamesWindowTest : public WindowTest {
         WindowTest::SetUp();
         open_scene();
     }
-    void choose_method(const QString& title) { choose(window.findChild<QComboBox*>("method"), title); }
-    QString experiment_shown() { return window.findChild<QComboBox*>("experiment")->currentText(); }
+    QComboBox* list(const char* name) {
+        return window.findChild<widgets::ExperimentPanel*>()->findChild<QComboBox*>(name);
+    }
+    void choose_method(const QString& title) { choose(list("method"), title); }
+    QString experiment_shown() { return list("experiment")->currentText(); }
     std::shared_ptr<const widgets::Picture> picture() {
         return window.workspace().pictures().picture(window.workspace().active_state().a);
     }
@@ -87,7 +91,7 @@ TEST_F(NamesWindowTest, NoPictureOfTheOldMethodStandsUnderTheNewName) {
     choose_method("Fake method");
     ASSERT_TRUE(picture()->has_image());
     renderer.hold = true;
-    auto* methods = window.findChild<QComboBox*>("method");
+    auto* methods = list("method");
     emit methods->activated(methods->findText("Fake truth"));
     EXPECT_EQ(experiment_shown(), "Fake truth");
     EXPECT_FALSE(picture()->has_image());
