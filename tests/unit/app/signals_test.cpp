@@ -71,7 +71,8 @@ class Signals : public testing::Test {
     /// Of the largest state that is kept.
     std::uint64_t kept_samples() const {
         std::uint64_t samples = 0;
-        for (const auto& entry : projects::ResultIndex::load(project_).entries())
+        const auto index = projects::ResultIndex::load(project_);
+        for (const auto& entry : index.entries())
             if (projects::file_of(entry, projects::state_role)) samples = std::max(samples, entry.samples);
         return samples;
     }
@@ -195,7 +196,8 @@ TEST_F(Signals, ACheckpointOutlivesWhatNobodyCanCatch) {
     EXPECT_EQ(child.wait(), 128 + SIGKILL);
     EXPECT_EQ(child.err(), "") << "quiet";
     int states = 0;
-    for (const auto& entry : projects::ResultIndex::load(project_).entries())
+    const auto index = projects::ResultIndex::load(project_);
+    for (const auto& entry : index.entries())
         states += projects::file_of(entry, projects::state_role) ? 1 : 0;
     EXPECT_EQ(states, 1);
     expect_continues_to_the_same_bits();

@@ -53,10 +53,11 @@ TEST(Metrics, EqualPicturesHaveNoErrorWhateverTheMeasure) {
     const auto result = compute_metrics(picture, picture, metric_names());
     for (const auto& metric : metrics()) {
         const double value = result.values.at(metric.name);
-        if (metric.name == "psnr")
+        if (metric.name == "psnr") {
             EXPECT_TRUE(std::isinf(value));
-        else if (metric.best != Best::none)
+        } else if (metric.best != Best::none) {
             EXPECT_NEAR(value, metric.best == Best::highest ? 1 : 0, 1e-6) << metric.name;
+        }
     }
     EXPECT_EQ(result.values.at("mean"), result.values.at("reference-mean"));
 }
@@ -66,10 +67,11 @@ TEST(Metrics, MoreNoiseIsWorseByAllMeasures) {
     const auto little = compute_metrics(test::noisy(picture, 0.1f), picture, metric_names());
     const auto much = compute_metrics(test::noisy(picture, 0.4f), picture, metric_names());
     for (const auto& metric : metrics())
-        if (metric.best == Best::lowest || metric.best == Best::highest)
+        if (metric.best == Best::lowest || metric.best == Best::highest) {
             EXPECT_GT(badness(metric, much.values.at(metric.name)),
                       badness(metric, little.values.at(metric.name)))
                 << metric.name;
+        }
 }
 
 /// By hand: of pixels that count, over channels, with the sign of image - reference; alpha is no channel.

@@ -152,7 +152,8 @@ TEST_F(Names, AReferenceThatBecomesAnotherMethodIsNotCalledSo) {
 
 TEST_F(Names, OfComparisonsFollow) {
     const auto truth = match_with_reference("experiment");
-    Comparison made{.id = "made", .name = "Near field / Near field reference", .a = "experiment", .b = truth};
+    Comparison made;
+    made.id = "made", made.name = "Near field / Near field reference", made.a = "experiment", made.b = truth;
     Comparison own = made;
     own.id = "own", own.name = "Near field against the truth";
     push(edits::add(project, made));
