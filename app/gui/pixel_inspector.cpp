@@ -56,6 +56,10 @@ PixelInspector::PixelInspector(Session& session, LivePictures& live, Renderer& r
     connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
         if (id == experiment()) update();
     });
+    // A picture arrives before it counts as finished, and until then nothing is known to be empty.
+    connect(&live_, &LivePictures::state_changed, this, [this](const std::string& id) {
+        if (id == experiment()) update_explain();
+    });
     connect(&renderer_, &Renderer::probe_arrived, this, &PixelInspector::on_probe);
     using Panel = widgets::InspectorPanel;
     connect(panel_, &Panel::pin_wanted, this, &PixelInspector::pin);

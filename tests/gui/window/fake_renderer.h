@@ -100,6 +100,8 @@ inline const MethodDescription& fake_truth() {
         m.id = "truth";
         m.title = "Fake truth";
         m.is_reference = true;
+        m.outputs.push_back(
+            {.key = "grid", .label = "Grid", .kind = OutputKind::point_set, .explains = true});
         ParameterDescription samples;
         samples.key = "samples";
         samples.label = "Samples";
@@ -130,8 +132,6 @@ inline const MethodDescription& fake_filter() {
         m.parameters.push_back(smooth);
         m.outputs.push_back({.key = "rough", .label = "Rough", .semantic = Semantic::radiance});
         m.outputs.push_back({.key = "smoothed", .label = "Smoothed", .semantic = Semantic::radiance});
-        m.outputs.push_back(
-            {.key = "grid", .label = "Grid", .kind = OutputKind::point_set, .explains = true});
         m.stages = {{.output = "rough", .label = "Traced"},
                     {.output = "smoothed", .label = "Smoothed", .active_when = {"smooth", {true}}},
                     {.output = "picture", .label = "Composed"}};
@@ -217,7 +217,8 @@ class FakeRenderer final : public Renderer {
                 if (key == output.key || key == "*") computed.push_back(output.key);
         for (const auto& part : request.parts) {
             computed.push_back(part.key);
-            result->images[part] = paint(request.experiment, part, float(value));
+            if (part.key != "shares" || request.inspection.has_pixel())
+                result->images[part] = paint(request.experiment, part, float(value));
         }
         for (const auto& key : request.buffers) {
             computed.push_back(key);

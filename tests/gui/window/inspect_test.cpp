@@ -108,7 +108,7 @@ TEST_F(InspectWindowTest, WhatExplainsAPixelNeverCoversThePicture) {
 TEST_F(InspectWindowTest, EachSpaceOfAnExplanationHasAViewOfItsOwn) {
     window.session().edit([&](const projects::Project& project) {
         return projects::edits::set_method(project, fake_registry(), window.session().experiment()->id,
-                                           "filter");
+                                           "truth");
     });
     ASSERT_TRUE(settle());
     for (const char* views : {"views-1", "views-4"}) {  // with room for new views, and without
@@ -136,7 +136,7 @@ TEST_F(InspectWindowTest, EachSpaceOfAnExplanationHasAViewOfItsOwn) {
 TEST_F(InspectWindowTest, ABufferOfAnotherSpaceLeavesTheCameraBehind) {
     window.session().edit([&](const projects::Project& project) {
         return projects::edits::set_method(project, fake_registry(), window.session().experiment()->id,
-                                           "filter");
+                                           "truth");
     });
     ASSERT_TRUE(settle());
     window.inspector().explain({20, 10});

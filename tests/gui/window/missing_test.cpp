@@ -165,14 +165,14 @@ TEST_F(MissingTest, AForeignImageThatIsGoneIsMissing) {
 }
 
 TEST_F(MissingTest, ADrawingThatNobodyWaitsForAnyMoreKeepsNothingBusy) {
-    add_second_experiment(0.75);
     renderer.hold_views = true;
     ViewState state;
     state.a = {first, "cloud"};
     workspace().set_state(0, state);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.views.empty(); }, 3000));
     EXPECT_FALSE(window.is_settled());
-    lose_scene();  // the other one will never be drawn
+    renderer.failure = "out of memory";  // the copy will never be drawn
+    window.action("experiment-duplicate")->trigger();
     state.a.owner = window.session().document().experiments[1].id;
     workspace().set_state(0, state);
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.is_settled(); }, 3000));
