@@ -176,7 +176,7 @@ TEST_F(LayersTest, FarElementsHideNothing) {
 TEST_F(LayersTest, SaysWhyALayerIsNotDrawn) {
     TestBuffer table("table", OutputKind::table, {{"number", FieldType::u32, 1}});
     table.add(std::uint32_t{7});
-    TestBuffer lost("lost", OutputKind::point_set, {{"place", FieldType::f32, 3}});
+    TestBuffer lost("lost", OutputKind::point_set, {{"spot", FieldType::f32, 3}});
     lost.add(glm::vec3(0));
     TestBuffer whole("whole", OutputKind::point_set, {{"position", FieldType::i32, 3}});
     whole.add(1, 2, 3);
