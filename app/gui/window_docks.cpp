@@ -59,6 +59,15 @@ void focus_into(QWidget* content) {
     content->setFocus(Qt::ShortcutFocusReason);
 }
 
+/// Its size is asked neither of the panels that share its place nor of the window.
+QScrollArea* scrolled(QWidget* panel) {
+    auto* scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(panel);
+    scroll->setWidgetResizable(true);
+    return scroll;
+}
+
 /// toggleViewAction() knows of hidden panels alone, not of those that a tab covers.
 void toggle_dock(QDockWidget* dock) {
     if (is_in_front(dock)) return dock->hide();
@@ -170,16 +179,12 @@ void MainWindow::make_docks() {
     add_dock("timings", tr("Timings"), make_timings_dock(), key(Qt::Key_8));
     add_dock("messages", tr("Messages"), messages_, key(Qt::Key_9));
     add_dock("results", tr("Results"), results_, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
-    auto* plots = new QScrollArea;  // its height is not asked of the panels that share its place
-    plots->setFrameShape(QFrame::NoFrame);
-    plots->setWidget(plots_);
-    plots->setWidgetResizable(true);
-    add_dock("plots", tr("Plots"), plots, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
+    add_dock("plots", tr("Plots"), scrolled(plots_), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
     benchmarks_ =
         new BenchmarkDock(session_, options_.benchmark_runner ? options_.benchmark_runner
                                                               : engine::benchmark_runner(options_.machine));
     timeline_ = new TimelineDock(session_, live_, playback_);
-    add_dock("timeline", tr("Timeline"), timeline_, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
+    add_dock("timeline", tr("Timeline"), scrolled(timeline_), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
     add_dock("benchmarks", tr("Benchmarks"), benchmarks_, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
 }
 

@@ -39,6 +39,7 @@ StageBar::StageBar(QWidget* parent) : QWidget(parent) {
     number_ = new QLabel(this);
     number_->setObjectName(QStringLiteral("stage-number"));
     number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    number_->setMinimumWidth(1);
     row->addWidget(number_, 1);
 }
 
@@ -49,6 +50,7 @@ QComboBox* StageBar::make_list(const QString& name, const QString& tip) {
     list->setAccessibleName(tip);
     list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     list->setMinimumContentsLength(10);
+    list->setMinimumWidth(48);  // four views fit a small screen
     connect(list, &QComboBox::activated, this, [this] {
         emit chosen({a_->currentData().toInt(), b_->currentData().toInt()});
     });
