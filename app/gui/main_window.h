@@ -75,10 +75,13 @@ class MainWindow : public QMainWindow {
     /// Brings the plots forward, and one of them.
     void show_plot(const std::string& id);
     /// A window that is larger than the screen's room for windows becomes as large as that.
-    void fit_screen();
     /// Throws UsageError that lists the known layouts.
     void apply_layout(const QString& name);
     static QStringList layout_names();
+    /// Arranges the window for what a screen has for windows. Where that is less than least_for_all_panels
+    /// (window_geometry.h) the panels of both sides stand behind each other.
+    void fit(const QRect& available);
+    void fit_screen();  ///< fit() for the screen that the window is on
     /// As closing, but asks nothing: Session::leave().
     void leave();
     /// Whether everything that is shown has arrived, or cannot. Workspace::missing() says what cannot.
@@ -219,7 +222,7 @@ class MainWindow : public QMainWindow {
     QLabel* device_label_ = nullptr;
     std::map<std::string, QImage> thumbnails_;
     QByteArray hidden_docks_;  ///< the arrangement while the welcome page is shown
-    bool has_hidden_docks_ = false;
+    bool has_hidden_docks_ = false, is_cramped_ = false;
 };
 
 }  // namespace ir::gui

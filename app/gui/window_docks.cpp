@@ -226,20 +226,24 @@ void MainWindow::restore_default_layout() {
     const auto dock = [this](const char* name) { return findChild<QDockWidget*>(QLatin1String(name)); };
     addDockWidget(Qt::LeftDockWidgetArea, dock("parameters"));
     tabifyDockWidget(dock("parameters"), dock("project"));
-    addDockWidget(Qt::RightDockWidgetArea, dock("display"));
+    const auto begin_group = [&](const char* name, const char* before) {
+        if (is_cramped_) return tabifyDockWidget(dock(before), dock(name));
+        addDockWidget(Qt::RightDockWidgetArea, dock(name));
+    };
+    begin_group("display", "project");
     tabifyDockWidget(dock("display"), dock("scene"));
-    addDockWidget(Qt::RightDockWidgetArea, dock("buffers"));
+    begin_group("buffers", "scene");
     tabifyDockWidget(dock("buffers"), dock("inspector"));
     tabifyDockWidget(dock("inspector"), dock("explain"));
     tabifyDockWidget(dock("explain"), dock("metrics"));
-    addDockWidget(Qt::RightDockWidgetArea, dock("timings"));
+    begin_group("timings", "metrics");
     addDockWidget(Qt::BottomDockWidgetArea, dock("messages"));
     tabifyDockWidget(dock("messages"), dock("results"));
     tabifyDockWidget(dock("results"), dock("plots"));
     tabifyDockWidget(dock("plots"), dock("timeline"));
     tabifyDockWidget(dock("timeline"), dock("benchmarks"));
     for (auto* each : docks_of(this)) each->show();
-    for (const char* front : {"parameters", "display", "buffers", "messages"}) dock(front)->raise();
+    for (const char* front : {"display", "buffers", "parameters", "messages"}) dock(front)->raise();
     resizeDocks({dock("parameters"), dock("buffers")}, {350, 400}, Qt::Horizontal);
     resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
     resizeDocks({dock("messages")}, {110}, Qt::Vertical);
@@ -288,9 +292,16 @@ void MainWindow::restore_window() {
 }
 
 void MainWindow::fit_screen() {
-    if (isMaximized() || isFullScreen()) return;
-    setGeometry(
-        within(geometry(), screen()->availableGeometry(), style()->pixelMetric(QStyle::PM_TitleBarHeight)));
+    fit(screen()->availableGeometry());
+}
+
+void MainWindow::fit(const QRect& available) {
+    const int title_bar = style()->pixelMetric(QStyle::PM_TitleBarHeight);
+    const QSize room = available.adjusted(0, title_bar, 0, 0).size();
+    const auto exceeds = [&room](QSize size) { return size.boundedTo(room) != size; };
+    is_cramped_ = exceeds(least_for_all_panels);
+    if (is_cramped_ && exceeds(minimumSizeHint())) restore_default_layout();
+    if (!isMaximized() && !isFullScreen()) setGeometry(within(geometry(), available, title_bar));
 }
 
 }  // namespace ir::gui

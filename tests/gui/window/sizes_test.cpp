@@ -12,9 +12,6 @@
 namespace ir::gui {
 namespace {
 
-/// 1280×800, less the title bar: the smallest that is promised for four views.
-constexpr QSize smallest(1280, 770);
-
 class SizesTest : public WindowTest {
   protected:
     void show_four(const char* output) {
@@ -26,7 +23,7 @@ class SizesTest : public WindowTest {
         }
         ASSERT_TRUE(settle());
     }
-    void expect_fits() {
+    void expect_fits(QSize smallest = least_for_all_panels) {
         const auto least = window.minimumSizeHint();
         EXPECT_LE(least.width(), smallest.width()) << widest().toStdString();
         EXPECT_LE(least.height(), smallest.height()) << widest().toStdString();
@@ -53,6 +50,24 @@ TEST_F(SizesTest, FourViewsInSpaceFitTheSmallestScreen) {
     for (int view = 0; view < 4; ++view) window.workspace().pane(view)->space().set_panel_shown(view < 2);
     ASSERT_TRUE(settle());
     expect_fits();
+}
+
+/// 1920×1200 at twice the scale.
+TEST_F(SizesTest, OnASmallScreenPanelsOfBothSidesStandBehindEachOther) {
+    const QRect available(0, 0, 960, 600);
+    window.fit(available);
+    show_four("cloud");
+    window.apply_layout("default");
+    trigger("views-4");
+    for (int view = 0; view < 4; ++view) window.workspace().area().set_active(view);
+    ASSERT_TRUE(settle());
+    expect_fits({960, 570});
+    auto* buffers = window.findChild<QDockWidget*>("buffers");
+    EXPECT_FALSE(buffers->isHidden());
+    EXPECT_EQ(window.dockWidgetArea(buffers), Qt::LeftDockWidgetArea);
+    window.fit(QRect(0, 0, 1920, 1200));
+    window.apply_layout("default");
+    EXPECT_EQ(window.dockWidgetArea(buffers), Qt::RightDockWidgetArea);
 }
 
 TEST_F(SizesTest, FourComparisonsFitTheSmallestScreen) {
