@@ -74,7 +74,6 @@ class MainWindow : public QMainWindow {
     bool open_path(const QString& path);
     /// Brings the plots forward, and one of them.
     void show_plot(const std::string& id);
-    /// A window that is larger than the screen's room for windows becomes as large as that.
     /// Throws UsageError that lists the known layouts.
     void apply_layout(const QString& name);
     static QStringList layout_names();

@@ -231,14 +231,15 @@ class OneFile final : public FileSystem {
     }
     std::int64_t modified(const std::filesystem::path&) override { return 0; }
     std::vector<std::filesystem::path> list(const std::filesystem::path&) override { return {}; }
-    void write(const std::filesystem::path&, std::string_view) override { throw_written(); }
-    void sync(const std::filesystem::path&) override { throw_written(); }
+    void write(const std::filesystem::path&, const std::filesystem::path&, const Fill&) override {
+        throw_written();
+    }
     void sync_directory(const std::filesystem::path&) override { throw_written(); }
     void rename(const std::filesystem::path&, const std::filesystem::path&) override { throw_written(); }
     void remove(const std::filesystem::path&) override { throw_written(); }
     void remove_all(const std::filesystem::path&) override { throw_written(); }
     void create_directories(const std::filesystem::path&) override { throw_written(); }
-    void copy(const std::filesystem::path&, const std::filesystem::path&) override { throw_written(); }
+    void pour(const std::filesystem::path&, std::ostream&) override { throw_written(); }
 
   private:
     [[noreturn]] static void throw_written() { throw std::logic_error("reading must not write"); }
