@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/core/transport.h"
+#include "renderers/core/default_transport.h"
 #include "renderers/passes/bounce/directions.h"
 #include "renderers/passes/bounce/reconstruction.h"
 #include "renderers/scene/world.h"
@@ -13,7 +13,7 @@ enum class Compensation { none, independent };
 
 struct Parameters {
     bool visibility = true;  ///< by bounced z-buffer; else additive, as published in 2010
-    Transport transport{.max_distance = 1};
+    Transport transport = default_occlusion;
     passes::bounce::DirectionParameters directions;
     Sides sides = Sides::front;                      ///< without visibility
     Compensation compensation = Compensation::none;  ///< without visibility

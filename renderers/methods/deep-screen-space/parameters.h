@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/core/transport.h"
+#include "renderers/core/default_transport.h"
 #include "renderers/passes/bounce/directions.h"
 #include "renderers/passes/bounce/reconstruction.h"
 #include "renderers/passes/bounce/reprojection.h"
@@ -18,7 +18,7 @@ enum class Influence { constant, estimated };
 struct Parameters {
     // parameters.cpp
     bool visibility = true;  ///< by bounced z-buffer; else additive, as published in 2014
-    Transport transport{.max_distance = 1};
+    Transport transport = default_occlusion;
     passes::bounce::DirectionParameters directions;
     passes::bounce::ReconstructionParameters reconstruction;
     passes::ReprojectionParameters reprojection;

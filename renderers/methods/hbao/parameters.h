@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/core/transport.h"
+#include "renderers/core/default_transport.h"
 #include "renderers/passes/blur/blur.h"
 
 namespace ir::methods::hbao {
@@ -13,7 +13,7 @@ enum class Turning { none, pattern, hash };
 struct Parameters {
     int directions = 16;
     int steps = 12;
-    Transport transport{.max_distance = 1};
+    Transport transport = default_occlusion;
     Weighting weighting = Weighting::cosine;
     Turning turning = Turning::pattern;
     float angle_bias = 5;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/core/transport.h"
+#include "renderers/core/default_transport.h"
 #include "renderers/passes/ldm/parameters.h"
 
 namespace ir::methods::ldm_ao {
@@ -10,7 +10,7 @@ enum class Exact { none, near, all };
 
 struct Parameters {
     passes::ldm::MapParameters maps;
-    Transport transport;
+    Transport transport = default_occlusion;
     Exact exact = Exact::none;
     float exact_texels = 4;
     bool progressive = false;

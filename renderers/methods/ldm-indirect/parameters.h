@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/core/transport.h"
+#include "renderers/core/default_transport.h"
 #include "renderers/passes/ldm/parameters.h"
 
 namespace ir::methods::ldm_indirect {
@@ -13,7 +13,7 @@ enum class DirectBy { rasterisation, photons };
 struct Parameters {
     // parameters.cpp
     passes::ldm::MapParameters maps;
-    Transport transport{.paths = Transport::Paths::full};
+    Transport transport = default_light;
 
     // tracing/parameters.cpp
     int emission = 64;  ///< pixels along a side of a light's image

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/core/transport.h"
+#include "renderers/core/default_transport.h"
 #include "renderers/passes/raytracing/trace_rays.h"
 
 namespace ir::methods::photon_mapping {
@@ -21,7 +21,7 @@ enum class FilterKernel { printed, b3_spline };
 struct Parameters {
     // emission/parameters.cpp
     int photons = 100000;  ///< emitted in a frame by all lights together
-    Transport transport{.paths = Transport::Paths::indirect};
+    Transport transport = default_light;
     FirstHit first_hit = FirstHit::rsm;
     Resolution rsm_resolution = Resolution::r256;
     bool depth_prepass = false;  ///< the shadow map, drawn again at the RSM's resolution, before it

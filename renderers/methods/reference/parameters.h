@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/core/transport.h"
+#include "renderers/core/default_transport.h"
 
 namespace ir::methods::reference {
 
@@ -9,7 +9,7 @@ enum class Primary { gbuffer, rays };
 struct Parameters {
     int samples = 64;
     Primary primary = Primary::gbuffer;
-    Transport transport;
+    Transport transport = default_light;
 };
 
 }  // namespace ir::methods::reference

@@ -48,7 +48,10 @@ ParameterTable<Parameters> parameter_table() {
         &Parameters::samples,
         {.key = "samples",
          .label = "Samples",
-         .doc = "Directions over the hemisphere of each pixel, with one step of random length along each.",
+         .doc =
+             "Directions over the hemisphere of each pixel, with one step of random length along each, up "
+             "to the maximum distance. Without one few samples find what is near; therefore the default of "
+             "max_distance is not that of other methods.",
          .citation = "Ritschel09 §3.1",
          .hard = {1, 4096},
          .soft = {4, 64}});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/core/transport.h"
+#include "renderers/core/default_transport.h"
 #include "renderers/passes/blur/blur.h"
 
 namespace ir::methods::ssdo {
@@ -12,7 +12,7 @@ enum class Turning { none, pattern, hash };
 
 struct Parameters {
     int samples = 16;
-    Transport transport{.paths = Transport::Paths::indirect, .max_distance = 1};
+    Transport transport{.paths = default_light.paths, .max_distance = 1};
     Estimator estimator = Estimator::density;
     float strength = 1;
     float least_distance = 0.2f;

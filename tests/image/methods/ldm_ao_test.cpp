@@ -72,7 +72,9 @@ class LdmAo : public testing::Test {
 };
 
 Settings maps(int directions, int resolution) {
-    return {{"directions", std::int64_t(directions)}, {"resolution", std::int64_t(resolution)}};
+    return {{"directions", std::int64_t(directions)},
+            {"resolution", std::int64_t(resolution)},
+            {"max_distance", 0.0}};
 }
 
 Settings with(Settings settings, const std::string& key, Value value) {

@@ -133,6 +133,7 @@ class LdmExplain : public testing::Test {
 inline Settings maps(int directions, int resolution, Settings more = {}) {
     more["directions"] = std::int64_t(directions);
     more["resolution"] = std::int64_t(resolution);
+    more.insert({"max_distance", 0.0});
     return more;
 }
 

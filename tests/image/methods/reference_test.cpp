@@ -23,7 +23,9 @@ graph::FrameOptions keeping(const std::string& pattern) {
     return options;
 }
 
+/// Of ambient occlusion, unlimited unless the settings say otherwise.
 Experiment experiment(const std::string& scene, const std::string& camera, Settings settings = {}) {
+    settings.insert({"paths", std::string("ao")});
     Experiment e;
     e.scene = scene;
     e.camera_name = camera;
@@ -167,7 +169,7 @@ TEST(Reference, DependsOnTheSeed) {
 }
 
 Settings with_samples(std::int64_t samples) {
-    return {{"samples", samples}, {"max_distance", 0.5}};
+    return {{"paths", std::string("ao")}, {"samples", samples}, {"max_distance", 0.5}};
 }
 
 TEST(Reference, FramesAddUp) {

@@ -29,14 +29,21 @@ projects::Experiment experiment(const std::string& id, const std::string& method
     return result;
 }
 
+/// All that is computed here: ambient occlusion without a limit.
+Settings openness(Settings values) {
+    values.insert({{"paths", std::string("ao")}, {"max_distance", 0.0}});
+    return values;
+}
+
 /// Few paths per pixel and layered depth maps, against many paths per pixel with another seed.
 projects::Project project() {
     projects::Project result;
     result.scenes = {{"box", "Box", {{"builtin:cornell@1", "", {}}}}};
     result.experiments = {
-        experiment("noisy", "reference", {{"samples", std::int64_t{2}}}),
-        experiment("maps", "ldm-ao", {{"directions", std::int64_t{16}}, {"resolution", std::int64_t{32}}}),
-        experiment("truth", "reference", {{"samples", std::int64_t{256}}})};
+        experiment("noisy", "reference", openness({{"samples", std::int64_t{2}}})),
+        experiment("maps", "ldm-ao",
+                   openness({{"directions", std::int64_t{16}}, {"resolution", std::int64_t{32}}})),
+        experiment("truth", "reference", openness({{"samples", std::int64_t{256}}}))};
     result.experiments[0].frames = 16;
     result.experiments[2].seed = 7;
     projects::ErrorPlot plot;

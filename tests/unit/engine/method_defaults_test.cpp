@@ -1,11 +1,50 @@
 // What methods compute at their defaults, over all methods of this build.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/engine/execution.h"
 #include "projects/edits.h"
+#include "renderers/core/default_transport.h"
 
 namespace ir::engine {
 namespace {
+
+std::vector<const MethodDescription*> with_transport() {
+    std::vector<const MethodDescription*> result;
+    for (const auto* method : registry().methods())
+        if (find(method->parameters, "paths")) result.push_back(method);
+    return result;
+}
+
+/// Whether the documentation of another parameter says why the method's default distance is its own.
+bool explains_distance(const MethodDescription& method) {
+    return std::any_of(method.parameters.begin(), method.parameters.end(), [](const auto& parameter) {
+        return parameter.key != "max_distance" &&
+               parameter.doc.find("default of max_distance") != std::string::npos;
+    });
+}
+
+TEST(MethodDefaults, MethodsThatComputeTheSameShareTheirTransport) {
+    EXPECT_GE(with_transport().size(), 8u);
+    int exceptions = 0;
+    for (const auto* method : with_transport()) {
+        const auto& paths = *find(method->parameters, "paths");
+        const int chosen = paths.choice_index(std::get<std::string>(paths.default_value));
+        const auto& expected = chosen == int(Transport::Paths::ao) ? default_occlusion : default_light;
+        EXPECT_EQ(chosen, int(expected.paths)) << method->id;
+        for (const auto& common : transport_group()) {
+            const auto* parameter = find(method->parameters, common.key);
+            if (!parameter || common.key == "paths" || common.key == "max_distance") continue;
+            EXPECT_EQ(parameter->default_value, common.default_value) << method->id << " " << common.key;
+        }
+        const auto* reach = find(method->parameters, "max_distance");
+        if (!reach || reach->default_value == Value{double(expected.max_distance)}) continue;
+        EXPECT_TRUE(explains_distance(*method)) << method->id;
+        ++exceptions;
+    }
+    EXPECT_LE(exceptions, 1);
+}
 
 TEST(MethodDefaults, AnExperimentThatNobodyChangedIsAsNewUnderAnyMethod) {
     projects::Project project;
