@@ -58,7 +58,7 @@ class LdmAoAccuracy : public testing::TestWithParam<Case> {
         }
         e.camera_name = c.camera;
         e.width = e.height = 400;
-        e.settings["max_distance"] = 3.0;
+        e.settings = {{"paths", std::string("ao")}, {"max_distance", 3.0}};
         return e;
     }
 

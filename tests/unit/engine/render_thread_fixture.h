@@ -106,11 +106,13 @@ class RenderThreadTest : public testing::Test {
         return finished(thread->request(std::move(request)));
     }
 
+    /// Of the reference: ambient occlusion, whose picture has one channel.
     static LiveRequest request_of(const std::string& tag, const std::string& method) {
         LiveRequest request;
         request.tag = tag;
         request.experiment.scene = "builtin:cornell";
         request.experiment.method = method;
+        if (method == "reference") request.experiment.settings = {{"paths", std::string("ao")}};
         request.experiment.width = 24;
         request.experiment.height = 16;
         request.parts = {Part{}};
@@ -121,7 +123,7 @@ class RenderThreadTest : public testing::Test {
         auto request = request_of(tag, "reference");
         request.experiment.width = 64;
         request.experiment.height = 48;
-        request.experiment.settings = {{"samples", std::int64_t{400000}}};
+        request.experiment.settings["samples"] = std::int64_t{400000};
         return request;
     }
     /// Waits until the long frame is being traced.

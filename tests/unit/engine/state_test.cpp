@@ -155,6 +155,7 @@ class ResumeTest : public StateTest {
             keys.push_back(choice.key);
         return keys.empty() ? std::vector<std::string>{""} : keys;
     }
+    /// By the first of its ways: of the reference ambient occlusion, whose picture has one channel.
     static Experiment experiment_of(const MethodDescription& method, std::int64_t samples, int frames) {
         Experiment experiment;
         experiment.scene = "builtin:cornell";
@@ -162,6 +163,7 @@ class ResumeTest : public StateTest {
         experiment.width = 24;
         experiment.height = 16;
         experiment.settings[parameter_of(method)] = samples;
+        if (const auto paths = paths_of(method).front(); !paths.empty()) experiment.settings["paths"] = paths;
         experiment.frames = frames;
         return experiment;
     }
