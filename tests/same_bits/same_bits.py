@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+"""Renders the same at two commits and compares all buffers bit by bit.
+
+    same_bits.py [--quick] [--method ID] [--cli PROGRAM] BASE [OTHER]
+
+BASE and OTHER are commits; --cli PROGRAM stands for OTHER where a program is built already. Each commit is built
+in build/same-bits. Every method renders at its defaults on four built-in scenes, by EGL and by OSMesa, and on one
+scene with each choice of each of its parameters, --quick without those; always two frames with a pixel picked, so
+that histories and explanations are there. The exit status is 1 where a bit differs.
+"""
+import argparse
+import concurrent.futures
+import hashlib
+import json
+import os
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDER = ROOT / "build" / "same-bits"
+SCENES = ["builtin:cornell", "builtin:still-life", "builtin:dominoes", "builtin:corridor"]
+BACKENDS = ["egl", "osmesa"]
+SIZE = "48x32"
+PARTS_FLAG = 0x1000  # of an EXR file's version: several parts
+
+
+def build(commit):
+    """The command-line program of a commit."""
+    commit = subprocess.check_output(["git", "rev-parse", "--verify", commit + "^{commit}"], cwd=ROOT, text=True)
+    source = FOLDER / commit.strip()
+    if not source.exists():
+        subprocess.run(["git", "worktree", "prune"], cwd=ROOT, check=True)
+        subprocess.run(["git", "worktree", "add", "--detach", "--force", source, commit.strip()], cwd=ROOT,
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    quiet = {"stdout": subprocess.DEVNULL, "check": True, "cwd": source,
+             "env": {**os.environ, "CCACHE_BASEDIR": str(source), "CCACHE_NOHASHDIR": "1"}}
+    if not (source / "build/release/build.ninja").exists():
+        subprocess.run(["cmake", "--preset", "release", "-DINTERREFLECT_GUI=OFF"], **quiet)
+    subprocess.run(["cmake", "--build", "build/release", "--target", "interreflect-cli"], **quiet)
+    return source / "build/release/bin/interreflect-cli"
+
+
+def describe(cli, *words):
+    return json.loads(subprocess.check_output([cli, *words, "--json"], text=True))
+
+
+def jobs_of(cli, quick, wanted):
+    """All renders by name: what is given to `render`."""
+    jobs = {}
+    for method in (entry["id"] for entry in describe(cli, "list")):
+        if wanted and method != wanted:
+            continue
+        for scene in SCENES:
+            for backend in BACKENDS:
+                jobs[f"{method} on {scene}, {backend}"] = [
+                    "--method", method, "--scene", scene, "--backend", backend]
+        if quick:
+            continue
+        for parameter in describe(cli, "describe", method)["parameters"]:
+            values = [choice["key"] for choice in parameter.get("choices", [])]
+            if parameter["type"] == "toggle":
+                values = ["true", "false"]
+            for value in values:
+                if value == str(parameter["default"]).lower():
+                    continue
+                setting = f"{parameter['key']}={value}"
+                jobs[f"{method} with {setting}"] = [
+                    "--method", method, "--scene", SCENES[0], "--backend", "egl", "--set", setting]
+    return jobs
+
+
+def string_at(data, at):
+    end = data.index(b"\0", at)
+    return data[at:end].decode(), end + 1
+
+
+def header_at(data, at):
+    """The attributes of one part and where they end."""
+    attributes = {}
+    while data[at] != 0:
+        name, at = string_at(data, at)
+        _, at = string_at(data, at)
+        size, = struct.unpack_from("<i", data, at)
+        attributes[name] = data[at + 4:at + 4 + size]
+        at += 4 + size
+    return attributes, at + 1
+
+
+def layers_of(file):
+    """Of each part of an EXR file its channels and stored pixels, as one hash."""
+    data = file.read_bytes()
+    version, = struct.unpack_from("<i", data, 4)
+    headers, at = [], 8
+    while not headers or (version & PARTS_FLAG and data[at] != 0):
+        header, at = header_at(data, at)
+        headers.append(header)
+    if not version & PARTS_FLAG:
+        raise ValueError(f"{file} has one part; dumps have several")
+    at += 1
+    chunks = [struct.unpack("<i", header["chunkCount"])[0] for header in headers]
+    hashes = [hashlib.sha256(header["channels"] + header["dataWindow"]) for header in headers]
+    offsets = struct.unpack_from(f"<{sum(chunks)}Q", data, at)
+    for offset in offsets:
+        part, _, size = struct.unpack_from("<3i", data, offset)
+        hashes[part].update(data[offset + 12:offset + 12 + size])
+    return {header["name"].decode(): content.hexdigest() for header, content in zip(headers, hashes)}
+
+
+def render(cli, name, arguments, folder):
+    """The hashes of all buffers, or what the program said when it refused."""
+    out = folder / (hashlib.md5(name.encode()).hexdigest() + ".exr")
+    done = subprocess.run(
+        [cli, "render", *arguments, "--size", SIZE, "--frames", "2", "--pick", "24,16", "--dump", "*", "--quiet",
+         "--threads", "1", "--out", out], capture_output=True, text=True, timeout=600)
+    if done.returncode != 0:
+        return {"refused": done.stderr.strip().splitlines()[-1:]}
+    layers = layers_of(out)
+    out.unlink()
+    return layers
+
+
+def differences(jobs, programs, folder):
+    """Prints each render whose buffers differ; their number."""
+    def both(item):
+        return item[0], [render(program, *item, folder) for program in programs]
+
+    differing = 0
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
+        for number, (name, (before, after)) in enumerate(workers.map(both, jobs.items()), 1):
+            if sys.stderr.isatty():
+                print(f"\r{number} of {len(jobs)}\033[K", end="", file=sys.stderr)
+            if before == after:
+                continue
+            differing += 1
+            keys = sorted(key for key in {**before, **after} if before.get(key) != after.get(key))
+            print(f"{name}: {', '.join(keys)}", flush=True)
+            for key in keys[:1]:
+                if key == "refused":
+                    print(f"    before: {before.get(key)}\n    after:  {after.get(key)}")
+    return differing
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("base")
+    parser.add_argument("other", nargs="?")
+    parser.add_argument("--cli", type=Path)
+    parser.add_argument("--method")
+    parser.add_argument("--quick", action="store_true")
+    arguments = parser.parse_args()
+    if bool(arguments.other) == bool(arguments.cli):
+        parser.error("give either OTHER or --cli")
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    programs = [build(arguments.base), arguments.cli or build(arguments.other)]
+    every = [jobs_of(program, arguments.quick, arguments.method) for program in programs]
+    for name in sorted(every[0].keys() ^ every[1].keys()):
+        print(f"only at one commit, not compared: {name}")
+    jobs = {name: job for name, job in every[0].items() if name in every[1]}
+    differing = differences(jobs, programs, FOLDER)
+    print(f"{len(jobs)} renders, {differing} differ")
+    return differing > 0 or not jobs
+
+
+if __name__ == "__main__":
+    sys.exit(main())
