@@ -9,6 +9,7 @@
 #include "app/engine/interruption.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
+#include "renderers/core/write_file.h"
 
 namespace ir::cli {
 
@@ -79,7 +80,7 @@ int run_benchmark(const Flags& flags) {
     for (const auto& row : report.rows)
         if (!row.problem.empty())
             std::cerr << "interreflect-cli: " << row.label << ": " << row.problem << "\n";
-    if (!flags.csv.empty()) write_text(flags.csv, engine::benchmark_csv(report));
+    if (!flags.csv.empty()) write_file(flags.csv, engine::benchmark_csv(report));
     std::cout << (flags.json ? engine::benchmark_json(report) : engine::benchmark_text(report));
     return engine::first_measured(report) ? done : failed;
 }

@@ -2,18 +2,14 @@
 #include <iostream>
 
 #include "app/cli/command.h"
+#include "app/cli/complain.h"
 #include "app/engine/interruption.h"
 #include "app/engine/version.h"
-#include "projects/text.h"
-#include "renderers/core/error.h"
 
 namespace {
 
-constexpr std::size_t longest_line = 4096;
-
-/// Paths may hold line breaks; what is printed is one line all the same.
 int fail(const std::string& line, int status) {
-    std::cerr << "interreflect-cli: " << ir::projects::printable(line, longest_line) << "\n";
+    ir::cli::complain(line);
     return status;
 }
 

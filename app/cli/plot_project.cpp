@@ -6,21 +6,20 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/complain.h"
 #include "app/cli/load_project.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/error_study.h"
 #include "app/engine/kept_study.h"
-#include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/write_file.h"
 #include "renderers/image/metrics.h"
 
 namespace ir::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t longest_line = 4096;
 
 std::vector<projects::ErrorPlot> chosen_plots(const projects::Project& project, const ProjectPlots& job) {
     std::vector<projects::ErrorPlot> plots;
@@ -98,14 +97,12 @@ void print_study(std::ostream& out, const projects::ErrorPlot& plot, const engin
 }
 
 /// What is wrong with one plot, by whose fault.
-int complain(const ProjectPlots& job, const projects::ErrorPlot& plot, const Error& error) {
+int refuse(const ProjectPlots& job, const projects::ErrorPlot& plot, const Error& error) {
     std::string line = error.what();
     const std::string own = "plot '" + plot.id + "'";
     if (line.rfind(own, 0) != 0) line = own + ": " + line;
-    std::cerr << "interreflect-cli: " << projects::printable(job.project + ": " + line, longest_line) << "\n";
-    const bool file_at_fault =
-        dynamic_cast<const UsageError*>(&error) || dynamic_cast<const InputError*>(&error);
-    return file_at_fault ? bad_input : failed;
+    complain(job.project + ": " + line);
+    return status_of(error);
 }
 
 /// A plot without a single number is no plot.
@@ -146,20 +143,18 @@ int plot_project(const ProjectPlots& job) {
             line.clear();
             print_study(table, plot, study);
             all[plot.id] = Json::parse(engine::study_json(study));
-            if (!job.csv.empty()) write_text(job.csv, engine::study_csv(study));
+            if (!job.csv.empty()) write_file(job.csv, engine::study_csv(study));
             if (job.keep) engine::keep_study(loaded.project, plot, loaded.folder, study);
             require_numbers(plot, study);
-        } catch (const Cancelled&) {
-            throw;
         } catch (const Error& error) {
             line.clear();
-            status = std::max<int>(status, complain(job, plot, error));
+            status = std::max(status, refuse(job, plot, error));
         }
     }
     if (job.json == "-")
         std::cout << all.dump(2) << "\n";
     else if (!job.json.empty())
-        write_text(job.json, all.dump(2) + "\n");
+        write_file(job.json, all.dump(2) + "\n");
     return status;
 }
 

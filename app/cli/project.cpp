@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/cli/command.h"
+#include "app/cli/complain.h"
 #include "app/cli/results.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/execution.h"
@@ -129,11 +130,6 @@ void verify(Json& row, engine::Machine& machine, const projects::LoadedProject& 
     for (const auto& file : kept->files)
         if (file.role == "main")
             compare_pictures(row, execution.main_result(), loaded.folder / "results" / file.path);
-}
-
-int status_of(const Error& error) {
-    const bool is_input = dynamic_cast<const InputError*>(&error) || dynamic_cast<const UsageError*>(&error);
-    return is_input ? bad_input : failed;
 }
 
 void print_row(const Json& row) {

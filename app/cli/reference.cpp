@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/cli/command.h"
+#include "app/cli/complain.h"
 #include "app/cli/load_project.h"
 #include "app/cli/render_project.h"
 #include "app/cli/run_and_keep.h"
@@ -18,16 +19,14 @@
 #include "projects/samples.h"
 #include "projects/scene_files.h"
 #include "projects/store.h"
-#include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/write_file.h"
 
 namespace ir::cli {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t longest_line = 4096;
 
 struct Flags {
     MachineFlags machine;
@@ -55,7 +54,7 @@ class References {
     explicit References(const Flags& flags) : flags_(flags) {}
 
     int run() {
-        if (!flags_.out.empty()) make_folder(flags_.out);
+        if (!flags_.out.empty()) make_out_folder(flags_.out);
         folder_ = projects::project_folder(flags_.project);
         require_results(flags_.project, folder_);
         match_all();
@@ -68,12 +67,6 @@ class References {
     }
 
   private:
-    static void make_folder(const fs::path& folder) {
-        std::error_code error;
-        fs::create_directories(folder, error);
-        if (error) throw Error("--out " + folder.string() + ": cannot be created (" + error.message() + ")");
-    }
-
     /// What fails keeps no other reference from being computed.
     template <class Work>
     void guarded(const std::string& what, Work work) {
@@ -81,12 +74,8 @@ class References {
             work();
         } catch (const Error& error) {
             if (line_) line_->clear();
-            std::cerr << "interreflect-cli: "
-                      << projects::printable(flags_.project + ": " + what + ": " + error.what(), longest_line)
-                      << "\n";
-            const bool file_at_fault =
-                dynamic_cast<const UsageError*>(&error) || dynamic_cast<const InputError*>(&error);
-            status_ = std::max<int>(status_, file_at_fault ? bad_input : failed);
+            complain(flags_.project + ": " + what + ": " + error.what());
+            status_ = std::max(status_, status_of(error));
         }
     }
 
@@ -167,7 +156,7 @@ class References {
         if (flags_.out.empty()) return;
         const auto stem = (fs::path(flags_.out) / id).string();
         write_exr(stem + ".exr", execution.layers({execution.method().variance}), execution.attributes());
-        write_text(stem + ".json", engine::statistics_json(report) + "\n");
+        write_file(stem + ".json", engine::statistics_json(report) + "\n");
     }
 
     void tell(const std::string& id, const engine::Execution& execution, const KeptRun& run) {

@@ -16,6 +16,7 @@
 #include "projects/match.h"
 #include "projects/samples.h"
 #include "renderers/core/error.h"
+#include "renderers/core/write_file.h"
 
 namespace ir::cli {
 namespace {
@@ -164,7 +165,7 @@ int render_scene(const Flags& flags) {
     if (flags.json == "-")
         std::cout << engine::statistics_json(report) << "\n";
     else if (!flags.json.empty())
-        write_text(flags.json, engine::statistics_json(report) + "\n");
+        write_file(flags.json, engine::statistics_json(report) + "\n");
     return done;
 }
 

@@ -4,13 +4,13 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/complain.h"
 #include "app/cli/load_project.h"
 #include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
-#include "app/engine/keep_result.h"
-#include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/write_file.h"
 #include "renderers/image/channels.h"
 
 namespace ir::cli {
@@ -32,9 +32,6 @@ std::vector<std::string> chosen_ids(const projects::Project& project, const std:
     if (ids.empty()) throw UsageError("the project has no experiments to render");
     return ids;
 }
-
-/// Paths in an error may be long and hold line breaks.
-constexpr std::size_t longest_line = 4096;
 
 /// What the command line got wrong, not the project.
 class WrongFlags : public UsageError {
@@ -84,7 +81,7 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
     write_exr(with(".exr"), execution.layers(job.dumps), execution.attributes());
     Image colours;  // a result's fourth channel is no opacity
     write_png(with(".png"), values_of(execution.main_result(), Semantic::radiance, colours));
-    write_text(with(".json"), engine::statistics_json(report) + "\n");
+    write_file(with(".json"), engine::statistics_json(report) + "\n");
     print_messages(execution, report);
     (job.json == "-" ? std::cerr : std::cout) << experiment.id << "  " << with(".exr").string() << "  "
                                               << static_cast<long>(report.wall_ms) << " ms\n";
@@ -99,9 +96,7 @@ int render_project(const ProjectRender& job) {
     const auto loaded = load_project(job.project);
     const auto ids = chosen_ids(loaded.project, job.experiments);
     if (job.keep) require_results(job.project, loaded.folder);
-    std::error_code error;
-    std::filesystem::create_directories(job.out, error);
-    if (error) throw Error("--out " + job.out + ": cannot be created (" + error.message() + ")");
+    make_out_folder(job.out);
     engine::Machine machine(machine_options(job.machine));
     nlohmann::ordered_json all = nlohmann::ordered_json::object();
     int status = done;
@@ -115,23 +110,15 @@ int render_project(const ProjectRender& job) {
             all[id] = nlohmann::ordered_json::parse(statistics);
         } catch (const Error& error) {
             line.clear();
-            std::cerr << "interreflect-cli: "
-                      << projects::printable(job.project + ": experiment '" + id + "': " + error.what(),
-                                             longest_line)
-                      << "\n";
-            if (dynamic_cast<const WrongFlags*>(&error)) {
-                status = std::max<int>(status, wrong_usage);
-                continue;
-            }
-            const bool file_at_fault =
-                dynamic_cast<const UsageError*>(&error) || dynamic_cast<const InputError*>(&error);
-            status = std::max<int>(status, file_at_fault ? bad_input : failed);
+            complain(job.project + ": experiment '" + id + "': " + error.what());
+            const bool is_usage = dynamic_cast<const WrongFlags*>(&error);
+            status = std::max(status, is_usage ? int{wrong_usage} : status_of(error));
         }
     }
     if (job.json == "-")
         std::cout << all.dump(2) << "\n";
     else if (!job.json.empty())
-        write_text(job.json, all.dump(2) + "\n");
+        write_file(job.json, all.dump(2) + "\n");
     return status;
 }
 

@@ -63,8 +63,10 @@ void require_folder_of(const std::string& file, const std::string& option) {
         throw UsageError(option + " '" + file + "': there is no folder " + folder.string());
 }
 
-void write_text(const std::filesystem::path& file, const std::string& text) {
-    write_file(file, text);
+void make_out_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw Error("--out " + folder.string() + ": cannot be created (" + error.message() + ")");
 }
 
 }  // namespace ir::cli

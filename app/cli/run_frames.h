@@ -23,7 +23,7 @@ void note_lists(const std::vector<std::string>& patterns, const FrameReport& rep
 /// Before work whose result goes to `file`: throws UsageError, naming `option`, where its folder is missing.
 void require_folder_of(const std::string& file, const std::string& option);
 
-/// Throws Error.
-void write_text(const std::filesystem::path& file, const std::string& text);
+/// Throws Error, naming --out, where it is not there and cannot be made.
+void make_out_folder(const std::filesystem::path& folder);
 
 }  // namespace ir::cli

@@ -5,12 +5,14 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/complain.h"
 #include "app/cli/load_project.h"
 #include "app/cli/render_project.h"
 #include "app/cli/run_frames.h"
 #include "projects/sweep.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/write_file.h"
 
 namespace ir::cli {
 namespace {
@@ -69,17 +71,11 @@ Json render_point(const Flags& flags, engine::Machine& machine, const projects::
             render_one(flags.job, machine, loaded.project, point.experiment, loaded.folder, line);
         entry["image"] = point.experiment.id + ".exr";
         entry["wall_ms"] = Json::parse(statistics).at("wall_ms");
-    } catch (const Cancelled&) {
-        throw;
     } catch (const Error& error) {
-        const auto problem = projects::printable(error.what(), 4096);
         line.clear();
-        std::cerr << "interreflect-cli: " << point.experiment.id << ": " << problem << "\n";
-        entry["problem"] = problem;
-        status = std::max<int>(
-            status, dynamic_cast<const UsageError*>(&error) || dynamic_cast<const InputError*>(&error)
-                        ? bad_input
-                        : failed);
+        complain(point.experiment.id + ": " + error.what());
+        entry["problem"] = projects::printable(error.what(), 4096);
+        status = std::max(status, status_of(error));
     }
     return entry;
 }
@@ -110,7 +106,7 @@ class SweepList {
         if (Clock::now() - written_ > std::chrono::seconds(1)) write();
     }
     void write() {
-        write_text(file_, text());
+        write_file(file_, text());
         written_ = Clock::now();
     }
 
@@ -133,9 +129,7 @@ int run_sweep(const Flags& flags) {
         throw InputError(flags.job.project, "", error.what());
     }
     points = projects::shard(points, shard.index, shard.count);
-    std::error_code error;
-    std::filesystem::create_directories(flags.job.out, error);
-    if (error) throw Error("--out " + flags.job.out + ": cannot be created (" + error.message() + ")");
+    make_out_folder(flags.job.out);
     engine::Machine machine(machine_options(flags.job.machine));
     SweepList list(std::filesystem::path(flags.job.out) / list_name(shard),
                    {{"sweep", sweep.id},
@@ -160,7 +154,7 @@ int run_sweep(const Flags& flags) {
     if (flags.job.json == "-")
         std::cout << list.text();
     else if (!flags.job.json.empty())
-        write_text(flags.job.json, list.text());
+        write_file(flags.job.json, list.text());
     return status;
 }
 

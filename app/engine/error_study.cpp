@@ -104,15 +104,11 @@ class Study {
         if (first != planned.points.end()) {
             try {
                 execute(planned, *first, results);
-            } catch (const Cancelled&) {
-                throw;
             } catch (const Error& error) {
                 if (machine_.context().is_lost()) throw;
-                const bool is_refused =
-                    dynamic_cast<const UsageError*>(&error) || dynamic_cast<const InputError*>(&error);
                 for (auto& result : results)
                     if (result.problem.empty() && result.errors.empty())
-                        refuse(result, projects::printable(error.what(), 300), is_refused);
+                        refuse(result, projects::printable(error.what(), 300), is_refusal(error));
             }
         }
         for (std::size_t i = 0; i < results.size(); ++i) {

@@ -27,6 +27,11 @@ class UsageError : public Error {
     using Error::Error;
 };
 
+/// Whether what was given is at fault, and not the work.
+inline bool is_refusal(const Error& error) {
+    return dynamic_cast<const UsageError*>(&error) || dynamic_cast<const InputError*>(&error);
+}
+
 /// The memory budget (or a device limit) does not allow the work; names the parameter to lower.
 class BudgetError : public Error {
   public:
