@@ -71,7 +71,7 @@ void write_files(KeptResult& result, const Execution& execution, const FrameRepo
     files.create_directories(results / relative);
     const auto& variance = execution.method().variance;
     const auto attributes = execution.attributes();
-    write_exr(results / relative / "main.exr",
+    write_exr(files, results / relative / "main.exr",
               execution.layers(variance.empty() ? std::vector<std::string>() : std::vector{variance}),
               attributes);
     add_file(result, projects::main_role, results, relative + "/main.exr");

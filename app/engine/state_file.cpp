@@ -16,7 +16,6 @@
 #include "app/engine/state_layout.h"
 #include "renderers/core/error.h"
 #include "renderers/core/regular_file.h"
-#include "renderers/core/write_file.h"
 #include "renderers/image/exr_stream.h"
 
 namespace ir::engine {
@@ -122,7 +121,7 @@ void write_state(const fs::path& file, const graph::History& history, const Imag
     // OpenEXR only reads from the frame buffer of an output file.
     StateLayout layout(const_cast<graph::History&>(history));
     layout.widen(history);
-    write_file(file, [&](std::ostream& out) {
+    write_atomically(real_file_system(), file, [&](std::ostream& out) {
         try {
             write_parts(out, layout, headers_of(layout.parts(), history, attributes));
         } catch (const Error&) {

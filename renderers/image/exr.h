@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "renderers/core/file_system.h"
 #include "renderers/image/image.h"
 
 namespace ir {
@@ -15,6 +16,9 @@ using ImageAttributes = std::map<std::string, std::string>;
 /// layer's size share the first part, with channels "LAYER.CHANNEL"; each other size becomes a part of its
 /// own, named by its layer. Throws Error.
 void write_exr(const std::filesystem::path& file, const std::vector<ImageLayer>& layers,
+               const ImageAttributes& attributes);
+/// The same for a file of a project: a link is replaced, not followed.
+void write_exr(FileSystem& files, const std::filesystem::path& file, const std::vector<ImageLayer>& layers,
                const ImageAttributes& attributes);
 
 /// All layers of all parts. Throws InputError.

@@ -115,23 +115,33 @@ void write_parts(std::ostream& out, const std::vector<Part>& parts, const std::v
     }
 }
 
-}  // namespace
-
-void write_exr(const std::filesystem::path& file, const std::vector<ImageLayer>& layers,
-               const ImageAttributes& attributes) {
+/// The layers must live as long.
+Fill content_of(const std::filesystem::path& file, const std::vector<ImageLayer>& layers,
+                const ImageAttributes& attributes) {
     require_sound(file, layers);
-    const auto parts = parts_of(layers);
+    auto parts = parts_of(layers);
     std::vector<Imf::Header> headers;
     for (const auto& part : parts) headers.push_back(header_of(part, parts.front(), parts.size() > 1));
     insert_attributes(headers.front(), attributes);
-
-    write_file(file, [&](std::ostream& out) {
+    return [file, parts = std::move(parts), headers = std::move(headers)](std::ostream& out) {
         try {
             write_parts(out, parts, headers);
         } catch (const std::exception& problem) {
             throw Error(file.string() + ": cannot be written (" + problem.what() + ")");
         }
-    });
+    };
+}
+
+}  // namespace
+
+void write_exr(const std::filesystem::path& file, const std::vector<ImageLayer>& layers,
+               const ImageAttributes& attributes) {
+    write_file(file, content_of(file, layers, attributes));
+}
+
+void write_exr(FileSystem& files, const std::filesystem::path& file, const std::vector<ImageLayer>& layers,
+               const ImageAttributes& attributes) {
+    write_atomically(files, file, content_of(file, layers, attributes));
 }
 
 }  // namespace ir

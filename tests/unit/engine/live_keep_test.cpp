@@ -1,5 +1,6 @@
 // Results kept from the render thread: what is shown, with its state, while a window goes on.
 #include <filesystem>
+#include <fstream>
 
 #include "app/engine/from_project.h"
 #include "projects/edits.h"
@@ -65,6 +66,22 @@ TEST_F(LiveKeepTest, KeepsPictureAndStateUnderTheKeyOfTheExperiment) {
     EXPECT_EQ(index.find(kept.key)->samples, 8u);
     EXPECT_NE(index.find_state(projects::state_key(project, truth(), registry())), nullptr);
     EXPECT_TRUE(projects::check_results(index, folder).empty());
+}
+
+/// Projects may come from anybody.
+TEST_F(LiveKeepTest, LinksInTheProjectAreReplacedAndNotFollowed) {
+    render(request());
+    const auto key = projects::result_key(project, truth(), registry());
+    const auto results = folder / "results" / projects::result_folder(key);
+    const auto elsewhere = folder / "elsewhere";
+    std::ofstream(elsewhere) << "a person's own";
+    fs::create_directories(results);
+    const auto names = {"main.exr", "statistics.json", "state.exr"};
+    for (const char* name : names) fs::create_symlink(elsewhere, results / name);
+    EXPECT_EQ(keep().error, "");
+    for (const char* name : names) EXPECT_FALSE(fs::is_symlink(results / name)) << name;
+    EXPECT_EQ(fs::file_size(elsewhere), std::string("a person's own").size());
+    EXPECT_TRUE(projects::check_results(projects::ResultIndex::load(folder), folder).empty());
 }
 
 TEST_F(LiveKeepTest, GoesOnFromWhatWasKeptAndSaysSo) {
