@@ -1,6 +1,9 @@
 #include "projects/keep.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <thread>
 
@@ -155,6 +158,26 @@ TEST_F(KeepTest, LastResultsAndWhatTheSavedDocumentAsksForAreInUse) {
     for (const auto& each : now.experiments) keys.insert(result_key(now, each, registry()));
     EXPECT_EQ(keys_in_use(index(), folder.path(), registry()), keys);
     testing::write_text(folder.path() / project_file_name, "damaged");
+/// In a shared folder the guard is another person's.
+TEST_F(KeepTest, AGuardThatOnlyOthersMayWriteGuards) {
+    const auto before = ::umask(002);
+    { const ResultsGuard guard(folder.path()); }
+    ::umask(before);
+    const auto guard_file = at(results_guard_name);
+    EXPECT_EQ(fs::status(guard_file).permissions(), fs::perms(0664)) << "as all files";
+    fs::permissions(guard_file, fs::perms(0444));
+    fs::permissions(folder.path(), fs::perms(0755));
+    fs::permissions(guard_file.parent_path(), fs::perms(0777));
+    const auto user = ::geteuid();
+    const auto nobody = user == 0 ? 65534 : user;  // who may write everything tells nothing
+    ASSERT_EQ(::seteuid(nobody), 0);
+    EXPECT_NO_THROW(EXPECT_TRUE(ResultsGuard(folder.path()).is_guarding()));
+    ASSERT_EQ(::seteuid(user), 0);
+    fs::permissions(guard_file.parent_path(), fs::perms(0555));
+    ASSERT_EQ(::seteuid(nobody), 0);
+    EXPECT_THROW(ResultsGuard(folder.path()), Error) << "nothing can be kept there";
+    ASSERT_EQ(::seteuid(user), 0);
+    fs::permissions(guard_file.parent_path(), fs::perms(0755));
     EXPECT_EQ(keys_in_use(index(), folder.path(), registry()), std::set<std::string>{"k16"});
 }
 
