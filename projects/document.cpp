@@ -44,4 +44,10 @@ std::string free_id(const std::string& name, const std::vector<std::string>& tak
     return id;
 }
 
+std::string free_experiment_id(const Project& project, const std::string& name) {
+    std::vector<std::string> taken(project.kept_ids.begin(), project.kept_ids.end());
+    for (const auto& experiment : project.experiments) taken.push_back(experiment.id);
+    return free_id(name, taken);
+}
+
 }  // namespace ir::projects

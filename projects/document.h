@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -199,6 +200,9 @@ struct Project {
     std::vector<Comparison> comparisons;
     std::vector<Sweep> sweeps;
     std::vector<ErrorPlot> plots;
+    /// Ids of experiments, also removed ones, that results/index.json names; not in the document. A new
+    /// experiment gets none of them: it would come with another one's result.
+    std::set<std::string> kept_ids;
     Json extra = Json::object();
     bool operator==(const Project&) const = default;
 };
@@ -224,5 +228,7 @@ std::string free_id_in(const List& list, const std::string& name) {
     for (const auto& item : list) taken.push_back(item.id);
     return free_id(name, taken);
 }
+/// The same for a new experiment of the project.
+std::string free_experiment_id(const Project& project, const std::string& name);
 
 }  // namespace ir::projects

@@ -252,7 +252,7 @@ Experiment new_experiment(const Project& project, const Registry& registry, cons
                           const std::string& name, const std::string& scene, const std::string& camera) {
     const auto& description = registry.at(method);
     Experiment experiment;
-    experiment.id = free_id_in(project.experiments, name.empty() ? "experiment" : name);
+    experiment.id = free_experiment_id(project, name.empty() ? "experiment" : name);
     experiment.name = name.empty() ? free_name(project, description.title) : name;
     experiment.scene = scene;
     experiment.camera = camera;

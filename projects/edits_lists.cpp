@@ -76,8 +76,11 @@ std::string in_quotes(const std::string& name) {
 
 /// What a copy does not share with its original.
 template <class Item>
-void make_fresh(Item&) {}
-void make_fresh(Experiment& copy) {
+void make_fresh(const Project& project, Item& copy) {
+    copy.id = free_id_in(list_of<Item>(project), copy.id);
+}
+void make_fresh(const Project& project, Experiment& copy) {
+    copy.id = free_experiment_id(project, copy.id);
     copy.last_kept_key.clear();
 }
 
@@ -112,8 +115,7 @@ EditPtr duplicate(const Project& project, const std::string& id) {
     Item copy = item_of<Item>(project, id);
     const std::string label = std::string("Duplicate ") + ListOf<Item>::word + " " + in_quotes(copy.name);
     copy.name += " copy";
-    copy.id = free_id_in(list_of<Item>(project), copy.id);
-    make_fresh(copy);
+    make_fresh(project, copy);
     return std::make_unique<Insert<Item>>(label, index + 1, std::move(copy));
 }
 

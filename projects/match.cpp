@@ -157,7 +157,7 @@ Experiment matching_reference(const Project& project, const Experiment& experime
     run.values = runnable_settings(experiment, *method);
     const auto computed = ground_truth(run, registry);
     auto truth = edits::new_experiment(project, registry, reference.id, "", run.scene, run.camera);
-    truth.id = free_id_in(project.experiments, reference_name(experiment.id));
+    truth.id = free_experiment_id(project, reference_name(experiment.id));
     truth.name = free_name(project, reference_name(experiment.name));
     truth.lights = run.lights;
     truth.size = run.size;

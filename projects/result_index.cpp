@@ -178,6 +178,8 @@ void ResultIndex::merge(const ResultIndex& newer) {
 
 bool tell_last_kept(Project& project, const LastKept& keys) {
     bool is_news = false;
+    project.kept_ids.clear();
+    for (const auto& [id, key] : keys) project.kept_ids.insert(id);
     for (auto& experiment : project.experiments) {
         const auto found = keys.find(experiment.id);
         const auto key = found == keys.end() ? std::string() : found->second;

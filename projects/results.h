@@ -73,7 +73,8 @@ struct KeptResult {
 
 /// Key of the result that was kept last, by the experiment's id.
 using LastKept = std::map<std::string, std::string>;
-/// Tells each experiment of a document (Experiment::last_kept_key). Returns whether that was news.
+/// Tells a document (Experiment::last_kept_key, Project::kept_ids). Returns whether that was news of an
+/// experiment.
 bool tell_last_kept(Project& project, const LastKept& keys);
 
 /// results/index.json. It alone says what was kept, so that whoever keeps a result writes nothing else.

@@ -93,6 +93,35 @@ TEST_F(OpenProjectTest, WhatOthersKeepIsToldAndIsNoChangeOfTheDocument) {
     EXPECT_EQ(load_project(folder, registry()).project.experiments[0].last_kept_key, "");
 }
 
+TEST_F(OpenProjectTest, ANewExperimentNeverComesWithTheResultOfARemovedOne) {
+    OpenProject open(folder, registry());
+    const auto duplicate = [&] {
+        open.edit(edits::duplicate<Experiment>(open.project(), "fog-nave"));
+        return open.project().experiments[1];
+    };
+    const auto first = duplicate().id;
+    KeptResult result;
+    result.key = "key";
+    result.experiment = first;
+    keep(folder, result, {}, ResultsGuard(folder));
+    open.set_last_kept(ResultIndex::load(folder).last_kept());
+    EXPECT_EQ(find_item(open.project().experiments, first)->last_kept_key, "key");
+    open.edit(edits::remove<Experiment>(open.project(), first));
+    open.save();
+
+    EXPECT_EQ(duplicate().last_kept_key, "");
+    auto fresh = edits::new_experiment(open.project(), registry(), "plain", first, "", "");
+    open.edit(edits::add(open.project(), fresh));
+    EXPECT_EQ(find_item(open.project().experiments, fresh.id)->last_kept_key, "");
+    for (int steps = 0; steps < 3; ++steps) open.undo();
+    ASSERT_NE(find_item(open.project().experiments, first), nullptr);
+    EXPECT_EQ(find_item(open.project().experiments, first)->last_kept_key, "key") << "it finds its own";
+
+    const auto saved = load_project(folder, registry()).project;
+    EXPECT_EQ(find_item(saved.experiments, first), nullptr);
+    EXPECT_NE(edits::new_experiment(saved, registry(), "plain", first, "", "").id, first);
+}
+
 TEST_F(OpenProjectTest, TheSecondOpensReadOnly) {
     OpenProject first(folder, registry());
     OpenProject second(folder, registry());
