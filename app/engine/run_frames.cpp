@@ -100,7 +100,7 @@ class FrameRun {
         for (const auto& message : report.messages) add_message(messages, message);
         report.messages = std::move(messages);
         total_ = std::move(report);
-        if (added_ == 0 || !(total_.wall_ms > 0)) return;
+        if (!adds_up_ || added_ == 0 || !(total_.wall_ms > 0)) return;
         const auto& experiment = execution_.experiment();
         const double rate =
             static_cast<double>(added_) * experiment.width * experiment.height / total_.wall_ms * 1e3;
