@@ -95,6 +95,7 @@ class FrameRun {
         unkept_ms_ += report.wall_ms;
         report.wall_ms += total_.wall_ms;
         report.counters["growth"] += total_.counters["growth"];
+        if (adds_up_) add_up(report);
         report.began_anew = report.began_anew || total_.began_anew;
         auto messages = std::move(total_.messages);
         for (const auto& message : report.messages) add_message(messages, message);
@@ -105,6 +106,22 @@ class FrameRun {
         const double rate =
             static_cast<double>(added_) * experiment.width * experiment.height / total_.wall_ms * 1e3;
         total_.figures[rate_figure] = total_.counters[rate_figure] = rate;
+    }
+
+    /// However many frames the samples were divided into.
+    void add_up(FrameReport& report) const {
+        for (const auto& key : total_.sums)
+            report.counters[key] = report.figures[key] += total_.figures.at(key);
+        report.sums.insert(total_.sums.begin(), total_.sums.end());
+        for (const auto& before : total_.passes) {
+            const auto same = [&](const PassReport& pass) { return pass.name == before.name; };
+            const auto pass = std::find_if(report.passes.begin(), report.passes.end(), same);
+            if (pass == report.passes.end()) continue;
+            pass->gpu_ms += before.gpu_ms;
+            pass->cpu_ms += before.cpu_ms;
+            pass->slices += before.slices;
+            pass->culled = pass->culled && before.culled;
+        }
     }
 
     static void add_message(std::vector<Message>& messages, const Message& message) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,7 @@ struct FrameReport {
     std::map<std::string, double> counters;  ///< "growth", "ldm.fragments", …
     /// Those of the counters that count nothing: speeds, estimated errors.
     std::map<std::string, double> figures;
+    std::set<std::string> sums;  ///< keys of the figures that add up over frames, such as times
     std::uint64_t memory_bytes = 0;
     std::uint64_t peak_memory_bytes = 0;
     std::vector<Message> messages;

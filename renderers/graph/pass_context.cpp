@@ -269,6 +269,11 @@ void PassContext::set_figure(const std::string& key, double value) const {
     graph_.state_->figures[key] = value;
 }
 
+void PassContext::set_sum(const std::string& key, double value) const {
+    set_figure(key, value);
+    graph_.state_->report.sums.insert(key);
+}
+
 void PassContext::warn(std::string text) const {
     graph_.state_->warnings.push_back(std::move(text));
 }

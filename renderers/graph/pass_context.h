@@ -90,6 +90,8 @@ class PassContext {
     /// A number for the report's counters that is no count: a speed, an estimated error. Of the graph's
     /// thread; the last value of a frame counts.
     void set_figure(const std::string& key, double value) const;
+    /// A figure that adds up over frames, such as a time.
+    void set_sum(const std::string& key, double value) const;
     /// Adds a warning to the frame's messages, once where it is the same. Of the graph's thread.
     void warn(std::string text) const;
 

@@ -81,8 +81,8 @@ void report_figures(const graph::PassContext& context, const Tally& tally, const
     const auto samples = static_cast<double>(totals.samples);
     const auto& view = context.inputs().view;
     const auto pixels = static_cast<double>(view.width) * view.height;
-    context.set_figure("rays", static_cast<double>(tally.rays));
-    context.set_figure("reference.trace_ms", tally.milliseconds);
+    context.set_sum("rays", static_cast<double>(tally.rays));
+    context.set_sum("reference.trace_ms", tally.milliseconds);
     context.set_figure("reference.samples_total", pixels * samples);
     context.set_figure("reference.error", std::sqrt(mean_variance));
     // All samples made the variance, this frame's the time. Variance falls as 1 / time, or faster.

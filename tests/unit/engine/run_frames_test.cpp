@@ -37,5 +37,28 @@ TEST_F(RunFrames, OnlyWhatAddsUpHasARateOfSamples) {
     EXPECT_EQ(report.figures.count(rate_figure), 0u);
 }
 
+TEST_F(RunFrames, TheNumbersAreThoseOfAllFramesThatTheSamplesWereDividedInto) {
+    const auto* method = registry().reference();
+    if (!method) GTEST_SKIP() << "this build has no method that accumulates";
+    auto experiment = experiment_of(method->id);
+    for (const auto& parameter : method->parameters)
+        if (parameter.accumulates) experiment.settings[parameter.key] = std::int64_t{40};
+    Execution whole(machine, experiment), divided(machine, experiment);
+    const auto at_once = run_frames(whole, {});
+    std::vector<FrameReport> told;
+    const auto report =
+        run_frames(divided, {}, {[&](const FrameReport& so_far) { told.push_back(so_far); }, 1e-9});
+    ASSERT_GT(told.size(), 1u);
+    EXPECT_EQ(report.counters.at("rays"), at_once.counters.at("rays"));
+    EXPECT_EQ(report.figures.at("rays"), at_once.figures.at("rays"));
+    told.push_back(report);
+    for (std::size_t i = 1; i < told.size(); ++i) {
+        EXPECT_GT(told[i].counters.at("rays"), told[i - 1].counters.at("rays"));
+        EXPECT_GT(slices(told[i]), slices(told[i - 1]));
+        for (std::size_t p = 0; p < report.passes.size(); ++p)
+            EXPECT_GE(told[i].passes[p].cpu_ms, told[i - 1].passes[p].cpu_ms) << told[i].passes[p].name;
+    }
+}
+
 }  // namespace
 }  // namespace ir::engine
