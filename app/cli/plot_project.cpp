@@ -123,6 +123,7 @@ void require_numbers(const projects::ErrorPlot& plot, const engine::ErrorStudy& 
 int plot_project(const ProjectPlots& job) {
     const auto loaded = load_project(job.project);
     const auto plots = chosen_plots(loaded.project, job);
+    if (job.keep) require_results(job.project, loaded.folder);
     engine::Machine machine(machine_options(job.machine));
     const auto options = frame_options(job.machine);
     ProgressLine line(job.show_progress, static_cast<double>(plots.size()));

@@ -87,6 +87,15 @@ TEST_F(PlotCommand, PrintsATableAndKeepsTheNumbers) {
     EXPECT_TRUE(fs::exists(project_ / "results/plots/directions.json"));
 }
 
+TEST_F(PlotCommand, WhatCannotBeKeptIsToldBeforeAnythingIsRendered) {
+    std::ofstream(project_ / "results") << "in the way";
+    const auto refused = run("plot " + path());
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("cannot keep results: "), std::string::npos) << refused.err;
+    EXPECT_EQ(refused.err.find("samples"), std::string::npos) << "it rendered: " << refused.err;
+    EXPECT_EQ(refused.out, "");
+}
+
 TEST_F(PlotCommand, PrintsOneJsonObject) {
     const auto outcome = plot("directions --json --no-keep --metric mae");
     ASSERT_EQ(outcome.status, 0) << outcome.err;
