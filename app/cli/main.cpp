@@ -4,6 +4,7 @@
 #include "app/cli/command.h"
 #include "app/cli/complain.h"
 #include "app/engine/interruption.h"
+#include "app/engine/run_frames.h"
 #include "app/engine/version.h"
 
 namespace {
@@ -62,6 +63,9 @@ int main(int argc, char** argv) {
         return fail(error.what(), bad_input);
     } catch (const ir::UsageError& error) {
         return fail(error.what(), wrong_usage);
+    } catch (const ir::engine::NotKept& loss) {
+        complain(loss.what());
+        return fail("interrupted", ir::engine::interruption_status());
     } catch (const ir::Cancelled&) {
         return fail("interrupted", ir::engine::interruption_status());
     } catch (const std::bad_alloc&) {

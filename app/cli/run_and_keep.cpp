@@ -25,6 +25,7 @@ KeptRun run_and_keep(engine::Execution& execution, graph::FrameOptions options,
     if (const auto& variance = execution.method().variance; !variance.empty())
         options.wanted.push_back(variance);
     const auto keep = [&](const FrameReport& report) {
+        run.key.clear();
         run.key = engine::keep_result(project, experiment, folder, execution, report);
     };
     try {

@@ -157,8 +157,13 @@ class FrameRun {
         auto options = options_;
         options.cancel = nullptr;
         options.progress = nullptr;
-        add(execution_.run_frame(options, 0), execution_.samples());
-        checkpoints_.keep(total_);
+        const auto samples = execution_.samples();
+        try {
+            add(execution_.run_frame(options, 0), samples);
+            checkpoints_.keep(total_);
+        } catch (const std::exception& error) {
+            throw NotKept("could not keep " + std::to_string(samples) + " samples: " + error.what());
+        }
     }
 
     using Clock = std::chrono::steady_clock;

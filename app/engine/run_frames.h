@@ -21,11 +21,22 @@ inline constexpr const char* rate_figure = "samples_per_second";
 /// "12 of 64 samples, 3.21 M samples/s"; the report is of run_frames().
 std::string samples_text(const Execution& execution, const FrameReport& report);
 
-/// Runs all frames that the experiment asks for. The report is that of the last, with the messages of all,
-/// sums of `wall_ms` and of the counter "growth", and the rate_figure where samples add up. Progress is that
-/// of all frames. With checkpoints frames are divided into ones of some seconds, which changes no bit of the
-/// result; before Cancelled goes on the samples of all complete frames are kept. A checkpoint that fails is a
-/// warning. Throws as Execution::run_frame, and what `keep` throws when interrupted.
+/// Cancelled, and the samples that were there could not be kept: what() says how many, and why.
+class NotKept : public Cancelled {
+  public:
+    explicit NotKept(std::string what) : what_(std::move(what)) {}
+    const char* what() const noexcept override { return what_.c_str(); }
+
+  private:
+    std::string what_;
+};
+
+/// Runs all frames that the experiment asks for. The report is that of the last, with the messages of all and
+/// sums of `wall_ms` and of the counter "growth". Where samples add up the passes and FrameReport::sums are
+/// those of all frames, too, and the rate_figure is there. Progress is that of all frames. With checkpoints
+/// frames are divided into ones of some seconds, which changes no bit of the result; before Cancelled goes on
+/// the samples of all complete frames are kept; where that fails it is a NotKept. A checkpoint that fails is
+/// a warning. Throws as Execution::run_frame.
 FrameReport run_frames(Execution& execution, const graph::FrameOptions& options,
                        const Checkpoints& checkpoints = {});
 

@@ -175,6 +175,34 @@ TEST_F(Signals, KeepWhatAddsUp) {
         }
 }
 
+TEST_F(Signals, WhatCouldNotBeKeptIsSaidAndNothingElseIsBegun) {
+    for (auto& experiment : json_["experiments"])
+        if (experiment["id"] == truth) std::swap(json_["experiments"][0], experiment);
+    json_["plots"].push_back(json_["plots"][0]);
+    json_["plots"][1]["id"] = "another";
+    set_truth(endless, 1);
+    ASSERT_EQ(json_["experiments"][0]["id"], truth);
+    const auto count = std::to_string(endless);
+    for (const auto& command : {Words{"render", path(), "--keep", "--out", file("out")},
+                                Words{"reference", path(), "--samples", count}, Words{"plot", path()}}) {
+        SCOPED_TRACE(command[0]);
+        fs::remove_all(project_ / "results");
+        auto child = start(command);
+        ASSERT_TRUE(child.reaches([&] { return has_samples(child); })) << child.err();
+        fs::remove_all(project_ / "results");
+        std::ofstream(project_ / "results") << "in the way";
+        child.send(SIGTERM);
+        EXPECT_EQ(child.wait(), 128 + SIGTERM);
+        EXPECT_TRUE(
+            std::regex_search(child.err(), std::regex("could not keep [1-9][0-9]* samples: .*results")))
+            << child.err();
+        EXPECT_NE(child.err().find("interreflect-cli: interrupted\n"), std::string::npos) << child.err();
+        EXPECT_EQ(child.err().find("go on"), std::string::npos) << child.err();
+        EXPECT_FALSE(fs::exists(file("out/ldm-50.exr")));
+        EXPECT_EQ(child.out(), "");
+    }
+}
+
 TEST_F(Signals, APlotKeepsItsReference) {
     auto child = start({"plot", path()});
     ASSERT_TRUE(child.reaches([&] { return has_samples(child); })) << child.err();
