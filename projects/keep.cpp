@@ -29,10 +29,11 @@ void supersede(ResultIndex& index, const KeptResult& result, const std::set<std:
 
 }  // namespace
 
-std::set<std::string> keys_in_use(const ResultIndex& index, const fs::path& project_folder,
-                                  const Registry& registry) {
+std::set<std::string> keys_in_use(const ResultIndex& index, const std::string& kept,
+                                  const fs::path& project_folder, const Registry& registry) {
     std::set<std::string> keys;
-    for (const auto& [experiment, key] : index.last_kept()) keys.insert(key);
+    for (const auto& [experiment, key] : index.last_kept())
+        if (experiment != kept) keys.insert(key);
     try {
         const auto saved = load_project(project_folder, registry).project;
         const auto now = with_contents(saved, read_contents(saved, project_folder));

@@ -9,10 +9,11 @@
 
 namespace ir::projects {
 
-/// Keys of the last kept result of each experiment, and of the pictures that the saved document asks for:
-/// nobody's unsaved changes may take away what that one needs.
-std::set<std::string> keys_in_use(const ResultIndex& index, const std::filesystem::path& project_folder,
-                                  const Registry& registry);
+/// Of what else is in use when a result of the experiment `kept` is: keys of the last kept results of all
+/// others, and of the pictures that the saved document asks for. Nobody's unsaved changes may take away what
+/// that one needs.
+std::set<std::string> keys_in_use(const ResultIndex& index, const std::string& kept,
+                                  const std::filesystem::path& project_folder, const Registry& registry);
 
 /// Lists a result whose files are in place as the last of its experiment; the guard must have been taken
 /// before they were written. Of results with the same state key and fewer samples the states go, and the

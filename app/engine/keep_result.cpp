@@ -103,7 +103,9 @@ std::string keep_result(const projects::Project& project, const projects::Experi
         write_files(result, execution, report, results, !has_larger_state(index, result, results));
     }
     const auto key = result.key;
-    projects::keep(folder, std::move(result), projects::keys_in_use(index, folder, registry()), guard);
+    auto in_use = projects::keys_in_use(index, experiment.id, folder, registry());
+    in_use.insert(projects::result_key(now, experiment, registry()));
+    projects::keep(folder, std::move(result), in_use, guard);
     return key;
 }
 

@@ -228,6 +228,7 @@ TEST_F(Signals, ACheckpointOutlivesWhatNobodyCanCatch) {
     for (const auto& entry : index.entries())
         states += projects::file_of(entry, projects::state_role) ? 1 : 0;
     EXPECT_EQ(states, 1);
+    EXPECT_EQ(index.entries().size(), 1u) << "checkpoints before are of no use";
     expect_continues_to_the_same_bits();
     EXPECT_EQ(run({"render", path(), "--checkpoint", "5", "--out", file("out")}), 2) << "keeps nothing";
 }

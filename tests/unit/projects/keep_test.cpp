@@ -151,13 +151,20 @@ TEST_F(KeepTest, SharedFilesStayAsLongAsOneNamesThem) {
 TEST_F(KeepTest, LastResultsAndWhatTheSavedDocumentAsksForAreInUse) {
     const auto project = sample_project();
     put(kept("k16", 16, false));
-    EXPECT_EQ(keys_in_use(index(), folder.path(), registry()), std::set<std::string>{"k16"});
+    const auto in_use = [&](const std::string& kept = "another") {
+        return keys_in_use(index(), kept, folder.path(), registry());
+    };
+    EXPECT_EQ(in_use(), std::set<std::string>{"k16"});
+    EXPECT_EQ(in_use("fog-nave"), std::set<std::string>()) << "its next one takes the place of k16";
     save_project(project, folder.path(), "");
     const auto now = load_project(folder.path(), registry()).project;
     std::set<std::string> keys{"k16"};
     for (const auto& each : now.experiments) keys.insert(result_key(now, each, registry()));
-    EXPECT_EQ(keys_in_use(index(), folder.path(), registry()), keys);
+    EXPECT_EQ(in_use(), keys);
     testing::write_text(folder.path() / project_file_name, "damaged");
+    EXPECT_EQ(in_use(), std::set<std::string>{"k16"});
+}
+
 /// In a shared folder the guard is another person's.
 TEST_F(KeepTest, AGuardThatOnlyOthersMayWriteGuards) {
     const auto before = ::umask(002);
@@ -178,7 +185,6 @@ TEST_F(KeepTest, AGuardThatOnlyOthersMayWriteGuards) {
     EXPECT_THROW(ResultsGuard(folder.path()), Error) << "nothing can be kept there";
     ASSERT_EQ(::seteuid(user), 0);
     fs::permissions(guard_file.parent_path(), fs::perms(0755));
-    EXPECT_EQ(keys_in_use(index(), folder.path(), registry()), std::set<std::string>{"k16"});
 }
 
 TEST_F(KeepTest, EachExperimentHasItsLastResultAlsoWhereTwoHaveTheSamePicture) {
