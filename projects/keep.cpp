@@ -27,6 +27,15 @@ void supersede(ResultIndex& index, const KeptResult& result, const std::set<std:
     }
 }
 
+/// Key of the experiment's last result once this one is kept. A process that was faster may have kept more.
+std::string last_with(const ResultIndex& index, const KeptResult& result,
+                      const std::set<std::string>& in_use) {
+    const auto* last = index.find(index.last_kept()[result.experiment]);
+    const bool has_more = last && !result.state_key.empty() && last->state_key == result.state_key &&
+                          last->samples > result.samples;
+    return has_more && in_use.count(result.key) == 0 ? last->key : result.key;
+}
+
 }  // namespace
 
 std::set<std::string> keys_in_use(const ResultIndex& index, const std::string& kept,
@@ -48,10 +57,10 @@ void keep(const fs::path& project_folder, KeptResult result, const std::set<std:
           const ResultsGuard&, FileSystem& files) {
     auto index = ResultIndex::load(project_folder, files);
     const auto before = files_of(index);
+    const auto experiment = result.experiment, last = last_with(index, result, in_use);
     supersede(index, result, in_use);
-    const auto experiment = result.experiment, key = result.key;
     index.put(std::move(result));
-    index.set_last_kept(experiment, key);
+    index.set_last_kept(experiment, last);
     index.save(project_folder, files);
     const auto after = files_of(index);
     for (const auto& path : before)

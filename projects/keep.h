@@ -15,10 +15,11 @@ namespace ir::projects {
 std::set<std::string> keys_in_use(const ResultIndex& index, const std::string& kept,
                                   const std::filesystem::path& project_folder, const Registry& registry);
 
-/// Lists a result whose files are in place as the last of its experiment; the guard must have been taken
-/// before they were written. Of results with the same state key and fewer samples the states go, and the
-/// whole results where `in_use` does not have their key. The index is saved first, files are removed after:
-/// whatever interrupts it, every listed file is there.
+/// Lists a result whose files are in place; the guard must have been taken before they were written. It
+/// becomes the last of its experiment, unless that is the same picture with more samples and `in_use` does
+/// not have the key of the new one. Of results with the same state key and fewer samples the states go, and
+/// the whole results where `in_use` does not have their key. The index is saved first, files are removed
+/// after: whatever interrupts it, every listed file is there.
 void keep(const std::filesystem::path& project_folder, KeptResult result, const std::set<std::string>& in_use,
           const ResultsGuard& guard, FileSystem& files = real_file_system());
 

@@ -165,6 +165,19 @@ TEST_F(KeepTest, LastResultsAndWhatTheSavedDocumentAsksForAreInUse) {
     EXPECT_EQ(in_use(), std::set<std::string>{"k16"});
 }
 
+/// Two processes compute one reference; one has all of it when the other is interrupted.
+TEST_F(KeepTest, FewerSamplesBecomeTheLastOnlyWhereTheyAreAskedFor) {
+    put(kept("k64", 64));
+    put(kept("k16", 16, false));
+    EXPECT_EQ(index().last_kept(), (LastKept{{"fog-nave", "k64"}}));
+    put(kept("k16", 16, false), {"k16"});
+    EXPECT_EQ(index().last_kept(), (LastKept{{"fog-nave", "k16"}}));
+    auto other = kept("other", 4);
+    other.state_key = "another-picture";
+    put(other);
+    EXPECT_EQ(index().last_kept(), (LastKept{{"fog-nave", "other"}}));
+}
+
 /// In a shared folder the guard is another person's.
 TEST_F(KeepTest, AGuardThatOnlyOthersMayWriteGuards) {
     const auto before = ::umask(002);
