@@ -54,7 +54,8 @@ std::set<std::string> keys_in_use(const ResultIndex& index, const std::string& k
 }
 
 void keep(const fs::path& project_folder, KeptResult result, const std::set<std::string>& in_use,
-          const ResultsGuard&, FileSystem& files) {
+          const ResultsGuard& guard, FileSystem& files) {
+    if (guard.is_guarding()) remove_left_overs(project_folder / "results", true);
     auto index = ResultIndex::load(project_folder, files);
     const auto before = files_of(index);
     const auto experiment = result.experiment, last = last_with(index, result, in_use);

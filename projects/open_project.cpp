@@ -105,6 +105,7 @@ void OpenProject::load() {
     older_recoveries_.clear();
     taken_.clear();
     // While another process edits, the autosave is that one's.
+    if (!read_only_) remove_left_overs(folder_);
     if (!read_only_) older_recoveries_ = collect_recoveries(folder_, registry_, files_);
     std::reverse(older_recoveries_.begin(), older_recoveries_.end());
     next_recovery();

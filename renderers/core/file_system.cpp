@@ -1,12 +1,14 @@
 #include "renderers/core/file_system.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <tuple>
 
@@ -162,6 +164,17 @@ fs::path temporary_beside(FileSystem& files, const fs::path& file) {
     }
 }
 
+/// Whether its process has ended.
+bool is_left_over(const fs::path& file) {
+    const auto number = file.stem().extension().string();  // ".PID-N"
+    if (file.extension() != temporary_extension || number.empty()) return false;
+    const auto* end = number.data() + number.size();
+    pid_t process = 0;
+    const auto parsed = std::from_chars(number.data() + 1, end, process);
+    const bool is_temporary = parsed.ec == std::errc{} && parsed.ptr != end && *parsed.ptr == '-';
+    return is_temporary && process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
+}
+
 }  // namespace
 
 Fill fill_with(std::string_view bytes) {
@@ -192,6 +205,15 @@ void write_atomically(FileSystem& files, const fs::path& file, const Fill& fill)
 
 void write_atomically(FileSystem& files, const fs::path& file, std::string_view bytes) {
     write_atomically(files, file, fill_with(bytes));
+}
+
+void remove_left_overs(const fs::path& folder, bool and_below) {
+    std::error_code error, ignored;
+    fs::recursive_directory_iterator entry(folder, error), end;
+    for (; !error && entry != end; entry.increment(error)) {
+        if (!and_below) entry.disable_recursion_pending();
+        if (is_left_over(entry->path())) fs::remove(entry->path(), ignored);
+    }
 }
 
 void copy_atomically(FileSystem& files, const fs::path& from, const fs::path& to) {

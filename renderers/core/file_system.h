@@ -57,4 +57,9 @@ void write_atomically(FileSystem& files, const std::filesystem::path& file, std:
 /// The same with the bytes of another file; creates the folder where it is missing.
 void copy_atomically(FileSystem& files, const std::filesystem::path& from, const std::filesystem::path& to);
 
+/// Removes the temporaries of processes that have ended, also those below the folder if asked; what cannot be
+/// removed stays. Processes of other machines that share the folder look ended: only while nobody else may
+/// write there.
+void remove_left_overs(const std::filesystem::path& folder, bool and_below = false);
+
 }  // namespace ir

@@ -178,6 +178,18 @@ TEST_F(KeepTest, FewerSamplesBecomeTheLastOnlyWhereTheyAreAskedFor) {
     EXPECT_EQ(index().last_kept(), (LastKept{{"fog-nave", "other"}}));
 }
 
+TEST_F(KeepTest, WhatProcessesThatEndedLeftHalfWrittenGoes) {
+    const auto ended = fork();
+    if (ended == 0) _exit(0);
+    ASSERT_EQ(::waitpid(ended, nullptr, 0), ended);
+    const auto left = "k16/state.exr." + std::to_string(ended) + "-3.tmp";
+    const auto own = "k16/state.exr." + std::to_string(::getpid()) + "-3.tmp";
+    for (const auto& name : {left, own}) testing::write_text(at(name), "half");
+    put(kept("k64", 64));
+    EXPECT_FALSE(fs::exists(at(left)));
+    EXPECT_TRUE(fs::exists(at(own))) << "somebody still writes it";
+}
+
 /// In a shared folder the guard is another person's.
 TEST_F(KeepTest, AGuardThatOnlyOthersMayWriteGuards) {
     const auto before = ::umask(002);

@@ -1,6 +1,8 @@
 #include "projects/open_project.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <functional>
@@ -120,6 +122,26 @@ TEST_F(OpenProjectTest, ANewExperimentNeverComesWithTheResultOfARemovedOne) {
     const auto saved = load_project(folder, registry()).project;
     EXPECT_EQ(find_item(saved.experiments, first), nullptr);
     EXPECT_NE(edits::new_experiment(saved, registry(), "plain", first, "", "").id, first);
+}
+
+TEST_F(OpenProjectTest, WhatProcessesThatEndedLeftHalfWrittenGoesWithTheLock) {
+    const auto ended = fork();
+    if (ended == 0) _exit(0);
+    ASSERT_EQ(::waitpid(ended, nullptr, 0), ended);
+    const auto left = folder / ("project.json." + std::to_string(ended) + "-1.tmp");
+    testing::write_text(folder / "notes.tmp", "a person's own");
+    testing::write_text(left, "half");
+    const auto results_left = folder / "results" / left.filename();
+    testing::write_text(results_left, "half");
+    {
+        const auto lock = Lock::acquire(folder);
+        const OpenProject second(folder, registry());
+        EXPECT_TRUE(fs::exists(left)) << "whoever has the lock may be on another machine";
+    }
+    const OpenProject open(folder, registry());
+    EXPECT_FALSE(fs::exists(left));
+    EXPECT_TRUE(fs::exists(folder / "notes.tmp"));
+    EXPECT_TRUE(fs::exists(results_left)) << "that is for who has the guard";
 }
 
 TEST_F(OpenProjectTest, TheSecondOpensReadOnly) {
