@@ -170,13 +170,16 @@ class Checker {
         each("motion", project_.motion,
              [&](const Motion& motion, const std::string& at) { check(motion, at); });
         each("sweeps", project_.sweeps, [&](const Sweep& sweep, const std::string& at) {
-            refer(at + "/experiment", "sweep '" + sweep.id + "'", "experiment", project_.experiments,
-                  sweep.experiment);
+            const std::string who = "sweep '" + sweep.id + "'";
+            if (sweep.experiment.empty()) refuse(at + "/experiment", who, "has no experiment; choose one");
+            refer(at + "/experiment", who, "experiment", project_.experiments, sweep.experiment);
         });
         each("comparisons", project_.comparisons, [&](const Comparison& c, const std::string& at) {
             const std::string who = "comparison '" + c.id + "'";
-            refer_to_picture(at + "/a", who, c.a);
-            refer_to_picture(at + "/b", who, c.b);
+            for (const auto& [side, id] : {std::pair{"a", c.a}, {"b", c.b}}) {
+                if (id.empty()) refuse(at + "/" + side, who, "has no picture on this side; choose one");
+                refer_to_picture(at + "/" + side, who, id);
+            }
         });
         each("plots", project_.plots, [&](const ErrorPlot& plot, const std::string& at) {
             const std::string who = "plot '" + plot.id + "'";
