@@ -145,8 +145,8 @@ class References {
         auto options = frame_options(flags_.machine);
         line_->begin(id, frames_of(experiment));
         options.progress = line_->callback();
-        const auto run = run_and_keep(execution, options, project_, experiment, folder_, flags_.checkpoint);
-        line_->clear();
+        const auto run =
+            run_and_keep(execution, options, project_, experiment, folder_, flags_.checkpoint, *line_);
         print_messages(execution, run.report);
         write(execution, run.report, id);
         tell(id, execution, run);

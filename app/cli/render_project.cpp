@@ -65,7 +65,7 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
     KeptRun run;
     try {
         if (job.keep)
-            run = run_and_keep(execution, options, project, experiment, folder, job.checkpoint);
+            run = run_and_keep(execution, options, project, experiment, folder, job.checkpoint, line);
         else
             run.report = engine::run_frames(execution, options);
     } catch (const Cancelled&) {

@@ -18,7 +18,7 @@ void add_checkpoint_flag(CLI::App& command, double& seconds) {
 
 KeptRun run_and_keep(engine::Execution& execution, graph::FrameOptions options,
                      const projects::Project& project, const projects::Experiment& experiment,
-                     const std::filesystem::path& folder, double checkpoint) {
+                     const std::filesystem::path& folder, double checkpoint, const ProgressLine& line) {
     KeptRun run;
     const auto problems = engine::resume_kept(execution, project, experiment, folder);
     run.resumed_from = execution.samples();
@@ -31,12 +31,14 @@ KeptRun run_and_keep(engine::Execution& execution, graph::FrameOptions options,
     try {
         run.report = engine::run_frames(execution, options, {keep, checkpoint});
     } catch (const Cancelled&) {
+        line.clear();
         if (!run.key.empty())
             std::cerr << "interreflect-cli: kept " << execution.samples() << " of "
                       << execution.samples_asked() << " samples of '" << experiment.id
                       << "'; run it again to go on\n";
         throw;
     }
+    line.clear();
     if (run.report.began_anew) run.resumed_from = 0;
     for (const auto& problem : problems) run.report.messages.push_back({Severity::warning, "state", problem});
     keep(run.report);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/cli/command.h"
+#include "app/cli/progress_line.h"
 #include "app/engine/run_frames.h"
 #include "projects/document.h"
 
@@ -20,10 +21,10 @@ struct KeptRun {
 
 /// Goes on from what the project keeps of the experiment, runs all its frames and keeps the result. Every
 /// `checkpoint` seconds of rendering, and when it is interrupted, what adds up is kept as a result with as
-/// many samples as there are; the latter is said before Cancelled goes on. Throws as engine::run_frames and
-/// engine::keep_result.
+/// many samples as there are; the latter is said before Cancelled goes on. Clears the line once nothing more
+/// is told. Throws as engine::run_frames and engine::keep_result.
 KeptRun run_and_keep(engine::Execution& execution, graph::FrameOptions options,
                      const projects::Project& project, const projects::Experiment& experiment,
-                     const std::filesystem::path& folder, double checkpoint);
+                     const std::filesystem::path& folder, double checkpoint, const ProgressLine& line);
 
 }  // namespace ir::cli

@@ -203,6 +203,30 @@ TEST_F(Signals, WhatCouldNotBeKeptIsSaidAndNothingElseIsBegun) {
     }
 }
 
+TEST_F(Signals, WhatIsKeptIsSaidOnALineOfItsOwn) {
+    const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
+    ASSERT_GE(terminal, 0);
+    ASSERT_EQ(::grantpt(terminal), 0);
+    ASSERT_EQ(::unlockpt(terminal), 0);
+    fs::remove(root_ / "stderr");
+    fs::create_symlink(::ptsname(terminal), root_ / "stderr");
+    auto child = start(keeping("render"));
+    std::string shown;
+    const auto look = [&] {
+        char bytes[4096];
+        for (ssize_t count; (count = ::read(terminal, bytes, sizeof bytes)) > 0;)
+            shown.append(bytes, static_cast<std::size_t>(count));
+        return shown;
+    };
+    const std::regex some("[1-9][0-9]* of [0-9]+ samples");
+    EXPECT_TRUE(child.reaches([&] { return std::regex_search(look(), some); })) << shown;
+    child.send(SIGTERM);
+    EXPECT_FALSE(child.reaches([&] { return look().empty(); })) << "it ends";
+    look();
+    ::close(terminal);
+    EXPECT_NE(shown.find("\r\033[Kinterreflect-cli: kept "), std::string::npos) << shown;
+}
+
 TEST_F(Signals, APlotKeepsItsReference) {
     auto child = start({"plot", path()});
     ASSERT_TRUE(child.reaches([&] { return has_samples(child); })) << child.err();
