@@ -103,11 +103,20 @@ int render_project(const ProjectRender& job) {
     double frames = 0;
     for (const auto& id : ids) frames += frames_of(*projects::find_item(loaded.project.experiments, id));
     ProgressLine line(job.show_progress, frames);
+    const auto write_statistics = [&] {
+        if (job.json == "-")
+            std::cout << all.dump(2) << "\n";
+        else if (!job.json.empty())
+            write_file(job.json, all.dump(2) + "\n");
+    };
     for (const auto& id : ids) {
         const auto& experiment = *projects::find_item(loaded.project.experiments, id);
         try {
             const auto statistics = render_one(job, machine, loaded.project, experiment, loaded.folder, line);
             all[id] = nlohmann::ordered_json::parse(statistics);
+        } catch (const Cancelled&) {
+            write_statistics();
+            throw;
         } catch (const Error& error) {
             line.clear();
             complain(job.project + ": experiment '" + id + "': " + error.what());
@@ -115,10 +124,7 @@ int render_project(const ProjectRender& job) {
             status = std::max(status, is_usage ? int{wrong_usage} : status_of(error));
         }
     }
-    if (job.json == "-")
-        std::cout << all.dump(2) << "\n";
-    else if (!job.json.empty())
-        write_file(job.json, all.dump(2) + "\n");
+    write_statistics();
     return status;
 }
 

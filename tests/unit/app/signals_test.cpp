@@ -227,6 +227,20 @@ TEST_F(Signals, WhatIsKeptIsSaidOnALineOfItsOwn) {
     EXPECT_NE(shown.find("\r\033[Kinterreflect-cli: kept "), std::string::npos) << shown;
 }
 
+TEST_F(Signals, StatisticsOfWhatIsRenderedAreWritten) {
+    for (auto& experiment : json_["experiments"])
+        if (experiment["id"] != truth) experiment["values"]["directions"] = 8;
+    store();
+    auto child = start({"render", path(), "--out", file("out"), "--json", file("all.json")});
+    ASSERT_TRUE(child.reaches([&] { return fs::exists(file("out/ldm-200.json")); })) << child.err();
+    child.send(SIGTERM);
+    EXPECT_EQ(child.wait(), 128 + SIGTERM);
+    const auto all = Json::parse(read_text(file("all.json")));
+    EXPECT_TRUE(all.contains("ldm-50"));
+    EXPECT_TRUE(all.contains("ldm-200"));
+    EXPECT_FALSE(all.contains(truth));
+}
+
 TEST_F(Signals, APlotKeepsItsReference) {
     auto child = start({"plot", path()});
     ASSERT_TRUE(child.reaches([&] { return has_samples(child); })) << child.err();
