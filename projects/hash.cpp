@@ -29,7 +29,7 @@ std::string hash_bytes(std::string_view bytes) {
     return hexadecimal(XXH3_128bits(bytes.data(), bytes.size()));
 }
 
-std::string hash_file(const std::filesystem::path& file, const std::stop_token& stop) {
+std::string hash_file(const std::filesystem::path& file, const CancelToken* cancel) {
     require_regular_file(file);
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw InputError(file.string(), "", "cannot be opened; check its permissions");
@@ -37,7 +37,7 @@ std::string hash_file(const std::filesystem::path& file, const std::stop_token& 
     XXH3_128bits_reset(state.get());
     std::vector<char> block(1u << 20);
     while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0) {
-        if (stop.stop_requested()) throw Cancelled();
+        if (cancel) cancel->check();
         XXH3_128bits_update(state.get(), block.data(), static_cast<std::size_t>(stream.gcount()));
     }
     if (stream.bad()) throw InputError(file.string(), "", "cannot be read to its end; check the disk");

@@ -49,8 +49,8 @@ Content HashCache::remembered(Memory<Content>& memory, const fs::path& file, Rea
     return content;
 }
 
-std::string HashCache::hash(const fs::path& file, const std::stop_token& stop) {
-    return remembered(hashes_, file, [&] { return hash_file(file, stop); });
+std::string HashCache::hash(const fs::path& file, const CancelToken* cancel) {
+    return remembered(hashes_, file, [&] { return hash_file(file, cancel); });
 }
 
 std::vector<std::string> HashCache::references(const fs::path& file) {

@@ -6,9 +6,10 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
+
+#include "renderers/core/progress.h"
 
 namespace ir::projects {
 
@@ -20,7 +21,7 @@ class HashCache {
     /// Two seconds are the coarsest times that file systems keep (FAT).
     explicit HashCache(std::chrono::milliseconds settling = std::chrono::seconds(2)) : settling_(settling) {}
     /// As hash_file.
-    std::string hash(const std::filesystem::path& file, const std::stop_token& stop = {});
+    std::string hash(const std::filesystem::path& file, const CancelToken* cancel = nullptr);
     /// As gltf_references.
     std::vector<std::string> references(const std::filesystem::path& file);
     /// How often a file's content had to be read.

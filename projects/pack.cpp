@@ -111,13 +111,14 @@ class Packer {
 };
 
 /// Copies one file of an archive to disk.
-void extract(std::istream& content, std::uint64_t size, const fs::path& target) {
+void extract(std::istream& content, std::uint64_t size, const fs::path& target, const CancelToken* cancel) {
     auto& files = real_file_system();
     files.create_directories(target.parent_path());
     write_atomically(files, target, [&](std::ostream& out) {
         std::vector<char> buffer(1u << 20);
         for (std::uint64_t left = size; left > 0 && out;
              left -= static_cast<std::uint64_t>(content.gcount())) {
+            if (cancel) cancel->check();
             const auto count = static_cast<std::streamsize>(std::min<std::uint64_t>(left, buffer.size()));
             if (!content.read(buffer.data(), count))
                 throw Error(target.string() + ": cannot be unpacked; the archive cannot be read to its end");
@@ -128,18 +129,19 @@ void extract(std::istream& content, std::uint64_t size, const fs::path& target) 
 
 }  // namespace
 
-std::vector<Message> pack_project(const fs::path& given, const fs::path& file, const Registry& registry) {
+std::vector<Message> pack_project(const fs::path& given, const fs::path& file, const Registry& registry,
+                                  const CancelToken* cancel) {
     const auto loaded = load_project(given, registry);
     std::vector<Message> messages;
     write_file(file, [&](std::ostream& out) {
-        TarWriter tar(out);
+        TarWriter tar(out, cancel);
         messages = Packer(loaded, tar).run();
         tar.finish();
     });
     return messages;
 }
 
-fs::path unpack_project(const fs::path& file, const fs::path& parent) {
+fs::path unpack_project(const fs::path& file, const fs::path& parent, const CancelToken* cancel) {
     std::optional<fs::path> root;
     std::error_code ignored;
     try {
@@ -156,7 +158,7 @@ fs::path unpack_project(const fs::path& file, const fs::path& parent) {
             }
             if (top != *root || path == *path.begin())
                 throw InputError(file.string(), printable(name), "is outside the project's folder");
-            extract(content, size, parent / path);
+            extract(content, size, parent / path, cancel);
         });
         if (!root) throw InputError(file.string(), "", "is empty; ask for another copy");
         if (!fs::is_regular_file(*root / project_file_name, ignored))

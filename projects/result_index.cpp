@@ -224,7 +224,8 @@ std::vector<Message> check_results(const ResultIndex& index, const fs::path& pro
     return messages;
 }
 
-Pruned prune_results(const Project& project, const Registry& registry, const fs::path& project_folder) {
+Pruned prune_results(const Project& project, const Registry& registry, const fs::path& project_folder,
+                     const CancelToken* cancel) {
     Pruned pruned;
     const auto results = project_folder / results_name;
     std::error_code ignored;
@@ -259,6 +260,7 @@ Pruned prune_results(const Project& project, const Registry& registry, const fs:
             unnamed.push_back(entry.path());
     }
     for (const auto& file : unnamed) {
+        if (cancel) cancel->check();
         pruned.files.push_back(file.lexically_relative(results).generic_string());
         if (!fs::remove(file, ignored)) throw Error(file.string() + ": cannot be removed; check permissions");
     }

@@ -10,6 +10,7 @@
 #include "projects/scene_files.h"
 #include "renderers/core/file_system.h"
 #include "renderers/core/method.h"
+#include "renderers/core/progress.h"
 #include "renderers/core/report.h"
 
 namespace ir::projects {
@@ -125,8 +126,9 @@ struct Pruned {
     std::vector<std::string> keys, files;  ///< entries dropped; files removed, relative to results/
 };
 /// Drops entries that are neither the present nor the last kept result of an experiment, and files in
-/// results/ that no remaining entry names. Saves the index first.
+/// results/ that no remaining entry names. Saves the index first; files that are there when it throws
+/// Cancelled go the next time.
 Pruned prune_results(const Project& project, const Registry& registry,
-                     const std::filesystem::path& project_folder);
+                     const std::filesystem::path& project_folder, const CancelToken* cancel = nullptr);
 
 }  // namespace ir::projects

@@ -16,11 +16,11 @@ constexpr std::string_view builtin_prefix = "builtin:";
 
 /// The hash of what a source contains now: empty when it is missing, nothing when it is not known.
 std::optional<std::string> hash_now(const std::string& source, const fs::path& project_folder,
-                                    const ContentHashes* known) {
+                                    const ContentHashes* known, const CancelToken* cancel = nullptr) {
     std::error_code ignored;
     if (!known || is_builtin(source)) {
         try {
-            return scene_hash(source, project_folder);
+            return scene_hash(source, project_folder, cancel);
         } catch (const InputError&) {
             return "";
         }
@@ -115,18 +115,17 @@ std::vector<fs::path> files_of(const fs::path& file) {
     return files;
 }
 
-std::string scene_hash(const std::string& source, const fs::path& project_folder,
-                       const std::stop_token& stop) {
+std::string scene_hash(const std::string& source, const fs::path& project_folder, const CancelToken* cancel) {
     if (is_builtin(source)) return hash_bytes(canonical_builtin(source));
     auto& cache = shared_hash_cache();
     const auto files = files_of(resolve(source, project_folder));
-    const auto own = cache.hash(files.front(), stop);
+    const auto own = cache.hash(files.front(), cancel);
     if (files.size() == 1) return own;
     std::string all = own;
     for (std::size_t i = 1; i < files.size(); ++i) {
         std::error_code ignored;
         // A missing texture is a difference like any other; the loader says what it means.
-        all += fs::is_regular_file(files[i], ignored) ? cache.hash(files[i], stop) : std::string("missing");
+        all += fs::is_regular_file(files[i], ignored) ? cache.hash(files[i], cancel) : std::string("missing");
     }
     return hash_bytes(all);
 }
@@ -160,10 +159,11 @@ Scene with_current_hashes(const Scene& scene, const fs::path& project_folder, co
     return result;
 }
 
-ContentHashes read_contents(const Project& project, const fs::path& project_folder) {
+ContentHashes read_contents(const Project& project, const fs::path& project_folder,
+                            const CancelToken* cancel) {
     ContentHashes known;
     for (const auto& source : sources_of(project))
-        known[source] = hash_now(source, project_folder, nullptr).value_or("");
+        known[source] = hash_now(source, project_folder, nullptr, cancel).value_or("");
     return known;
 }
 
@@ -182,16 +182,10 @@ Project with_contents(const Project& project, const ContentHashes& known) {
     return result;
 }
 
-Project with_missing_hashes(const Project& project, const fs::path& project_folder) {
+Project with_missing_hashes(const Project& project, const fs::path& project_folder,
+                            const CancelToken* cancel) {
     Project result = project;
-    const auto record = [&](const FileStatus& now, std::string& hash) {
-        if (now.state == FileState::unhashed) hash = now.hash_now;
-    };
-    for (auto& scene : result.scenes)
-        for (auto& part : scene.parts) record(status(part, project_folder), part.content_hash);
-    for (auto& set : result.lights)
-        record(status(set.environment, project_folder), set.environment.content_hash);
-    for (auto& image : result.images) record(status(image, project_folder), image.content_hash);
+    record_missing_hashes(result, read_contents(project, project_folder, cancel));
     return result;
 }
 

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <map>
 #include <set>
-#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "projects/document.h"
+#include "renderers/core/progress.h"
 
 namespace ir::projects {
 
@@ -41,9 +41,10 @@ std::string loadable_source(const std::string& source, const std::filesystem::pa
 
 /// Content hash of a source: built-in scenes by name, version and options; files by their bytes and, for
 /// glTF, those of the buffers and images they refer to. Reads only what shared_hash_cache() does not know:
-/// may take long for large scenes. Throws InputError when a file cannot be read, Cancelled once stopped.
+/// may take long for large scenes. Throws InputError when a file cannot be read, Cancelled once that is asked
+/// for.
 std::string scene_hash(const std::string& source, const std::filesystem::path& project_folder,
-                       const std::stop_token& stop = {});
+                       const CancelToken* cancel = nullptr);
 /// A glTF file and the files that it refers to, the file itself first.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& file);
 
@@ -69,14 +70,16 @@ std::map<std::string, std::string> locate_in(const Project& project, const std::
 /// hash.
 Scene with_current_hashes(const Scene& scene, const std::filesystem::path& project_folder,
                           const ContentHashes* known = nullptr);
-/// Reads (or remembers) all sources of a document: for commands, not for the GUI thread.
-ContentHashes read_contents(const Project& project, const std::filesystem::path& project_folder);
+/// Reads (or remembers) all sources of a document: for commands, not for the GUI thread. Throws Cancelled.
+ContentHashes read_contents(const Project& project, const std::filesystem::path& project_folder,
+                            const CancelToken* cancel = nullptr);
 /// The document as if every known content had been accepted: whose result keys are those of the files as they
 /// are now.
 Project with_contents(const Project& project, const ContentHashes& known);
 /// The document with hashes recorded for all sources that have none yet and whose files exist: to be called
-/// after adding files and before keeping results.
-Project with_missing_hashes(const Project& project, const std::filesystem::path& project_folder);
+/// after adding files and before keeping results. Throws Cancelled.
+Project with_missing_hashes(const Project& project, const std::filesystem::path& project_folder,
+                            const CancelToken* cancel = nullptr);
 /// The same in place with what is known, without a look at any file. Returns what was recorded.
 ContentHashes record_missing_hashes(Project& project, const ContentHashes& known);
 

@@ -11,7 +11,7 @@ SceneHasher::~SceneHasher() {
     thread_.request_stop();
     const std::lock_guard guard(mutex_);
     waiting_.clear();
-    stop_reading_.request_stop();
+    reading_cancelled_->cancel();
 }
 
 void SceneHasher::set_on_news(std::function<void()> on_news) {
@@ -23,8 +23,8 @@ void SceneHasher::request(std::set<std::string> sources, const std::filesystem::
     {
         const std::lock_guard guard(mutex_);
         ++request_;
-        stop_reading_.request_stop();
-        stop_reading_ = {};
+        reading_cancelled_->cancel();
+        reading_cancelled_ = std::make_shared<CancelToken>();
         folder_ = project_folder;
         waiting_.assign(sources.begin(), sources.end());
         found_.clear();
@@ -61,11 +61,11 @@ void SceneHasher::run(const std::stop_token& thread_stops) {
         reading_ = true;
         const auto folder = folder_;
         const auto request = request_;
-        const auto stop = stop_reading_.get_token();
+        const auto cancel = reading_cancelled_;
         guard.unlock();
         std::string hash;
         try {
-            hash = scene_hash(source, folder, stop);
+            hash = scene_hash(source, folder, cancel.get());
         } catch (const std::exception&) {
             // Missing, unreadable or no longer wanted.
         }

@@ -4,6 +4,7 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <string>
@@ -39,7 +40,7 @@ class SceneHasher {
     ContentHashes found_;
     bool reading_ = false;
     std::size_t request_ = 0;
-    std::stop_source stop_reading_;
+    std::shared_ptr<CancelToken> reading_cancelled_ = std::make_shared<CancelToken>();
     std::jthread thread_;
 };
 

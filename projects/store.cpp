@@ -99,7 +99,8 @@ std::string save_project(const Project& project, const fs::path& folder, const s
     return new_hash;
 }
 
-std::vector<Message> upgrade_project(const fs::path& given, const Registry& registry, FileSystem& files) {
+std::vector<Message> upgrade_project(const fs::path& given, const Registry& registry, FileSystem& files,
+                                     const CancelToken* cancel) {
     const auto lock = Lock::acquire(project_folder(given));
     if (!lock.is_held()) throw Error(given.string() + ": cannot be upgraded: " + lock.reason());
     auto loaded = load_project(given, registry, files);
@@ -112,7 +113,7 @@ std::vector<Message> upgrade_project(const fs::path& given, const Registry& regi
                                        std::to_string(method->version)});
         experiment.method_version = method->version;
     }
-    auto hashed = with_missing_hashes(loaded.project, loaded.folder);
+    auto hashed = with_missing_hashes(loaded.project, loaded.folder, cancel);
     if (hashed != loaded.project)
         loaded.messages.push_back({Severity::note, "project", "recorded the hashes of files that had none"});
     save_project(hashed, loaded.folder, loaded.file_hash, files);

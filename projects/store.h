@@ -47,8 +47,9 @@ std::string save_project(const Project& project, const std::filesystem::path& fo
 
 /// Rewrites a project with the newest schema, completed values, the registry's method versions and the hashes
 /// of files that had none. Returns what was changed. Takes the lock; throws Error when another process holds
-/// it.
+/// it, and Cancelled.
 std::vector<Message> upgrade_project(const std::filesystem::path& given, const Registry& registry,
-                                     FileSystem& files = real_file_system());
+                                     FileSystem& files = real_file_system(),
+                                     const CancelToken* cancel = nullptr);
 
 }  // namespace ir::projects

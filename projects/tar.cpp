@@ -112,6 +112,7 @@ void TarWriter::add_file(const std::string& name, const fs::path& source) {
     std::uint64_t written = 0;
     while (out_ && (content.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) ||
                     content.gcount() > 0)) {
+        if (cancel_) cancel_->check();
         out_.write(buffer.data(), content.gcount());
         written += static_cast<std::uint64_t>(content.gcount());
     }

@@ -18,7 +18,11 @@ int fail(const std::string& line, int status) {
 bool writes(const CLI::App& app) {
     for (const char* name : {"info", "list", "describe", "scene"})
         if (app.got_subcommand(name)) return false;
-    return true;
+    if (!app.got_subcommand("project")) return true;
+    const auto& project = *app.get_subcommand("project");
+    for (const char* action : {"--pack", "--unpack", "--prune", "--upgrade", "--verify"})
+        if (project.count(action) > 0) return true;
+    return false;
 }
 
 }  // namespace

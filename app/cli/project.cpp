@@ -146,7 +146,7 @@ void print_row(const Json& row) {
 
 /// What cannot be verified is reported and keeps no other result from being verified.
 int verify_all(const Flags& flags, projects::LoadedProject loaded) {
-    const auto contents = projects::read_contents(loaded.project, loaded.folder);
+    const auto contents = projects::read_contents(loaded.project, loaded.folder, &engine::interruption());
     loaded.project = projects::with_contents(loaded.project, contents);
     const auto index = projects::ResultIndex::load(loaded.folder);
     Json json{{"project", loaded.folder.string()}, {"results", Json::array()}};
@@ -197,7 +197,8 @@ std::vector<Message> check_all(const projects::LoadedProject& loaded) {
 }
 
 int pack(const Flags& flags) {
-    const auto messages = projects::pack_project(flags.project, flags.pack, engine::registry());
+    const auto messages =
+        projects::pack_project(flags.project, flags.pack, engine::registry(), &engine::interruption());
     if (flags.json) {
         std::cout << Json{{"packed", flags.pack}, {"messages", to_json(messages)}}.dump(2) << "\n";
         return done;
@@ -208,7 +209,7 @@ int pack(const Flags& flags) {
 }
 
 int unpack(const Flags& flags) {
-    const auto folder = projects::unpack_project(flags.project, flags.unpack);
+    const auto folder = projects::unpack_project(flags.project, flags.unpack, &engine::interruption());
     if (flags.json)
         std::cout << Json{{"folder", folder.string()}}.dump(2) << "\n";
     else
@@ -221,14 +222,16 @@ int run_project(const Flags& flags) {
     if (!flags.pack.empty()) return pack(flags);
     if (!flags.unpack.empty()) return unpack(flags);
     if (flags.upgrade) {
-        const auto changes = projects::upgrade_project(flags.project, registry);
+        const auto changes =
+            projects::upgrade_project(flags.project, registry, real_file_system(), &engine::interruption());
         flags.json ? void(std::cout << Json{{"changes", to_json(changes)}}.dump(2) << "\n") : print(changes);
         if (!flags.json && changes.empty()) std::cout << "nothing to upgrade\n";
         return done;
     }
     const auto loaded = projects::load_project(flags.project, registry);
     if (flags.prune) {
-        const auto pruned = projects::prune_results(loaded.project, registry, loaded.folder);
+        const auto pruned =
+            projects::prune_results(loaded.project, registry, loaded.folder, &engine::interruption());
         if (flags.json)
             std::cout << Json{{"keys", pruned.keys}, {"files", pruned.files}}.dump(2) << "\n";
         else

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
 
 #include "projects/results.h"
@@ -81,6 +82,19 @@ class Signals : public testing::Test {
         set_truth(static_cast<int>(samples), 1);
         EXPECT_EQ(run(keeping("render")), 0) << read_text(root_ / "stderr");
         return read_image(file("out/reference.exr")).pixels;
+    }
+    /// One that takes long to read.
+    fs::path add_large_image(int bits) {
+        json_["images"] = {{{"id", "large"}, {"name", "Large"}, {"source", "large.exr"}}};
+        store();
+        std::ofstream(project_ / "large.exr").close();
+        fs::resize_file(project_ / "large.exr", std::uintmax_t{1} << bits);
+        return project_ / "large.exr";
+    }
+    void expect_nothing_half_done() const {
+        EXPECT_FALSE(is_locked());
+        for (const auto& entry : fs::recursive_directory_iterator(root_))
+            EXPECT_NE(entry.path().extension(), temporary_extension) << entry.path();
     }
     void expect_continues_to_the_same_bits() {
         const auto kept = kept_samples();
@@ -309,6 +323,54 @@ TEST_F(Signals, ASweepLeavesAListOfWhatIsDone) {
         EXPECT_FALSE(points[left].contains("image"));
     }
     EXPECT_EQ(points[2]["coordinates"], Json({{"samples", 16}}));
+}
+
+TEST_F(Signals, EndWhatReadsFiles) {
+    set_truth(8, 1);
+    ASSERT_EQ(run(keeping("render")), 0) << "so that results are judged by the files";
+    const auto large = add_large_image(36);
+    for (const char* action : {"--check", "--upgrade", "--verify"}) {
+        SCOPED_TRACE(action);
+        auto child = start({"project", path(), action});
+        ASSERT_TRUE(child.reaches([&] { return child.has_open(large); })) << child.err();
+        child.send(SIGTERM);
+        EXPECT_EQ(child.wait(), 128 + SIGTERM) << child.err();
+        EXPECT_EQ(child.was_killed(), action == std::string("--check"))
+            << "what writes nothing needs no care";
+        expect_nothing_half_done();
+    }
+}
+
+TEST_F(Signals, EndPackingAndUnpacking) {
+    const auto large = add_large_image(28);
+    const auto packed = file("packed.tar");
+    const auto end = [&](ChildProcess child, const std::function<bool(ChildProcess&)>& is_at_work) {
+        ASSERT_TRUE(child.reaches([&] { return is_at_work(child); })) << child.err();
+        child.send(SIGTERM);
+        EXPECT_EQ(child.wait(), 128 + SIGTERM) << child.err();
+        EXPECT_NE(child.err().find("interreflect-cli: interrupted\n"), std::string::npos) << child.err();
+        expect_nothing_half_done();
+    };
+    end(start({"project", path(), "--pack", packed}), [&](auto& child) { return child.has_open(large); });
+    EXPECT_FALSE(fs::exists(packed));
+    ASSERT_EQ(run({"project", path(), "--pack", packed}), 0) << read_text(root_ / "stderr");
+    const auto folder = file("there/p.interreflect");
+    end(start({"project", packed, "--unpack", file("there")}), [&](auto&) { return fs::exists(folder); });
+    EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST_F(Signals, EndPruning) {
+    const auto unnamed = project_ / "results/unnamed";
+    auto guard = std::make_optional<projects::ResultsGuard>(project_);
+    std::ofstream(unnamed) << "of no result";
+    auto child = start({"project", path(), "--prune"});
+    const auto waits = [&] { return child.watches(SIGTERM) && child.has_open(project_ / "results/.guard"); };
+    ASSERT_TRUE(child.reaches(waits)) << child.err();
+    child.send(SIGTERM);
+    guard.reset();
+    EXPECT_EQ(child.wait(), 128 + SIGTERM);
+    EXPECT_NE(child.err().find("interreflect-cli: interrupted\n"), std::string::npos) << child.err();
+    EXPECT_TRUE(fs::exists(unnamed));
 }
 
 }  // namespace
