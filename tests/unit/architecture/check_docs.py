@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""Checks the Markdown files: columns, relative links with their anchors, and a page for each method.
+
+Lines have at most 100 columns outside tables and code blocks. Usage: check_docs.py ROOT
+"""
+import re
+import sys
+from pathlib import Path
+
+COLUMNS = 100
+LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
+
+
+def prose_of(text):
+    """The numbered lines of a page, empty where they are code."""
+    fenced = False
+    for number, line in enumerate(text.splitlines(), 1):
+        fence = line.lstrip().startswith("```")
+        fenced ^= fence
+        yield number, "" if fenced or fence else line
+
+
+def anchors_of(text):
+    """What #… may name in a page, made of its headings as Git hosts do."""
+    seen = {}
+    for _, line in prose_of(text):
+        if heading := re.match(r"#+ (.*)", line):
+            name = re.sub(r"[^\w\- ]", "", heading[1].strip().lower()).replace(" ", "-")
+            seen[name] = seen.get(name, -1) + 1
+            yield f"{name}-{seen[name]}" if seen[name] else name
+
+
+def problems_of(page):
+    text = page.read_text(encoding="utf-8")
+    for number, line in prose_of(text):
+        if len(line) > COLUMNS and not line.lstrip().startswith("|"):
+            yield f"{number}: {len(line)} columns, {COLUMNS} are allowed"
+    # Links may be broken over lines; code in backticks is none.
+    for target in LINK.findall(re.sub(r"`[^`]*`", "", "\n".join(line for _, line in prose_of(text)))):
+        if "://" in target or target.startswith("mailto:"):
+            continue
+        name, _, anchor = target.partition("#")
+        file = page.parent / name if name else page
+        if not file.exists():
+            yield f"links to {target}, which does not exist"
+        elif anchor and anchor not in anchors_of(file.read_text(encoding="utf-8")):
+            yield f"links to {target}, which has no such heading"
+
+
+def main():
+    root = Path(sys.argv[1])
+    pages = [*root.glob("*.md"), *root.glob("docs/**/*.md")]
+    problems = [f"{page.relative_to(root)}: {each}" for page in sorted(pages) for each in problems_of(page)]
+    methods = sorted(folder.name for folder in (root / "renderers/methods").iterdir() if folder.is_dir())
+    problems += [f"docs/methods/{method}.md: missing, the page of a method" for method in methods
+                 if not (root / f"docs/methods/{method}.md").exists()]
+    sys.exit("\n".join(problems) or None)
+
+
+main()
