@@ -5,10 +5,6 @@
 namespace ir {
 namespace {
 
-const Condition only_ao{"paths", {std::string("ao")}};
-const Condition only_light{"paths", {std::string("direct"), std::string("indirect"), std::string("full")}};
-const Condition only_indirect{"paths", {std::string("indirect"), std::string("full")}};
-
 void add_paths(ParameterTable<Transport>& table) {
     table.add(
         &Transport::paths,

@@ -37,6 +37,13 @@ ParameterTable<Transport> transport_parameters(const TransportSupport& support);
 /// The descriptions of the whole group, with the defaults above.
 const std::vector<ParameterDescription>& transport_group();
 
+/// Conditions of parameters and outputs, by what is being computed.
+inline const Condition only_ao{"paths", {std::string("ao")}};
+inline const Condition only_light{"paths",
+                                  {std::string("direct"), std::string("indirect"), std::string("full")}};
+inline const Condition only_indirect{"paths", {std::string("indirect"), std::string("full")}};
+inline const Condition only_full{"paths", {std::string("full")}};
+
 /// Whether `key` belongs to the transport group.
 bool is_transport_key(const std::string& key);
 

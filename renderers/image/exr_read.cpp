@@ -18,7 +18,7 @@ namespace ir {
 namespace {
 
 /// Larger images are taken for damaged files.
-constexpr std::int64_t max_pixels = std::int64_t(1) << 28;
+constexpr std::int64_t max_exr_pixels = std::int64_t(1) << 28;
 
 /// So are files that would have to be compressed by more than this (zip reaches 1032) beyond a first 64 MiB.
 constexpr std::int64_t max_compression = 5000, free_bytes = 64 << 20;
@@ -89,7 +89,8 @@ Imath::Box2i checked_window(const Imf::Header& header, const std::string& file) 
     const auto window = header.dataWindow();
     const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
     const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
-    if (width < 1 || height < 1 || width > max_pixels || height > max_pixels || width * height > max_pixels)
+    if (width < 1 || height < 1 || width > max_exr_pixels || height > max_exr_pixels ||
+        width * height > max_exr_pixels)
         throw InputError(file, "data window",
                          std::to_string(width) + "x" + std::to_string(height) +
                              " pixels are not a sensible size; the file seems damaged");

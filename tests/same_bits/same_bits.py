@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 """Renders the same at two commits and compares all buffers bit by bit.
 
-    same_bits.py [--quick] [--method ID] [--cli PROGRAM] BASE [OTHER]
+    same_bits.py [--quick] [--method ID] BASE OTHER
 
-BASE and OTHER are commits; --cli PROGRAM stands for OTHER where a program is built already. Each commit is built
-in build/same-bits. Every method renders at its defaults on four built-in scenes, by EGL and by OSMesa, and on one
+BASE and OTHER are commits, each of which is built in build/same-bits, or programs that are built already. Every method renders at its defaults on four built-in scenes, by EGL and by OSMesa, and on one
 scene with each choice of each of its parameters, --quick without those; always two frames with a pixel picked, so
 that histories and explanations are there. The exit status is 1 where a bit differs.
 """
@@ -26,8 +25,10 @@ SIZE = "48x32"
 PARTS_FLAG = 0x1000  # of an EXR file's version: several parts
 
 
-def build(commit):
-    """The command-line program of a commit."""
+def program_of(commit):
+    """The command-line program of a commit, or the program that it already is."""
+    if Path(commit).is_file():
+        return Path(commit).resolve()
     commit = subprocess.check_output(["git", "rev-parse", "--verify", commit + "^{commit}"], cwd=ROOT, text=True)
     source = FOLDER / commit.strip()
     if not source.exists():
@@ -145,15 +146,12 @@ def differences(jobs, programs, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("base")
-    parser.add_argument("other", nargs="?")
-    parser.add_argument("--cli", type=Path)
+    parser.add_argument("other")
     parser.add_argument("--method")
     parser.add_argument("--quick", action="store_true")
     arguments = parser.parse_args()
-    if bool(arguments.other) == bool(arguments.cli):
-        parser.error("give either OTHER or --cli")
     FOLDER.mkdir(parents=True, exist_ok=True)
-    programs = [build(arguments.base), arguments.cli or build(arguments.other)]
+    programs = [program_of(arguments.base), program_of(arguments.other)]
     every = [jobs_of(program, arguments.quick, arguments.method) for program in programs]
     for name in sorted(every[0].keys() ^ every[1].keys()):
         print(f"only at one commit, not compared: {name}")

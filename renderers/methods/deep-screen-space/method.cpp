@@ -22,26 +22,24 @@ using Paths = Transport::Paths;
 namespace bounce = passes::bounce;
 
 const Condition with_visibility{"visibility", {true}};
-const Condition occlusion{"paths", {std::string("ao")}};
-const Condition light{"paths", {std::string("indirect"), std::string("full")}};
 
 std::vector<OutputDescription> pictures() {
-    auto radiance = passes::radiance_output(light);
+    auto radiance = passes::radiance_output(only_indirect);
     auto lit = passes::lit_output();
-    lit.active_when = occlusion;
+    lit.active_when = only_ao;
     return {
         {.key = "accessibility",
          .label = "Accessibility",
          .semantic = Semantic::accessibility,
          .doc = "Cosine-weighted openness of the hemisphere, 1 = open.",
-         .active_when = occlusion},
+         .active_when = only_ao},
         radiance,
         {.key = "indirect.radiance",
          .label = "Indirect radiance",
          .semantic = Semantic::radiance,
          .unit = "W/(m² sr)",
          .doc = "What the receiver reflects of the light that surfels send it, towards the eye.",
-         .active_when = light},
+         .active_when = only_indirect},
         lit,
         {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."}};
 }
@@ -74,9 +72,9 @@ MethodDescription description() {
     d.outputs = outputs();
     d.selectors = {surfel_selector()};
     d.stages = {{"bounce.incoming", 0, "What the first sample met", with_visibility},
-                {"accessibility", 0, "Reconstructed", occlusion},
-                {"indirect.radiance", 0, "Reconstructed", light},
-                {"radiance", 0, "With direct light", light}};
+                {"accessibility", 0, "Reconstructed", only_ao},
+                {"indirect.radiance", 0, "Reconstructed", only_indirect},
+                {"radiance", 0, "With direct light", only_indirect}};
     return d;
 }
 

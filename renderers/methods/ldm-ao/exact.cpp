@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
-#include <limits>
 
+#include "renderers/core/constants.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/ray_offset.h"
@@ -15,7 +15,6 @@
 namespace ir::methods::ldm_ao {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr int lanes = 16;
 /// A hit takes a byte: 0 is none, else its distance in steps of the reach.
 constexpr int hits_per_word = 4;

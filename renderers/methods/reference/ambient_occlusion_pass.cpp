@@ -12,10 +12,9 @@ namespace {
 
 /// One item of work: at most 65,536 rays or some tens of milliseconds, so that cancelling never waits long.
 /// Blocks are whole packets.
-constexpr int tile_size = 16;
-constexpr std::uint64_t block_samples = 256;
+constexpr std::uint64_t visibility_block = 256;
 
-struct Resources {
+struct VisibilityResources {
     PathInputs inputs;
     Progress progress;
     graph::ImageRef sums;  ///< rgba32f stack of two layers: randomisations 1–4 and 5–8
@@ -23,8 +22,8 @@ struct Resources {
     std::shared_ptr<Tally> tally = std::make_shared<Tally>();
 };
 
-Resources declare(graph::GraphBuilder& builder, const PathInputs& inputs) {
-    Resources r;
+VisibilityResources declare(graph::GraphBuilder& builder, const PathInputs& inputs) {
+    VisibilityResources r;
     r.inputs = inputs;
     r.progress = Progress(builder);
     r.sums = builder.image({.text = {.key = "reference.sums",
@@ -85,30 +84,13 @@ struct Points {
     std::span<const std::uint64_t> shading_normals;
 };
 
-/// Copies the sums of earlier frames, or zeros.
-void start_sums(const graph::PassContext& context, const Resources& r) {
-    const bool continues = Progress::continues(context);
-    for (int layer = 0; layer < 2; ++layer) {
-        const auto sums = context.pixels<glm::vec4>(r.sums, layer);
-        if (!continues) {
-            std::fill(sums.begin(), sums.end(), glm::vec4(0));
-            continue;
-        }
-        const auto before = context.previous_pixels<glm::vec4>(r.sums, layer);
-        std::copy(before.begin(), before.end(), sums.begin());
-    }
-}
-
-Tiles tiles_of(const scene::View& view) {
-    return {view.width, view.height, tile_size, block_samples};
-}
-
-class Tracer {
+class VisibilityTracer {
   public:
-    Tracer(const graph::PassContext& context, const Resources& r, const Parameters& parameters)
+    VisibilityTracer(const graph::PassContext& context, const VisibilityResources& r,
+                     const Parameters& parameters)
         : context_(context),
           resources_(r),
-          tiles_(tiles_of(context.inputs().view)),
+          tiles_(context.inputs().view, visibility_block),
           samples_(r.progress.of_frame(context, static_cast<std::uint64_t>(parameters.samples))),
           layers_(context, r.sums),
           bvh_(context.object<passes::Bvh>(r.inputs.bvh)),
@@ -122,7 +104,7 @@ class Tracer {
 
     void run(graph::Slice slice, std::int64_t declared) const {
         const auto start = std::chrono::steady_clock::now();
-        if (slice.first) start_sums(context_, resources_);
+        if (slice.first) start_sums(context_, resources_.sums, 2);
         run_tiles(context_, tiles_, samples_, slice, declared,
                   [&](std::int64_t tile, SampleRange range) { trace(tile, range); });
         const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
@@ -155,7 +137,7 @@ class Tracer {
     }
 
     const graph::PassContext& context_;
-    const Resources& resources_;
+    const VisibilityResources& resources_;
     Tiles tiles_;
     SampleRange samples_;
     Layers layers_;
@@ -166,7 +148,7 @@ class Tracer {
     std::optional<Points> points_;
 };
 
-void average(const graph::PassContext& context, const Resources& r, const Parameters& parameters) {
+void average(const graph::PassContext& context, const VisibilityResources& r, const Parameters& parameters) {
     const auto per_frame = static_cast<std::uint64_t>(parameters.samples);
     const auto totals = r.progress.advance(context, per_frame, *r.tally);
     const auto samples = totals.samples;
@@ -196,8 +178,8 @@ void average(const graph::PassContext& context, const Resources& r, const Parame
 
 void ambient_occlusion(graph::GraphBuilder& builder, const PathInputs& inputs, const Parameters& parameters) {
     const auto r = declare(builder, inputs);
-    const auto declared =
-        declared_items(tiles_of(builder.inputs().view), static_cast<std::uint64_t>(parameters.samples));
+    const auto declared = declared_items({builder.inputs().view, visibility_block},
+                                         static_cast<std::uint64_t>(parameters.samples));
     auto trace = builder.pass("trace visibility", graph::Queue::cpu);
     trace.reads(inputs.bvh).reads_previous(r.sums, r.progress.buffer()).writes(r.sums);
     auto average_pass = builder.pass("average", graph::Queue::cpu);
@@ -207,7 +189,7 @@ void ambient_occlusion(graph::GraphBuilder& builder, const PathInputs& inputs, c
     }
     if (!inputs.gbuffer) trace.reads(inputs.surfaces);
     trace.execute_sliced(declared, [=](graph::PassContext& context, graph::Slice slice) {
-        Tracer(context, r, parameters).run(slice, declared);
+        VisibilityTracer(context, r, parameters).run(slice, declared);
     });
     average_pass.reads(r.sums, inputs.valid)
         .reads_previous(r.progress.buffer())

@@ -14,13 +14,12 @@ namespace ir::methods::reference {
 namespace {
 
 /// One item of work: some thousand paths, whose state fits into a core's cache.
-constexpr int tile_size = 16;
-constexpr std::uint64_t block_samples = 8;
+constexpr std::uint64_t path_block = 8;
 
 /// Layers of the sums: first those of the randomisations, all light together.
 constexpr int direct_layer = randomisations, indirect_layer = randomisations + 1;
 
-struct Resources {
+struct PathResources {
     PathInputs inputs;
     std::vector<bool> specular;  ///< by material
     Progress progress;
@@ -40,8 +39,8 @@ graph::ImageRef radiance_image(graph::GraphBuilder& builder, const char* key, co
          .format = gl::Format::rgba32f});
 }
 
-Resources declare(graph::GraphBuilder& builder, const PathInputs& inputs, const Parameters& parameters) {
-    Resources r;
+PathResources declare(graph::GraphBuilder& builder, const PathInputs& inputs, const Parameters& parameters) {
+    PathResources r;
     r.inputs = inputs;
     r.progress = Progress(builder);
     r.radiance = radiance_image(builder, "radiance", "Radiance", "Mean of all paths so far.");
@@ -71,35 +70,17 @@ Resources declare(graph::GraphBuilder& builder, const PathInputs& inputs, const 
     return r;
 }
 
-/// Copies the sums of earlier frames, or zeros.
-void start_sums(const graph::PassContext& context, const Resources& r) {
-    const bool continues = Progress::continues(context);
-    for (int layer = 0; layer < r.layers(); ++layer) {
-        const auto sums = context.pixels<glm::vec4>(r.sums, layer);
-        if (!continues) {
-            std::fill(sums.begin(), sums.end(), glm::vec4(0));
-            continue;
-        }
-        const auto before = context.previous_pixels<glm::vec4>(r.sums, layer);
-        std::copy(before.begin(), before.end(), sums.begin());
-    }
-}
-
-Tiles tiles_of(const scene::View& view) {
-    return {view.width, view.height, tile_size, block_samples};
-}
-
 bool is_finite(glm::vec3 v) {
     return std::isfinite(v.r) && std::isfinite(v.g) && std::isfinite(v.b);
 }
 
 /// Traces slices of a frame's work.
-class Tracer {
+class PathTracer {
   public:
-    Tracer(const graph::PassContext& context, const Resources& r, const Parameters& parameters)
+    PathTracer(const graph::PassContext& context, const PathResources& r, const Parameters& parameters)
         : context_(context),
           resources_(r),
-          tiles_(tiles_of(context.inputs().view)),
+          tiles_(context.inputs().view, path_block),
           samples_(r.progress.of_frame(context, static_cast<std::uint64_t>(parameters.samples))),
           bvh_(context.object<passes::Bvh>(r.inputs.bvh)),
           surfaces_(context.object<passes::SurfaceLookup>(r.inputs.surfaces)),
@@ -113,7 +94,7 @@ class Tracer {
 
     void run(graph::Slice slice, std::int64_t declared) {
         const auto start = std::chrono::steady_clock::now();
-        if (slice.first) start_sums(context_, resources_);
+        if (slice.first) start_sums(context_, resources_.sums, resources_.layers());
         run_tiles(context_, tiles_, samples_, slice, declared,
                   [&](std::int64_t tile, SampleRange range) { trace(tile, range); });
         const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
@@ -145,7 +126,7 @@ class Tracer {
     void trace(std::int64_t tile, SampleRange range) {
         auto& b = bench();
         b.pixels.clear(), b.starts.clear();
-        b.primary.begin(std::size_t{tile_size} * tile_size);
+        b.primary.begin(std::size_t{Tiles::size} * Tiles::size);
         tiles_.for_each_pixel(tile, [&](int x, int y) {
             b.pixels.push_back(static_cast<std::size_t>(y) * context_.inputs().view.width + x);
             b.primary.add({x, y}, context_.inputs().seed, range.begin, range.end, b.starts);
@@ -180,7 +161,7 @@ class Tracer {
     }
 
     const graph::PassContext& context_;
-    const Resources& resources_;
+    const PathResources& resources_;
     Tiles tiles_;
     SampleRange samples_;
     std::shared_ptr<passes::Bvh> bvh_;
@@ -217,7 +198,7 @@ glm::vec4 opaque(glm::vec3 colour) {
     return {colour, 1};
 }
 
-void average(const graph::PassContext& context, const Resources& r, const Parameters& parameters) {
+void average(const graph::PassContext& context, const PathResources& r, const Parameters& parameters) {
     const auto per_frame = static_cast<std::uint64_t>(parameters.samples);
     const auto totals = r.progress.advance(context, per_frame, *r.tally);
     const auto samples = totals.samples;
@@ -256,7 +237,7 @@ void light_paths(graph::GraphBuilder& builder, const PathInputs& inputs, const P
     auto r = declare(builder, inputs, parameters);
     r.specular = specular;
     const auto declared =
-        declared_items(tiles_of(builder.inputs().view), static_cast<std::uint64_t>(parameters.samples));
+        declared_items({builder.inputs().view, path_block}, static_cast<std::uint64_t>(parameters.samples));
     auto trace = builder.pass("trace paths", graph::Queue::cpu);
     trace.reads(inputs.bvh, inputs.surfaces, inputs.lights)
         .reads_previous(r.sums, r.progress.buffer())
@@ -265,7 +246,7 @@ void light_paths(graph::GraphBuilder& builder, const PathInputs& inputs, const P
     trace.execute_sliced(
         declared,
         [=](graph::PassContext& context, graph::Slice slice) {
-            Tracer(context, r, parameters).run(slice, declared);
+            PathTracer(context, r, parameters).run(slice, declared);
         },
         2);
 

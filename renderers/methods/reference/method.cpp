@@ -13,10 +13,6 @@
 namespace ir::methods::reference {
 namespace {
 
-const Condition only_ao{"paths", {std::string("ao")}};
-const Condition only_light{"paths", {std::string("direct"), std::string("indirect"), std::string("full")}};
-const Condition only_full{"paths", {std::string("full")}};
-
 ParameterTable<Parameters> parameter_table() {
     ParameterTable<Parameters> table;
     table

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <glm/gtc/packing.hpp>
-#include <limits>
 
+#include "renderers/core/constants.h"
 #include "renderers/methods/reference/estimate.h"
 
 namespace ir::methods::reference {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// Of a half float, which is exact only up to gbuffer_materials; never out of bounds, whatever it holds.
 int material_index(float stored, std::size_t materials) {

@@ -5,6 +5,19 @@
 
 namespace ir::methods::reference {
 
+void start_sums(const graph::PassContext& context, graph::ImageRef sums, int layers) {
+    const bool continues = Progress::continues(context);
+    for (int layer = 0; layer < layers; ++layer) {
+        const auto now = context.pixels<glm::vec4>(sums, layer);
+        if (!continues) {
+            std::fill(now.begin(), now.end(), glm::vec4(0));
+            continue;
+        }
+        const auto before = context.previous_pixels<glm::vec4>(sums, layer);
+        std::copy(before.begin(), before.end(), now.begin());
+    }
+}
+
 std::int64_t declared_items(const Tiles& tiles, std::uint64_t per_frame) {
     return tiles.count() * tiles.blocks({0, per_frame});
 }

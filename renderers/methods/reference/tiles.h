@@ -12,9 +12,11 @@ namespace ir::methods::reference {
 /// size, whatever frames and sessions traced before.
 class Tiles {
   public:
-    /// `size` in pixels; `block` in samples.
-    Tiles(int width, int height, int size, std::uint64_t block)
-        : width_(width), height_(height), size_(size), block_(block) {}
+    static constexpr int size = 16;  ///< pixels along a side
+
+    /// `block` in samples.
+    Tiles(const scene::View& view, std::uint64_t block)
+        : width_(view.width), height_(view.height), block_(block) {}
 
     std::int64_t count() const { return std::int64_t{across(width_)} * across(height_); }
     std::int64_t blocks(SampleRange samples) const {
@@ -29,17 +31,21 @@ class Tiles {
     /// Calls `visit(x, y)` for the pixels of a tile.
     template <class Visit>
     void for_each_pixel(std::int64_t tile, Visit visit) const {
-        const int left = static_cast<int>(tile % across(width_)) * size_;
-        const int top = static_cast<int>(tile / across(width_)) * size_;
-        for (int y = top; y < std::min(top + size_, height_); ++y)
-            for (int x = left; x < std::min(left + size_, width_); ++x) visit(x, y);
+        const int left = static_cast<int>(tile % across(width_)) * size;
+        const int top = static_cast<int>(tile / across(width_)) * size;
+        for (int y = top; y < std::min(top + size, height_); ++y)
+            for (int x = left; x < std::min(left + size, width_); ++x) visit(x, y);
     }
 
   private:
-    int across(int pixels) const { return (pixels + size_ - 1) / size_; }
-    int width_, height_, size_;
+    int across(int pixels) const { return (pixels + size - 1) / size; }
+    int width_, height_;
     std::uint64_t block_;
 };
+
+/// Fills the layers of `sums`, rgba32f, with those of the frames before, or with zeros where this frame is
+/// the first.
+void start_sums(const graph::PassContext& context, graph::ImageRef sums, int layers);
 
 /// Items that a frame is declared to have; how many it really has is only known when it runs.
 std::int64_t declared_items(const Tiles& tiles, std::uint64_t per_frame);

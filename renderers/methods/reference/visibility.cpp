@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>
-#include <limits>
 
+#include "renderers/core/constants.h"
 #include "renderers/passes/raytracing/ray_offset.h"
 #include "renderers/scene/frame.h"
 
@@ -13,7 +13,6 @@ namespace {
 using Packet = passes::Bvh::Packet16;
 
 constexpr std::uint64_t lanes = 16;
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 void set_origin(Packet& packet, std::uint64_t lane, glm::vec3 origin) {
     packet.ox[lane] = origin.x, packet.oy[lane] = origin.y, packet.oz[lane] = origin.z;

@@ -1,13 +1,10 @@
 #include "renderers/methods/reference/wavefront.h"
 
-#include <limits>
-
+#include "renderers/core/constants.h"
 #include "renderers/passes/raytracing/ray_offset.h"
 
 namespace ir::methods::reference {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// Shadow rays end this fraction before the point on the light, so that they do not meet it.
 constexpr float shadow_end = 1 - 1e-4f;

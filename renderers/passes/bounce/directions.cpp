@@ -6,9 +6,6 @@
 namespace ir::passes::bounce {
 namespace {
 
-const Condition only_ao{"paths", {std::string("ao")}};
-const Condition only_indirect{"paths", {std::string("indirect"), std::string("full")}};
-
 gl::ProgramSource source_of(const Receivers& receivers) {
     gl::ProgramSource source{{"passes/bounce/directions.comp"}};
     receivers.define(source);

@@ -5,9 +5,6 @@
 namespace ir::passes::bounce {
 namespace {
 
-const Condition only_ao{"paths", {std::string("ao")}};
-const Condition only_indirect{"paths", {std::string("indirect"), std::string("full")}};
-
 /// llvmpipe stops at 65,535 turns of a shader's loops, the last look at an inner loop's end counted: with 16
 /// samples 62,658 for (2 · 29 + 1)² neighbours.
 constexpr int most_radius = 29;

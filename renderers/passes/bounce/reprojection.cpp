@@ -13,7 +13,7 @@ struct Images {
     graph::ImageRef now, average, surfaces, frames;
 };
 
-graph::ImageRef declare(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format) {
+graph::ImageRef history_image(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format) {
     graph::ImageDesc desc;
     desc.text = std::move(text);
     desc.format = format;
@@ -87,15 +87,15 @@ graph::ImageRef reproject(graph::GraphBuilder& builder, const GBuffer& gbuffer,
     Images images;
     images.now = produce(of_this_frame(text));
     const auto format = builder.images().at(static_cast<std::size_t>(images.now.index)).format;
-    images.average = declare(builder, std::move(text), format);
-    images.surfaces =
-        declare(builder,
-                {"reprojection.surfaces", "Surfaces for the next frame",
-                 "Geometric normal, octahedral in 2 x 16 bits, and the bits of the depth along the view axis "
-                 "(m); infinite where there is no surface"},
-                gl::Format::rg32ui);
-    images.frames =
-        declare(builder, graph::text_of(reprojection_outputs(), "reprojection.frames"), gl::Format::r32f);
+    images.average = history_image(builder, std::move(text), format);
+    images.surfaces = history_image(
+        builder,
+        {"reprojection.surfaces", "Surfaces for the next frame",
+         "Geometric normal, octahedral in 2 x 16 bits, and the bits of the depth along the view axis "
+         "(m); infinite where there is no surface"},
+        gl::Format::rg32ui);
+    images.frames = history_image(builder, graph::text_of(reprojection_outputs(), "reprojection.frames"),
+                                  gl::Format::r32f);
     auto pass = builder.pass("reprojection");
     pass.reads(images.now, gbuffer.position, gbuffer.geometric_normal, gbuffer.velocity)
         .reads_previous(images.average, images.surfaces, images.frames)

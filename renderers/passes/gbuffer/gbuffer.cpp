@@ -57,7 +57,8 @@ void clear(const gl::Api& gl, int colours) {
     gl.ClearBufferfv(GL_DEPTH, 0, &far);
 }
 
-void draw(const PassContext& p, const SceneBuffers& s, const GBuffer& g, const GBufferOptions& options) {
+void draw_surfaces(const PassContext& p, const SceneBuffers& s, const GBuffer& g,
+                   const GBufferOptions& options) {
     const auto& gl = p.api();
     const auto& view = p.inputs().view;
     const PassContext::Attachment depth{g.depth};
@@ -99,7 +100,7 @@ GBuffer gbuffer(GraphBuilder& builder, const SceneBuffers& scene, const GBufferO
     pass.reads(scene.motion)
         .writes(g.depth, g.position, g.normal, g.geometric_normal, g.albedo, g.material, g.emission,
                 g.velocity, g.valid)
-        .execute([=](PassContext& p) { draw(p, scene, g, options); });
+        .execute([=](PassContext& p) { draw_surfaces(p, scene, g, options); });
     if (options.sees_through_glass) g.glass = glass_before(builder, scene, g, options.normal_maps);
     return g;
 }

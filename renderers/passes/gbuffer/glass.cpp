@@ -23,7 +23,7 @@ std::ptrdiff_t glass_count(const graph::FrameInputs& inputs) {
 }
 
 /// Adds up logarithms, in the order of triangles.
-void draw(const PassContext& p, const SceneBuffers& s, const GBuffer& g, bool normal_maps) {
+void draw_glass(const PassContext& p, const SceneBuffers& s, const GBuffer& g, bool normal_maps) {
     const auto& gl = p.api();
     const PassContext::Attachment depth{g.depth};
     p.bind_framebuffer({{*g.glass}, {g.valid}}, &depth);
@@ -72,7 +72,7 @@ std::optional<graph::ImageRef> glass_before(graph::GraphBuilder& builder, const 
     auto pass = builder.pass("glass");
     reads_scene(pass, scene);
     pass.reads(g.position).writes(*g.glass, g.valid, g.depth).counts(pixels).execute([=](PassContext& p) {
-        draw(p, scene, g, normal_maps);
+        draw_glass(p, scene, g, normal_maps);
         exponentiate(p, *g.glass, pixels);
     });
     return g.glass;

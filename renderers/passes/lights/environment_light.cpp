@@ -4,14 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/passes/lights/equirectangular.h"
 #include "renderers/passes/lights/luminance.h"
 #include "renderers/scene/frame.h"
 
 namespace ir::passes {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 glm::vec3 sane(glm::vec3 radiance) {
     for (int c = 0; c < 3; ++c)

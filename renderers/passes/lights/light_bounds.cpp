@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "renderers/core/constants.h"
 
 namespace ir::passes {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 float angle_of(float cosine) {
     return std::acos(std::clamp(cosine, -1.0f, 1.0f));

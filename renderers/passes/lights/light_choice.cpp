@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/passes/lights/flat_light.h"
 #include "renderers/passes/lights/luminance.h"
 #include "renderers/passes/lights/punctual.h"
 
 namespace ir::passes {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 LightBounds bounds_of_flat(const FlatLight& light) {
     const auto reach = glm::abs(light.half_width_ws()) + glm::abs(light.half_height_ws());

@@ -7,18 +7,16 @@
 #include <array>
 #include <atomic>
 #include <cstring>
-#include <limits>
 #include <mutex>
 #include <string>
 
+#include "renderers/core/constants.h"
 #include "renderers/core/error.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/alpha_masks.h"
 
 namespace ir::passes {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// Embree reads vertices with 16-byte loads: the last one needs this much behind it.
 constexpr std::size_t vertex_padding = 16;

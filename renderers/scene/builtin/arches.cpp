@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/architecture.h"
 
 namespace ir::scene::builtin {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 /// Angles from 0 to 180° that include those of the panel's upper corners, so that no strip cuts a corner.
 std::vector<float> arch_angles(float corner, int segments) {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "renderers/core/constants.h"
 
 namespace ir::scene::builtin {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr float crease = 0.82f;  ///< cosine of the bend that stays sharp, 35°
 
 struct ProfilePoint {

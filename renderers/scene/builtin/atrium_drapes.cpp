@@ -1,14 +1,11 @@
 // Cloth: curtains tied to the columns below, banners over the balustrade, swags in the upper arches.
 
-#include <numbers>
-
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/architecture.h"
 #include "renderers/scene/builtin/atrium.h"
 
 namespace ir::scene::builtin::atrium_parts {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 /// 0 at edge0, 1 at edge1, level at both; the edges may fall.
 float smooth(float edge0, float edge1, float x) {

@@ -1,16 +1,14 @@
 // Fountain, planters with leaves, ivy, lanterns on chains and iron grilles.
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/architecture.h"
 #include "renderers/scene/builtin/atrium.h"
 #include "renderers/scene/builtin/random.h"
 
 namespace ir::scene::builtin::atrium_parts {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 void add_fountain(Scene& scene, const Materials& m, const Detail& detail) {
     MeshBuilder b;

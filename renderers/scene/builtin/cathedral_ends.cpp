@@ -1,8 +1,8 @@
 // The apse, five sides of a decagon under a ribbed half dome, and the west front with portal and rose window.
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/cathedral.h"
 #include "renderers/scene/builtin/plates.h"
 #include "renderers/scene/builtin/solids.h"
@@ -10,7 +10,6 @@
 namespace ir::scene::builtin::cathedral_parts {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr int apse_sides = 5;
 const glm::vec3 apse_centre{nave_end, 0, 0};
 

@@ -1,8 +1,8 @@
 // Floor and steps, benches, altar, pulpit and chandeliers.
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/cathedral.h"
 #include "renderers/scene/builtin/plates.h"
 #include "renderers/scene/builtin/solids.h"
@@ -10,7 +10,6 @@
 namespace ir::scene::builtin::cathedral_parts {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr int rows_of_benches = 16;
 
 void add_floor(MeshBuilder& tiles, MeshBuilder& marble) {

@@ -1,9 +1,9 @@
 // Round piers with four shafts, bases and crocket capitals, and the shafts that carry the ribs.
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
 #include <vector>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/cathedral.h"
 #include "renderers/scene/builtin/plates.h"
 #include "renderers/scene/builtin/solids.h"
@@ -11,7 +11,6 @@
 namespace ir::scene::builtin::cathedral_parts {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr float core = 0.43f, base_top = 0.82f, capital = 0.75f;
 
 Profile pier_profile(float height, int bends) {

@@ -1,14 +1,11 @@
 // Groin vaults with ribs over nave and aisles, as closed bodies with a flat top.
 
-#include <numbers>
-
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/cathedral.h"
 #include "renderers/scene/builtin/plates.h"
 
 namespace ir::scene::builtin::cathedral_parts {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 /// A row of vaults along x.
 struct Row {

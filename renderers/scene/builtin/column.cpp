@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/architecture.h"
 
 namespace ir::scene::builtin {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 // Heights in units of the shaft's radius.
 constexpr float plinth_height = 0.35f, base_height = 1.06f, capital_height = 1.9f, abacus_height = 0.3f;

@@ -5,8 +5,8 @@
 // that sends the lamp's flux into its cone. Both shine together; the options scale them.
 
 #include <cmath>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/mesh_builder.h"
 #include "renderers/scene/builtin/registry.h"
 
@@ -69,7 +69,6 @@ void add_spot(Scene& scene, float scale) {
     light.direction = {0, -1, 0};
     light.inner_angle = glm::radians(70.0f);
     light.outer_angle = glm::radians(85.0f);
-    const float pi = std::numbers::pi_v<float>;
     // Flux of the lamp over the cone in the middle of the soft edge: π L A = I · 2π (1 − cos α).
     const float cone = 2 * pi * (1 - std::cos((light.inner_angle + light.outer_angle) / 2));
     light.colour = lamp_radiance / lamp_radiance.r;

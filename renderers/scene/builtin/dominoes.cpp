@@ -8,8 +8,8 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/mesh_builder.h"
 #include "renderers/scene/builtin/plates.h"
 #include "renderers/scene/builtin/registry.h"
@@ -18,7 +18,6 @@ namespace ir::scene::builtin {
 namespace dominoes_parts {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr float spacing = 0.0196f, bevel = 0.0009f;
 constexpr int fallen = 12, length_of_row = 43;
 

@@ -1,8 +1,8 @@
 // Uneven ground with a mound for each grave, field stones, and a path of flat stones.
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/graveyard.h"
 #include "renderers/scene/builtin/painting.h"
 #include "renderers/scene/builtin/plates.h"
@@ -11,7 +11,6 @@
 namespace ir::scene::builtin::graveyard_parts {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr glm::vec2 ground_low{-12, -16}, ground_high{12, 10};
 constexpr float ground_bottom = -0.8f;
 

@@ -1,9 +1,9 @@
 // Grass blade by blade, a bare tree, ivy on the wall and flowers on the graves.
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
 #include <vector>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/graveyard.h"
 #include "renderers/scene/builtin/painting.h"
 #include "renderers/scene/builtin/plates.h"
@@ -11,8 +11,6 @@
 
 namespace ir::scene::builtin::graveyard_parts {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 glm::vec3 direction(Random& random) {
     const float z = random.between(-1, 1), angle = random.between(0, 2 * pi), r = std::sqrt(1 - z * z);

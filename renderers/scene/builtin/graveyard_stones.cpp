@@ -1,8 +1,8 @@
 // Gravestones: slabs, crosses, obelisks and table tombs.
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/graveyard.h"
 #include "renderers/scene/builtin/plates.h"
 #include "renderers/scene/builtin/random.h"
@@ -11,7 +11,6 @@
 namespace ir::scene::builtin::graveyard_parts {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr float buried = 0.35f;  ///< how deep stones reach below their ground line
 
 /// The upper part of a slab, from right to left, above `spring`.

@@ -1,9 +1,9 @@
 // The brick wall, brick by brick, with a corner; the gate's piers, and gate and fence of iron bars.
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
 #include <vector>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/graveyard.h"
 #include "renderers/scene/builtin/plates.h"
 #include "renderers/scene/builtin/random.h"
@@ -12,7 +12,6 @@
 namespace ir::scene::builtin::graveyard_parts {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr float brick_length = 0.24f, brick_height = 0.071f, joint = 0.012f, foot = -0.5f,
                 first_course = -0.2f;
 

@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <string>
 
+#include "renderers/core/constants.h"
 #include "renderers/image/colour_map.h"
 #include "renderers/scene/builtin/random.h"
 #include "renderers/scene/scene.h"
 
 /// What procedural textures are painted with.
 namespace ir::scene::builtin::painting {
-
-inline constexpr float pi = std::numbers::pi_v<float>;
 
 inline std::uint8_t byte(float value) {
     return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255 + 0.5f);

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/architecture.h"
 
 namespace ir::scene::builtin {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 constexpr std::array<BoxFace, 6> faces = {BoxFace::pos_x, BoxFace::neg_x, BoxFace::pos_y,
                                           BoxFace::neg_y, BoxFace::pos_z, BoxFace::neg_z};

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/architecture.h"
 #include "renderers/scene/builtin/interior_textures.h"
 #include "renderers/scene/builtin/solids.h"
@@ -12,7 +12,6 @@
 namespace ir::scene::builtin::still_life_parts {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 const glm::vec3 bowl_foot = table_top + glm::vec3(-0.46f, 0.005f, 0.1f);
 
 /// Where the cloth's upper side is, `along` metres from its edge on the table; x from the table's middle.

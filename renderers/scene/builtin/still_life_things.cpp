@@ -2,8 +2,8 @@
 
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/scene/builtin/architecture.h"
 #include "renderers/scene/builtin/solids.h"
 #include "renderers/scene/builtin/still_life.h"
@@ -11,7 +11,6 @@
 namespace ir::scene::builtin::still_life_parts {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr float sink = 0.0005f;  ///< of what stands on the table into it
 
 glm::vec3 on_table(float x, float z, float above = 0) {

@@ -9,13 +9,6 @@ namespace {
 
 using Mode = CompareView::Mode;
 
-/// The newest difference, once there is one.
-const Image& shown_difference(CompareView& view) {
-    wait_for_differences(view);
-    static const Image none;
-    return view.difference_picture() ? *view.difference_picture()->image : none;
-}
-
 TEST(Differences, KindsAndSwapping) {
     CompareView view;
     view.set_pictures({flat(1, "ours"), flat(3, "reference")});

@@ -16,12 +16,6 @@ PicturePtr noisy(float value, float variance, const QString& label = {}) {
     return std::make_shared<const Picture>(std::move(picture));
 }
 
-const Image& shown_difference(CompareView& view) {
-    wait_for_differences(view);
-    static const Image none;
-    return view.difference_picture() ? *view.difference_picture()->image : none;
-}
-
 TEST(DifferenceKinds, AutomaticDisplaysFitTheKind) {
     Image values(2, 1, 1);
     values.pixels = {-0.5f, 0.25f};

@@ -9,12 +9,6 @@ namespace {
 
 using Mode = CompareView::Mode;
 
-void fill(CompareView& view, std::vector<PicturePtr> pictures) {
-    const std::vector<Display> displays(pictures.size(), grey_display());
-    view.set_pictures(std::move(pictures));
-    view.set_displays(displays);
-}
-
 void expect_same_region(const ImageView& a, const ImageView& b) {
     EXPECT_DOUBLE_EQ(a.transform().zoom(), b.transform().zoom());
     EXPECT_NEAR(a.transform().centre().x(), b.transform().centre().x(), 1 / a.transform().zoom());

@@ -20,12 +20,6 @@ std::vector<PicturePtr> two() {
             make_picture(quarters(0.5f), Semantic::depth, "reference")};
 }
 
-void fill(CompareView& view, std::vector<PicturePtr> pictures) {
-    const std::vector<Display> displays(pictures.size(), grey_display());
-    view.set_pictures(std::move(pictures));
-    view.set_displays(displays);
-}
-
 /// The four quarters of a view's picture, each where it belongs.
 void expect_quarters(ImageView& view, double scale) {
     EXPECT_NEAR(grey_at(view, 2.5, 2.5), grey_of(0.1 * scale), 2);

@@ -58,6 +58,19 @@ inline void wait_for_differences(CompareView& view) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !view.is_computing(); }, 20000));
 }
 
+/// The newest difference, once there is one.
+inline const Image& shown_difference(CompareView& view) {
+    wait_for_differences(view);
+    static const Image none;
+    return view.difference_picture() ? *view.difference_picture()->image : none;
+}
+
+inline void fill(CompareView& view, std::vector<PicturePtr> pictures) {
+    const std::vector<Display> displays(pictures.size(), grey_display());
+    view.set_pictures(std::move(pictures));
+    view.set_displays(displays);
+}
+
 inline void turn_wheel(QWidget* widget, QPointF at, int steps) {
     QWheelEvent wheel(at, widget->mapToGlobal(at), {}, {0, 120 * steps}, Qt::NoButton, Qt::NoModifier,
                       Qt::NoScrollPhase, false);

@@ -12,7 +12,7 @@
 namespace ir::widgets {
 namespace {
 
-constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 std::uint64_t total(const Histogram& histogram) {
@@ -62,7 +62,7 @@ TEST(Histogram, AgreesWithTheStatisticsOfThePicture) {
     Image image(9, 4, 4);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         image.pixels[i] = i % 4 == 3 ? 100 : 0.5f + float(i % 7);
-    image.at(0, 0, 1) = nan_value;
+    image.at(0, 0, 1) = not_a_number;
     image.at(1, 0, 3) = -infinity;
     Atlas atlas{9, 4, {{0, 0, 0, 0, 4, 4}, {1, 0, 6, 0, 3, 2}}};
     for (const auto& tiles : {Atlas{}, atlas})
@@ -85,7 +85,7 @@ TEST(Histogram, OfConstantAndOfUselessImages) {
     EXPECT_EQ(total(constant), 64u);
     EXPECT_EQ(constant.percentile_1, 3);
     EXPECT_EQ(total(histogram(Image(8, 8, 1, 0.0f))), 64u);
-    const Histogram none = histogram(Image(8, 8, 1, nan_value));
+    const Histogram none = histogram(Image(8, 8, 1, not_a_number));
     EXPECT_EQ(none.finite, 0u);
     EXPECT_EQ(none.nan, 64u);
     EXPECT_EQ(histogram(Image()).finite, 0u);
@@ -94,7 +94,7 @@ TEST(Histogram, OfConstantAndOfUselessImages) {
 
 TEST(Histogram, CountsWhatIsNotANumberOrNegative) {
     Image image(5, 1, 1, 1.0f);
-    image.pixels = {nan_value, infinity, -infinity, -2, 1};
+    image.pixels = {not_a_number, infinity, -infinity, -2, 1};
     const Histogram h = histogram(image);
     EXPECT_EQ(h.nan, 1u);
     EXPECT_EQ(h.infinite, 2u);
@@ -211,7 +211,7 @@ TEST_F(HistogramViewTest, DrawsEveryKindOfImage) {
         view.repaint();
         return view.grab().toImage();
     };
-    view.set_image(shared(Image(8, 8, 1, nan_value)), Semantic::generic, -1);
+    view.set_image(shared(Image(8, 8, 1, not_a_number)), Semantic::generic, -1);
     const QImage none = picture();
     EXPECT_EQ(view.summary(), "64 values, 64 NaN");
     view.set_image(shared(Image(8, 8, 1, 2.0f)), Semantic::generic, -1);

@@ -26,11 +26,6 @@ Settings settings_of(bool visibility, const char* paths) {
             {"levels", std::int64_t{4}}};
 }
 
-Settings with(Settings settings, const char* key, Value value) {
-    settings[key] = std::move(value);
-    return settings;
-}
-
 /// Much of it is hidden, outside of the view, or beyond the reach of all that is seen.
 const Shot court{.scene = "builtin:atrium?detail=0.1"};
 
@@ -44,8 +39,8 @@ TEST(DeepScreenSpace, CullingChangesNoBit) {
     for (const auto& form : forms)
         for (const char* key : {"splat_culling", "frustum_culling"}) {
             const auto settings = settings_of(form.visibility, form.paths);
-            const auto on = render(deep_screen_space(), with(settings, key, true), court);
-            const auto off = render(deep_screen_space(), with(settings, key, false), court);
+            const auto on = render(deep_screen_space(), with(settings, {{key, true}}), court);
+            const auto off = render(deep_screen_space(), with(settings, {{key, false}}), court);
             EXPECT_EQ(on.main.pixels, off.main.pixels)
                 << key << ", " << form.paths << ", " << form.visibility;
             const char* counter = std::string(key) == "splat_culling" ? "splats.culled" : "surfels.patches";
@@ -57,8 +52,8 @@ TEST(DeepScreenSpace, CullingChangesNoBit) {
 TEST(DeepScreenSpace, BuffersThatBeginAThousandTimesTooSmallGiveTheSamePicture) {
     for (const auto& form : forms) {
         const auto settings = settings_of(form.visibility, form.paths);
-        const auto large = render(deep_screen_space(), with(settings, "reserve", 100.0), court);
-        const auto small = render(deep_screen_space(), with(settings, "reserve", 0.001), court);
+        const auto large = render(deep_screen_space(), with(settings, {{"reserve", 100.0}}), court);
+        const auto small = render(deep_screen_space(), with(settings, {{"reserve", 0.001}}), court);
         EXPECT_EQ(large.main.pixels, small.main.pixels) << form.paths << ", " << form.visibility;
         EXPECT_GT(large.report.counters.at("surfels.kept"), 1000 * std::ceil(0.001 * 48 * 32));
     }

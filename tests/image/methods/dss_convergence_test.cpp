@@ -6,7 +6,7 @@
 namespace ir::test {
 namespace {
 
-constexpr int size = 32, seeds = 3;
+constexpr int side = 32, runs = 3;
 
 /// Up to 0.12 m in the Cornell box, which is 1.1 m wide.
 engine::Experiment experiment(const std::string& method, Settings settings, std::uint64_t seed) {
@@ -16,7 +16,7 @@ engine::Experiment experiment(const std::string& method, Settings settings, std:
     e.settings = std::move(settings);
     e.settings["paths"] = std::string("ao");
     e.settings["max_distance"] = 0.12;
-    e.width = e.height = size;
+    e.width = e.height = side;
     e.seed = seed;
     return e;
 }
@@ -50,7 +50,7 @@ struct Bias {
 Bias bias(const Image& reference, const Settings& settings) {
     const auto n = reference.pixels.size();
     std::vector<double> sum(n), squares(n);
-    for (int seed = 1; seed <= seeds; ++seed) {
+    for (int seed = 1; seed <= runs; ++seed) {
         const auto image = picture(experiment("deep-screen-space", settings, std::uint64_t(seed)));
         for (std::size_t i = 0; i < n; ++i) {
             const double error = double(image.pixels[i]) - reference.pixels[i];
@@ -61,7 +61,7 @@ Bias bias(const Image& reference, const Settings& settings) {
     Bias b{};
     double square = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        const double mean = sum[i] / seeds, of_mean = (squares[i] / seeds - mean * mean) / (seeds - 1);
+        const double mean = sum[i] / runs, of_mean = (squares[i] / runs - mean * mean) / (runs - 1);
         b.mean += mean / double(n);
         square += (mean * mean - of_mean) / double(n);
     }

@@ -120,11 +120,6 @@ Spread spread(Floor floor, const Settings& settings) {
     return s;
 }
 
-Settings with(Settings settings, const char* key, Value value) {
-    settings[key] = std::move(value);
-    return settings;
-}
-
 std::vector<double> truth_of(Floor floor) {
     return means(
         wall(floor, "reference", {{"samples", std::int64_t{4096}}, {"max_bounces", std::int64_t{1}}}));
@@ -143,7 +138,7 @@ TEST(DssLight, AHighlightArrivesAsTheReferenceSays) {
         EXPECT_LT(t * found.error[i], 0.3 * truth[i]) << i << ": too uncertain to tell";
     }
     const auto mutant =
-        means(wall(Floor::metal, "deep-screen-space", with(surfels(), "glossy_senders", false)));
+        means(wall(Floor::metal, "deep-screen-space", with(surfels(), {{"glossy_senders", false}})));
     EXPECT_LT(mutant.back(), 0.01 * truth.back());
     machines().clear();
 }
@@ -161,10 +156,10 @@ TEST(DssLight, WhatAFloorScattersArrivesInBothForms) {
             EXPECT_LT(t * found.error[i], 0.25 * truth[i]) << i << ": too uncertain to tell";
         }
     };
-    const auto diffuse = with(surfels(), "glossy_senders", false);
+    const auto diffuse = with(surfels(), {{"glossy_senders", false}});
     expect(diffuse, 1);
-    expect(with(diffuse, "coverage", 1.0), 1 - std::exp(-1.0));
-    expect(with(diffuse, "visibility", false), 1);
+    expect(with(diffuse, {{"coverage", 1.0}}), 1 - std::exp(-1.0));
+    expect(with(diffuse, {{"visibility", false}}), 1);
     machines().clear();
 }
 

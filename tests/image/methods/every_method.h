@@ -146,6 +146,12 @@ inline Frame render(const graph::Method& method, const Settings& settings, const
     return frame;
 }
 
+/// `settings`, changed by `more`.
+inline Settings with(Settings settings, const Settings& more) {
+    for (const auto& [key, value] : more) settings[key] = value;
+    return settings;
+}
+
 /// Mean absolute difference of the main results over pixels that are valid in both.
 inline double difference(const Frame& a, const Frame& b) {
     EXPECT_EQ(a.main.pixels.size(), b.main.pixels.size());
@@ -158,7 +164,8 @@ inline double difference(const Frame& a, const Frame& b) {
         sum += std::abs(static_cast<double>(a.main.pixels[i]) - b.main.pixels[i]);
         ++count;
     }
-    return count ? sum / static_cast<double>(count) : 0;
+    EXPECT_GT(count, 0u) << "no pixel counts";
+    return sum / static_cast<double>(count);
 }
 
 }  // namespace ir::test

@@ -71,7 +71,7 @@ class LdmAo : public testing::Test {
     scene::Scene scene_;
 };
 
-Settings maps(int directions, int resolution) {
+Settings ao_maps(int directions, int resolution) {
     return {{"directions", std::int64_t(directions)},
             {"resolution", std::int64_t(resolution)},
             {"max_distance", 0.0}};
@@ -101,7 +101,7 @@ TEST_F(LdmAo, OfAnOpenPlaneIsExactlyOne) {
         for (const double reach : {0.0, 0.5})
             for (const char* name : {"top", "above"}) {
                 const auto image =
-                    render(camera(name), 48, 48, with(maps(directions, 200), "max_distance", reach));
+                    render(camera(name), 48, 48, with(ao_maps(directions, 200), "max_distance", reach));
                 for (const float value : image.pixels) ASSERT_EQ(value, 1) << directions << name;
             }
 }
@@ -110,7 +110,7 @@ TEST_F(LdmAo, UnderASecondPlaneTwoTexelsAboveIsNearZero) {
     load("builtin:plane?size=2&cover=0.028");  // texels of at most 2.83 m / 200
     for (const char* storage : {"arrays", "linked-lists"})
         for (const char* builder : {"compute", "raster"}) {
-            auto settings = with(maps(128, 200), "storage", std::string(storage));
+            auto settings = with(ao_maps(128, 200), "storage", std::string(storage));
             settings = with(settings, "builder", std::string(builder));
             const auto image = render(camera("under"), 48, 48, settings);
             EXPECT_LT(*std::max_element(image.pixels.begin(), image.pixels.end()), 0.05f);
@@ -152,7 +152,7 @@ TEST_F(LdmAo, NearACornerMatchesTheClosedForm) {
         }
         return std::sqrt(sum);
     };
-    const double coarse = rms(maps(128, 110), 60), fine = rms(maps(512, 110), 60);
+    const double coarse = rms(ao_maps(128, 110), 60), fine = rms(ao_maps(512, 110), 60);
     std::printf("RMS error of 128 directions %.4f, of 512 %.4f\n", coarse, fine);
     EXPECT_LE(coarse, 0.02);
     EXPECT_LE(fine, 0.006);
@@ -162,7 +162,7 @@ TEST_F(LdmAo, DoesNotLeakThroughWallsOfTwoTexels) {
     // Everything inside a chamber is closed. Through thinner walls the leaked fraction is only reported.
     load("builtin:crevice");
     for (const auto* name : {"wall-4", "wall-2", "wall-1", "wall-half"}) {
-        const double leaked = mean(render(camera(name), 64, 64, maps(128, 200)));
+        const double leaked = mean(render(camera(name), 64, 64, ao_maps(128, 200)));
         std::printf("leaked through %s: %g\n", name, leaked);
         if (name == std::string("wall-4") || name == std::string("wall-2")) {
             EXPECT_EQ(leaked, 0) << name;
@@ -172,13 +172,13 @@ TEST_F(LdmAo, DoesNotLeakThroughWallsOfTwoTexels) {
 
 TEST_F(LdmAo, LeaksWhereRaysMayDipFarBelowTheSurface) {
     load("builtin:crevice");
-    const auto settings = with(maps(128, 200), "largest_dip", 64.0);
+    const auto settings = with(ao_maps(128, 200), "largest_dip", 64.0);
     EXPECT_GT(mean(render(camera("wall-2"), 64, 64, settings)), 0);
 }
 
 TEST_F(LdmAo, BuildersGiveSimilarPictures) {
     load("builtin:atrium");
-    const auto settings = with(maps(16, 64), "max_distance", 2.0);
+    const auto settings = with(ao_maps(16, 64), "max_distance", 2.0);
     const auto compute = render(world_.cameras.front(), 64, 48, settings);
     const auto raster =
         render(world_.cameras.front(), 64, 48, with(settings, "builder", std::string("raster")));
@@ -193,7 +193,7 @@ TEST_F(LdmAo, StoragesGiveEqualPictures) {
     // Without a reach, any element of a sequence beyond the point may answer; with it, the nearest one does.
     for (const double reach : {0.0, 2.0}) {
         load(reach > 0 ? "builtin:atrium" : "builtin:cornell");
-        auto settings = with(maps(8, 50), "max_distance", reach);
+        auto settings = with(ao_maps(8, 50), "max_distance", reach);
         const auto expected = render(world_.cameras.front(), 48, 36, settings);
         EXPECT_GT(mean(expected), 0.02);
         settings = with(settings, "fixed_layers", std::int64_t(128));
@@ -210,7 +210,7 @@ TEST_F(LdmAo, StoragesGiveEqualPictures) {
 TEST_F(LdmAo, PackedArraysRoundDepthsAndLittleElse) {
     const std::string packed = "packed-arrays";
     load("builtin:atrium");
-    const auto settings = with(maps(16, 100), "max_distance", 2.0);
+    const auto settings = with(ao_maps(16, 100), "max_distance", 2.0);
     const auto exact = render(world_.cameras.front(), 48, 36, settings);
     const auto rounded = render(world_.cameras.front(), 48, 36, with(settings, "storage", packed));
     double squares = 0, sum = 0;
@@ -225,16 +225,16 @@ TEST_F(LdmAo, PackedArraysRoundDepthsAndLittleElse) {
     EXPECT_NEAR(sum / double(exact.pixels.size()), 0, 0.003);
 
     load("builtin:plane");
-    const auto open = render(world_.cameras.front(), 32, 24, with(maps(32, 100), "storage", packed));
+    const auto open = render(world_.cameras.front(), 32, 24, with(ao_maps(32, 100), "storage", packed));
     for (const float value : open.pixels) ASSERT_EQ(value, 1);
 
     load("builtin:crevice");
-    EXPECT_EQ(mean(render(camera("wall-2"), 32, 32, with(maps(32, 200), "storage", packed))), 0);
+    EXPECT_EQ(mean(render(camera("wall-2"), 32, 32, with(ao_maps(32, 200), "storage", packed))), 0);
 }
 
 TEST_F(LdmAo, FixedArraysThatAreTooShortLoseOccludersAndSaySo) {
     load("builtin:atrium");
-    const auto settings = with(maps(8, 50), "max_distance", 2.0);
+    const auto settings = with(ao_maps(8, 50), "max_distance", 2.0);
     const double exact = mean(render(world_.cameras.front(), 48, 36, settings));
     for (const char* storage : {"fixed-arrays", "fixed-arrays-presorted"}) {
         double previous = 2;
@@ -255,7 +255,7 @@ TEST_F(LdmAo, FixedArraysThatAreTooShortLoseOccludersAndSaySo) {
 
 TEST_F(LdmAo, GrownBuffersGiveTheSamePictureAlsoAtFrameThree) {
     load("builtin:cornell");
-    const auto settings = with(with(maps(16, 64), "progressive", true), "max_distance", 0.7);
+    const auto settings = with(with(ao_maps(16, 64), "progressive", true), "max_distance", 0.7);
     const auto third = [&](double capacity) {
         reset();
         graph::FrameOptions options;
@@ -272,7 +272,7 @@ TEST_F(LdmAo, BatchesGiveTheSamePicture) {
     load("builtin:cornell");
     for (const char* storage : {"arrays", "linked-lists"}) {
         reset();
-        const auto settings = with(maps(64, 100), "storage", std::string(storage));
+        const auto settings = with(ao_maps(64, 100), "storage", std::string(storage));
         const auto whole = render(world_.cameras.front(), 32, 32, settings);
         EXPECT_EQ(report.counters["batches"], 1);
         const double fragments = report.counters["ldm.fragments"];
@@ -293,7 +293,7 @@ TEST_F(LdmAo, ProgressiveFramesConverge) {
         reset();
         auto near = camera("wall");
         near.height = 2;
-        auto settings = with(with(maps(16, 100), "progressive", true), "max_distance", 1.0);
+        auto settings = with(with(ao_maps(16, 100), "progressive", true), "max_distance", 1.0);
         const auto down = glm::normalize(-near.up);
         near.eye += 1.0f * down;
         near.target += 1.0f * down;
@@ -313,7 +313,7 @@ TEST_F(LdmAo, ProgressiveFramesConverge) {
 TEST_F(LdmAo, ViewsShowWhatTheyPromise) {
     load("builtin:corner");
     const auto view = camera("view");
-    const auto settings = maps(32, 100);
+    const auto settings = ao_maps(32, 100);
     const auto found = render(view, 48, 48, settings, {}, 0, "ldm.self_hits");
     const auto missing = render(view, 48, 48, settings, {}, 0, "ldm.missing");
     const auto normal = render(view, 48, 48, settings, {}, 0, "accessibility");

@@ -16,12 +16,7 @@ namespace {
 const Settings diffuse_bounce{
     {"paths", std::string("indirect")}, {"materials", std::string("lambert")}, {"normal_maps", false}};
 
-Settings with(Settings settings, const Settings& more) {
-    for (const auto& [key, value] : more) settings[key] = value;
-    return settings;
-}
-
-Settings maps(int directions, int resolution, int emission) {
+Settings indirect_maps(int directions, int resolution, int emission) {
     return {{"directions", std::int64_t{directions}},
             {"resolution", std::int64_t{resolution}},
             {"emission", std::int64_t{emission}}};
@@ -67,19 +62,19 @@ Setting atrium(const Settings& more) {
     return s;
 }
 
-struct Picture {
+struct Rendered {
     Image image;
     FrameReport report;
     std::vector<std::byte> photons, sum, energy;
     Image normal, position;
 };
 
-Picture render(Setting setting) {
+Rendered render(Setting setting) {
     engine::Execution execution(machine(), setting.experiment);
     execution.inspect(setting.inspection);
     setting.options.wanted = {"radiance", "indirect.photons", "indirect.energy", "gbuffer.*"};
     if (setting.inspection.x >= 0) setting.options.wanted.push_back("indirect.explain.sum");
-    Picture picture;
+    Rendered picture;
     picture.report = execution.run_frame(setting.options);
     picture.image = execution.main_result();
     picture.normal = execution.graph().read_image("gbuffer.geometric_normal").value();
@@ -137,18 +132,18 @@ TEST(LdmIndirectPicture, IsAsBrightAsTheReferenceSays) {
             }
         return found / expected;
     };
-    const auto picture = render(cornell("ldm-indirect", maps(96, 100, 48))).image;
+    const auto picture = render(cornell("ldm-indirect", indirect_maps(96, 100, 48))).image;
     EXPECT_NEAR(light(picture), 1, 0.02);
     EXPECT_NEAR(mean(picture) / mean(truth.image), 0.983, 0.015);
     EXPECT_LT(relative_rmse(picture, truth.image), 0.22);
-    const auto brighter = render(cornell("ldm-indirect", maps(96, 100, 48), 1.1f)).image;
+    const auto brighter = render(cornell("ldm-indirect", indirect_maps(96, 100, 48), 1.1f)).image;
     EXPECT_GT(std::abs(light(brighter) - 1), 0.02);
     EXPECT_GT(relative_rmse(brighter, truth.image), 0.22);
 }
 
 TEST(LdmIndirectPicture, BuffersThatStartAThousandTimesTooSmallGiveTheSamePicture) {
-    auto large = cornell("ldm-indirect", with(maps(48, 64, 32), {{"reserve", 1.0}}));
-    auto small = cornell("ldm-indirect", with(maps(48, 64, 32), {{"reserve", 0.001}}));
+    auto large = cornell("ldm-indirect", with(indirect_maps(48, 64, 32), {{"reserve", 1.0}}));
+    auto small = cornell("ldm-indirect", with(indirect_maps(48, 64, 32), {{"reserve", 0.001}}));
     small.options.initial_capacity = 0.001;
     const auto expected = render(large), grown = render(small);
     EXPECT_EQ(expected.report.counters.at("growth"), 0);
@@ -159,7 +154,7 @@ TEST(LdmIndirectPicture, BuffersThatStartAThousandTimesTooSmallGiveTheSamePictur
 }
 
 TEST(LdmIndirectPicture, BatchesOfMapsChangeNothingButRounding) {
-    auto setting = cornell("ldm-indirect", maps(64, 160, 16));
+    auto setting = cornell("ldm-indirect", indirect_maps(64, 160, 16));
     const auto whole = render(setting);
     setting.options.memory_budget = whole.report.peak_memory_bytes * 6 / 10;
     const auto divided = render(setting);
@@ -170,10 +165,11 @@ TEST(LdmIndirectPicture, BatchesOfMapsChangeNothingButRounding) {
 }
 
 TEST(LdmIndirectPicture, AllWaysOfSplattingAgree) {
-    const auto quads = render(atrium(maps(32, 64, 24))).image;
+    const auto quads = render(atrium(indirect_maps(32, 64, 24))).image;
     ASSERT_GT(mean(quads), 0.01);
     for (const char* way : {"tiles", "image-atomics"}) {
-        const auto other = render(atrium(with(maps(32, 64, 24), {{"splatting", std::string(way)}}))).image;
+        const auto other =
+            render(atrium(with(indirect_maps(32, 64, 24), {{"splatting", std::string(way)}}))).image;
         EXPECT_LT(most_different(other, quads),
                   2e-5 * *std::max_element(quads.pixels.begin(), quads.pixels.end()))
             << way;
@@ -186,7 +182,7 @@ TEST(LdmIndirectPicture, ThePickedPixelIsTheSumOfItsPhotons) {
         float gathered[3], direct[3], pixel[3], difference[3];
     };
     for (const glm::ivec2 pixel : {glm::ivec2(24, 40), glm::ivec2(8, 20), glm::ivec2(24, 20)}) {
-        auto setting = atrium(maps(32, 64, 24));
+        auto setting = atrium(indirect_maps(32, 64, 24));
         setting.inspection.x = pixel.x, setting.inspection.y = pixel.y;
         const auto bytes = render(setting).sum;
         ASSERT_EQ(bytes.size(), sizeof(Sum));
@@ -205,7 +201,8 @@ TEST(LdmIndirectPicture, EveryWattIsAccountedFor) {
         float flux[3];
     };
     for (const bool reject : {true, false}) {
-        const auto bytes = render(atrium(with(maps(32, 64, 24), {{"reject_hidden", reject}}))).energy;
+        const auto bytes =
+            render(atrium(with(indirect_maps(32, 64, 24), {{"reject_hidden", reject}}))).energy;
         ASSERT_GE(bytes.size(), 14 * sizeof(Row));
         std::vector<Row> rows(bytes.size() / sizeof(Row));
         std::memcpy(rows.data(), bytes.data(), rows.size() * sizeof(Row));

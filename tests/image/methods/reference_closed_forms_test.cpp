@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderers/methods/reference/visibility.h"
+#include "tests/image/methods/reference_lab.h"
 #include "tests/unit/passes/small_world.h"
 
 namespace ir::methods::reference {
@@ -27,19 +28,6 @@ std::vector<Estimate> estimates(const passes::Bvh& bvh, const SurfacePoint& poin
         add_visibility(bvh, point, rule, PixelSamples(static_cast<std::uint64_t>(seed), 5, 9), {0, samples},
                        sums, direction);
         result.push_back(estimate(sums, samples, largest_variance_of_a_fraction));
-    }
-    return result;
-}
-
-struct Spread {
-    double mean = 0, variance = 0;
-};
-Spread spread(const std::vector<Estimate>& estimates) {
-    Spread result;
-    const auto n = static_cast<double>(estimates.size());
-    for (const auto& e : estimates) result.mean += e.mean / n;
-    for (const auto& e : estimates) {
-        result.variance += (e.mean - result.mean) * (e.mean - result.mean) / (n - 1);
     }
     return result;
 }

@@ -1,6 +1,6 @@
-// White furnaces: surfaces under light from everywhere. Each mean is that of 64 independent seeds with 64
-// samples (4096 paths); t has 63 degrees of freedom. The comparisons of this file are 20: |t| < 5.2 holds for
-// each with α = 1e-4 / 20 two-sided (2.3e-6 at 5.2).
+// White furnaces: surfaces under light from everywhere. Each mean is that of 64 independent furnace_seeds
+// with 64 furnace_samples (4096 paths); t has 63 degrees of freedom. The comparisons of this file are 20: |t|
+// < 5.2 holds for each with α = 1e-4 / 20 two-sided (2.3e-6 at 5.2).
 #include <gtest/gtest.h>
 
 #include "renderers/passes/scattering/bsdf.h"
@@ -11,9 +11,9 @@ namespace {
 
 using Paths = Transport::Paths;
 using Materials = Transport::Materials;
-constexpr double critical_t = 5.2;
-constexpr int seeds = 64;
-constexpr std::uint64_t samples = 64;
+constexpr double critical_t_of_furnaces = 5.2;
+constexpr int furnace_seeds = 64;
+constexpr std::uint64_t furnace_samples = 64;
 
 /// A sphere of one material under a constant environment.
 Lab sphere_lab(const scene::Material& material, int splits = 3) {
@@ -47,8 +47,9 @@ TEST(ReferenceFurnace, DiffuseReflectsItsAlbedo) {
     for (const float albedo : {0.5f, 1.0f}) {
         const auto lab = sphere_lab(diffuse(albedo));
         for (const auto paths : {Paths::direct, Paths::full}) {
-            const auto found = estimates(lab, transport(paths, 1, 5), onto_sphere, seeds, samples);
-            EXPECT_LT(std::abs(t_of(found, albedo)), critical_t) << albedo;
+            const auto found =
+                estimates(lab, transport(paths, 1, 5), onto_sphere, furnace_seeds, furnace_samples);
+            EXPECT_LT(std::abs(t_of(found, albedo)), critical_t_of_furnaces) << albedo;
         }
     }
 }
@@ -57,8 +58,9 @@ TEST(ReferenceFurnace, RejectsLightThatIsCountedTwice) {
     const auto lab = sphere_lab(diffuse(0.5f));
     Estimator mutant;
     mutant.combine = without_weights;
-    const auto found = estimates(lab, transport(Paths::direct), onto_sphere, seeds, samples, mutant);
-    EXPECT_GT(std::abs(t_of(found, 0.5)), critical_t);
+    const auto found =
+        estimates(lab, transport(Paths::direct), onto_sphere, furnace_seeds, furnace_samples, mutant);
+    EXPECT_GT(std::abs(t_of(found, 0.5)), critical_t_of_furnaces);
 }
 
 /// ∫ f cosθ dω by the midpoint rule in μ² and φ: independent of how directions are sampled.
@@ -101,11 +103,12 @@ TEST(ReferenceFurnace, GgxReflectsItsDirectionalAlbedo) {
             const double expected =
                 directional_albedo(bsdf, {0, 1, 0}, {std::sqrt(1 - cosine * cosine), cosine, 0});
             const auto found = estimates(lab, transport(Paths::direct, 1, 1, Materials::gltf),
-                                         onto_plane(cosine), seeds, samples);
+                                         onto_plane(cosine), furnace_seeds, furnace_samples);
             EXPECT_LE(expected, 1 + 1e-4);
             // 1e-4: of the quadrature.
-            EXPECT_LT(std::abs(t_of(found, expected)),
-                      critical_t + 1e-4 / std::sqrt(spread(found).variance / seeds + 1e-12))
+            EXPECT_LT(
+                std::abs(t_of(found, expected)),
+                critical_t_of_furnaces + 1e-4 / std::sqrt(spread(found).variance / furnace_seeds + 1e-12))
                 << roughness << " " << cosine << ": " << spread(found).mean << " for " << expected;
         }
     }
@@ -121,9 +124,9 @@ TEST(ReferenceFurnace, RejectsTheAlbedoOfAnotherRoughness) {
     surface.metallic = 1, surface.roughness = 0.6f;
     const passes::Bsdf bsdf(surface, metal(0.6f), Materials::gltf);
     const double wrong = directional_albedo(bsdf, {0, 1, 0}, {std::sqrt(1 - 0.04f), 0.2f, 0});
-    const auto found =
-        estimates(lab, transport(Paths::direct, 1, 1, Materials::gltf), onto_plane(0.2f), seeds, samples);
-    EXPECT_GT(std::abs(t_of(found, wrong)), critical_t);
+    const auto found = estimates(lab, transport(Paths::direct, 1, 1, Materials::gltf), onto_plane(0.2f),
+                                 furnace_seeds, furnace_samples);
+    EXPECT_GT(std::abs(t_of(found, wrong)), critical_t_of_furnaces);
 }
 
 scene::Material glass() {
@@ -136,9 +139,9 @@ scene::Material glass() {
 
 TEST(ReferenceFurnace, GlassLosesNothing) {
     const auto lab = sphere_lab(glass(), 5);
-    const auto found =
-        estimates(lab, transport(Paths::full, 1, 3, Materials::gltf), onto_sphere, seeds, samples);
-    EXPECT_LT(std::abs(t_of(found, 1)), critical_t) << spread(found).mean;
+    const auto found = estimates(lab, transport(Paths::full, 1, 3, Materials::gltf), onto_sphere,
+                                 furnace_seeds, furnace_samples);
+    EXPECT_LT(std::abs(t_of(found, 1)), critical_t_of_furnaces) << spread(found).mean;
 }
 
 TEST(ReferenceFurnace, GlassTestRejectsAbsorption) {
@@ -146,9 +149,9 @@ TEST(ReferenceFurnace, GlassTestRejectsAbsorption) {
     material.attenuation_colour = glm::vec3(0.99f);
     material.attenuation_distance = 1;
     const auto lab = sphere_lab(material, 5);
-    const auto found =
-        estimates(lab, transport(Paths::full, 1, 3, Materials::gltf), onto_sphere, seeds, samples);
-    EXPECT_GT(std::abs(t_of(found, 1)), critical_t);
+    const auto found = estimates(lab, transport(Paths::full, 1, 3, Materials::gltf), onto_sphere,
+                                 furnace_seeds, furnace_samples);
+    EXPECT_GT(std::abs(t_of(found, 1)), critical_t_of_furnaces);
 }
 
 /// Within a closed convex room of albedo ρ and emission 1, n scatterings bring ρⁿ.
@@ -172,8 +175,9 @@ TEST(ReferenceFurnace, ClosedRoomSumsThePowersOfItsAlbedo) {
     for (const float albedo : {0.5f, 0.9f}) {
         const auto lab = closed_room(albedo);
         const auto check = [&](const Transport& t, double expected) {
-            const auto found = estimates(lab, t, inside, seeds, samples);
-            EXPECT_LT(std::abs(t_of(found, expected)), critical_t) << spread(found).mean << " " << expected;
+            const auto found = estimates(lab, t, inside, furnace_seeds, furnace_samples);
+            EXPECT_LT(std::abs(t_of(found, expected)), critical_t_of_furnaces)
+                << spread(found).mean << " " << expected;
         };
         check(transport(Paths::direct), albedo);
         check(transport(Paths::indirect, 1, 1), powers(albedo, 2, 2));
@@ -187,8 +191,9 @@ TEST(ReferenceFurnace, RejectsRouletteWithoutCompensation) {
     const auto lab = closed_room(0.5f);
     Estimator mutant;
     mutant.compensate = without_compensation;
-    const auto found = estimates(lab, transport(Paths::full, 1, 7), inside, seeds, samples, mutant);
-    EXPECT_GT(std::abs(t_of(found, powers(0.5, 0, 8))), critical_t);
+    const auto found =
+        estimates(lab, transport(Paths::full, 1, 7), inside, furnace_seeds, furnace_samples, mutant);
+    EXPECT_GT(std::abs(t_of(found, powers(0.5, 0, 8))), critical_t_of_furnaces);
 }
 
 TEST(ReferenceFurnace, DistancesBetweenScatteringsAreLimited) {
@@ -199,10 +204,10 @@ TEST(ReferenceFurnace, DistancesBetweenScatteringsAreLimited) {
     lab.build();
     auto t = transport(Paths::indirect, 1, 1);
     t.max_distance = 1;
-    const auto found = estimates(lab, t, inside, seeds, samples);
+    const auto found = estimates(lab, t, inside, furnace_seeds, furnace_samples);
     EXPECT_NEAR(spread(found).mean, 0.8 * 0.8 * 0.25, 0.01);
     t.max_distance = 2.01f;
-    EXPECT_NEAR(spread(estimates(lab, t, inside, seeds, samples)).mean, 0.8 * 0.8, 0.01);
+    EXPECT_NEAR(spread(estimates(lab, t, inside, furnace_seeds, furnace_samples)).mean, 0.8 * 0.8, 0.01);
 }
 
 }  // namespace

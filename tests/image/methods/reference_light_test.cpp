@@ -6,16 +6,12 @@
 #include <map>
 
 #include "app/engine/execution.h"
+#include "tests/image/methods/machine.h"
 
 namespace ir::engine {
 namespace {
 
 /// One context for all tests of this file.
-Machine& machine() {
-    static Machine instance;
-    return instance;
-}
-
 Settings light(const std::string& paths, std::int64_t samples, Settings more = {}) {
     more["paths"] = paths;
     more["samples"] = samples;

@@ -7,16 +7,12 @@
 
 #include "app/engine/execution.h"
 #include "renderers/methods/all_methods.h"
+#include "tests/image/methods/machine.h"
 
 namespace ir::engine {
 namespace {
 
 /// One context for all tests of this file.
-Machine& machine() {
-    static Machine instance;
-    return instance;
-}
-
 graph::FrameOptions keeping(const std::string& pattern) {
     graph::FrameOptions options;
     options.wanted = {pattern};

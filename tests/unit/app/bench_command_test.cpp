@@ -7,24 +7,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/unit/app/outcome.h"
+
 namespace ir {
 namespace {
 
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-std::string contents(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 class BenchCommand : public testing::Test {
   protected:
-    struct Outcome {
-        int status = 0;
-        std::string out, err;
-    };
-
     BenchCommand() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
         root_ = fs::temp_directory_path() / ("interreflect-bench-" + std::string(test->name()));
@@ -33,14 +22,7 @@ class BenchCommand : public testing::Test {
     }
     ~BenchCommand() override { fs::remove_all(root_); }
 
-    Outcome bench(const std::string& arguments) {
-        const auto out = root_ / "stdout", err = root_ / "stderr";
-        const auto command =
-            std::string(CLI_PROGRAM) + " bench " + arguments + " >" + out.string() + " 2>" + err.string();
-        const int status = std::system(command.c_str());
-        EXPECT_TRUE(WIFEXITED(status)) << command;
-        return {WEXITSTATUS(status), contents(out), contents(err)};
-    }
+    Outcome bench(const std::string& arguments) { return run_program("bench " + arguments, root_); }
     /// The smallest method on a small scene.
     Outcome tiny(const std::string& flags) {
         return bench("view-normals-defaults --scene builtin:cornell --size 16x12 --repeats 1 " + flags);
@@ -63,7 +45,7 @@ TEST_F(BenchCommand, TextBeginsWithTheTable) {
     EXPECT_TRUE(outcome.out.starts_with("Variant   Total [ms]   Memory [")) << outcome.out;
     EXPECT_NE(outcome.out.find("\ndefaults  "), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("warm_ms: "), std::string::npos) << "all numbers come after it";
-    const auto table = contents(file);
+    const auto table = read(file);
     EXPECT_TRUE(table.starts_with("variant,Total [ms],Memory [B],problem\r\ndefaults,")) << table;
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 2);
 }

@@ -9,16 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "renderers/image/exr.h"
+#include "tests/unit/app/outcome.h"
 
 namespace ir {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Outcome {
-    int status = 0;
-    std::string out, err;
-};
 
 class Cli : public testing::Test {
   protected:
@@ -32,18 +26,7 @@ class Cli : public testing::Test {
 
     std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
-    static std::string read(const fs::path& path) {
-        std::ifstream stream(path);
-        return {std::istreambuf_iterator<char>(stream), {}};
-    }
-
-    Outcome run(const std::string& arguments) const {
-        const auto out = file("stdout"), err = file("stderr");
-        const auto command = std::string(CLI_PROGRAM) + " " + arguments + " >" + out + " 2>" + err;
-        const int status = std::system(command.c_str());
-        EXPECT_TRUE(WIFEXITED(status)) << command;
-        return {WEXITSTATUS(status), read(out), read(err)};
-    }
+    Outcome run(const std::string& arguments) const { return run_program(arguments, folder_); }
 
     void expect_refused(const std::string& arguments, int status, const std::string& part) const {
         const auto outcome = run(arguments);

@@ -11,16 +11,10 @@
 
 #include "renderers/image/exr.h"
 #include "renderers/image/metrics.h"
+#include "tests/unit/app/outcome.h"
 
 namespace ir {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Outcome {
-    int status = 0;
-    std::string out, err;
-};
 
 class Compare : public testing::Test {
   protected:
@@ -34,18 +28,8 @@ class Compare : public testing::Test {
 
     std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
-    static std::string read(const fs::path& path) {
-        std::ifstream stream(path);
-        return {std::istreambuf_iterator<char>(stream), {}};
-    }
-
     Outcome compare(const std::string& a, const std::string& b, const std::string& options = {}) const {
-        const auto out = file("stdout"), err = file("stderr");
-        const auto command = std::string(CLI_PROGRAM) + " compare " + file(a) + " " + file(b) + " " +
-                             options + " >" + out + " 2>" + err;
-        const int status = std::system(command.c_str());
-        EXPECT_TRUE(WIFEXITED(status)) << command;
-        return {WEXITSTATUS(status), read(out), read(err)};
+        return run_program("compare " + file(a) + " " + file(b) + " " + options, folder_);
     }
 
     void expect_refused(const Outcome& outcome, int status, const std::string& part) const {

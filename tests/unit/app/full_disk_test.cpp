@@ -10,13 +10,11 @@
 #include "projects/results.h"
 #include "projects/store.h"
 #include "renderers/image/exr.h"
+#include "tests/unit/app/outcome.h"
 #include "tests/unit/scarce_disk.h"
 
 namespace ir {
 namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 const std::string before = "what stood there before";
 

@@ -8,12 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "renderers/image/exr.h"
+#include "tests/unit/app/outcome.h"
 
 namespace ir {
 namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 class PickAndChoose : public testing::Test {
   protected:
@@ -27,13 +25,10 @@ class PickAndChoose : public testing::Test {
     std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
     int run(const std::string& arguments) {
-        const auto command =
-            std::string(CLI_PROGRAM) + " " + arguments + " >" + file("out") + " 2>" + file("err");
-        const int status = std::system(command.c_str());
-        out = read("out");
-        err = read("err");
-        EXPECT_TRUE(WIFEXITED(status)) << command;
-        return WEXITSTATUS(status);
+        const auto outcome = run_program(arguments, folder_);
+        out = outcome.out;
+        err = outcome.err;
+        return outcome.status;
     }
     std::string read(const std::string& name) const {
         std::ifstream stream(file(name));

@@ -13,17 +13,10 @@
 #include "projects/open_project.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
+#include "tests/unit/app/outcome.h"
 
 namespace ir {
 namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-std::string read(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 class ParallelKeeping : public testing::Test {
   protected:

@@ -7,21 +7,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/unit/app/outcome.h"
+
 namespace ir {
 namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-struct Outcome {
-    int status = 0;
-    std::string out, err;
-};
-
-std::string read(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// A copy of the sample with small pictures and few values.
 class PlotCommand : public testing::Test {
@@ -48,14 +37,7 @@ class PlotCommand : public testing::Test {
     ~PlotCommand() override { fs::remove_all(root_); }
     void store() { std::ofstream(project_ / "project.json") << json.dump(2); }
 
-    Outcome run(const std::string& arguments) {
-        const auto out = root_ / "stdout", err = root_ / "stderr";
-        const auto command =
-            std::string(CLI_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string();
-        const int status = std::system(command.c_str());
-        EXPECT_TRUE(WIFEXITED(status)) << command;
-        return {WEXITSTATUS(status), read(out), read(err)};
-    }
+    Outcome run(const std::string& arguments) { return run_program(arguments, root_); }
     Outcome plot(const std::string& flags) { return run("plot " + path() + " --quiet " + flags); }
     std::string path() const { return project_.string(); }
     std::string file(const std::string& name) const { return (root_ / name).string(); }

@@ -9,23 +9,11 @@
 #include "projects/autosave.h"
 #include "projects/lock.h"
 #include "projects/results.h"
+#include "tests/unit/app/outcome.h"
 #include "tests/unit/scene/gltf_builder.h"
 
 namespace ir {
 namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-struct Outcome {
-    int status = 0;
-    std::string out, err;
-};
-
-std::string read(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 void write(const fs::path& path, const std::string& text) {
     fs::create_directories(path.parent_path());
@@ -53,14 +41,7 @@ class ProjectCommand : public testing::Test {
     void store() { write(project / "project.json", json.dump(2)); }
     std::string id() { return json["experiments"][0]["id"]; }
 
-    Outcome run(const std::string& arguments) {
-        const auto out = root_ / "stdout", err = root_ / "stderr";
-        const auto command =
-            std::string(CLI_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string();
-        const int status = std::system(command.c_str());
-        EXPECT_TRUE(WIFEXITED(status)) << command;
-        return {WEXITSTATUS(status), read(out), read(err)};
-    }
+    Outcome run(const std::string& arguments) { return run_program(arguments, root_); }
     Outcome command(const std::string& flags) { return run("project " + project.string() + " " + flags); }
 
     /// Refused with one line on stderr that names `part`, and nothing else.

@@ -9,22 +9,10 @@
 
 #include "projects/results.h"
 #include "renderers/image/exr.h"
+#include "tests/unit/app/outcome.h"
 
 namespace ir {
 namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-struct Outcome {
-    int status = 0;
-    std::string out, err;
-};
-
-std::string read(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// A small project with one experiment that has no reference.
 class ReferenceCommand : public testing::Test {
@@ -52,14 +40,7 @@ class ReferenceCommand : public testing::Test {
         std::ofstream(project(name) / "project.json") << json.dump(2);
     }
     Json document(const std::string& name) const { return Json::parse(read(project(name) / "project.json")); }
-    Outcome run(const std::string& arguments) const {
-        const auto out = root_ / "stdout", err = root_ / "stderr";
-        const auto command =
-            std::string(CLI_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string();
-        const int status = std::system(command.c_str());
-        EXPECT_TRUE(WIFEXITED(status)) << command;
-        return {WEXITSTATUS(status), read(out), read(err)};
-    }
+    Outcome run(const std::string& arguments) const { return run_program(arguments, root_); }
     Json reference(const std::string& name, const std::string& flags) const {
         const auto outcome = run("reference " + project(name).string() + " --json " + flags);
         EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -9,12 +9,11 @@
 #include "projects/results_guard.h"
 #include "renderers/image/exr.h"
 #include "tests/child_process.h"
+#include "tests/unit/app/outcome.h"
 
 namespace ir {
 namespace {
 
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 
 /// A project whose reference takes for ever, with plots and sweeps.

@@ -52,7 +52,7 @@ class AdditiveTest : public DeepScreenSpaceTest {
     static Shot floor(int size = 32, bool orthographic = true) {
         SmallWorld small;
         small.square({0, 0, 0}, {0, 1, 0}, 4);
-        return {small.scene(), looking({0, 3, 0}, {0, 0, 0}, orthographic, 2), size, size};
+        return {small.scene(), dss_camera({0, 3, 0}, {0, 0, 0}, orthographic, 2), size, size};
     }
 
     /// Form factor of the square of half side `half` at this height over the origin at a pixel.

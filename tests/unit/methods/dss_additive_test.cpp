@@ -107,7 +107,7 @@ TEST_F(AdditiveTest, IrradianceOfALambertianSquareIsPiTimesItsRadianceTimesItsFo
     small.square({0, 0, 0}, {0, 1, 0}, 4);
     auto scene = small.scene();
     scene.materials[0].base_colour = {0.5f, 0.8f, 0.2f, 1};
-    splat({scene, looking({0, 3, 0}, {0, 0, 0}, true, 2), 32, 32}, run);
+    splat({scene, dss_camera({0, 3, 0}, {0, 0, 0}, true, 2), 32, 32}, run);
     const auto result = read("result"), sum = read("additive.sum");
     for (int y = 0; y < 32; y += 5)
         for (int x = 0; x < 32; x += 5)
@@ -149,7 +149,7 @@ TEST_F(AdditiveTest, GlossyReceiversReflectWhatLiesInTheMirrorDirection) {
     auto scene = small.scene();
     scene.materials[0].metallic = 1;
     scene.materials[0].roughness = 0.3f;
-    const Shot shot(scene, looking({0, 2, 2}, {0, 0, 0}), 16, 16);
+    const Shot shot(scene, dss_camera({0, 2, 2}, {0, 0, 0}), 16, 16);
     AdditiveRun run;
     run.parameters.transport.paths = Transport::Paths::indirect;
     const auto towards = [&](float z) {
@@ -252,8 +252,8 @@ TEST_F(AdditiveTest, CullingChangesNoBit) {
     small.square({0, -1, 0}, {0, 1, 0}, 3);
     small.square({0, 0, -1}, {0, 0, 1}, 2);
     // The eye is inside of many surfels' spheres.
-    shots.emplace_back(small.scene(), looking({0, -0.5f, 0.5f}, {0, -0.8f, -1}), 24, 17);
-    shots.emplace_back(small.scene(), looking({1, 2, 1}, {0, -1, -0.5f}, true, 3), 21, 21);
+    shots.emplace_back(small.scene(), dss_camera({0, -0.5f, 0.5f}, {0, -0.8f, -1}), 24, 17);
+    shots.emplace_back(small.scene(), dss_camera({1, 2, 1}, {0, -1, -0.5f}, true, 3), 21, 21);
     double culled = 0;
     for (const auto& shot : shots)
         for (const auto paths : {Transport::Paths::ao, Transport::Paths::indirect}) {
@@ -314,7 +314,7 @@ TEST_F(AdditiveTest, BackgroundIsOpenAndDark) {
     run.surfels = square_above(0.5f, 2, 8);
     SmallWorld small;
     small.square({0, 0, 0}, {0, 1, 0}, 0.5f);
-    const Shot shot(small.scene(), looking({0, 3, 0}, {0, 0, 0}, true, 2), 16, 16);
+    const Shot shot(small.scene(), dss_camera({0, 3, 0}, {0, 0, 0}, true, 2), 16, 16);
     splat(shot, run);
     EXPECT_EQ(read("result").at(0, 0), 1);
     EXPECT_LT(read("result").at(8, 8), 1);

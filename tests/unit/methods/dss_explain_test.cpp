@@ -4,7 +4,7 @@
 namespace ir::test {
 namespace {
 
-constexpr int size = 48, samples = 3, levels = 4;
+constexpr int dss_size = 48, samples = 3, levels = 4;
 
 class DssExplained : public VisibleTest {
   protected:
@@ -20,7 +20,7 @@ class DssExplained : public VisibleTest {
         run_.wanted = {"splats.*", "bounce.distance"};
     }
 
-    Shot shot() const { return floor_shot(size); }
+    Shot shot() const { return floor_shot(dss_size); }
 
     void explain(const Shot& view, glm::ivec2 pixel, int surfel = 0) {
         auto inputs = view.inputs();
@@ -46,7 +46,7 @@ TEST_F(DssExplained, TheWinnersFoundAreTheWinnersStored) {
         }
         int hits = 0, ranks[8] = {};
         for (int i = 0; i < 40; ++i) {
-            const glm::ivec2 pixel(i * 17 % size, i * 29 % size);
+            const glm::ivec2 pixel(i * 17 % dss_size, i * 29 % dss_size);
             explain(view, pixel);
             const auto sums = elements<dss::LevelSum>("splats.explain.levels");
             ASSERT_EQ(sums.size(), std::size_t(samples * levels));

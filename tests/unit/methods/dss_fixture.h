@@ -84,7 +84,8 @@ class DeepScreenSpaceTest : public PassTest {
     }
 };
 
-inline scene::Camera looking(glm::vec3 eye, glm::vec3 target, bool orthographic = false, float height = 4) {
+inline scene::Camera dss_camera(glm::vec3 eye, glm::vec3 target, bool orthographic = false,
+                                float height = 4) {
     scene::Camera camera;
     camera.eye = eye;
     camera.target = target;

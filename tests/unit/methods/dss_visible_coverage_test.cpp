@@ -6,8 +6,6 @@
 namespace ir::test {
 namespace {
 
-using std::numbers::pi;
-
 constexpr double z_alpha = 3.89;  // two-sided, alpha = 1e-4
 
 /// n tangent discs at random on a sphere, of its whole area together: a closed surface seen from its middle.
@@ -126,7 +124,7 @@ double form_factor_of_discs(double h, double radius, double coverage) {
             const double x = (i + 0.5) * cell - half, y = (j + 0.5) * cell - half;
             const double squared = x * x + y * y + h * h;
             sum += (1 - std::exp(-coverage * part_in_square(x, y, radius))) * h * h /
-                   (pi * squared * squared) * cell * cell;
+                   (std::numbers::pi * squared * squared) * cell * cell;
         }
     return sum;
 }
@@ -134,7 +132,7 @@ double form_factor_of_discs(double h, double radius, double coverage) {
 /// Of a differential area to a parallel square of 2 m whose middle is h above it. [Howell10 C-11, four times]
 double form_factor_of_square(double h) {
     const double a = 1 / h, b = std::sqrt(1 + a * a);
-    return 4 / (2 * pi) * 2 * (a / b * std::atan(a / b));
+    return 4 / (2 * std::numbers::pi) * 2 * (a / b * std::atan(a / b));
 }
 
 TEST_F(DssCoverage, ASquareOverAPlaneClosesItsFormFactor) {
@@ -157,7 +155,7 @@ TEST_F(DssCoverage, ASquareOverAPlaneClosesItsFormFactor) {
                 }
         }
         const double part = double(met) / rays, exact = form_factor_of_square(h);
-        const double radius = std::sqrt(coverage * 4 / (pi * n));
+        const double radius = std::sqrt(coverage * 4 / (std::numbers::pi * n));
         const double expected = form_factor_of_discs(h, radius, coverage);
         const double p = std::exp(-coverage);
         const double band =

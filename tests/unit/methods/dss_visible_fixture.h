@@ -83,7 +83,7 @@ class VisibleTest : public DeepScreenSpaceTest {
 inline Shot floor_shot(int size, float half = 2) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 1, 0}, 20);
-    return {small.scene(), looking({0, 6, 0.01f}, {0, 0, 0}, true, 2 * half), size, size};
+    return {small.scene(), dss_camera({0, 6, 0.01f}, {0, 0, 0}, true, 2 * half), size, size};
 }
 
 inline dss::Parameters visible_parameters(int samples = 1, int levels = 1, float max_distance = 0,

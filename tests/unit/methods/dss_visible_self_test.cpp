@@ -78,7 +78,7 @@ class DssSelf : public VisibleTest {
 TEST_F(DssSelf, AConvexSurfaceIsOpen) {
     for (const auto centre : {glm::vec3(0), glm::vec3(50, -80, 30)}) {
         const auto facets = sphere(centre, 16);
-        const Shot shot(facets.scene, looking(centre + glm::vec3(1, 1, 3), centre), 48, 48);
+        const Shot shot(facets.scene, dss_camera(centre + glm::vec3(1, 1, 3), centre), 48, 48);
         auto run = run_of(facets.surfels);
         EXPECT_EQ(met(shot, run), 0);
         run.mutation["OWN_SURFACE_SHADES"] = "1";
@@ -95,7 +95,7 @@ TEST_F(DssSelf, APlaneIsOpenInAnyPosition) {
         SmallWorld small;
         const auto v = glm::cross(n, u);
         small.quad(centre - u - v, centre + u - v, centre + u + v, centre - u + v);
-        const Shot shot(small.scene(), looking(centre + 3.0f * n + u, centre), 32, 32);
+        const Shot shot(small.scene(), dss_camera(centre + 3.0f * n + u, centre), 32, 32);
         auto run = run_of(discs_of_square(centre, u, v, 1, 12));
         EXPECT_EQ(met(shot, run), 0) << i;
         if (i < 3) continue;
@@ -108,7 +108,7 @@ TEST_F(DssSelf, APlaneIsOpenInAnyPosition) {
 TEST_F(DssSelf, AWallOnTheFloorCloses) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 1, 0}, 4);
-    const Shot shot(small.scene(), looking({0, 4, 0.05f}, {0, 0, 0.05f}, true, 0.2f), 24, 24);
+    const Shot shot(small.scene(), dss_camera({0, 4, 0.05f}, {0, 0, 0.05f}, true, 0.2f), 24, 24);
     VisibleRun run = run_of(discs_of_square({0, 1, -0.1f}, {1, 0, 0}, {0, 1, 0}, 1, 40));
     for (const auto& s : discs_of_square({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 1, 40)) run.surfels.push_back(s);
     run.parameters = visible_parameters(4, 1, 0, 5);

@@ -29,7 +29,7 @@ TwinHit nearest_disc(const std::vector<dss::Surfel>& surfels, glm::dvec3 x, glm:
 
 class DssVisible : public VisibleTest {};
 
-std::vector<dss::Surfel> soup(int n, unsigned seed) {
+std::vector<dss::Surfel> random_surfels(int n, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> unit(-1, 1);
     std::vector<dss::Surfel> surfels;
@@ -41,7 +41,7 @@ std::vector<dss::Surfel> soup(int n, unsigned seed) {
 
 TEST_F(DssVisible, OneLevelIsExactRayCasting) {
     const auto shot = floor_shot(40);
-    VisibleRun run{.surfels = soup(150, 1), .parameters = visible_parameters(2)};
+    VisibleRun run{.surfels = random_surfels(150, 1), .parameters = visible_parameters(2)};
     run.wanted = {"splats.*", "bounce.*", "gbuffer.*"};
     splat(shot, run);
     const auto positions = read("gbuffer.position"), normals = read("gbuffer.geometric_normal");
@@ -67,7 +67,7 @@ TEST_F(DssVisible, OneLevelIsExactRayCasting) {
 
 TEST_F(DssVisible, PicturesDoNotDependOnTheOrderOfSurfels) {
     const auto shot = floor_shot(32);
-    VisibleRun run{.surfels = soup(200, 2), .parameters = visible_parameters(2, 3, 0, 0.7f)};
+    VisibleRun run{.surfels = random_surfels(200, 2), .parameters = visible_parameters(2, 3, 0, 0.7f)};
     splat(shot, run);
     std::vector<Image> first{read("bounce.distance", 0), read("bounce.distance", 1)};
     std::mt19937 random(1);
@@ -81,7 +81,8 @@ TEST_F(DssVisible, OfLevelsTheFinestWins) {
     constexpr int size = 32, levels = 4;
     const auto shot = floor_shot(size);
     for (const auto shells : {dss::Shells::shells, dss::Shells::full_discs}) {
-        VisibleRun run{.surfels = soup(300, 3), .parameters = visible_parameters(1, levels, 0, 0.4f)};
+        VisibleRun run{.surfels = random_surfels(300, 3),
+                       .parameters = visible_parameters(1, levels, 0, 0.4f)};
         run.parameters.shells = shells;
         run.wanted = {"splats.*", "hierarchy.places", "bounce.*"};
         splat(shot, run);
@@ -124,7 +125,7 @@ TEST_F(DssVisible, OfLevelsTheFinestWins) {
 /// left. Where it is less, shells are those of the constant d, but the nearest hit decides.
 TEST_F(DssVisible, ShellsOfLargeSurfelsBeginFartherOut) {
     const auto shot = floor_shot(32);
-    VisibleRun run{.surfels = soup(200, 6), .parameters = visible_parameters(1, 4, 0, 0.3f)};
+    VisibleRun run{.surfels = random_surfels(200, 6), .parameters = visible_parameters(1, 4, 0, 0.3f)};
     run.parameters.influence = dss::Influence::estimated;
     run.parameters.trade_off = 0.01f;  // r / √ε is 2.5 m, the whole reach 2.4 m
     splat(shot, run);

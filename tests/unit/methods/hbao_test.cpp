@@ -12,8 +12,6 @@
 namespace ir::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 class HbaoTest : public PassTest {
   protected:
     Image render(const Shot& shot, const Settings& settings, const std::string& key = "accessibility",
@@ -70,7 +68,7 @@ TEST_F(HbaoTest, OfAnOpenPlaneIsExactlyOne) {
 /// Accessibility at distance d from an endless wall at right angles, with t = d / d_max < 1. The smooth
 /// fall-off is integrated over the wall: occlusion ∫ (1 − s²/d_max²) cosθ cosθ' / (π s²) dA.
 double corner_accessibility(double t) {
-    return 1 - (std::acos(t) - t * std::sqrt(1 - t * t)) / pi;
+    return 1 - (std::acos(t) - t * std::sqrt(1 - t * t)) / std::numbers::pi;
 }
 
 double smooth_corner_accessibility(double t) {
@@ -80,7 +78,7 @@ double smooth_corner_accessibility(double t) {
     for (int i = 0; i < n; ++i)
         for (int j = -n; j < n; ++j) {
             const double u = (i + 0.5) * cell, v = (j + 0.5) * cell, s2 = t * t + u * u + v * v;
-            if (s2 < 1) closed += (1 - s2) * u * t / (pi * s2 * s2) * cell * cell;
+            if (s2 < 1) closed += (1 - s2) * u * t / (std::numbers::pi * s2 * s2) * cell * cell;
         }
     return 1 - closed;
 }
@@ -185,7 +183,7 @@ TEST_F(HbaoTest, WhatTheDepthImageDoesNotShowIsMissedAndWhatItShowsIsThick) {
     for (int i = 0; i < 40; ++i)
         for (int j = 0; j < 40; ++j) {
             const double x = 0.1 + (i + 0.5) / 400, z = -0.1 + (j + 0.5) / 200;
-            truth += 0.25 / std::pow(x * x + z * z + 0.25, 2) / pi * 0.1 * 0.2 / 1600;
+            truth += 0.25 / std::pow(x * x + z * z + 0.25, 2) / std::numbers::pi * 0.1 * 0.2 / 1600;
         }
     EXPECT_LT(truth, 0.03);
     EXPECT_GT(1 - image.at(32, 32), 5 * truth);

@@ -107,10 +107,10 @@ std::vector<Shot> views() {
     small.square({0, -1, 0}, {0, 1, 0}, 3);
     small.square({0, 0, -1}, {0, 0, 1}, 2);
     std::vector<Shot> shots;
-    shots.emplace_back(small.scene(), looking({2, 2, 4}, {0, -0.5f, 0}), 45, 31);
-    shots.emplace_back(small.scene(), looking({0, -0.8f, -0.2f}, {0, -1, -1}), 32, 40);
-    shots.emplace_back(small.scene(), looking({3, 2, 3}, {0, 0, 0}, true, 3), 37, 29);
-    shots.emplace_back(small.scene(), looking({0, 0, 3}, {0, 0, 0}), 1, 1);
+    shots.emplace_back(small.scene(), dss_camera({2, 2, 4}, {0, -0.5f, 0}), 45, 31);
+    shots.emplace_back(small.scene(), dss_camera({0, -0.8f, -0.2f}, {0, -1, -1}), 32, 40);
+    shots.emplace_back(small.scene(), dss_camera({3, 2, 3}, {0, 0, 0}, true, 3), 37, 29);
+    shots.emplace_back(small.scene(), dss_camera({0, 0, 3}, {0, 0, 0}), 1, 1);
     return shots;
 }
 

@@ -6,7 +6,7 @@
 namespace ir::test {
 namespace {
 
-constexpr int size = 48, maps = 32;
+constexpr int explain_size = 48, maps = 32;
 constexpr glm::vec3 lamp(0.5f, 1, 3);
 
 /// A floor in y = 0, photons from all directions above it, and some directly from the lamp.
@@ -44,7 +44,7 @@ class IndirectExplained : public IndirectSplatTest {
         light.position = lamp;
         light.intensity = 50;
         scene.lights.push_back(light);
-        return {scene, looking({1, 3, 3}, {0, 0, 0}), size, size};
+        return {scene, splat_camera({1, 3, 3}, {0, 0, 0}), explain_size, explain_size};
     }
 
     void expect_sums(glm::ivec2 pixel) {
@@ -148,7 +148,7 @@ TEST_F(IndirectExplained, RadianceIsMadeOfWhatThePathsSay) {
     scene.materials[0].base_colour = {0.2f, 0.5f, 0.8f, 1};
     scene.materials[0].metallic = 0.25f;
     scene.materials[0].emission = {0.125f, 0.25f, 0.5f};
-    const Shot view(scene, looking({1, 3, 3}, {0, 0, 0}), size, size);
+    const Shot view(scene, splat_camera({1, 3, 3}, {0, 0, 0}), explain_size, explain_size);
     run_.composed = true;
     run_.wanted = {"radiance", "indirect.*", "direct.radiance"};
     using Paths = Transport::Paths;

@@ -69,7 +69,7 @@ inline glm::dvec3 printed_contribution(const FreePhoton& photon, const li::Param
     return irradiance * (with_pi ? pi : 1) * 3.0 / pi * (1 - l) * (1 - l);
 }
 
-inline scene::Camera looking(glm::vec3 eye, glm::vec3 target, bool orthographic = false) {
+inline scene::Camera splat_camera(glm::vec3 eye, glm::vec3 target, bool orthographic = false) {
     scene::Camera camera;
     camera.eye = eye;
     camera.target = target;
@@ -189,7 +189,7 @@ class IndirectSplatTest : public PassTest {
 
     /// Photons in one place on a picture of size² pixels, by all ways.
     void expect_overlapping(std::size_t count, int size) {
-        const Shot shot(lit_square(), looking({0, 0, 4}, {0, 0, 0}), size, size);
+        const Shot shot(lit_square(), splat_camera({0, 0, 4}, {0, 0, 0}), size, size);
         IndirectRun run{.photons = std::vector<FreePhoton>(count), .parameters = free_parameters()};
         std::mt19937 random(3);
         std::uniform_real_distribution<float> unit(0.5f, 1.5f);

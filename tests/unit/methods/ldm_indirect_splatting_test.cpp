@@ -4,7 +4,7 @@
 namespace ir::test {
 namespace {
 
-constexpr int size = 128;
+constexpr int splatting_size = 128;
 
 class IndirectSplatting : public IndirectSplatTest {
   protected:
@@ -53,7 +53,8 @@ const FreePhoton shapes[] = {
 TEST_F(IndirectSplatting, OnePhotonOnAPlaneIsItsFlux) {
     for (const bool orthographic : {false, true})
         for (const auto eye : {glm::vec3(0, 0, 4), glm::vec3(2.2f, -2.2f, 2.4f)}) {
-            const Shot shot(lit_square(), looking(eye, {0, 0, 0}, orthographic), size, size);
+            const Shot shot(lit_square(), splat_camera(eye, {0, 0, 0}, orthographic), splatting_size,
+                            splatting_size);
             for (const auto way : all_ways)
                 for (const float s : {0.8f, 1.0f, 1.7f}) {
                     for (const auto& shape : shapes) {
@@ -78,7 +79,7 @@ TEST_F(IndirectSplatting, PixelsAreThePrintedEquationsAndNotThoseWithoutPi) {
             small.square({0, 0, 0.12f}, glm::normalize(glm::vec3(0.3f, 0.1f, 1)), 0.3f);
             auto scene = small.scene();
             scene.lights = lit_square().lights;
-            const Shot shot(scene, looking({2, -3, 2}, {0, 0, 0}), size, size);
+            const Shot shot(scene, splat_camera({2, -3, 2}, {0, 0, 0}), splatting_size, splatting_size);
             IndirectRun run{.photons = {shapes[0], shapes[1]}, .parameters = free_parameters()};
             run.parameters.splatting = way;
             run.parameters.topological_bias = bias;
@@ -89,7 +90,7 @@ TEST_F(IndirectSplatting, PixelsAreThePrintedEquationsAndNotThoseWithoutPi) {
 }
 
 TEST_F(IndirectSplatting, FootprintsAcrossTheNearPlaneAndBehindTheEye) {
-    const Shot shot(lit_square(), looking({0, -0.5f, 0.4f}, {0, 3, 0}), size, size);
+    const Shot shot(lit_square(), splat_camera({0, -0.5f, 0.4f}, {0, 3, 0}), splatting_size, splatting_size);
     for (const auto way : all_ways) {
         IndirectRun run{.parameters = free_parameters()};
         run.parameters.splatting = way;
@@ -103,7 +104,7 @@ TEST_F(IndirectSplatting, FootprintsAcrossTheNearPlaneAndBehindTheEye) {
 }
 
 TEST_F(IndirectSplatting, WaysAgreeAndOrdersAreFixed) {
-    const Shot shot(lit_square(), looking({1, -2, 3}, {0, 0, 0}), 100, 75);
+    const Shot shot(lit_square(), splat_camera({1, -2, 3}, {0, 0, 0}), 100, 75);
     IndirectRun run{.photons = many(3000, 3), .parameters = free_parameters(), .capacity = 5000};
     std::vector<Image> pictures;
     for (const auto way : all_ways) {
@@ -130,7 +131,7 @@ TEST_F(IndirectSplatting, SeventyThousandOverlapping) {
 
 TEST_F(IndirectSplatting, ClampsAreCountedAndKeepTheFlux) {
     const float nan = std::nanf("");
-    const Shot shot(lit_square(), looking({0, 0, 5}, {0, 0, 0}), size, size);
+    const Shot shot(lit_square(), splat_camera({0, 0, 5}, {0, 0, 0}), splatting_size, splatting_size);
     const struct {
         FreePhoton photon;
         std::map<std::string, std::uint64_t> counts;
@@ -165,7 +166,7 @@ TEST_F(IndirectSplatting, ClampsAreCountedAndKeepTheFlux) {
 }
 
 TEST_F(IndirectSplatting, TooSmallListsOfTilesGrow) {
-    const Shot shot(lit_square(), looking({1, -2, 3}, {0, 0, 0}), size, size);
+    const Shot shot(lit_square(), splat_camera({1, -2, 3}, {0, 0, 0}), splatting_size, splatting_size);
     IndirectRun run{.photons = many(20000, 2), .parameters = free_parameters()};
     run.parameters.splatting = li::Splatting::tiles;
     const auto report = splat(shot, run);
@@ -180,7 +181,7 @@ TEST_F(IndirectSplatting, TooSmallListsOfTilesGrow) {
 TEST_F(IndirectSplatting, LightFromBehindTheSurfaceIsNotAdded) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 1, 0}, 20);
-    const Shot shot(small.scene(), looking({0, 3, 3}, {0, 0, 0}), 32, 32);
+    const Shot shot(small.scene(), splat_camera({0, 3, 3}, {0, 0, 0}), 32, 32);
     FreePhoton photon{.axis_v = {0, 0, 0.3f}, .normal = {0, 1, 0}};
     for (const auto way : all_ways)
         for (const bool from_above : {true, false}) {
@@ -193,7 +194,7 @@ TEST_F(IndirectSplatting, LightFromBehindTheSurfaceIsNotAdded) {
 }
 
 TEST_F(IndirectSplatting, DirectionsAreUploadedOnceForAWorld) {
-    const Shot shot(lit_square(), looking({0, 0, 4}, {0, 0, 0}), 16, 16);
+    const Shot shot(lit_square(), splat_camera({0, 0, 4}, {0, 0, 0}), 16, 16);
     const auto uploads = [&](const char* world, int directions) {
         IndirectRun run{.photons = {FreePhoton{}}, .parameters = free_parameters()};
         run.parameters.maps.directions = directions;

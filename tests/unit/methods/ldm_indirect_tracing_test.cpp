@@ -5,8 +5,6 @@
 namespace ir::test {
 namespace {
 
-using std::numbers::pi;
-
 /// ∫ dω over a rectangle at distance 1 by the corners' arc tangents.
 double rectangle_solid_angle(glm::dvec2 low, glm::dvec2 high) {
     const auto corner = [](double x, double y) { return std::atan2(x * y, std::sqrt(1 + x * x + y * y)); };
@@ -30,9 +28,9 @@ TEST_F(IndirectTracingTest, PixelsOfACubeCoverTheSphere) {
         sum += all[i].solid_angle;
         emitted += all[i].emitted.r;
     }
-    EXPECT_NEAR(sum, 4 * pi, 1e-4);
+    EXPECT_NEAR(sum, 4 * std::numbers::pi, 1e-4);
     EXPECT_LT(worst, 1e-5);
-    EXPECT_NEAR(emitted, 3 * 4 * pi, 1e-3);
+    EXPECT_NEAR(emitted, 3 * 4 * std::numbers::pi, 1e-3);
 }
 
 TEST_F(IndirectTracingTest, SpotsAndSunsEmitTheirFlux) {
@@ -44,7 +42,7 @@ TEST_F(IndirectTracingTest, SpotsAndSunsEmitTheirFlux) {
                            camera({0, 1.5f, 1.9f}, {0, 1, 0}), 16, 16);
     trace(lit_by_spot, settings);
     // ∫ ((c − o)/(1 − o))² 2π dc from the outer cone's cosine o to 1
-    const double expected = 3 * 2 * pi * (1 - std::cos(glm::radians(double(outer)))) / 3;
+    const double expected = 3 * 2 * std::numbers::pi * (1 - std::cos(glm::radians(double(outer)))) / 3;
     EXPECT_NEAR(flux(energy()[li::emitted]).r / expected, 1, 1e-3);
 
     SmallWorld small;

@@ -1,6 +1,6 @@
 #include <cmath>
-#include <numbers>
 
+#include "renderers/core/constants.h"
 #include "renderers/passes/scattering/bsdf.h"
 #include "tests/unit/methods/photon_mapping_filtering_fixture.h"
 
@@ -10,8 +10,7 @@ namespace {
 using Materials = Transport::Materials;
 using Paths = Transport::Paths;
 
-constexpr int size = 24;
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr int compose_size = 24;
 
 /// A square z = 0 whose vertex normals lean by `tilt` towards +x, with a material of the test.
 SmallWorld square(float tilt, const scene::Material& material) {
@@ -31,13 +30,13 @@ scene::Material grey() {
 }
 
 Shot seen(const SmallWorld& small) {
-    return {small.scene(), looking({0, 0, 4}, {0, 0, 0}), size, size};
+    return {small.scene(), looking({0, 0, 4}, {0, 0, 0}), compose_size, compose_size};
 }
 
 /// E = 1, 2, 3 from `direction`, as photons of one direction leave it.
 Estimate light_from(glm::vec3 direction) {
     const auto sum = 6.0f * glm::normalize(direction);
-    auto e = Estimate::constant(size, size, {1, 2, 3, sum.x});
+    auto e = Estimate::constant(compose_size, compose_size, {1, 2, 3, sum.x});
     e.direction.assign(e.size(), {sum.y, sum.z});
     return e;
 }
@@ -58,7 +57,9 @@ class ComposeTest : public FilteringTest {
             pm::compose(builder, scene, gbuffer, filtered, p);
         });
     }
-    glm::vec3 middle(const std::string& key) const { return rgb(read(key), size / 2, size / 2); }
+    glm::vec3 middle(const std::string& key) const {
+        return rgb(read(key), compose_size / 2, compose_size / 2);
+    }
 };
 
 TEST_F(ComposeTest, IndirectLightIsReflectedByTheDiffusePartOfEachModel) {
@@ -67,7 +68,7 @@ TEST_F(ComposeTest, IndirectLightIsReflectedByTheDiffusePartOfEachModel) {
     const glm::vec3 e(1, 2, 3), base(material.base_colour);
     const auto expect = [&](Materials materials, glm::vec3 reflectance) {
         compose(shot, light_from({0, 0, 1}), parameters(Paths::indirect, materials));
-        EXPECT_LT(glm::distance(middle("radiance"), reflectance * e / pi), 1e-3f);
+        EXPECT_LT(glm::distance(middle("radiance"), reflectance * e / ir::pi), 1e-3f);
         EXPECT_LT(glm::distance(middle("irradiance"), e), 2e-3f);
         EXPECT_EQ(rgb(read("radiance"), 0, 0), glm::vec3(0));
         EXPECT_EQ(rgb(read("irradiance"), 0, 0), glm::vec3(0));
@@ -110,8 +111,8 @@ TEST_F(ComposeTest, TheDirectionalTermLeavesFlatSurfacesAloneAndIsBounded) {
     EXPECT_GT(middle("irradiance").r, 1);
     compose(tilted, light_from({-1, 0, 1e-3f}), p);
     EXPECT_EQ(middle("irradiance"), glm::vec3(0)) << "behind the shading normal";
-    compose(tilted, Estimate::constant(size, size, {1, 2, 3, 0}), p);
-    auto unknown = Estimate::constant(size, size, {1, 2, 3, 0});
+    compose(tilted, Estimate::constant(compose_size, compose_size, {1, 2, 3, 0}), p);
+    auto unknown = Estimate::constant(compose_size, compose_size, {1, 2, 3, 0});
     unknown.direction.assign(unknown.size(), glm::vec2(0));
     compose(tilted, unknown, p);
     EXPECT_EQ(middle("irradiance"), glm::vec3(1, 2, 3)) << "no direction is known";
@@ -158,7 +159,7 @@ TEST_F(ComposeTest, DirectLightFollowsTheMaterialModel) {
     std::vector<glm::vec3> found;
     for (const auto materials : {Materials::gltf, Materials::metalness_blend, Materials::lambert}) {
         compose(shot, light_from({0, 0, 1}), parameters(Paths::direct, materials));
-        const auto position = rgb(read("gbuffer.position"), size / 2, size / 2);
+        const auto position = rgb(read("gbuffer.position"), compose_size / 2, compose_size / 2);
         passes::Surface surface;
         surface.geometric_normal_ws = surface.shading_normal_ws = {0, 0, 1};
         surface.base_colour = glm::vec3(material.base_colour);
@@ -166,7 +167,7 @@ TEST_F(ComposeTest, DirectLightFollowsTheMaterialModel) {
         const auto v = glm::normalize(glm::vec3(0, 0, 4) - position);
         const auto f = passes::Bsdf(surface, material, materials).evaluate(v, l);
         compose(shot, light_from({0, 0, 1}), parameters(Paths::direct, Materials::lambert));
-        const auto irradiance = middle("radiance") * pi / surface.base_colour / across;
+        const auto irradiance = middle("radiance") * ir::pi / surface.base_colour / across;
         EXPECT_LT(glm::distance(irradiance, glm::vec3(1)), 2e-3f);
         compose(shot, light_from({0, 0, 1}), parameters(Paths::direct, materials));
         EXPECT_LT(glm::distance(middle("radiance"), f * irradiance), 2e-3f * glm::length(f * irradiance));
@@ -180,10 +181,10 @@ TEST_F(ComposeTest, TheSpreadOfDirectionsIsOneMinusTheirMeansLength) {
     const auto shot = seen(square(0, grey()));
     auto estimate = light_from({0, 0, 1});
     compose(shot, estimate, parameters(Paths::indirect));
-    EXPECT_NEAR(read("history.flicker").at(size / 2, size / 2), 0, 1e-6f);
+    EXPECT_NEAR(read("history.flicker").at(compose_size / 2, compose_size / 2), 0, 1e-6f);
     for (auto& d : estimate.direction) d *= 0.25f;
     compose(shot, estimate, parameters(Paths::indirect));
-    EXPECT_NEAR(read("history.flicker").at(size / 2, size / 2), 0.75f, 1e-6f);
+    EXPECT_NEAR(read("history.flicker").at(compose_size / 2, compose_size / 2), 0.75f, 1e-6f);
 }
 
 TEST_F(ComposeTest, NamesInOutputsAndStagesExist) {

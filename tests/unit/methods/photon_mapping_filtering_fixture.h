@@ -47,14 +47,6 @@ struct Estimate {
     }
 };
 
-inline scene::Camera looking(glm::vec3 eye, glm::vec3 target, glm::vec3 up = {0, 1, 0}) {
-    scene::Camera camera;
-    camera.eye = eye;
-    camera.target = target;
-    camera.up = up;
-    return camera;
-}
-
 class FilteringTest : public PassTest {
   protected:
     template <class T>

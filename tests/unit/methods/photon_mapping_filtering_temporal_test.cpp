@@ -5,7 +5,7 @@
 namespace ir::test {
 namespace {
 
-constexpr int size = 64;
+constexpr int temporal_size = 64;
 
 class TemporalFilterTest : public FilteringTest {
   protected:
@@ -13,45 +13,47 @@ class TemporalFilterTest : public FilteringTest {
 };
 
 TEST_F(TemporalFilterTest, WithoutHistoryThePictureIsTheEstimate) {
-    const auto shot = wall(size, size);
-    const auto estimate = Estimate::random(size, size, 1);
+    const auto shot = wall(temporal_size, temporal_size);
+    const auto estimate = Estimate::random(temporal_size, temporal_size, 1);
     auto off = temporal(0.9f);
     off.temporal = false;
     for (const auto& parameters : {temporal(0.9f), off}) {
         filter_once(shot, estimate, parameters);
         const auto image = read("filter.temporal");
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x)
+        for (int y = 0; y < temporal_size; ++y)
+            for (int x = 0; x < temporal_size; ++x)
                 for (int c = 0; c < 4; ++c)
-                    ASSERT_EQ(image.at(x, y, c), estimate.value[static_cast<std::size_t>(y) * size + x][c]);
+                    ASSERT_EQ(image.at(x, y, c),
+                              estimate.value[static_cast<std::size_t>(y) * temporal_size + x][c]);
     }
 }
 
 TEST_F(TemporalFilterTest, EqualFramesGiveTheEqualPictureBitByBit) {
-    for (const auto& shot : {wall(size, size), leaf(size, size)}) {
-        const auto estimate = Estimate::random(size, size, 2);
+    for (const auto& shot : {wall(temporal_size, temporal_size), leaf(temporal_size, temporal_size)}) {
+        const auto estimate = Estimate::random(temporal_size, temporal_size, 2);
         filter_once(shot, estimate, temporal(0.95f));
         const auto first = read("filter.temporal");
         for (int i = 0; i < 5; ++i) filter(shot, estimate, temporal(0.95f));
         EXPECT_EQ(first.pixels, read("filter.temporal").pixels);
         const auto alpha = weight(), valid = read("valid");
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x)
+        for (int y = 0; y < temporal_size; ++y)
+            for (int x = 0; x < temporal_size; ++x)
                 ASSERT_NEAR(alpha.at(x, y), valid.at(x, y) > 0 ? 0.95 : 0, 1e-4) << x << ' ' << y;
     }
 }
 
 /// n = 64² pixels of independent noise, alpha = 1e-4 on both sides.
 TEST_F(TemporalFilterTest, StillPicturesKeepTheExponentialFiltersVariance) {
-    const auto shot = wall(size, size);
+    const auto shot = wall(temporal_size, temporal_size);
     const float alpha = 0.8f;
     graph().reset_history();
-    for (unsigned i = 0; i < 30; ++i) filter(shot, Estimate::random(size, size, 100 + i), temporal(alpha));
+    for (unsigned i = 0; i < 30; ++i)
+        filter(shot, Estimate::random(temporal_size, temporal_size, 100 + i), temporal(alpha));
     const auto image = read("filter.temporal");
-    const double n = size * size;
+    const double n = temporal_size * temporal_size;
     double sum = 0, squares = 0;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < temporal_size; ++y)
+        for (int x = 0; x < temporal_size; ++x) {
             sum += image.at(x, y);
             squares += 1.0 * image.at(x, y) * image.at(x, y);
         }
@@ -77,33 +79,33 @@ struct Flight {
     }
     Flight()
         : small(floor()),
-          before(small.scene(), looking({0, 2, 5}, {0, 0, 0}), size, size),
-          after(small.scene(), looking({0.15f, 2.1f, 4.8f}, {0.2f, 0, 0}), size, size) {
+          before(small.scene(), looking({0, 2, 5}, {0, 0, 0}), temporal_size, temporal_size),
+          after(small.scene(), looking({0.15f, 2.1f, 4.8f}, {0.2f, 0, 0}), temporal_size, temporal_size) {
         after.previous_view = before.view;
     }
 };
 
 TEST_F(TemporalFilterTest, MovingCamerasTakeTheLightAlong) {
     const Flight flight;
-    Estimate lit(size, size);
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
+    Estimate lit(temporal_size, temporal_size);
+    for (int y = 0; y < temporal_size; ++y)
+        for (int x = 0; x < temporal_size; ++x) {
             const auto ray = scene::pixel_ray(flight.before.view, {x + 0.5f, y + 0.5f});
             const float t = -ray.origin_ws.y / ray.direction_ws.y;
             if (t > 0 && t < 60)
                 lit.at(x, y) = glm::vec4(Flight::light(ray.origin_ws + t * ray.direction_ws));
         }
     filter_once(flight.before, lit, temporal(0.9f));
-    filter(flight.after, Estimate(size, size), temporal(0.9f));
+    filter(flight.after, Estimate(temporal_size, temporal_size), temporal(0.9f));
     const auto image = read("filter.temporal"), alpha = weight(), position = read("gbuffer.position"),
                velocity = read("gbuffer.velocity");
     int kept = 0;
     float fastest = 0;
-    for (int y = 24; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
+    for (int y = 24; y < temporal_size; ++y)
+        for (int x = 0; x < temporal_size; ++x) {
             const glm::vec2 v(velocity.at(x, y, 0), velocity.at(x, y, 1));
             const auto q = glm::vec2(x + 0.5f, y + 0.5f) - v;
-            if (q.x < 1 || q.y < 1 || q.x > size - 1 || q.y > size - 1) continue;
+            if (q.x < 1 || q.y < 1 || q.x > temporal_size - 1 || q.y > temporal_size - 1) continue;
             fastest = std::max(fastest, glm::length(v));
             ASSERT_GT(alpha.at(x, y), 0.9f * 0.8f) << x << ' ' << y;
             const auto expected = Flight::light(rgb(position, x, y));
@@ -115,20 +117,20 @@ TEST_F(TemporalFilterTest, MovingCamerasTakeTheLightAlong) {
 }
 
 TEST_F(TemporalFilterTest, WhatWasOutsideHasNoHistory) {
-    const auto before = wall(size, size);
-    Shot after(before.scene, looking({1, 0, 5}, {1, 0, 0}), size, size);
+    const auto before = wall(temporal_size, temporal_size);
+    Shot after(before.scene, looking({1, 0, 5}, {1, 0, 0}), temporal_size, temporal_size);
     after.previous_view = before.view;
-    const auto ones = Estimate::constant(size, size, glm::vec4(1));
+    const auto ones = Estimate::constant(temporal_size, temporal_size, glm::vec4(1));
     filter_once(before, ones, temporal(0.9f));
-    filter(after, Estimate(size, size), temporal(0.9f));
+    filter(after, Estimate(temporal_size, temporal_size), temporal(0.9f));
     const auto alpha = weight(), velocity = read("gbuffer.velocity");
     const float moved = velocity.at(32, 32, 0);
     EXPECT_LT(moved, -5);
-    for (int x = 0; x < size; ++x) {
-        if (x + 0.5f - moved > size) {
+    for (int x = 0; x < temporal_size; ++x) {
+        if (x + 0.5f - moved > temporal_size) {
             EXPECT_EQ(alpha.at(x, 32), 0) << x;
         }
-        if (x + 0.5f - moved < size - 1) {
+        if (x + 0.5f - moved < temporal_size - 1) {
             EXPECT_NEAR(alpha.at(x, 32), 0.9, 1e-3) << x;
         }
     }
@@ -138,15 +140,15 @@ TEST_F(TemporalFilterTest, WhatWasHiddenHasNoHistory) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 0, 1}, 50);
     small.square({0, 0, 2}, {0, 0, 1}, 0.5f);
-    const Shot before(small.scene(), looking({0, 0, 5}, {0, 0, 0}), size, size);
-    Shot after(small.scene(), looking({0.4f, 0, 5}, {0.4f, 0, 0}), size, size);
+    const Shot before(small.scene(), looking({0, 0, 5}, {0, 0, 0}), temporal_size, temporal_size);
+    Shot after(small.scene(), looking({0.4f, 0, 5}, {0.4f, 0, 0}), temporal_size, temporal_size);
     after.previous_view = before.view;
-    filter_once(before, Estimate::constant(size, size, glm::vec4(1)), temporal(0.9f));
-    filter(after, Estimate(size, size), temporal(0.9f));
+    filter_once(before, Estimate::constant(temporal_size, temporal_size, glm::vec4(1)), temporal(0.9f));
+    filter(after, Estimate(temporal_size, temporal_size), temporal(0.9f));
     const auto alpha = weight(), position = read("gbuffer.position"), image = read("filter.temporal");
     int revealed = 0, kept = 0;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < temporal_size; ++y)
+        for (int x = 0; x < temporal_size; ++x) {
             const auto p = rgb(position, x, y);
             if (p.z > 1) continue;
             // on the wall, where the ray from the earlier eye crosses the square's plane: 3/5 of the way
@@ -177,16 +179,16 @@ TEST_F(TemporalFilterTest, ObjectsThatMoveTakeTheirHistoryAlong) {
     slide.values = {glm::vec4(0), glm::vec4(0.6f, 0, 1, 0)};  // sideways and towards the camera
     scene.animation.push_back(slide);
     const auto camera = looking({0, 0, 5}, {0, 0, 0});
-    const Shot before(scene, camera, size, size, 0, 0);
-    Shot after(scene, camera, size, size, 0.5, 0);
+    const Shot before(scene, camera, temporal_size, temporal_size, 0, 0);
+    Shot after(scene, camera, temporal_size, temporal_size, 0.5, 0);
     after.view = before.view;
     after.previous_view = before.view;
-    filter_once(before, Estimate::constant(size, size, glm::vec4(1)), temporal(0.9f));
-    filter(after, Estimate(size, size), temporal(0.9f));
+    filter_once(before, Estimate::constant(temporal_size, temporal_size, glm::vec4(1)), temporal(0.9f));
+    filter(after, Estimate(temporal_size, temporal_size), temporal(0.9f));
     const auto alpha = weight(), position = read("gbuffer.position");
     int inside = 0;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < temporal_size; ++y)
+        for (int x = 0; x < temporal_size; ++x) {
             const auto p = glm::abs(rgb(position, x, y) - glm::vec3(0.3f, 0, 0));
             if (position.at(x, y, 3) == 0 || p.x > 0.9f || p.y > 0.9f) continue;
             ++inside;
@@ -196,15 +198,15 @@ TEST_F(TemporalFilterTest, ObjectsThatMoveTakeTheirHistoryAlong) {
 }
 
 TEST_F(TemporalFilterTest, GhostingIsSeenWhereHistoryDisagrees) {
-    const auto shot = wall(size, size);
-    const auto bright = Estimate::constant(size, size, glm::vec4(1));
+    const auto shot = wall(temporal_size, temporal_size);
+    const auto bright = Estimate::constant(temporal_size, temporal_size, glm::vec4(1));
     filter_once(shot, bright, temporal(0.9f));
     filter(shot, bright, temporal(0.9f));
     EXPECT_EQ(read("history.ghosting").at(32, 32), 0) << "nothing changed";
-    filter(shot, Estimate::constant(size, size, glm::vec4(0.25f)), temporal(0.9f));
+    filter(shot, Estimate::constant(temporal_size, temporal_size, glm::vec4(0.25f)), temporal(0.9f));
     EXPECT_NEAR(read("history.ghosting").at(32, 32), 0.9 * 0.75, 1e-3);
     graph().reset_history();
-    filter(shot, Estimate::random(size, size, 7), temporal(0.9f));
+    filter(shot, Estimate::random(temporal_size, temporal_size, 7), temporal(0.9f));
     EXPECT_EQ(read("history.ghosting").at(32, 32), 0) << "no history";
 }
 
@@ -213,7 +215,7 @@ Shot step() {
     SmallWorld small;
     small.square({-50, 0, 0}, {0, 0, 1}, 50);
     small.square({50, 0, -2}, {0, 0, 1}, 50);
-    return {small.scene(), looking({0, 0, 5}, {0, 0, 0}), size, size};
+    return {small.scene(), looking({0, 0, 5}, {0, 0, 0}), temporal_size, temporal_size};
 }
 
 /// A linear ramp over the slanted floor of a Flight at low resolution, or light on the near wall of step().
@@ -224,7 +226,7 @@ class UpSamplingTest : public FilteringTest {
     Estimate estimate_of(const Shot& shot, int divisor, Light light) {
         run_gbuffer(shot);
         const auto position = read("gbuffer.position");
-        Estimate e(size, size, divisor);
+        Estimate e(temporal_size, temporal_size, divisor);
         for (int y = 0; y < e.height; ++y)
             for (int x = 0; x < e.width; ++x) {
                 auto& closest = e.depth[static_cast<std::size_t>(y) * e.width + x];
@@ -244,13 +246,13 @@ class UpSamplingTest : public FilteringTest {
 
 TEST_F(UpSamplingTest, RampsStayRamps) {
     const Shot floor = Flight().before;
-    for (const auto& shot : {floor, wall(size, size)})
+    for (const auto& shot : {floor, wall(temporal_size, temporal_size)})
         for (const int divisor : {2, 4}) {
             const auto low = estimate_of(shot, divisor, [](float x, float y, float) { return ramp(x, y); });
             filter_once(shot, low, temporal(0.9f));
             const auto image = read("filter.temporal"), valid = read("valid");
-            for (int y = 28; y < size - divisor; ++y)
-                for (int x = divisor; x < size - divisor; ++x)
+            for (int y = 28; y < temporal_size - divisor; ++y)
+                for (int x = divisor; x < temporal_size - divisor; ++x)
                     if (valid.at(x, y) > 0) {
                         ASSERT_NEAR(image.at(x, y), ramp(x + 0.5f, y + 0.5f), 2e-4f) << x << ' ' << y;
                     }
@@ -265,8 +267,8 @@ TEST_F(UpSamplingTest, NothingLeaksOverEdgesOfDepthAsBilinearLookUpsDo) {
         filter_once(shot, low, temporal(0.9f));
         const auto image = read("filter.temporal"), position = read("gbuffer.position");
         double most = 0, bilinear = 0;
-        for (int y = 8; y < size - 8; ++y)
-            for (int x = 8; x < size - 8; ++x) {
+        for (int y = 8; y < temporal_size - 8; ++y)
+            for (int x = 8; x < temporal_size - 8; ++x) {
                 const float expected = rgb(position, x, y).z > -1 ? 1 : 0;
                 most = std::max(most, 1.0 * std::abs(image.at(x, y) - expected));
                 const float u = (x + 0.5f) / divisor - 0.5f;
@@ -288,8 +290,8 @@ TEST_F(UpSamplingTest, PixelsThatNoTexelStandsForTakeTheNearestInDepth) {
     low.depth[16 * 32 + 20] = 1;
     filter_once(shot, low, temporal(0.9f));
     const auto image = read("filter.temporal");
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) ASSERT_TRUE(std::isfinite(image.at(x, y))) << x << ' ' << y;
+    for (int y = 0; y < temporal_size; ++y)
+        for (int x = 0; x < temporal_size; ++x) ASSERT_TRUE(std::isfinite(image.at(x, y))) << x << ' ' << y;
     EXPECT_EQ(image.at(41, 33), 1);
 }
 

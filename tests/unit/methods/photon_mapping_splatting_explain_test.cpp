@@ -4,7 +4,7 @@
 namespace ir::test {
 namespace {
 
-constexpr int size = 64;
+constexpr int splat_explain_size = 64;
 const glm::ivec2 picks[] = {{5, 50}, {32, 32}, {31, 60}, {50, 9}, {60, 30}, {20, 45}};
 
 class SplattingExplained : public SplatTest {
@@ -28,7 +28,8 @@ class SplattingExplained : public SplatTest {
     }
 
     Shot shot(bool orthographic = false) const {
-        return {wide_square(), camera_at({1, -2, 4}, {0, 0, 0}, orthographic), size, size};
+        return {wide_square(), camera_at({1, -2, 4}, {0, 0, 0}, orthographic), splat_explain_size,
+                splat_explain_size};
     }
 
     /// Relative to the pixel.
@@ -114,7 +115,7 @@ TEST_F(SplattingExplained, ElsewhereWithoutAFrame) {
 TEST_F(SplattingExplained, NothingWhereNothingIsPicked) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 0, 1}, 1);
-    const Shot view(small.scene(), camera_at({0, 0, 4}, {0, 0, 0}), size, size);
+    const Shot view(small.scene(), camera_at({0, 0, 4}, {0, 0, 0}), splat_explain_size, splat_explain_size);
     for (const auto pick : {glm::ivec2(-1), glm::ivec2(1000, 3), glm::ivec2(1, 1)}) {
         run_.inspection = {pick.x, pick.y, {}};
         splat(view, run_);

@@ -5,22 +5,20 @@
 namespace ir::test {
 namespace {
 
-constexpr int size = 64;
-constexpr double pi = 3.14159265358979323846;
-
+constexpr int kernel_size = 64;
 class SplattingKernel : public SplatTest {
   protected:
     /// Height of the eye, and what it sees of the plane z = 0.
     static constexpr float distance = 5;
     static double width(float height) { return 2 * height * std::tan(0.785398 / 2); }
 
-    Shot shot_{wide_square(), camera_at({0, 0, distance}, {0, 0, 0}), size, size};
+    Shot shot_{wide_square(), camera_at({0, 0, distance}, {0, 0, 0}), kernel_size, kernel_size};
     const float radius_ = shot_.world.bounds.radius();
 
     /// The kernel over the picture's middle, where the photon lies.
     ExplainedPhoton kernel(const pm::Parameters& parameters, const SomePhoton& photon, int copies = 1) {
         SplatRun run{std::vector<SomePhoton>(static_cast<std::size_t>(copies), photon), parameters};
-        run.inspection = {size / 2, size / 2, {}};
+        run.inspection = {kernel_size / 2, kernel_size / 2, {}};
         splat(shot_, run);
         const auto photons = explained_photons();
         EXPECT_EQ(photons.size(), static_cast<std::size_t>(copies));
@@ -29,7 +27,7 @@ class SplattingKernel : public SplatTest {
 
     /// Of a tile, faced.
     double tile_area(const pm::Parameters& parameters) const {
-        const double side = width(distance) * parameters.tile_size / size;
+        const double side = width(distance) * parameters.tile_size / kernel_size;
         return side * side;
     }
     static pm::Parameters unbounded() {
@@ -46,12 +44,12 @@ class SplattingKernel : public SplatTest {
 TEST_F(SplattingKernel, RadiusFollowsTheTilesDensity) {
     for (const int count : {1, 4, 25}) {
         const auto k = kernel(unbounded(), middle(), count);
-        const double r = std::sqrt(tile_area(unbounded()) / (pi * count));
+        const double r = std::sqrt(tile_area(unbounded()) / (std::numbers::pi * count));
         EXPECT_NEAR(k.radius, r, 1e-4 * r) << count;
         EXPECT_NEAR(glm::length(k.axis_u), r, 2e-3 * r);
         EXPECT_NEAR(glm::length(k.axis_v), r, 2e-3 * r);
         EXPECT_NEAR(glm::length(k.axis_w), 0.25 * r, 1e-3 * r);
-        EXPECT_NEAR(k.contribution.r, 2 / (pi * r * r), 2e-3 * 2 / (pi * r * r));
+        EXPECT_NEAR(k.contribution.r, 2 / (std::numbers::pi * r * r), 2e-3 * 2 / (std::numbers::pi * r * r));
         const double without_the_4 = 0.5 * r, printed_n_tile = 1;
         EXPECT_GT(std::abs(k.radius - without_the_4 * printed_n_tile), 0.3 * r);
     }
@@ -97,10 +95,10 @@ TEST_F(SplattingKernel, KernelsAreNoSmallerThanTexels) {
     auto parameters = unbounded();
     parameters.radius_max = 1e-4f;
     parameters.radius_texels = 1.5f;
-    EXPECT_NEAR(kernel(parameters, middle()).radius, 1.5 * width(distance) / size, 1e-5);
+    EXPECT_NEAR(kernel(parameters, middle()).radius, 1.5 * width(distance) / kernel_size, 1e-5);
     parameters.splat_resolution = pm::SplatResolution::quarter;
     auto photon = middle();
-    EXPECT_NEAR(kernel(parameters, photon).radius, 4 * 1.5 * width(distance) / size, 1e-4);
+    EXPECT_NEAR(kernel(parameters, photon).radius, 4 * 1.5 * width(distance) / kernel_size, 1e-4);
 }
 
 TEST_F(SplattingKernel, LightFromTheSideStretchesUpToALimit) {
@@ -112,7 +110,8 @@ TEST_F(SplattingKernel, LightFromTheSideStretchesUpToALimit) {
         const double s_u = std::min(cosine > 0 ? 1.0 / cosine : 1e9, 3.0);
         EXPECT_NEAR(glm::length(k.axis_u) / k.radius, s_u, 0.01 * s_u) << cosine;
         EXPECT_NEAR(glm::length(k.axis_v) / k.radius, 1, 1e-3);
-        EXPECT_NEAR(k.contribution.g * pi * s_u * k.radius * k.radius, 1, 0.01) << "E = Φ / (π ‖u‖ ‖t‖)";
+        EXPECT_NEAR(k.contribution.g * std::numbers::pi * s_u * k.radius * k.radius, 1, 0.01)
+            << "E = Φ / (π ‖u‖ ‖t‖)";
         EXPECT_NEAR(glm::dot(k.axis_u, k.axis_v), 0, 1e-4);
         EXPECT_NEAR(glm::dot(k.axis_u, k.axis_w), 0, 1e-4);
         EXPECT_NEAR(std::abs(k.axis_u.z), 0, 2e-3 * k.radius);
@@ -124,13 +123,13 @@ TEST_F(SplattingKernel, LightFromTheSideStretchesUpToALimit) {
 
 TEST_F(SplattingKernel, ParallelViewsHaveTilesOfOneSize) {
     for (const float z : {0.0f, 2.0f}) {
-        shot_ = Shot(wide_square(), camera_at({0, 0, distance}, {0, 0, 0}, true), size, size);
+        shot_ = Shot(wide_square(), camera_at({0, 0, distance}, {0, 0, 0}, true), kernel_size, kernel_size);
         auto photon = middle();
         photon.position_ws.z = z;
         auto parameters = unbounded();
         parameters.normal_axis = 10;  // reaches down to the plane
-        const double tile = 4.0 * parameters.tile_size / size;
-        EXPECT_NEAR(kernel(parameters, photon).radius, tile / std::sqrt(pi), 1e-4) << z;
+        const double tile = 4.0 * parameters.tile_size / kernel_size;
+        EXPECT_NEAR(kernel(parameters, photon).radius, tile / std::sqrt(std::numbers::pi), 1e-4) << z;
     }
 }
 

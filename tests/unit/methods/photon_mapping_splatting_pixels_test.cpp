@@ -7,7 +7,7 @@ namespace {
 
 using Splatted = SplatTest;
 
-constexpr int size = 64;
+constexpr int pixels_size = 64;
 
 double largest(const Image& image) {
     double result = 0;
@@ -41,7 +41,7 @@ std::vector<SomePhoton> on_surfaces(const Image& positions, const Image& normals
 
 class SplattedRoom : public SplatTest {
   protected:
-    Shot shot_{"builtin:cornell", "", size, size};
+    Shot shot_{"builtin:cornell", "", pixels_size, pixels_size};
     std::vector<SomePhoton> photons(int count, unsigned seed = 1) {
         run_gbuffer(shot_);
         return on_surfaces(read("gbuffer.position"), read("gbuffer.geometric_normal"), count, seed);
@@ -51,7 +51,7 @@ class SplattedRoom : public SplatTest {
 /// 20,000 photons of 1 mW over 16 m²; the mean over the middle 2 m × 2 m counts 5,000 of them, whose number
 /// has a relative standard deviation of 1.2 %; alpha = 1e-4.
 TEST_F(Splatted, UniformPhotonsGiveTheirDensity) {
-    const Shot shot(wide_square(), camera_at({0, 0, 5}, {0, 0, 0}), size, size);
+    const Shot shot(wide_square(), camera_at({0, 0, 5}, {0, 0, 0}), pixels_size, pixels_size);
     std::mt19937 random(11);
     std::uniform_real_distribution<float> place(-2, 2);
     const int count = 20000;
@@ -116,14 +116,14 @@ TEST_F(SplattedRoom, SameBytesTwice) {
 TEST_F(Splatted, ACameraWithinAKernelSeesIt) {
     for (const auto test : {pm::InsideTest::ellipsoid, pm::InsideTest::linear_depth})
         for (const auto eye : {glm::vec3(0.1f, 0.2f, 0.1f), glm::vec3(0.1f, 0.2f, 0.3f)}) {
-            const Shot shot(wide_square(), camera_at(eye, {0.4f, 0.3f, 0}), size, size);
+            const Shot shot(wide_square(), camera_at(eye, {0.4f, 0.3f, 0}), pixels_size, pixels_size);
             SplatRun run{{{.position_ws = {0, 0, 0}, .power = glm::vec3(2)}}, with_radius(shot, 1)};
             run.parameters.inside_test = test;
             splat(shot, run);
             const auto irradiance = read("splat.irradiance"), position = read("gbuffer.position");
             int lit = 0;
-            for (int y = 0; y < size; ++y)
-                for (int x = 0; x < size; ++x) {
+            for (int y = 0; y < pixels_size; ++y)
+                for (int x = 0; x < pixels_size; ++x) {
                     const double away = glm::length(rgb(position, x, y));
                     if (position.at(x, y, 3) == 0 || std::abs(away - 1) < 2e-3) continue;
                     // the tolerance of depth is along the view, at grazing angles not the plane's
@@ -136,7 +136,8 @@ TEST_F(Splatted, ACameraWithinAKernelSeesIt) {
 
 TEST_F(Splatted, PhotonsBehindTheCameraAreNotSeen) {
     for (const bool orthographic : {false, true}) {
-        const Shot shot(wide_square(), camera_at({0, 0, 3}, {0, 0, 0}, orthographic), size, size);
+        const Shot shot(wide_square(), camera_at({0, 0, 3}, {0, 0, 0}, orthographic), pixels_size,
+                        pixels_size);
         SplatRun run{{{.position_ws = {0, 0, 4}}, {.position_ws = {0.2f, 0, 9}}}, with_radius(shot, 0.5f)};
         splat(shot, run);
         EXPECT_EQ(largest(read("splat.irradiance")), 0);
@@ -147,7 +148,7 @@ TEST_F(Splatted, PhotonsBehindTheCameraAreNotSeen) {
 
 TEST_F(Splatted, PhotonsLightTheSideThatTheyArrivedOn) {
     for (const float side : {1.0f, -1.0f}) {
-        const Shot shot(wide_square(), camera_at({0, 0, 3 * side}, {0, 0, 0}), size, size);
+        const Shot shot(wide_square(), camera_at({0, 0, 3 * side}, {0, 0, 0}), pixels_size, pixels_size);
         SplatRun run{{{.position_ws = {0, 0, 0}}}, with_radius(shot, 0.5f)};
         splat(shot, run);
         EXPECT_EQ(largest(read("splat.irradiance")) > 0, side > 0);
@@ -159,7 +160,7 @@ TEST_F(Splatted, SurfacesInFrontStayDarkAtEveryResolution) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 0, 1}, 10);
     small.square({0, 0, 1.5f}, {0, 0, 1}, 0.4f);
-    const Shot shot(small.scene(), camera_at({0, 0, 5}, {0, 0, 0}), size, size);
+    const Shot shot(small.scene(), camera_at({0, 0, 5}, {0, 0, 0}), pixels_size, pixels_size);
     for (const auto test : {pm::InsideTest::ellipsoid, pm::InsideTest::linear_depth})
         for (const int divisor : {1, 2, 4}) {
             SplatRun run{{{.position_ws = {0.1f, 0, 0}, .power = glm::vec3(1)}}, with_radius(shot, 1)};
@@ -168,8 +169,8 @@ TEST_F(Splatted, SurfacesInFrontStayDarkAtEveryResolution) {
             splat(shot, run);
             const auto irradiance = read("splat.irradiance"), position = read("gbuffer.position");
             int lit = 0, dark = 0;
-            for (int y = 0; y < size; ++y)
-                for (int x = 0; x < size; ++x) {
+            for (int y = 0; y < pixels_size; ++y)
+                for (int x = 0; x < pixels_size; ++x) {
                     const float value = irradiance.at(x / divisor, y / divisor);
                     const bool front = position.at(x, y, 2) > 1;
                     if (front) {
@@ -196,8 +197,8 @@ TEST_F(SplattedRoom, HalfFloatsLoseLittle) {
     const auto half = read("splat.irradiance");
     double squared = 0;
     int pixels = 0;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < pixels_size; ++y)
+        for (int x = 0; x < pixels_size; ++x) {
             if (exact.at(x, y) <= 0) continue;
             const double difference = half.at(x, y) / exact.at(x, y) - 1;
             squared += difference * difference;

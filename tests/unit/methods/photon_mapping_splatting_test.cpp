@@ -11,7 +11,7 @@ using pm::InsideTest;
 using pm::Precision;
 using pm::SplatResolution;
 
-constexpr int size = 128;
+constexpr int splats_size = 128;
 
 /// Photons around the origin of the plane z = 0, from all directions above.
 std::vector<SomePhoton> scattered(int count, float extent, unsigned seed = 5) {
@@ -61,7 +61,8 @@ INSTANTIATE_TEST_SUITE_P(, SplattedFlux,
 TEST_P(SplattedFlux, IsThePhotonsPower) {
     const auto [resolution, test, precision] = GetParam();
     for (const auto& view : views) {
-        const Shot shot(wide_square(), camera_at(view.eye, {0, 0, 0}, view.orthographic), size, size);
+        const Shot shot(wide_square(), camera_at(view.eye, {0, 0, 0}, view.orthographic), splats_size,
+                        splats_size);
         SplatRun run{scattered(256, 0.6f), with_radius(shot, 0.4f)};
         run.parameters.splat_resolution = resolution;
         run.parameters.inside_test = test;
@@ -79,7 +80,7 @@ using Splatting = SplatTest;
 
 /// The mutant of the flux: vertices on the ellipsoid, as described.
 TEST_F(Splatting, AnIcosahedronWithinTheKernelLosesAQuarterOfTheFlux) {
-    const Shot shot(wide_square(), camera_at({0, 0, 5}, {0, 0, 0}), size, size);
+    const Shot shot(wide_square(), camera_at({0, 0, 5}, {0, 0, 0}), splats_size, splats_size);
     const SplatRun run{scattered(256, 0.6f), with_radius(shot, 0.4f)};
     for (const bool mutant : {false, true}) {
         PassTest::run(shot, [&](graph::GraphBuilder& builder) {
@@ -108,8 +109,8 @@ TEST_F(Splatting, AnIcosahedronWithinTheKernelLosesAQuarterOfTheFlux) {
 /// 2,000 photons whose kernels would have a radius of 0.2 texels. A disc of √½ texels covers 1.57 middles in
 /// the mean, 1 to 2 of them: the flux has a relative standard deviation of 0.7 %; alpha = 1e-4.
 TEST_F(Splatting, KernelsBelowTexelsKeepTheFluxWithLessNoise) {
-    const Shot shot(wide_square(), camera_at({0, 0, 5}, {0, 0, 0}, true), size, size);
-    const float texel = 4.0f / size;
+    const Shot shot(wide_square(), camera_at({0, 0, 5}, {0, 0, 0}, true), splats_size, splats_size);
+    const float texel = 4.0f / splats_size;
     auto photons = scattered(2000, 1.5f);
     for (auto& photon : photons) photon.direction = {0, 0, 1};
     double squares[2] = {0, 0};

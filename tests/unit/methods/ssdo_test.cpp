@@ -9,8 +9,6 @@
 namespace ir::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 TEST_F(SsdoTest, AnOpenPlaneIsExactlyOpenAndReceivesNothing) {
     for (const char* camera : {"top", "above"})
         for (const double radius : {0.0, 0.5}) {
@@ -35,9 +33,9 @@ double occlusion_by_wall(double d, double r) {
     double sum = 0;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
-            const double height = (i + 0.5) / n, azimuth = pi * ((j + 0.5) / n - 0.5);
+            const double height = (i + 0.5) / n, azimuth = std::numbers::pi * ((j + 0.5) / n - 0.5);
             const double t = d / (std::sqrt(1 - height * height) * std::cos(azimuth));
-            sum += height / pi * std::max(1 - t / r, 0.0) * pi / (n * n);
+            sum += height / std::numbers::pi * std::max(1 - t / r, 0.0) * std::numbers::pi / (n * n);
         }
     return sum;
 }
@@ -217,11 +215,11 @@ TEST_F(SsdoTest, AnEnvironmentMapLightsAnOpenSlopeByItsIntegral) {
     constexpr int n = 400;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < 2 * n; ++j) {
-            const double height = -1 + (i + 0.5) * 2 / n, azimuth = pi * (j + 0.5) / n;
+            const double height = -1 + (i + 0.5) * 2 / n, azimuth = std::numbers::pi * (j + 0.5) / n;
             const double across = std::sqrt(1 - height * height);
             const glm::vec3 way(across * std::cos(azimuth), height, across * std::sin(azimuth));
-            expected += glm::dvec3(light.radiance(way)) * double(std::max(glm::dot(way, normal), 0.0f)) / pi *
-                        (2.0 / n) * (pi / n);
+            expected += glm::dvec3(light.radiance(way)) * double(std::max(glm::dot(way, normal), 0.0f)) /
+                        std::numbers::pi * (2.0 / n) * (std::numbers::pi / n);
         }
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(sky.at(8, 8, c), expected[c], 0.02 * expected[c]) << c;
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "renderers/core/constants.h"
 #include "tests/unit/methods/surfels_fixture.h"
 
 namespace ir::test {
@@ -7,8 +8,6 @@ namespace {
 
 using Paths = Transport::Paths;
 using Materials = Transport::Materials;
-
-constexpr float pi = 3.14159265f;
 
 scene::Light sun(glm::vec3 direction) {
     scene::Light light;
@@ -53,7 +52,7 @@ class SurfelLightTest : public SurfelTest {
 };
 
 TEST_F(SurfelLightTest, AFloorSendsItsIrradianceOverPiOnTheLitSideAlone) {
-    const auto expected = glm::vec3(0.8f, 0.6f, 0.4f) / pi * light_on_floor();
+    const auto expected = glm::vec3(0.8f, 0.6f, 0.4f) / ir::pi * light_on_floor();
     for (const auto& surfel : made(floor_scene(), lit())) {
         EXPECT_GT(surfel.normal_ws.y, 0.999f);
         expect_near(surfel.radiance_front, expected, 1e-3f);
@@ -68,7 +67,7 @@ TEST_F(SurfelLightTest, AFloorSendsItsIrradianceOverPiOnTheLitSideAlone) {
 }
 
 TEST_F(SurfelLightTest, InterfacesMetalAndGlassTakeTheirPart) {
-    const auto expected = glm::vec3(0.8f, 0.6f, 0.4f) / pi * light_on_floor();
+    const auto expected = glm::vec3(0.8f, 0.6f, 0.4f) / ir::pi * light_on_floor();
     for (const auto& surfel : made(floor_scene(), lit(Paths::indirect, Materials::gltf)))
         expect_near(surfel.radiance_front, 0.96f * expected, 2e-3f);
     auto half_metal = floor_scene();

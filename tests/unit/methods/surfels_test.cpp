@@ -6,7 +6,7 @@ namespace ir::test {
 namespace {
 
 /// Triangles of all sizes around the camera, behind it and far away.
-Shot soup(int size = 48, glm::vec3 target = {0, 0, 0}, float fov_y = 0.9f) {
+Shot soup_shot(int size = 48, glm::vec3 target = {0, 0, 0}, float fov_y = 0.9f) {
     SmallWorld small;
     small.add_soup(40, 5);
     small.square({0, -1, 0}, {0, 1, 0}, 3);
@@ -27,7 +27,7 @@ class SurfelAreaTest : public SurfelTest {
   protected:
     /// Standard errors by which the mean area of what is kept differs from the mesh's, over 48 seeds.
     double standard_errors(const dss::Discard discard) {
-        const auto shot = soup(24);
+        const auto shot = soup_shot(24);
         auto run = whole();
         run.parameters.discard = discard;
         const int runs = 48;
@@ -45,7 +45,7 @@ class SurfelAreaTest : public SurfelTest {
 };
 
 TEST_F(SurfelTest, FineSurfelsHaveTheMeshsArea) {
-    const auto shot = soup();
+    const auto shot = soup_shot();
     for (const auto placement : {dss::Placement::random, dss::Placement::barycentric}) {
         auto run = whole();
         run.parameters.placement = placement;
@@ -74,7 +74,7 @@ TEST_F(SurfelTest, FineSurfelsHaveTheMeshsArea) {
 TEST_F(SurfelTest, WithoutThinningAllAreKept) {
     auto run = whole();
     run.parameters.thinning = false;
-    const auto shot = soup();
+    const auto shot = soup_shot();
     make(shot, run);
     const auto all = fine();
     const auto kept = surfels();
@@ -96,7 +96,7 @@ TEST_F(SurfelAreaTest, ThePrintedFormDoesNot) {
 }
 
 TEST_F(SurfelTest, ThinnedSurfelsHaveTheIdealSize) {
-    const auto shot = soup();
+    const auto shot = soup_shot();
     make(shot, whole());
     const float pixel = 2 / (shot.view.clip_from_view[1][1] * static_cast<float>(shot.view.height));
     int seen = 0;
@@ -129,7 +129,7 @@ bool is_near_frustum(const scene::View& view, glm::vec3 position_ws, float margi
 }
 
 TEST_F(SurfelTest, CullingLeavesAllThatReachTheView) {
-    const auto shot = soup(48, {0.8f, 0.2f, 0.5f}, 0.5f);
+    const auto shot = soup_shot(48, {0.8f, 0.2f, 0.5f}, 0.5f);
     auto run = whole();
     run.reach = 0.2f;
     make(shot, run);
@@ -153,7 +153,7 @@ TEST_F(SurfelTest, CullingLeavesAllThatReachTheView) {
 }
 
 TEST_F(SurfelTest, RunsGiveTheSameInTheSameOrder) {
-    const auto shot = soup();
+    const auto shot = soup_shot();
     SurfelRun run;
     make(shot, run);
     const auto first = surfels();
@@ -176,7 +176,7 @@ struct ShownSurfel {
 };
 
 TEST_F(SurfelTest, TheCloudSaysWhichSurfelEachDiscIs) {
-    make(soup(), {});
+    make(soup_shot(), {});
     const auto records = surfels();
     const auto shown = elements<ShownSurfel>("surfels");
     ASSERT_EQ(shown.size(), records.size());
@@ -189,7 +189,7 @@ TEST_F(SurfelTest, TheCloudSaysWhichSurfelEachDiscIs) {
 }
 
 TEST_F(SurfelTest, StartingAThousandTimesTooSmallGivesTheSame) {
-    const auto shot = soup();
+    const auto shot = soup_shot();
     SurfelRun run;
     run.parameters.reserve = 100;
     EXPECT_EQ(make(shot, run).counters.at("growth"), 0);
@@ -204,7 +204,7 @@ TEST_F(SurfelTest, StartingAThousandTimesTooSmallGivesTheSame) {
 }
 
 TEST_F(SurfelTest, CancelledCapturesLeaveNothingBehind) {
-    const auto shot = soup();
+    const auto shot = soup_shot();
     SurfelRun run;
     run.parameters.reserve = 100;
     make(shot, run);

@@ -11,12 +11,10 @@
 namespace ir::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// From a point, under a corner of a rectangle a × b at the height h and parallel to the point's plane.
 double rectangle_factor(double a, double b, double h) {
     const double x = a / h, y = b / h, sx = std::sqrt(1 + x * x), sy = std::sqrt(1 + y * y);
-    return (x / sx * std::atan(y / sx) + y / sy * std::atan(x / sy)) / (2 * pi);
+    return (x / sx * std::atan(y / sx) + y / sy * std::atan(x / sy)) / (2 * std::numbers::pi);
 }
 
 /// A floor of ±2 m, and a square of ±0.5 m at each of the heights.

@@ -65,7 +65,7 @@ class VolumesCoverageTest : public VolumesTest {
     }
 };
 
-SmallWorld soup(unsigned seed, int triangles = 60) {
+SmallWorld random_triangles(unsigned seed, int triangles = 60) {
     SmallWorld world;
     world.square({0, -0.8f, 0}, {0, 1, 0}, 2);
     world.add_soup(triangles, seed);
@@ -85,7 +85,7 @@ TEST_F(VolumesCoverageTest, EveryRayFindsWhatABruteForceSearchFinds) {
         for (const double reach : {0.1, 0.7})
             for (const float height : {0.0f, 2.5f})
                 for (const bool culling : {true, false}) {
-                    const Shot shot(soup(seed).scene(),
+                    const Shot shot(random_triangles(seed).scene(),
                                     volumes_camera({1.7f, 1.2f, 1.9f}, {0, -0.2f, 0}, height), 40, 32);
                     compared += compare_hits(shot, reach, 2, culling);
                 }
@@ -95,8 +95,8 @@ TEST_F(VolumesCoverageTest, EveryRayFindsWhatABruteForceSearchFinds) {
 TEST_F(VolumesCoverageTest, ViewersInsideOfVolumesMissNothing) {
     // In the middle of the soup, so that most volumes enclose the eye.
     for (const float height : {0.0f, 1.0f}) {
-        const Shot shot(soup(3).scene(), volumes_camera({0.05f, 0.1f, 0.1f}, {0.7f, -0.4f, 0.3f}, height), 40,
-                        32);
+        const Shot shot(random_triangles(3).scene(),
+                        volumes_camera({0.05f, 0.1f, 0.1f}, {0.7f, -0.4f, 0.3f}, height), 40, 32);
         EXPECT_GT(compare_hits(shot, 1.5, 2, true), 500) << height;
     }
 }
@@ -106,7 +106,7 @@ TEST_F(VolumesCoverageTest, ViewersInsideOfVolumesMissNothing) {
 TEST_F(VolumesCoverageTest, EachVolumeCoversAPixelOnce) {
     for (const float height : {0.0f, 2.5f})
         for (const glm::vec3 eye : {glm::vec3(1.7f, 1.2f, 1.9f), glm::vec3(0.05f, 0.1f, 0.1f)}) {
-            const auto world = soup(4);
+            const auto world = random_triangles(4);
             const Shot shot(world.scene(), volumes_camera(eye, {0.7f, -0.4f, 0.3f}, height), 48, 32);
             const auto covering = render(shot, additive_volumes(20), "volumes.covering");
             const auto position = read("gbuffer.position");

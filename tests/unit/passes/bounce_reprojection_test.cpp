@@ -11,13 +11,6 @@ namespace {
 constexpr int size = 48;
 using Picture = std::vector<float>;
 
-scene::Camera looking(glm::vec3 eye, glm::vec3 target) {
-    scene::Camera camera;
-    camera.eye = eye;
-    camera.target = target;
-    return camera;
-}
-
 class ReprojectionTest : public PassTest {
   protected:
     /// One more frame; the history stays.

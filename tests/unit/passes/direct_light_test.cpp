@@ -40,14 +40,6 @@ struct Brdf {
     }
 };
 
-Camera looking(glm::vec3 eye, glm::vec3 target, glm::vec3 up = {0, 1, 0}) {
-    Camera camera;
-    camera.eye = eye;
-    camera.target = target;
-    camera.up = up;
-    return camera;
-}
-
 /// The floor y = 0 seen from above: pixel (x, y) is at world (x, z) = ((x + 1/2) / 32 - 1, …) * 2.
 Camera from_above() {
     auto camera = looking({0, 5, 0}, {0, 0, 0}, {0, 0, -1});

@@ -12,14 +12,6 @@ using scene::Scene;
 
 constexpr int width = 48, height = 32;
 
-Camera looking(glm::vec3 eye, glm::vec3 target, glm::vec3 up = {0, 1, 0}) {
-    Camera camera;
-    camera.eye = eye;
-    camera.target = target;
-    camera.up = up;
-    return camera;
-}
-
 class GBufferTest : public PassTest {};
 
 TEST_F(GBufferTest, PositionIsWhereThePixelsRayMeetsThePlane) {

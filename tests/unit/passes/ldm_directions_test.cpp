@@ -9,8 +9,6 @@
 namespace ir::passes::ldm {
 namespace {
 
-using std::numbers::pi;
-
 double area(const Direction& d) {
     return (std::cos(d.colatitude_min) - std::cos(d.colatitude_max)) * (d.longitude_max - d.longitude_min);
 }
@@ -33,23 +31,23 @@ TEST_P(LdmDirections, CoverTheSphereInEqualAreasThatAreAntipodal) {
     ASSERT_EQ(directions.size(), static_cast<std::size_t>(n));
     double sum = 0;
     for (const auto& d : directions) {
-        EXPECT_NEAR(area(d), 2 * pi / n, 1e-6);
+        EXPECT_NEAR(area(d), 2 * std::numbers::pi / n, 1e-6);
         EXPECT_NEAR(glm::length(d.centre), 1, 1e-12);
         EXPECT_GE(d.centre.y, -1e-12);
         sum += area(d);
     }
-    EXPECT_NEAR(sum, 2 * pi, 1e-6);
+    EXPECT_NEAR(sum, 2 * std::numbers::pi, 1e-6);
     // The kept regions and their negatives do not overlap: a point is in exactly one of them.
     const auto count_regions_of = [&](double colatitude, double longitude) {
         int found = 0;
         for (const auto& d : directions) {
             const auto inside = [&](double c, double l) {
-                const double turns = std::floor((l - d.longitude_min) / (2 * pi));
-                l -= 2 * pi * turns;
+                const double turns = std::floor((l - d.longitude_min) / (2 * std::numbers::pi));
+                l -= 2 * std::numbers::pi * turns;
                 return c >= d.colatitude_min && c < d.colatitude_max && l < d.longitude_max;
             };
             found += inside(colatitude, longitude);
-            found += inside(pi - colatitude, longitude + pi);
+            found += inside(std::numbers::pi - colatitude, longitude + std::numbers::pi);
         }
         return found;
     };
@@ -75,7 +73,8 @@ TEST_P(LdmDirections, LieInsideSmallRegions) {
         EXPECT_LT(colatitude, d.colatitude_max);
         if (colatitude > 0) {
             double longitude = std::atan2(d.centre.z, d.centre.x);
-            longitude += 2 * pi * std::ceil((d.longitude_min - longitude) / (2 * pi));
+            longitude +=
+                2 * std::numbers::pi * std::ceil((d.longitude_min - longitude) / (2 * std::numbers::pi));
             EXPECT_GT(longitude, d.longitude_min);
             EXPECT_LT(longitude, d.longitude_max);
         }

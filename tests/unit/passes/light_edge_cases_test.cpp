@@ -7,8 +7,6 @@ namespace {
 
 using scene::LightType;
 
-constexpr glm::vec3 up{0, 1, 0};
-
 bool is_finite(glm::vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }

@@ -14,6 +14,7 @@
 namespace ir::test {
 
 constexpr double pi = std::numbers::pi;
+constexpr glm::vec3 up{0, 1, 0};
 
 /// A scene of emissive quads and triangles, lights and an environment, and its sampler.
 class LightScene {

@@ -8,8 +8,6 @@ namespace {
 using passes::LightSampler;
 using scene::LightType;
 
-constexpr glm::vec3 up{0, 1, 0};
-
 /// E / L of a polygon wholly above the facet's plane: ½ Σ of the edges' angles times the cosine between the
 /// facet's normal and the normal of the plane through facet and edge.  [Lambert 1760; Baum89 eq. 7]
 double polygon_factor(const std::vector<glm::vec3>& corners, glm::vec3 position, glm::vec3 normal) {

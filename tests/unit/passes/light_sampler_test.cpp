@@ -8,8 +8,6 @@ namespace {
 using passes::LightSampler;
 using scene::LightType;
 
-constexpr glm::vec3 up{0, 1, 0};
-
 /// A flat light with points numbered by the unit square, equal areas for equal areas.
 struct Shape {
     std::function<glm::vec3(glm::vec2)> point;

@@ -9,8 +9,6 @@ namespace {
 using passes::LightBounds;
 using passes::LightTree;
 
-constexpr glm::vec3 up{0, 1, 0};
-
 /// Small facets and points at random in [-1, 1]³, some of them far brighter than others.
 std::vector<LightBounds> random_lights(int n, unsigned seed) {
     Uniform uniform(seed);

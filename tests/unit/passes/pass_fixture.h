@@ -45,6 +45,14 @@ struct Shot {
     }
 };
 
+inline scene::Camera looking(glm::vec3 eye, glm::vec3 target, glm::vec3 up = {0, 1, 0}) {
+    scene::Camera camera;
+    camera.eye = eye;
+    camera.target = target;
+    camera.up = up;
+    return camera;
+}
+
 /// Runs passes on the best device; any error that OpenGL reports fails the test.
 class PassTest : public testing::Test {
   protected:

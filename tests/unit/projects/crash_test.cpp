@@ -18,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::edit_to;
+using testing::home;
 using testing::Killed;
 using testing::leave_dead_lock;
 using testing::numbered;
@@ -52,10 +53,6 @@ struct Scenario {
 
 void PrintTo(const Scenario& scenario, std::ostream* out) {
     *out << scenario.name;
-}
-
-fs::path home(const fs::path& root) {
-    return root / "a.interreflect";
 }
 
 fs::path target(const fs::path& root) {

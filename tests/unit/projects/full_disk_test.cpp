@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::edit_to;
+using testing::home;
 using testing::numbered;
 using testing::registry;
 using testing::saved_hash;
@@ -24,11 +25,7 @@ using testing::TemporaryFolder;
 
 constexpr std::size_t step = 512;  // bytes
 
-fs::path home(const fs::path& disk) {
-    return disk / "a.interreflect";
-}
-
-void save_first(const fs::path& disk) {
+void save_the_first(const fs::path& disk) {
     save_project(numbered(1), home(disk), "");
 }
 
@@ -47,7 +44,7 @@ void PrintTo(const Deed& deed, std::ostream* out) {
 
 Deed save() {
     return {"Save",
-            {save_first,
+            {save_the_first,
              [](const fs::path& disk) { save_project(numbered(2), home(disk), saved_hash(home(disk))); },
              [](const fs::path& disk, bool done) {
                  return expect_state(load_project(home(disk), registry()).project, done ? 2 : 1);
@@ -57,7 +54,7 @@ Deed save() {
 /// Its lock needs room as well.
 Deed open_and_save() {
     return {"OpenAndSave",
-            {save_first,
+            {save_the_first,
              [](const fs::path& disk) {
                  OpenProject open(home(disk), registry());
                  if (open.is_read_only()) throw Error(open.read_only_reason());
@@ -72,7 +69,7 @@ Deed open_and_save() {
 Deed autosave() {
     return {"Autosave",
             {[](const fs::path& disk) {
-                 save_first(disk);
+                 save_the_first(disk);
                  write_autosave(numbered(2), home(disk), saved_hash(home(disk)));
              },
              [](const fs::path& disk) {
@@ -116,7 +113,7 @@ Deed index() {
     };
     return {"KeepAResult",
             {[](const fs::path& disk) {
-                 save_first(disk);
+                 save_the_first(disk);
                  keep(disk, "old");
              },
              [](const fs::path& disk) { keep(disk, "new"); },
@@ -130,7 +127,7 @@ Deed index() {
 Deed pack() {
     return {"Pack",
             {[](const fs::path& disk) {
-                 save_first(disk);
+                 save_the_first(disk);
                  write_bytes(disk / "a.tar", "the archive before");
              },
              [](const fs::path& disk) { pack_project(home(disk), disk / "a.tar", registry()); },
@@ -145,7 +142,7 @@ Deed pack() {
 Deed unpack() {
     return {"Unpack",
             {[](const fs::path& disk) {
-                 save_first(disk);
+                 save_the_first(disk);
                  pack_project(home(disk), disk / "a.tar", registry());
                  fs::create_directories(disk / "there");
              },
@@ -158,7 +155,7 @@ Deed unpack() {
 
 Deed save_as() {
     return {"SaveAs",
-            {save_first,
+            {save_the_first,
              [](const fs::path& disk) {
                  OpenProject open(home(disk), registry());
                  if (open.is_read_only()) throw Error(open.read_only_reason());

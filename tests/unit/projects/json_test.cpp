@@ -8,7 +8,7 @@
 namespace ir::projects {
 namespace {
 
-std::string refusal(const std::string& text, const JsonLimits& limits = {}) {
+std::string json_refusal(const std::string& text, const JsonLimits& limits = {}) {
     try {
         parse_json(text, "f.json", limits);
     } catch (const InputError& error) {
@@ -41,31 +41,32 @@ TEST(Json, CanonicalTextIgnoresOrderAndLayout) {
 }
 
 TEST(Json, RefusalsNameLineAndColumn) {
-    EXPECT_EQ(refusal("{\n  \"a\": 1,\n  oops\n}").rfind("f.json: line 3, column 3: not JSON", 0), 0u);
-    EXPECT_NE(refusal(R"({"a":1,"a":2})").find("key 'a': stands twice"), std::string::npos);
-    EXPECT_NE(refusal("[1e999]").find("double precision"), std::string::npos);
-    EXPECT_NE(refusal("\"\xff\"").find("not JSON"), std::string::npos);
-    EXPECT_NE(refusal("").find("not JSON"), std::string::npos);
+    EXPECT_EQ(json_refusal("{\n  \"a\": 1,\n  oops\n}").rfind("f.json: line 3, column 3: not JSON", 0), 0u);
+    EXPECT_NE(json_refusal(R"({"a":1,"a":2})").find("key 'a': stands twice"), std::string::npos);
+    EXPECT_NE(json_refusal("[1e999]").find("double precision"), std::string::npos);
+    EXPECT_NE(json_refusal("\"\xff\"").find("not JSON"), std::string::npos);
+    EXPECT_NE(json_refusal("").find("not JSON"), std::string::npos);
 }
 
 TEST(Json, DuplicatesInDifferentObjectsAreFine) {
-    EXPECT_EQ(refusal(R"([{"a":1},{"a":2,"b":{"a":3}}])"), "accepted");
+    EXPECT_EQ(json_refusal(R"([{"a":1},{"a":2,"b":{"a":3}}])"), "accepted");
 }
 
 TEST(Json, DepthIsBoundedBeforeAnythingIsBuilt) {
     const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
-    EXPECT_EQ(refusal(nested(64)), "accepted");
-    EXPECT_NE(refusal(nested(65)).find("nested deeper than 64"), std::string::npos);
-    EXPECT_NE(refusal(std::string(5'000'000, '[')).find("nested deeper"), std::string::npos);
-    EXPECT_EQ(refusal("\"" + std::string(100, '[') + "\""), "accepted");  // brackets in texts do not count
-    EXPECT_EQ(refusal("\"\\\"" + std::string(100, '[') + "\""), "accepted");
+    EXPECT_EQ(json_refusal(nested(64)), "accepted");
+    EXPECT_NE(json_refusal(nested(65)).find("nested deeper than 64"), std::string::npos);
+    EXPECT_NE(json_refusal(std::string(5'000'000, '[')).find("nested deeper"), std::string::npos);
+    EXPECT_EQ(json_refusal("\"" + std::string(100, '[') + "\""),
+              "accepted");  // brackets in texts do not count
+    EXPECT_EQ(json_refusal("\"\\\"" + std::string(100, '[') + "\""), "accepted");
 }
 
 TEST(Json, SizesAreBounded) {
-    EXPECT_NE(refusal("[1, 2, 3]", {.bytes = 8}).find("more than the 8"), std::string::npos);
+    EXPECT_NE(json_refusal("[1, 2, 3]", {.bytes = 8}).find("more than the 8"), std::string::npos);
     std::string many = "{";
     for (int i = 0; i < 5000; ++i) many += (i ? ",\"k" : "\"k") + std::to_string(i) + "\":0";
-    EXPECT_NE(refusal(many + "}").find("more than 1024 keys"), std::string::npos);
+    EXPECT_NE(json_refusal(many + "}").find("more than 1024 keys"), std::string::npos);
 }
 
 TEST(Hash, IsXxh3Of128Bits) {

@@ -22,7 +22,7 @@ using testing::sample_project;
 using testing::TemporaryFolder;
 
 /// Method "fog", whose samples add up.
-const Registry& registry() {
+const Registry& accumulating() {
     static const MethodDescription fog = [] {
         auto method = testing::registry().at("fog");
         for (auto& parameter : method.parameters)
@@ -33,22 +33,22 @@ const Registry& registry() {
     return all;
 }
 
-std::string state_of(const Project& project) {
-    return state_key(project, project.experiments[0], registry());
+std::string key_of_state(const Project& project) {
+    return state_key(project, project.experiments[0], accumulating());
 }
 
 TEST(StateKey, DoesNotDependOnTheNumberOfSamples) {
-    const auto before = state_of(sample_project());
+    const auto before = key_of_state(sample_project());
     auto project = sample_project();
     project.experiments[0].frames = 9;
-    EXPECT_EQ(state_of(project), before);
+    EXPECT_EQ(key_of_state(project), before);
     project.experiments[0].presets["paper"].values["samples"] = std::int64_t{2};
-    EXPECT_EQ(state_of(project), before);
+    EXPECT_EQ(key_of_state(project), before);
     project.experiments[0].seed = 8;
-    EXPECT_NE(state_of(project), before);
+    EXPECT_NE(key_of_state(project), before);
     project = sample_project();
     project.experiments[0].values["density"] = 3.0;
-    EXPECT_NE(state_of(project), before);
+    EXPECT_NE(key_of_state(project), before);
     project = sample_project();
     EXPECT_NE(state_key(project, project.experiments[0], testing::registry()), before)
         << "a parameter that does not accumulate is part of the key";
@@ -56,24 +56,25 @@ TEST(StateKey, DoesNotDependOnTheNumberOfSamples) {
 
 TEST(SampleCount, IsFramesTimesSamples) {
     const auto project = sample_project();
-    EXPECT_EQ(sample_count(project.experiments[0], registry()), 4u * 256);
-    EXPECT_EQ(sample_count(project.experiments[1], registry()), 1u);
+    EXPECT_EQ(sample_count(project.experiments[0], accumulating()), 4u * 256);
+    EXPECT_EQ(sample_count(project.experiments[1], accumulating()), 1u);
     EXPECT_EQ(sample_count(project.experiments[0], testing::registry()), 4u);
 }
 
 TEST(SampleCount, CanBeSetExactly) {
     auto project = sample_project();
     for (const std::uint64_t samples : {1u, 2u, 64u, 97u, 100u, 1024u, 4096u, 5000u}) {
-        const auto after = with_sample_count(project.experiments[0], samples, registry());
-        EXPECT_EQ(sample_count(after, registry()), samples);
+        const auto after = with_sample_count(project.experiments[0], samples, accumulating());
+        EXPECT_EQ(sample_count(after, accumulating()), samples);
         EXPECT_EQ(after.values, project.experiments[0].values) << "the preset overrides them";
         project.experiments[0] = after;
-        EXPECT_EQ(state_of(project), state_of(sample_project()));
+        EXPECT_EQ(key_of_state(project), key_of_state(sample_project()));
     }
     // Samples are at most 4096 in a frame here, and the next prime does not divide.
-    EXPECT_GE(sample_count(with_sample_count(project.experiments[0], 4099, registry()), registry()), 4099u);
+    EXPECT_GE(sample_count(with_sample_count(project.experiments[0], 4099, accumulating()), accumulating()),
+              4099u);
     const auto& plain = project.experiments[1];
-    EXPECT_EQ(with_sample_count(plain, 64, registry()), plain);
+    EXPECT_EQ(with_sample_count(plain, 64, accumulating()), plain);
 }
 
 KeptResult kept(const std::string& key, std::uint64_t samples, bool with_state = true) {
@@ -152,14 +153,14 @@ TEST_F(KeepTest, LastResultsAndWhatTheSavedDocumentAsksForAreInUse) {
     const auto project = sample_project();
     put(kept("k16", 16, false));
     const auto in_use = [&](const std::string& kept = "another") {
-        return keys_in_use(index(), kept, folder.path(), registry());
+        return keys_in_use(index(), kept, folder.path(), accumulating());
     };
     EXPECT_EQ(in_use(), std::set<std::string>{"k16"});
     EXPECT_EQ(in_use("fog-nave"), std::set<std::string>()) << "its next one takes the place of k16";
     save_project(project, folder.path(), "");
-    const auto now = load_project(folder.path(), registry()).project;
+    const auto now = load_project(folder.path(), accumulating()).project;
     std::set<std::string> keys{"k16"};
-    for (const auto& each : now.experiments) keys.insert(result_key(now, each, registry()));
+    for (const auto& each : now.experiments) keys.insert(result_key(now, each, accumulating()));
     EXPECT_EQ(in_use(), keys);
     testing::write_text(folder.path() / project_file_name, "damaged");
     EXPECT_EQ(in_use(), std::set<std::string>{"k16"});
@@ -254,7 +255,7 @@ TEST_F(KeepTest, AFolderThatCannotBeWrittenIsNamed) {
 TEST_F(KeepTest, PruneKeepsWhatWasKeptSinceTheDocumentWasRead) {
     const auto project = sample_project();
     put(kept("k64", 64));
-    EXPECT_TRUE(prune_results(project, registry(), folder.path()).keys.empty());
+    EXPECT_TRUE(prune_results(project, accumulating(), folder.path()).keys.empty());
     EXPECT_NE(index().find("k64"), nullptr);
 }
 
@@ -262,7 +263,7 @@ TEST_F(KeepTest, PruneKeepsTheGuardAndDropsStatesWithTheirResults) {
     auto result = kept("k64", 64);
     result.experiment = "gone";
     put(result);
-    EXPECT_EQ(prune_results(sample_project(), registry(), folder.path()).files,
+    EXPECT_EQ(prune_results(sample_project(), accumulating(), folder.path()).files,
               (std::vector<std::string>{"k64/main.exr", "k64/state.exr"}));
     EXPECT_TRUE(fs::exists(at(results_guard_name)));
 }
@@ -309,10 +310,12 @@ TEST(Changes, AreAskedForByExperimentKeyOrNow) {
     index.put(kept("abcdef1", 16));
     index.put(kept("abcdef2", 64));
     project.experiments[0].last_kept_key = "abcdef2";
-    const auto find = [&](const std::string& text) { return find_version(text, project, index, registry()); };
+    const auto find = [&](const std::string& text) {
+        return find_version(text, project, index, accumulating());
+    };
     EXPECT_EQ(find("fog-nave").key, "abcdef2");
     EXPECT_EQ(find("abcdef1").samples, 16u);
-    EXPECT_EQ(find("now:fog-nave").key, result_key(project, project.experiments[0], registry()));
+    EXPECT_EQ(find("now:fog-nave").key, result_key(project, project.experiments[0], accumulating()));
     for (const char* text : {"abcdef", "abcde", "nothing", "now:nothing", "plain-nave", ""})
         EXPECT_THROW(find(text), UsageError) << text;
 }

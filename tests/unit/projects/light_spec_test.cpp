@@ -9,7 +9,7 @@
 namespace ir::projects {
 namespace {
 
-std::string refusal(const std::string& spec) {
+std::string spec_refusal(const std::string& spec) {
     try {
         parse_light(spec);
     } catch (const UsageError& error) {
@@ -49,30 +49,33 @@ TEST(LightSpec, PrintsWhatItParses) {
 }
 
 TEST(LightSpec, RefusalsNameFieldAndWhatIsAllowed) {
-    EXPECT_NE(refusal("lamp:position=0,0,0").find("point, spot, directional, rect or disk"),
+    EXPECT_NE(spec_refusal("lamp:position=0,0,0").find("point, spot, directional, rect or disk"),
               std::string::npos);
-    EXPECT_NE(refusal("point:position=0,0,0;power=3").find("unknown field 'power'; allowed are position"),
+    EXPECT_NE(
+        spec_refusal("point:position=0,0,0;power=3").find("unknown field 'power'; allowed are position"),
+        std::string::npos);
+    EXPECT_NE(spec_refusal("point:flux=3").find("field 'position' is missing"), std::string::npos);
+    EXPECT_NE(spec_refusal("point:position=0,0,0").find("give intensity or flux"), std::string::npos);
+    EXPECT_NE(spec_refusal("point:position=0,0,0;flux=1;intensity=1").find("twice"), std::string::npos);
+    EXPECT_NE(spec_refusal("point:position=0,0;flux=1").find("three numbers x,y,z"), std::string::npos);
+    EXPECT_NE(spec_refusal("point:position=0,0,nan;flux=1").find("position"), std::string::npos);
+    EXPECT_NE(spec_refusal("point:position=0,0,0;flux=-1").find("at least 0"), std::string::npos);
+    EXPECT_NE(spec_refusal("point:position=0,0,0;flux=1;flux=1").find("'flux' stands twice"),
               std::string::npos);
-    EXPECT_NE(refusal("point:flux=3").find("field 'position' is missing"), std::string::npos);
-    EXPECT_NE(refusal("point:position=0,0,0").find("give intensity or flux"), std::string::npos);
-    EXPECT_NE(refusal("point:position=0,0,0;flux=1;intensity=1").find("twice"), std::string::npos);
-    EXPECT_NE(refusal("point:position=0,0;flux=1").find("three numbers x,y,z"), std::string::npos);
-    EXPECT_NE(refusal("point:position=0,0,nan;flux=1").find("position"), std::string::npos);
-    EXPECT_NE(refusal("point:position=0,0,0;flux=-1").find("at least 0"), std::string::npos);
-    EXPECT_NE(refusal("point:position=0,0,0;flux=1;flux=1").find("'flux' stands twice"), std::string::npos);
-    EXPECT_NE(refusal("spot:position=0,1,0;target=0,0,0;intensity=1").find("'outer' is missing"),
+    EXPECT_NE(spec_refusal("spot:position=0,1,0;target=0,0,0;intensity=1").find("'outer' is missing"),
               std::string::npos);
-    EXPECT_NE(refusal("spot:position=0,1,0;target=0,0,0;intensity=1;outer=20;inner=30").find("inner"),
+    EXPECT_NE(spec_refusal("spot:position=0,1,0;target=0,0,0;intensity=1;outer=20;inner=30").find("inner"),
               std::string::npos);
-    EXPECT_NE(refusal("spot:position=0,1,0;target=0,1,0;intensity=1;outer=20").find("differ from position"),
+    EXPECT_NE(
+        spec_refusal("spot:position=0,1,0;target=0,1,0;intensity=1;outer=20").find("differ from position"),
+        std::string::npos);
+    EXPECT_NE(spec_refusal("spot:position=0,1,0;intensity=1;outer=20").find("target or direction"),
               std::string::npos);
-    EXPECT_NE(refusal("spot:position=0,1,0;intensity=1;outer=20").find("target or direction"),
+    EXPECT_NE(spec_refusal("directional:direction=0,0,0;irradiance=1").find("not 0,0,0"), std::string::npos);
+    EXPECT_NE(spec_refusal("rect:position=0,1,0;target=0,0,0;size=0,1;radiance=1").find("size"),
               std::string::npos);
-    EXPECT_NE(refusal("directional:direction=0,0,0;irradiance=1").find("not 0,0,0"), std::string::npos);
-    EXPECT_NE(refusal("rect:position=0,1,0;target=0,0,0;size=0,1;radiance=1").find("size"),
-              std::string::npos);
-    EXPECT_NE(refusal("").find("unknown type"), std::string::npos);
-    EXPECT_EQ(refusal("point:position=0,0,0;flu\nx=1").find('\n'), std::string::npos);
+    EXPECT_NE(spec_refusal("").find("unknown type"), std::string::npos);
+    EXPECT_EQ(spec_refusal("point:position=0,0,0;flu\nx=1").find('\n'), std::string::npos);
 }
 
 TEST(Vectors, ParseWholeTextOnly) {

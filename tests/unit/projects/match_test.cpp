@@ -40,7 +40,7 @@ const MethodDescription& truth() {
     return method;
 }
 
-const Registry& registry() {
+const Registry& foggy_methods() {
     static const Registry all({&testing::registry().at("fog"), &testing::registry().at("plain"), &truth()});
     return all;
 }
@@ -66,7 +66,7 @@ const Experiment& reference_of(const Project& project, std::size_t i = 0) {
 /// Applies it as one step and returns the stack to undo it by.
 UndoStack matched(Project& project, const std::string& id) {
     UndoStack stack;
-    EXPECT_TRUE(stack.push(project, match(project, id, registry(), still)));
+    EXPECT_TRUE(stack.push(project, match(project, id, foggy_methods(), still)));
     return stack;
 }
 
@@ -90,7 +90,7 @@ TEST(Match, CopiesWhatTheTruthDependsOnAndNothingElse) {
     EXPECT_EQ(found.values.at("normal_maps"), Value{true}) << "unknown to the method: the truth's default";
     EXPECT_TRUE(found.presets.empty());
     EXPECT_GT(found.frames, 1) << "a first picture is there soon";
-    EXPECT_TRUE(mismatched_references(project, registry(), still).empty());
+    EXPECT_TRUE(mismatched_references(project, foggy_methods(), still).empty());
 }
 
 TEST(Match, CompletesTheValuesThatAnExperimentLacks) {
@@ -110,7 +110,7 @@ TEST(Match, IsOneStepOfUndo) {
     EXPECT_EQ(project, before);
     stack.redo(project);
     EXPECT_EQ(project, after);
-    EXPECT_EQ(match(project, "fog-nave", registry(), still), nullptr) << "it is matched already";
+    EXPECT_EQ(match(project, "fog-nave", foggy_methods(), still), nullptr) << "it is matched already";
 }
 
 TEST(Match, SharesATruthAtAnyNumberOfSamplesAndSeed) {
@@ -121,15 +121,15 @@ TEST(Match, SharesATruthAtAnyNumberOfSamplesAndSeed) {
     project.experiments.push_back(copy);
     matched(project, "fog-nave");
     auto& first = project.experiments[1];
-    first = with_sample_count(first, 4096, registry());
+    first = with_sample_count(first, 4096, foggy_methods());
     first.seed = 99;
-    EXPECT_EQ(match_id(project, "copy", registry(), still), first.id);
+    EXPECT_EQ(match_id(project, "copy", foggy_methods(), still), first.id);
     matched(project, "copy");
     EXPECT_EQ(project.experiments.size(), 4u);
     EXPECT_EQ(find_item(project.experiments, "copy")->reference, first.id);
     // What tells truths apart tells references apart.
     first.values["antialias"] = true;
-    EXPECT_NE(match_id(project, "copy", registry(), still), first.id);
+    EXPECT_NE(match_id(project, "copy", foggy_methods(), still), first.id);
     find_item(project.experiments, "copy")->values["max_distance"] = 1.0;
     matched(project, "copy");
     EXPECT_EQ(project.experiments.size(), 5u);
@@ -140,19 +140,20 @@ TEST(Match, WhatDoesNotCountTellsNoTruthsApart) {
     matched(project, "fog-nave");
     EXPECT_EQ(reference_of(project).values.at("max_bounces"), Value{std::int64_t{1}});
     project.experiments[1].values["max_bounces"] = std::int64_t{1};
-    EXPECT_EQ(match(project, "fog-nave", registry(), still), nullptr);
+    EXPECT_EQ(match(project, "fog-nave", foggy_methods(), still), nullptr);
 }
 
 TEST(Match, IsRefusedWithOneLine) {
     auto project = unmatched();
-    EXPECT_THROW(match(project, "nobody", registry(), still), UsageError);
+    EXPECT_THROW(match(project, "nobody", foggy_methods(), still), UsageError);
     EXPECT_THROW(match(project, "fog-nave", testing::registry(), still), UsageError) << "no reference";
     project.experiments[0].values["paths"] = std::string("direct");
-    EXPECT_THROW(match(project, "fog-nave", registry(), still), UsageError) << "the truth cannot compute it";
+    EXPECT_THROW(match(project, "fog-nave", foggy_methods(), still), UsageError)
+        << "the truth cannot compute it";
     project.experiments[0].method = "teleport";
-    EXPECT_THROW(match(project, "fog-nave", registry(), still), UsageError);
+    EXPECT_THROW(match(project, "fog-nave", foggy_methods(), still), UsageError);
     project.experiments[0].method = "truth";
-    EXPECT_THROW(match(project, "fog-nave", registry(), still), UsageError);
+    EXPECT_THROW(match(project, "fog-nave", foggy_methods(), still), UsageError);
 }
 
 /// An experiment of the sample in which the document moves nothing: its frames differ if its scene does.
@@ -169,18 +170,18 @@ Experiment& standing(Project& project, int frames) {
 TEST(Match, WhereSomethingMovesTheTruthIsOfTheLastFrame) {
     auto project = unmatched();
     const auto id = standing(project, 7).id;
-    EXPECT_DOUBLE_EQ(last_time(project.experiments[1], registry()), 2 + 6 / 30.0);
+    EXPECT_DOUBLE_EQ(last_time(project.experiments[1], foggy_methods()), 2 + 6 / 30.0);
     UndoStack stack;
-    ASSERT_TRUE(stack.push(project, match(project, id, registry(), animated)));
+    ASSERT_TRUE(stack.push(project, match(project, id, foggy_methods(), animated)));
     const auto& found = *find_item(project.experiments, find_item(project.experiments, id)->reference);
     EXPECT_DOUBLE_EQ(found.time, 2 + 6 / 30.0);
-    EXPECT_EQ(last_time(found, registry()), found.time);
-    EXPECT_TRUE(mismatched_references(project, registry(), animated).empty());
+    EXPECT_EQ(last_time(found, foggy_methods()), found.time);
+    EXPECT_TRUE(mismatched_references(project, foggy_methods(), animated).empty());
     find_item(project.experiments, id)->frames = 1;
-    const auto wrong = mismatched_references(project, registry(), animated);
+    const auto wrong = mismatched_references(project, foggy_methods(), animated);
     ASSERT_EQ(wrong.size(), 1u);
     EXPECT_NE(wrong[0].second.find("time"), std::string::npos) << wrong[0].second;
-    EXPECT_NE(match_id(project, id, registry(), animated), found.id) << "another moment, another truth";
+    EXPECT_NE(match_id(project, id, foggy_methods(), animated), found.id) << "another moment, another truth";
 }
 
 TEST(Match, WhereNothingMovesAllNumbersOfFramesShareOneTruth) {
@@ -194,12 +195,12 @@ TEST(Match, WhereNothingMovesAllNumbersOfFramesShareOneTruth) {
     const auto truth = find_item(project.experiments, "plain-nave")->reference;
     EXPECT_EQ(find_item(project.experiments, truth)->time, 2) << "its own time";
     const auto count = project.experiments.size();
-    EXPECT_EQ(match_id(project, "once", registry(), still), truth);
+    EXPECT_EQ(match_id(project, "once", foggy_methods(), still), truth);
     matched(project, "once");
     EXPECT_EQ(project.experiments.size(), count);
     EXPECT_EQ(find_item(project.experiments, "once")->reference, truth);
-    EXPECT_TRUE(mismatched_references(project, registry(), still).empty());
-    EXPECT_EQ(mismatched_references(project, registry(), animated).size(), 2u);
+    EXPECT_TRUE(mismatched_references(project, foggy_methods(), still).empty());
+    EXPECT_EQ(mismatched_references(project, foggy_methods(), animated).size(), 2u);
 }
 
 TEST(Match, WhatTheDocumentMovesCountsWhateverTheFilesDo) {
@@ -216,7 +217,7 @@ TEST(Match, MismatchesAreNamed) {
     reference.values["max_distance"] = 3.0;
     reference.size = {8, 8};
     reference.camera = "inside";
-    const auto found = mismatched_references(project, registry(), still);
+    const auto found = mismatched_references(project, foggy_methods(), still);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].first, "fog-nave");
     for (const char* part : {"camera", "size", "max_distance", "3"})

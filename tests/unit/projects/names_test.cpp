@@ -28,7 +28,7 @@ MethodDescription method(const std::string& id, const std::string& title, Transp
 }
 
 /// Two methods that compute the same, one that computes something else, and the ground truth of all.
-const Registry& registry() {
+const Registry& named_methods() {
     static const auto near = method("near", "Near field", {{"ao"}, {"max_distance"}}),
                       far = method("far", "Far field", {{"ao"}, {"max_distance"}}),
                       light = method("light", "Light", {{"ao", "direct"}, {}});
@@ -50,7 +50,7 @@ class Names : public ::testing::Test {
         add("near");
     }
     std::string add(const std::string& method, const std::string& name = {}) {
-        const auto made = edits::new_experiment(project, registry(), method, name, "room", "");
+        const auto made = edits::new_experiment(project, named_methods(), method, name, "room", "");
         push(edits::add(project, made));
         return made.id;
     }
@@ -59,13 +59,13 @@ class Names : public ::testing::Test {
         stack.end_gesture();
     }
     void set_method(const std::string& id, const std::string& method) {
-        push(edits::set_method(project, registry(), id, method));
+        push(edits::set_method(project, named_methods(), id, method));
     }
     void rename(const std::string& id, const std::string& name) {
         push(edits::rename<Experiment>(project, id, name));
     }
     std::string match_with_reference(const std::string& id) {
-        push(match(project, id, registry(), [](const std::string&) { return false; }));
+        push(match(project, id, named_methods(), [](const std::string&) { return false; }));
         return find_item(project.experiments, id)->reference;
     }
     const std::string& name(const std::string& id) { return find_item(project.experiments, id)->name; }
@@ -76,7 +76,7 @@ class Names : public ::testing::Test {
 
 TEST_F(Names, OfTheProgramFollowTheMethodAndComeBackWithTheValuesInOneStep) {
     EXPECT_EQ(name("experiment"), "Near field") << "the id names no method, which may change";
-    push(edits::set_values(project, registry(), "experiment", {{"max_distance", 2.0}}));
+    push(edits::set_values(project, named_methods(), "experiment", {{"max_distance", 2.0}}));
     const auto before = project;
     const auto position = stack.position();
     set_method("experiment", "light");
@@ -112,7 +112,7 @@ TEST_F(Names, OfCopiesFollowAndAreNumberedWhereTheyAreEqual) {
 }
 
 TEST_F(Names, AreToldByTheirTextSoThatAFileNeedsNoMore) {
-    project = read_project(write_project(project), "test.json", registry()).project;
+    project = read_project(write_project(project), "test.json", named_methods()).project;
     set_method("experiment", "light");
     EXPECT_EQ(name("experiment"), "Light");
     rename("experiment", "Mine");
@@ -133,7 +133,7 @@ TEST_F(Names, OfReferencesFollowTheExperimentAsLongAsTheyAreItsTruth) {
     EXPECT_EQ(name(truth), "Near field reference");
     set_method("experiment", "far");
     EXPECT_EQ(name(truth), "Far field reference") << "the same transport";
-    push(edits::set_values(project, registry(), truth, {{"max_distance", 3.0}}));
+    push(edits::set_values(project, named_methods(), truth, {{"max_distance", 3.0}}));
     set_method("experiment", "near");
     EXPECT_EQ(name(truth), "Far field reference") << "no truth of it any more";
     EXPECT_EQ(name(match_with_reference("experiment")), "Near field reference");

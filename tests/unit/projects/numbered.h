@@ -12,6 +12,11 @@ Project numbered(int state);
 int state_of(const Project& project);
 void edit_to(OpenProject& open, int state);
 
+/// The project in a test's folder.
+inline std::filesystem::path home(const std::filesystem::path& folder) {
+    return folder / "a.interreflect";
+}
+
 /// The hash of the project.json in a folder.
 std::string saved_hash(const std::filesystem::path& folder);
 

@@ -11,7 +11,7 @@
 namespace ir::scene {
 namespace {
 
-std::size_t triangles(const Scene& scene) {
+std::size_t triangle_count(const Scene& scene) {
     std::size_t count = 0;
     for (const auto& mesh : scene.meshes) count += mesh.indices.size() / 3;
     return count;
@@ -44,14 +44,14 @@ float first_hit(const Scene& scene, glm::vec3 origin, glm::vec3 direction) {
 }
 
 TEST(Atrium, HasAbout260000TrianglesAndScales) {
-    EXPECT_NEAR(static_cast<double>(triangles(atrium())), 260000, 26000);
-    const double coarse = static_cast<double>(triangles(make_builtin("atrium?detail=0.05")));
-    const double half = static_cast<double>(triangles(make_builtin("atrium?detail=0.5")));
-    const double twice = static_cast<double>(triangles(make_builtin("atrium?detail=2")));
+    EXPECT_NEAR(static_cast<double>(triangle_count(atrium())), 260000, 26000);
+    const double coarse = static_cast<double>(triangle_count(make_builtin("atrium?detail=0.05")));
+    const double half = static_cast<double>(triangle_count(make_builtin("atrium?detail=0.5")));
+    const double twice = static_cast<double>(triangle_count(make_builtin("atrium?detail=2")));
     EXPECT_LT(coarse, 60000);
     EXPECT_GT(half, 1.5 * coarse);
-    EXPECT_NEAR(half / static_cast<double>(triangles(atrium())), 0.55, 0.12);
-    EXPECT_NEAR(twice / static_cast<double>(triangles(atrium())), 1.9, 0.15);
+    EXPECT_NEAR(half / static_cast<double>(triangle_count(atrium())), 0.55, 0.12);
+    EXPECT_NEAR(twice / static_cast<double>(triangle_count(atrium())), 1.9, 0.15);
     EXPECT_THROW(make_builtin("atrium?detail=0.01"), UsageError);
     EXPECT_THROW(make_builtin("atrium?detail=5"), UsageError);
 }

@@ -26,7 +26,7 @@ const Scene& scene_of(const std::string& name) {
 }
 
 /// Distance to the first triangle along a ray; infinite for none.
-float first_hit(const Scene& scene, glm::vec3 origin, glm::vec3 direction) {
+float first_hit_of_any(const Scene& scene, glm::vec3 origin, glm::vec3 direction) {
     float nearest = std::numeric_limits<float>::infinity();
     for (const auto& mesh : scene.meshes)
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -76,8 +76,8 @@ TEST_P(Figures, CamerasStandInTheOpenAndSeeSurfaces) {
         int seen = 0;
         for (const float x : {-1.3f, 0.02f, 1.3f})
             for (const float y : {-0.8f, -0.4f, 0.01f}) {
-                const float distance =
-                    first_hit(scene, camera.eye, glm::normalize(forward + half * (x * right + y * up)));
+                const float distance = first_hit_of_any(
+                    scene, camera.eye, glm::normalize(forward + half * (x * right + y * up)));
                 EXPECT_GT(distance, 0.01f * size) << camera.name;
                 seen += std::isfinite(distance);
             }
@@ -195,10 +195,10 @@ TEST(Cathedral, VaultsCoverNaveAislesAndApse) {
     for (int i = 0; i < 40; ++i)
         for (const float z : {-6.77f, -3.31f, -0.13f, 2.57f, 7.91f}) {
             const float x = -13.3f + 0.66f * static_cast<float>(i) + 0.011f * z;
-            EXPECT_LT(first_hit(scene, {x, 3.4f, z}, {0, 1, 0}), 11) << x << " " << z;
+            EXPECT_LT(first_hit_of_any(scene, {x, 3.4f, z}, {0, 1, 0}), 11) << x << " " << z;
         }
     for (const float x : {13.9f, 15.1f, 16.4f})
-        EXPECT_LT(first_hit(scene, {x, 3.4f, 0.21f}, {0, 1, 0}), 11) << x;
+        EXPECT_LT(first_hit_of_any(scene, {x, 3.4f, 0.21f}, {0, 1, 0}), 11) << x;
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 namespace ir::test {
 namespace {
 
-constexpr int width = 400, height = 300;
-constexpr float metres = 4;  ///< across the orthographic picture's height
-constexpr double pixels_per_square_metre = height / metres * height / metres;
+constexpr int glyph_width = 400, glyph_height = 300;
+constexpr float metres = 4;  ///< across the orthographic picture's glyph_height
+constexpr double pixels_per_square_metre = glyph_height / metres * glyph_height / metres;
 constexpr double pi = std::numbers::pi;
 
 class GlyphsTest : public ViewerTest {
@@ -37,7 +37,7 @@ class GlyphsTest : public ViewerTest {
     /// Runs and draws; the picture's pixels that show the element, in square metres.
     double area(const TestBuffer& buffer, std::int64_t element = 0) {
         run({buffer});
-        const auto picture = draw({{.key = "glyphs"}}, width, height);
+        const auto picture = draw({{.key = "glyphs"}}, glyph_width, glyph_height);
         EXPECT_EQ(picture.layers.at(0).note, "");
         return static_cast<double>(pixels_of(picture, element)) / pixels_per_square_metre;
     }
@@ -59,8 +59,8 @@ TEST_F(GlyphsTest, DiscsGrowWithNearness) {
     auto buffer = discs();
     buffer.add(0.8, glm::vec3(0, 0, 1), glm::vec3(0, 0, 1));
     run({buffer});
-    const auto picture = draw({{.key = "glyphs"}}, width, height);
-    const double per_metre = 0.5 * height / std::tan(0.5 * camera_.fov_y) / 4;
+    const auto picture = draw({{.key = "glyphs"}}, glyph_width, glyph_height);
+    const double per_metre = 0.5 * glyph_height / std::tan(0.5 * camera_.fov_y) / 4;
     const double expected = pi * 0.64 * per_metre * per_metre;
     EXPECT_NEAR(static_cast<double>(pixels_of(picture, 0)), expected, 0.02 * expected);
 }
@@ -103,19 +103,19 @@ TEST_F(GlyphsTest, SpheresInPerspectiveShowTheirOutline) {
     const double radius = 1.2, distance = 5;
     buffer.add(glm::vec3(0), glm::vec3(radius, 0, 0), glm::vec3(0, radius, 0), glm::vec3(0, 0, radius));
     run({buffer});
-    const auto picture = draw({{.key = "glyphs", .selected = 0}}, width, height);
+    const auto picture = draw({{.key = "glyphs", .selected = 0}}, glyph_width, glyph_height);
     const double outline =
-        0.5 * height / std::tan(0.5 * camera_.fov_y) * std::tan(std::asin(radius / distance));
+        0.5 * glyph_height / std::tan(0.5 * camera_.fov_y) * std::tan(std::asin(radius / distance));
     EXPECT_NEAR(static_cast<double>(pixels_of(picture, 0)), pi * outline * outline,
                 0.02 * pi * outline * outline);
 
     double sum = 0;
     int white = 0;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
+    for (int y = 0; y < glyph_height; ++y)
+        for (int x = 0; x < glyph_width; ++x) {
             const glm::vec2 place(x + 0.5f, y + 0.5f);
             if (colour_at(picture, place) != glm::vec3(1)) continue;
-            sum += glm::distance(place, 0.5f * glm::vec2(width, height));
+            sum += glm::distance(place, 0.5f * glm::vec2(glyph_width, glyph_height));
             ++white;
         }
     ASSERT_GT(white, 100);
@@ -136,9 +136,9 @@ TEST_F(GlyphsTest, EllipsoidsMeetWhereTheirSurfacesCross) {
     for (const float x : {-0.5f, 0.5f})
         buffer.add(glm::vec3(x, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1));
     run({buffer});
-    const auto picture = draw({{.key = "glyphs"}}, width, height);
-    EXPECT_EQ(element_at(picture, {width / 2 - 3, height / 2}), 0);
-    EXPECT_EQ(element_at(picture, {width / 2 + 3, height / 2}), 1);
+    const auto picture = draw({{.key = "glyphs"}}, glyph_width, glyph_height);
+    EXPECT_EQ(element_at(picture, {glyph_width / 2 - 3, glyph_height / 2}), 0);
+    EXPECT_EQ(element_at(picture, {glyph_width / 2 + 3, glyph_height / 2}), 1);
 }
 
 TEST_F(GlyphsTest, OnesThatLieOnTheSceneAreSeen) {

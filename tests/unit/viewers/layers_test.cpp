@@ -9,14 +9,14 @@
 namespace ir::test {
 namespace {
 
-constexpr int width = 160, height = 120;
+constexpr int layer_width = 160, layer_height = 120;
 const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
 
 class LayersTest : public ViewerTest {
   protected:
     /// The place of point i of ten in a row.
     static glm::vec3 spot(int i) { return {-1.8 + 0.4 * i, 0.1, 0}; }
-    glm::vec2 spot_px(int i) const { return place_px(camera_, width, height, spot(i)); }
+    glm::vec2 spot_px(int i) const { return place_px(camera_, layer_width, layer_height, spot(i)); }
 
     /// Ten points with an unsigned, a signed and a floating number.
     static TestBuffer row(const std::vector<float>& values = {}) {
@@ -53,7 +53,7 @@ TEST_F(LayersTest, FiltersKeepWhatLiesInAllRanges) {
     Layer layer{.key = "row", .size_px = 5};
     const auto with = [&](std::vector<Filter> filters) {
         layer.filters = std::move(filters);
-        const auto picture = draw({layer}, width, height);
+        const auto picture = draw({layer}, layer_width, layer_height);
         const auto elements = shown(picture);
         EXPECT_EQ(picture.layers[0].passing, elements.size());
         return elements;
@@ -72,7 +72,7 @@ TEST_F(LayersTest, FiltersKeepWhatLiesInAllRanges) {
 TEST_F(LayersTest, ColoursRunFromLeastToMostOfWhatIsShown) {
     run({row({0, 1, 2, nan, 4, infinity, 6, 7, 8, 9})});
     Layer layer{.key = "row", .colour_by = "pair", .colour_map = "turbo", .size_px = 7};
-    auto picture = draw({layer}, width, height);
+    auto picture = draw({layer}, layer_width, layer_height);
     EXPECT_EQ(picture.layers[0].least, 0);
     EXPECT_EQ(picture.layers[0].most, 9);
     EXPECT_EQ(picture.layers[0].high, 9);
@@ -82,14 +82,14 @@ TEST_F(LayersTest, ColoursRunFromLeastToMostOfWhatIsShown) {
     EXPECT_EQ(element_at(picture, spot_px(3)), 3) << "what has no number is drawn all the same";
 
     layer.filters = {{"change", -4, 1}};
-    picture = draw({layer}, width, height);
+    picture = draw({layer}, layer_width, layer_height);
     EXPECT_EQ(picture.layers[0].least, 1);
     EXPECT_EQ(picture.layers[0].most, 6);
     expect_colour(colour_at(picture, spot_px(1)), map_colour("turbo", 0));
 
     layer.low = -2;
     layer.high = 6;
-    picture = draw({layer}, width, height);
+    picture = draw({layer}, layer_width, layer_height);
     EXPECT_EQ(picture.layers[0].low, -2);
     EXPECT_EQ(picture.layers[0].least, 1);
     expect_colour(colour_at(picture, spot_px(6)), map_colour("turbo", 255));
@@ -98,23 +98,23 @@ TEST_F(LayersTest, ColoursRunFromLeastToMostOfWhatIsShown) {
 TEST_F(LayersTest, ColoursByAnyComponentAndType) {
     run({row()});
     Layer layer{.key = "row", .colour_by = "pair", .component = 1, .size_px = 7};
-    auto picture = draw({layer}, width, height);
+    auto picture = draw({layer}, layer_width, layer_height);
     EXPECT_EQ(picture.layers[0].least, 5.5);
     EXPECT_EQ(picture.layers[0].most, 10);
     expect_colour(colour_at(picture, spot_px(9)), map_colour("viridis", 0));
 
     layer.component = 7;  // clamped
-    EXPECT_EQ(draw({layer}, width, height).layers[0].least, 5.5);
+    EXPECT_EQ(draw({layer}, layer_width, layer_height).layers[0].least, 5.5);
 
     layer.colour_by = "change";
     layer.component = 0;
-    picture = draw({layer}, width, height);
+    picture = draw({layer}, layer_width, layer_height);
     EXPECT_EQ(picture.layers[0].least, -5);
     EXPECT_EQ(picture.layers[0].most, 4);
     expect_colour(colour_at(picture, spot_px(0)), map_colour("viridis", 0));
 
     layer.colour_by = "id";
-    picture = draw({layer}, width, height);
+    picture = draw({layer}, layer_width, layer_height);
     EXPECT_EQ(picture.layers[0].least, 4'000'000'000.0);
     EXPECT_EQ(picture.layers[0].most, 4'000'000'009.0);
 }
@@ -123,8 +123,9 @@ TEST_F(LayersTest, FacingTellsTheSides) {
     TestBuffer buffer("points", OutputKind::point_set, {position_field, {"normal", FieldType::f32, 3}});
     buffer.add(spot(2), glm::vec3(0, 0, 1), spot(7), glm::vec3(0, 0.3, -1));
     run({buffer});
-    const auto picture = draw(
-        {{.key = "points", .colour_by = "facing", .colour_map = "coolwarm", .size_px = 7}}, width, height);
+    const auto picture =
+        draw({{.key = "points", .colour_by = "facing", .colour_map = "coolwarm", .size_px = 7}}, layer_width,
+             layer_height);
     EXPECT_EQ(picture.layers[0].note, "");
     expect_colour(colour_at(picture, spot_px(2)), map_colour("coolwarm", 255));
     expect_colour(colour_at(picture, spot_px(7)), map_colour("coolwarm", 0));
@@ -132,8 +133,10 @@ TEST_F(LayersTest, FacingTellsTheSides) {
 
 TEST_F(LayersTest, DrawsEveryNthOfTooMany) {
     run({row()});
-    Scene3D view{
-        .width = width, .height = height, .most_elements = 4, .layers = {{.key = "row", .size_px = 5}}};
+    Scene3D view{.width = layer_width,
+                 .height = layer_height,
+                 .most_elements = 4,
+                 .layers = {{.key = "row", .size_px = 5}}};
     const auto picture = draw(view);
     EXPECT_EQ(picture.layers[0].stride, 3u);
     EXPECT_EQ(picture.layers[0].elements, 10u);
@@ -145,7 +148,7 @@ TEST_F(LayersTest, DrawsOnlyElementsInUse) {
     auto buffer = row();
     buffer.reserved = 100;
     run({buffer});
-    const auto picture = draw({{.key = "row"}}, width, height);
+    const auto picture = draw({{.key = "row"}}, layer_width, layer_height);
     EXPECT_EQ(picture.layers[0].elements, 10u);
     EXPECT_EQ(picture.layers[0].stride, 1u);
 }
@@ -157,7 +160,7 @@ TEST_F(LayersTest, SkipsPositionsThatAreNoNumbers) {
         buffer.words[static_cast<std::size_t>(7 * i + 1 + i % 3)] = std::bit_cast<std::uint32_t>(bad);
     }
     run({buffer});
-    const auto picture = draw({{.key = "row", .size_px = 5, .selected = 2}}, width, height);
+    const auto picture = draw({{.key = "row", .size_px = 5, .selected = 2}}, layer_width, layer_height);
     EXPECT_EQ(shown(picture), (std::vector{0, 1, 3, 4, 6, 7, 8, 9}));
 }
 
@@ -167,10 +170,12 @@ TEST_F(LayersTest, FarElementsHideNothing) {
     buffer.add(std::uint32_t{0}, glm::vec3(3e20, -2e20, -1e20), 0, 0.0f, 0.0f);
     buffer.add(std::uint32_t{0}, glm::vec3(0, 0.5, -1e6), 0, 0.0f, 0.0f);
     run({buffer});
-    const auto picture = draw({{.key = "row", .size_px = 5}}, width, height);
+    const auto picture = draw({{.key = "row", .size_px = 5}}, layer_width, layer_height);
     EXPECT_EQ(element_at(picture, spot_px(7)), 7);
-    EXPECT_EQ(element_at(picture, place_px(camera_, width, height, {0, -0.3, 0})), -1) << "the square";
-    EXPECT_NE(colour_at(picture, place_px(camera_, width, height, {0, -0.3, 0})), colour_at(picture, {1, 1}));
+    EXPECT_EQ(element_at(picture, place_px(camera_, layer_width, layer_height, {0, -0.3, 0})), -1)
+        << "the square";
+    EXPECT_NE(colour_at(picture, place_px(camera_, layer_width, layer_height, {0, -0.3, 0})),
+              colour_at(picture, {1, 1}));
 }
 
 TEST_F(LayersTest, SaysWhyALayerIsNotDrawn) {
@@ -195,7 +200,7 @@ TEST_F(LayersTest, SaysWhyALayerIsNotDrawn) {
     std::vector<Layer> layers;
     for (const auto& [key, note] : expected) layers.push_back({.key = key});
     layers.push_back({.key = "row"});
-    const auto picture = draw(layers, width, height);
+    const auto picture = draw(layers, layer_width, layer_height);
     for (std::size_t i = 0; i < expected.size(); ++i) {
         EXPECT_NE(picture.layers[i].note.find(expected[i].second), std::string::npos)
             << picture.layers[i].note;
@@ -213,17 +218,19 @@ TEST_F(LayersTest, ASpaceOfItsOwnIsFramedWithoutTheScene) {
          {glm::vec3(30, 10, 0), glm::vec3(34, 10, 0), glm::vec3(30, 12, 0), glm::vec3(34, 12, 0)})
         map.add(corner);
     run({map, row()});
-    const auto picture = draw({{.key = "map", .size_px = 4}}, width, height);
+    const auto picture = draw({{.key = "map", .size_px = 4}}, layer_width, layer_height);
     EXPECT_EQ(picture.layers[0].note, "");
     for (int i = 0; i < 4; ++i) EXPECT_GT(pixels_of(picture, i), 0) << i;
-    const auto place = [&](float x, float y) { return place_px(picture.camera, width, height, {x, y, 0}); };
-    EXPECT_LT(place(30, 10).x, 0.1f * width) << "as large as it fits";
-    EXPECT_GT(place(34, 10).x, 0.9f * width);
+    const auto place = [&](float x, float y) {
+        return place_px(picture.camera, layer_width, layer_height, {x, y, 0});
+    };
+    EXPECT_LT(place(30, 10).x, 0.1f * layer_width) << "as large as it fits";
+    EXPECT_GT(place(34, 10).x, 0.9f * layer_width);
     EXPECT_GT(place(30, 10).y, place(30, 12).y) << "upright";
     const auto background = colour_at(picture, {1, 1});
     expect_colour(colour_at(picture, place(32, 11)), background);  // and nothing behind it
 
-    const auto mixed = draw({{.key = "row"}, {.key = "map"}}, width, height);
+    const auto mixed = draw({{.key = "row"}, {.key = "map"}}, layer_width, layer_height);
     EXPECT_EQ(mixed.layers[0].note, "");
     EXPECT_NE(mixed.layers[1].note.find("a space of its own"), std::string::npos) << mixed.layers[1].note;
     EXPECT_EQ(mixed.camera.eye, camera_.eye);
@@ -234,13 +241,13 @@ TEST_F(LayersTest, DrawsAsAskedAsFarAsItCan) {
     run({row()});
     Layer layer{.key = "row", .colour_by = "heat", .colour_map = "rainbow", .filters = {{"mass", 0, 1}}};
     layer.size_px = nan;
-    const auto picture = draw({layer}, width, height);
+    const auto picture = draw({layer}, layer_width, layer_height);
     EXPECT_EQ(shown(picture).size(), 10u);
     for (const auto* word : {"heat", "rainbow", "mass"})
         EXPECT_NE(picture.layers[0].note.find(word), std::string::npos) << picture.layers[0].note;
     for (const auto* key : {"facing"}) {
         layer = {.key = "row", .colour_by = key};
-        EXPECT_NE(draw({layer}, width, height).layers[0].note.find("normal"), std::string::npos);
+        EXPECT_NE(draw({layer}, layer_width, layer_height).layers[0].note.find("normal"), std::string::npos);
     }
 }
 
@@ -256,7 +263,7 @@ TEST_F(LayersTest, RefusesSizesThatCannotBeDrawn) {
 TEST_F(LayersTest, OversamplingSmoothsEdgesAndKeepsElements) {
     add_square({0, 0, 0}, {0.1, 0.2, 1}, 0.9);
     run({row()});
-    Scene3D view{.width = width, .height = height, .layers = {{.key = "row", .size_px = 7}}};
+    Scene3D view{.width = layer_width, .height = layer_height, .layers = {{.key = "row", .size_px = 7}}};
     const auto plain = draw(view);
     view.oversampling = 3;
     const auto smooth = draw(view);
@@ -294,14 +301,14 @@ TEST_F(LayersTest, MarksTheSelectedElementOfEachKind) {
     run({points, lines, discs, boxes, balls});
     for (const std::string key : {"points", "lines", "discs", "boxes", "balls"}) {
         Layer layer{.key = key};
-        const auto plain = draw({layer}, width, height);
+        const auto plain = draw({layer}, layer_width, layer_height);
         layer.selected = 1;
-        const auto marked = draw({layer}, width, height);
+        const auto marked = draw({layer}, layer_width, layer_height);
         EXPECT_EQ(plain.element, marked.element) << key << ": marks cannot be picked";
-        glm::vec2 low(width, height), high(0), own_low(width, height), own_high(0);
+        glm::vec2 low(layer_width, layer_height), high(0), own_low(layer_width, layer_height), own_high(0);
         int white = 0, black = 0;
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
+        for (int y = 0; y < layer_height; ++y)
+            for (int x = 0; x < layer_width; ++x) {
                 const glm::vec2 place(x, y);
                 if (element_at(plain, place) == 1)
                     own_low = glm::min(own_low, place), own_high = glm::max(own_high, place);
@@ -321,18 +328,18 @@ TEST_F(LayersTest, MarksTheSelectedElementOfEachKind) {
             EXPECT_LE(high[axis], own_high[axis] + 9) << key;
         }
         layer.selected = 1'000'000'000'000;  // there is none
-        EXPECT_EQ(draw({layer}, width, height).colour.pixels, plain.colour.pixels);
+        EXPECT_EQ(draw({layer}, layer_width, layer_height).colour.pixels, plain.colour.pixels);
     }
 }
 
 TEST_F(LayersTest, DrawsTheSceneFromTheGraphsBuffersAsFromItsOwn) {
     add_square({0, 0, 0}, {0.3, 0.2, 1}, 1);
     run({row()});
-    const auto own = draw({{.key = "row"}}, width, height);
+    const auto own = draw({{.key = "row"}}, layer_width, layer_height);
     run({row()},
         [](graph::GraphBuilder& builder) { passes::gbuffer(builder, passes::upload_scene(builder), {}); });
     const auto before = graph_->read_image("gbuffer.position");
-    EXPECT_EQ(draw({{.key = "row"}}, width, height).colour.pixels, own.colour.pixels);
+    EXPECT_EQ(draw({{.key = "row"}}, layer_width, layer_height).colour.pixels, own.colour.pixels);
     run({row()},
         [](graph::GraphBuilder& builder) { passes::gbuffer(builder, passes::upload_scene(builder), {}); });
     EXPECT_EQ(graph_->read_image("gbuffer.position")->pixels, before->pixels)
@@ -342,14 +349,14 @@ TEST_F(LayersTest, DrawsTheSceneFromTheGraphsBuffersAsFromItsOwn) {
 TEST_F(LayersTest, TheSceneIsGreyTurnedAwayWarmAndTheBackgroundNeutral) {
     run({row()});
     add_square({0, 0, 0}, {0, 0, 1}, 1);
-    const auto front = colour_at(draw({}, width, height), {width / 2, height / 2});
+    const auto front = colour_at(draw({}, layer_width, layer_height), {layer_width / 2, layer_height / 2});
     EXPECT_EQ(front.r, front.g);
     EXPECT_EQ(front.g, front.b);
-    const auto picture = draw({}, width, height);
+    const auto picture = draw({}, layer_width, layer_height);
     EXPECT_NEAR(srgb_from_linear(picture.colour.at(0, 0)) * 255, passes::viewers::surround_code, 0.01);
     EXPECT_GT(std::abs(front.r - picture.colour.at(0, 0)), 0.05) << "told from the background";
     camera_.eye = {0, 0, -5};
-    const auto back = colour_at(draw({}, width, height), {width / 2, height / 2});
+    const auto back = colour_at(draw({}, layer_width, layer_height), {layer_width / 2, layer_height / 2});
     EXPECT_GT(back.r, back.b);
 }
 

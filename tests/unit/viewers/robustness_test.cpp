@@ -5,7 +5,7 @@
 namespace ir::test {
 namespace {
 
-constexpr int width = 96, height = 64;
+constexpr int tiny_width = 96, tiny_height = 64;
 
 class RobustnessTest : public ViewerTest {
   protected:
@@ -53,14 +53,14 @@ TEST_F(RobustnessTest, AnyBitsAreDrawnWithoutErrors) {
     for (const bool orthographic : {false, true}) {
         camera_.orthographic = orthographic;
         for (const auto& layer : layers) {
-            const auto picture = draw({layer}, width, height);
+            const auto picture = draw({layer}, tiny_width, tiny_height);
             EXPECT_EQ(picture.layers[0].note, "");
             const auto shown = std::count(picture.layer.begin(), picture.layer.end(), 0);
             EXPECT_GT(shown, 0) << layer.key;
             for (const float value : picture.colour.pixels) ASSERT_TRUE(value >= 0 && value <= 1) << value;
             for (const auto element : picture.element) ASSERT_LT(element, 600);
         }
-        draw(layers, width, height);
+        draw(layers, tiny_width, tiny_height);
     }
 }
 
@@ -78,8 +78,8 @@ TEST_F(RobustnessTest, CamerasMayStandAnywhere) {
     cameras[4].fov_y = 0.001f;
     for (const auto& camera : cameras) {
         camera_ = camera;
-        const auto picture =
-            draw({{.key = "points", .selected = 0}, {.key = "balls", .selected = 0}}, width, height);
+        const auto picture = draw({{.key = "points", .selected = 0}, {.key = "balls", .selected = 0}},
+                                  tiny_width, tiny_height);
         for (const float value : picture.colour.pixels) ASSERT_TRUE(value >= 0 && value <= 1) << value;
     }
 }
@@ -88,7 +88,7 @@ TEST_F(RobustnessTest, TheWorldIsUploadedAgainWhenItChanges) {
     add_square({0, 0, 0}, {0, 0, 1}, 1);
     auto in = inputs();
     in.world_fingerprint = "first";
-    Scene3D view{.width = width, .height = height};
+    Scene3D view{.width = tiny_width, .height = tiny_height};
     const auto first = viewer_->draw(*graph_, in, camera_, view).colour.pixels;
     EXPECT_EQ(viewer_->draw(*graph_, in, camera_, view).colour.pixels, first);
     add_square({1.2, 0, 1}, {0, 0, 1}, 0.4f);
@@ -130,7 +130,7 @@ TEST_F(RobustnessTest, DrawsBetweenTheSlicesOfAFrame) {
     options.wanted = {"*"};
     int pictures = 0;
     options.between_slices = [&] {
-        draw({{.key = "points"}}, width, height);
+        draw({{.key = "points"}}, tiny_width, tiny_height);
         ++pictures;
     };
     const auto in = inputs();

@@ -7,7 +7,7 @@
 namespace ir::test {
 namespace {
 
-constexpr int width = 200, height = 160;
+constexpr int sphere_width = 200, sphere_height = 160;
 constexpr double angle_error = 1e-5;  ///< of directions in single precision; a pixel is 0.014 wide
 
 class SphereTest : public ViewerTest {
@@ -36,7 +36,8 @@ class SphereTest : public ViewerTest {
     }
     /// Where the ray through a pixel meets the unit sphere; false where it does not, or only just.
     static bool direction_at(const Picture3D& picture, int x, int y, glm::dvec3& direction) {
-        const auto view = scene::make_view(picture.camera, width, height, {glm::vec3(-1), glm::vec3(1)});
+        const auto view =
+            scene::make_view(picture.camera, sphere_width, sphere_height, {glm::vec3(-1), glm::vec3(1)});
         const auto ray = scene::pixel_ray(view, {x + 0.5f, y + 0.5f});
         const glm::dvec3 o(ray.origin_ws), d(ray.direction_ws);
         const double middle = -glm::dot(o, d) / glm::dot(d, d);
@@ -68,14 +69,14 @@ TEST_F(SphereTest, ShowsTheRegionWhoseBoundsHoldTheDirection) {
     for (const int count : {5, 64, 700}) {
         const auto regions = passes::ldm::leopardi_directions(count);
         run({partition(count)});
-        const auto picture = draw({{.key = "sphere"}}, width, height);
+        const auto picture = draw({{.key = "sphere"}}, sphere_width, sphere_height);
         ASSERT_EQ(picture.layers.at(0).note, "");
         int asked = 0, uncovered = 0;
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
+        for (int y = 0; y < sphere_height; ++y)
+            for (int x = 0; x < sphere_width; ++x) {
                 glm::dvec3 d;
                 if (!direction_at(picture, x, y, d)) continue;
-                const auto element = picture.element[static_cast<std::size_t>(y * width + x)];
+                const auto element = picture.element[static_cast<std::size_t>(y * sphere_width + x)];
                 if (element >= 0) {
                     ++asked;
                     EXPECT_GT(depth_in(regions.at(static_cast<std::size_t>(element)), d), -angle_error)
@@ -95,13 +96,13 @@ TEST_F(SphereTest, ShowsTheNearestCentreWhereThereAreNoBounds) {
     for (const int count : {1, 12, 900}) {
         const auto buffer = centres(count);
         run({buffer});
-        const auto picture = draw({{.key = "sphere"}}, width, height);
+        const auto picture = draw({{.key = "sphere"}}, sphere_width, sphere_height);
         int asked = 0;
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
+        for (int y = 0; y < sphere_height; ++y)
+            for (int x = 0; x < sphere_width; ++x) {
                 glm::dvec3 d;
                 if (!direction_at(picture, x, y, d)) continue;
-                const auto element = picture.element[static_cast<std::size_t>(y * width + x)];
+                const auto element = picture.element[static_cast<std::size_t>(y * sphere_width + x)];
                 ASSERT_GE(element, 0);
                 const auto distance_to = [&](std::int64_t i) {
                     glm::vec3 centre;
@@ -120,38 +121,39 @@ TEST_F(SphereTest, ShowsTheNearestCentreWhereThereAreNoBounds) {
 TEST_F(SphereTest, IsFramedAndHidesTheScene) {
     add_square({0, 0, 2}, {0, 0, 1}, 5);
     run({partition(16)});
-    const auto picture = draw({{.key = "sphere"}}, width, height);
+    const auto picture = draw({{.key = "sphere"}}, sphere_width, sphere_height);
     EXPECT_NE(picture.camera.eye, camera_.eye);
     EXPECT_EQ(picture.layer.front(), -1);
     const auto grey = picture.colour.pixels.front();
-    EXPECT_EQ(picture.colour.at(width - 1, height - 1, 2), grey) << "the corners are background";
-    int left = width, right = 0, top = height, bottom = 0;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
+    EXPECT_EQ(picture.colour.at(sphere_width - 1, sphere_height - 1, 2), grey)
+        << "the corners are background";
+    int left = sphere_width, right = 0, top = sphere_height, bottom = 0;
+    for (int y = 0; y < sphere_height; ++y)
+        for (int x = 0; x < sphere_width; ++x) {
             if (picture.colour.at(x, y) == grey) continue;
             left = std::min(left, x), right = std::max(right, x);
             top = std::min(top, y), bottom = std::max(bottom, y);
         }
     EXPECT_GT(top, 0);
-    EXPECT_LT(bottom, height - 1);
-    EXPECT_GT(bottom - top, height * 8 / 10);
+    EXPECT_LT(bottom, sphere_height - 1);
+    EXPECT_GT(bottom - top, sphere_height * 8 / 10);
     EXPECT_NEAR(right - left, bottom - top, 2);
 }
 
 TEST_F(SphereTest, FiltersLeaveRegionsEmpty) {
     run({partition(16)});
     Layer layer{.key = "sphere"};
-    const auto all = draw({layer}, width, height);
+    const auto all = draw({layer}, sphere_width, sphere_height);
     layer.filters = {{"index", 3, 5}};
-    const auto some = draw({layer}, width, height);
+    const auto some = draw({layer}, sphere_width, sphere_height);
     for (std::int64_t i = 0; i < 16; ++i)
         EXPECT_EQ(pixels_of(some, i), i >= 3 && i <= 5 ? pixels_of(all, i) : 0) << i;
 
     run({centres(16)});
     layer.filters = {};
-    const auto cells = draw({layer}, width, height);
+    const auto cells = draw({layer}, sphere_width, sphere_height);
     layer.filters = {{"weight", 3, 5}};
-    const auto some_cells = draw({layer}, width, height);
+    const auto some_cells = draw({layer}, sphere_width, sphere_height);
     for (std::int64_t i = 0; i < 16; ++i)
         EXPECT_EQ(pixels_of(some_cells, i), i >= 3 && i <= 5 ? pixels_of(cells, i) : 0) << i;
 }
@@ -159,12 +161,12 @@ TEST_F(SphereTest, FiltersLeaveRegionsEmpty) {
 TEST_F(SphereTest, MarksTheSelectedRegionAndShowsCentres) {
     run({partition(16)});
     Layer layer{.key = "sphere"};
-    Scene3D view{.width = width, .height = height, .show_centres = false, .layers = {layer}};
+    Scene3D view{.width = sphere_width, .height = sphere_height, .show_centres = false, .layers = {layer}};
     const auto plain = draw(view);
     view.show_centres = true;
     EXPECT_NE(draw(view).colour.pixels, plain.colour.pixels);
     view.show_centres = false;
-    view.layers[0].selected = element_at(plain, {width / 2, height / 2 - 20});
+    view.layers[0].selected = element_at(plain, {sphere_width / 2, sphere_height / 2 - 20});
     ASSERT_GE(view.layers[0].selected, 0);
     const auto marked = draw(view);
     EXPECT_EQ(marked.element, plain.element);

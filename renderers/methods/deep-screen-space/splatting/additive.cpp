@@ -1,6 +1,7 @@
 #include "renderers/methods/deep-screen-space/splatting/additive.h"
 
 #include "renderers/methods/deep-screen-space/splatting/cover.h"
+#include "renderers/methods/deep-screen-space/splatting/folder.h"
 #include "renderers/passes/bounce/receiver.h"
 
 namespace ir::methods::deep_screen_space {
@@ -8,8 +9,6 @@ namespace {
 
 using graph::ImageRef;
 using graph::PassContext;
-
-const std::string folder = "methods/deep-screen-space/splatting/";
 
 /// What the parts of one additive splatting share.
 struct Additive {

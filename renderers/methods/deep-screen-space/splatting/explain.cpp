@@ -6,12 +6,12 @@
 #include "renderers/graph/output_text.h"
 #include "renderers/methods/deep-screen-space/random_seed.h"
 #include "renderers/methods/deep-screen-space/splatting/explain_records.h"
+#include "renderers/methods/deep-screen-space/splatting/folder.h"
 #include "renderers/passes/bounce/tiles.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
 
-const std::string folder = "methods/deep-screen-space/splatting/";
 constexpr std::uint64_t expected_candidates = 4096;
 /// Of the surfels: so finely can the search be sliced.
 constexpr std::int64_t parts = 256;

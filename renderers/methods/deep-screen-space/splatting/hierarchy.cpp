@@ -2,12 +2,11 @@
 #include "renderers/methods/deep-screen-space/random_seed.h"
 #include "renderers/methods/deep-screen-space/splatting.h"
 #include "renderers/methods/deep-screen-space/splatting/bounds.h"
+#include "renderers/methods/deep-screen-space/splatting/folder.h"
 #include "renderers/methods/deep-screen-space/splatting/hierarchy_outputs.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
-
-const std::string folder = "methods/deep-screen-space/splatting/";
 
 int padded(int size, int levels) {
     const int step = 1 << (levels - 1);

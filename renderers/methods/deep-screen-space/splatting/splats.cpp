@@ -1,5 +1,6 @@
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
 #include "renderers/methods/deep-screen-space/random_seed.h"
+#include "renderers/methods/deep-screen-space/splatting/folder.h"
 
 #include <algorithm>
 
@@ -8,8 +9,6 @@ namespace {
 
 using graph::FieldType;
 using graph::PassContext;
-
-const std::string folder = "methods/deep-screen-space/splatting/";
 
 /// Of the surfels: so finely can each layer's work be sliced.
 constexpr std::int64_t parts = 256;

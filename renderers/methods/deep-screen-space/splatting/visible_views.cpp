@@ -1,10 +1,9 @@
+#include "renderers/methods/deep-screen-space/splatting/folder.h"
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 #include "renderers/passes/bounce/tiles.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
-
-const std::string folder = "methods/deep-screen-space/splatting/";
 
 struct LayersView {
     std::string pass, key;

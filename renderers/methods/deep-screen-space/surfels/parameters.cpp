@@ -61,7 +61,6 @@ void add_thinning(ParameterTable<Parameters>& table) {
 }
 
 void add_light(ParameterTable<Parameters>& table) {
-    const Condition of_light{"paths", {std::string("indirect"), std::string("full")}};
     table
         .add(&Parameters::backs,
              {.key = "backs",
@@ -70,14 +69,14 @@ void add_light(ParameterTable<Parameters>& table) {
               .citation = "Nalbach15 §3.2",
               .choices = {{"lit", "Lit", "As all materials are two-sided."},
                           {"black", "Black", "As published: they block light but send none."}},
-              .active_when = of_light})
+              .active_when = only_indirect})
         .add(&Parameters::glossy_senders, {.key = "glossy_senders",
                                            .label = "Glossy senders",
                                            .doc = "Surfels also send the highlights of their direct "
                                                   "light, each towards the surface that it "
                                                   "lights. Off: their diffuse part alone.",
                                            .citation = "Nalbach15 §3.2",
-                                           .active_when = of_light});
+                                           .active_when = only_indirect});
 }
 
 void add_costs(ParameterTable<Parameters>& table) {

@@ -92,8 +92,8 @@ std::uint64_t capacity_of(const PassContext& context, const Splitting& s) {
     return std::min(context.capacity(s.parts.buffer), context.capacity(s.words.buffer));
 }
 
-void dispatch(const PassContext& context, const gl::Program& program, const Splitting& s, std::uint64_t items,
-              Slice slice) {
+void dispatch_splitting(const PassContext& context, const gl::Program& program, const Splitting& s,
+                        std::uint64_t items, Slice slice) {
     context.bind_buffer(2, s.parts.buffer);
     context.bind_counter(3, s.parts.count);
     context.bind_buffer(4, s.words.buffer);
@@ -113,7 +113,7 @@ void second_round(GraphBuilder& builder, const Splitting& s) {
                 const auto& program = use(context, s, 2, false);
                 context.bind_counter(8, s.words.count);
                 program.set("part_capacity", static_cast<unsigned>(context.capacity(s.parts.buffer)));
-                dispatch(context, program, s, context.capacity(s.words.buffer), slice);
+                dispatch_splitting(context, program, s, context.capacity(s.words.buffer), slice);
             },
             1);
     passes::scan_in_place(builder, "surfels.patches", s.words.buffer, s.patches.count);
@@ -132,7 +132,7 @@ void second_round(GraphBuilder& builder, const Splitting& s) {
                 program.set("capacity", static_cast<unsigned>(context.capacity(s.patches.buffer)));
                 program.set("point_capacity", static_cast<unsigned>(context.capacity(s.points.buffer)));
                 program.set("part_capacity", static_cast<unsigned>(capacity_of(context, s)));
-                dispatch(context, program, s, capacity_of(context, s), slice);
+                dispatch_splitting(context, program, s, capacity_of(context, s), slice);
             },
             1);
 }

@@ -39,7 +39,8 @@ const gl::Program& use(const PassContext& context, const Thinning& t, const char
     return program;
 }
 
-void dispatch(const PassContext& context, const gl::Program& program, const Thinning& t, Slice slice) {
+void dispatch_thinning(const PassContext& context, const gl::Program& program, const Thinning& t,
+                       Slice slice) {
     dispatch_parts(program, context.capacity(t.words.buffer), slice);
 }
 
@@ -81,7 +82,7 @@ Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
             [=](PassContext& context, Slice slice) {
                 const auto& program = use(context, t, "keep.comp");
                 context.bind_counter(3, words.count);
-                dispatch(context, program, t, slice);
+                dispatch_thinning(context, program, t, slice);
             },
             1);
     passes::scan_in_place(builder, "surfels", words.buffer, kept.count);
@@ -94,7 +95,7 @@ Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
                 const auto& program = use(context, t, "thin.comp");
                 context.bind_buffer(3, kept.buffer);
                 program.set("surfel_capacity", static_cast<unsigned>(context.capacity(kept.buffer)));
-                dispatch(context, program, t, slice);
+                dispatch_thinning(context, program, t, slice);
             },
             1);
     return {kept.buffer, kept.count};

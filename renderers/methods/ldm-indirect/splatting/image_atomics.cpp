@@ -5,8 +5,6 @@
 namespace ir::methods::ldm_indirect {
 namespace {
 
-const std::string folder = "methods/ldm-indirect/splatting/";
-
 constexpr std::int64_t lanes = 32;  ///< of atomic_splat.comp
 constexpr std::int64_t groups_at_once = 32768;
 constexpr std::int64_t pixels_at_once = 60000 * lanes;  ///< llvmpipe ends loops after 65,535 turns
@@ -21,7 +19,8 @@ graph::ImageRef declare_sums(graph::GraphBuilder& builder) {
     return builder.image(desc);
 }
 
-void run(const graph::PassContext& p, graph::Slice slice, const SplatTask& task, graph::ImageRef sums) {
+void splat_atomically(const graph::PassContext& p, graph::Slice slice, const SplatTask& task,
+                      graph::ImageRef sums) {
     if (slice.first) p.clear(sums);
     gl::ProgramSource source{{folder + "atomic_splat.comp"}};
     const bool has_floats = p.api().NV_shader_atomic_float != 0;
@@ -57,8 +56,9 @@ void splat_image_atomics(graph::GraphBuilder& builder, const SplatTask& task) {
     const auto sums = declare_sums(builder);
     auto pass = builder.pass("splat photons atomically");
     reads_task(pass, task);
-    pass.writes(sums).execute_sliced(
-        photon_parts, [=](graph::PassContext& p, graph::Slice slice) { run(p, slice, task, sums); });
+    pass.writes(sums).execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+        splat_atomically(p, slice, task, sums);
+    });
     builder.pass("atomic sums").reads(sums).writes(task.irradiance).execute([=](graph::PassContext& p) {
         const auto& program = p.program({{folder + "atomic_sums.comp"}});
         program.use();

@@ -5,13 +5,10 @@ namespace {
 
 using graph::FieldType;
 
-const std::string folder = "methods/ldm-indirect/splatting/";
-
 graph::BufferRef declare_command(graph::GraphBuilder& builder) {
     graph::BufferDesc desc;
-    desc.text = {.key = "splat.command",
-                 .label = "Command of the draw",
-                 .doc = "Points of the last slice drawn."};
+    desc.text = {
+        .key = "splat.command", .label = "Command of the draw", .doc = "Points of the last slice drawn."};
     desc.fields = {{"points", FieldType::u32},
                    {"instances", FieldType::u32},
                    {"first_point", FieldType::u32},
@@ -32,7 +29,8 @@ void write_command(const graph::PassContext& p, const SplatTask& task, graph::Bu
     p.barrier();
 }
 
-void run(const graph::PassContext& p, graph::Slice slice, const SplatTask& task, graph::BufferRef command) {
+void splat_quads(const graph::PassContext& p, graph::Slice slice, const SplatTask& task,
+                 graph::BufferRef command) {
     if (slice.first) p.clear(task.irradiance);
     const auto range = photons_of(p, task.photons, slice);
     if (range.first == range.end) return;
@@ -62,8 +60,9 @@ void splat_quads(graph::GraphBuilder& builder, const SplatTask& task) {
     auto pass = builder.pass("splat photons");
     reads_task(pass, task);
     pass.writes(command, task.irradiance);
-    pass.execute_sliced(photon_parts,
-                        [=](graph::PassContext& p, graph::Slice slice) { run(p, slice, task, command); });
+    pass.execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+        splat_quads(p, slice, task, command);
+    });
 }
 
 }  // namespace ir::methods::ldm_indirect

@@ -9,8 +9,6 @@ namespace {
 
 using Paths = Transport::Paths;
 
-const std::string folder = "methods/ldm-indirect/splatting/";
-
 /// As footprint.glsl reads them: directions of the maps, then of the lights.
 std::vector<glm::vec4> arrivals_of(const Parameters& parameters, const scene::World& world) {
     std::vector<glm::vec4> all;

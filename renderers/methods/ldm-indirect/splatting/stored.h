@@ -5,6 +5,8 @@
 
 namespace ir::methods::ldm_indirect {
 
+inline const std::string folder = "methods/ldm-indirect/splatting/";  ///< of its shaders
+
 /// The photons that are there to be splatted.
 struct StoredPhotons {
     graph::BufferRef records;

@@ -7,8 +7,6 @@
 namespace ir::methods::ldm_indirect {
 namespace {
 
-const std::string folder = "methods/ldm-indirect/splatting/";
-
 constexpr int tile = 16;                    ///< of gather_bins.comp
 constexpr int rows = 8;                     ///< pixels of an invocation; divides tile
 constexpr unsigned columns = 1024;          ///< parts of the photons that are binned side by side

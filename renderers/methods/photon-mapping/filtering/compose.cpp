@@ -9,9 +9,7 @@ namespace {
 
 using Paths = Transport::Paths;
 
-const std::string folder = "methods/photon-mapping/filtering/";
-
-struct Inputs {
+struct ComposeInputs {
     passes::SceneBuffers scene;
     passes::GBuffer gbuffer;
     Filtered filtered;
@@ -28,11 +26,11 @@ graph::ImageRef declare_image(graph::GraphBuilder& builder, graph::ResourceText 
     return builder.image(desc);
 }
 
-void declare_irradiance_reads(graph::PassBuilder& pass, const Inputs& in) {
+void declare_irradiance_reads(graph::PassBuilder& pass, const ComposeInputs& in) {
     pass.reads(in.filtered.irradiance, in.filtered.direction, in.gbuffer.normal, in.gbuffer.geometric_normal);
 }
 
-void bind_irradiance(const graph::PassContext& context, const gl::Program& program, const Inputs& in) {
+void bind_irradiance(const graph::PassContext& context, const gl::Program& program, const ComposeInputs& in) {
     context.bind_texture(0, in.filtered.irradiance);
     context.bind_texture(1, in.filtered.direction);
     context.bind_texture(2, in.gbuffer.normal);
@@ -41,8 +39,8 @@ void bind_irradiance(const graph::PassContext& context, const gl::Program& progr
 }
 
 /// The final irradiance, or what its directions say.
-void show(graph::GraphBuilder& builder, const Inputs& in, graph::ImageRef result, const std::string& name,
-          const std::string& define) {
+void show(graph::GraphBuilder& builder, const ComposeInputs& in, graph::ImageRef result,
+          const std::string& name, const std::string& define) {
     auto pass = builder.pass(name);
     declare_irradiance_reads(pass, in);
     pass.writes(result);
@@ -65,7 +63,7 @@ void set_view(const gl::Program& program, const scene::View& view) {
     program.set("view_axis_ws", orthographic ? axis : glm::vec3(0));
 }
 
-gl::ProgramSource radiance_source(const Inputs& in) {
+gl::ProgramSource radiance_source(const ComposeInputs& in) {
     gl::ProgramSource source{{folder + "radiance.comp"}};
     source.defines["MATERIALS"] = std::to_string(static_cast<int>(in.parameters.transport.materials));
     if (in.has_indirect) source.defines["INDIRECT"] = "1";
@@ -74,7 +72,7 @@ gl::ProgramSource radiance_source(const Inputs& in) {
     return source;
 }
 
-void reflect(graph::GraphBuilder& builder, const Inputs& in) {
+void reflect(graph::GraphBuilder& builder, const ComposeInputs& in) {
     const auto result = declare_image(
         builder, {"radiance", "Radiance", "Towards the eye", Semantic::radiance, "W/(m² sr)", {}},
         gl::Format::rgba32f);
@@ -109,7 +107,7 @@ void reflect(graph::GraphBuilder& builder, const Inputs& in) {
 void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::GBuffer& gbuffer,
              const Filtered& filtered, const Parameters& parameters) {
     const auto paths = parameters.transport.paths;
-    Inputs in{scene, gbuffer, filtered, {}, parameters, paths != Paths::direct, paths == Paths::full};
+    ComposeInputs in{scene, gbuffer, filtered, {}, parameters, paths != Paths::direct, paths == Paths::full};
     in.background = passes::visible_environment(builder, parameters.transport);
     if (paths != Paths::indirect)
         in.direct =

@@ -13,7 +13,7 @@ Condition at_least(std::int64_t passes) {
     return condition;
 }
 
-const Condition with_history{"temporal", {true}};
+const Condition while_temporal{"temporal", {true}};
 
 OutputDescription level_view(std::string key, std::string label, std::string doc, Condition active_when) {
     return {.key = std::move(key),
@@ -54,7 +54,7 @@ std::vector<OutputDescription> temporal_views() {
              .semantic = Semantic::probability,
              .doc = "α: how much of the pixel comes from earlier frames. 0: what was there is another "
                     "surface, or was not in the picture.",
-             .active_when = with_history},
+             .active_when = while_temporal},
             {.key = "history.ghosting",
              .label = "Ghosting",
              .semantic = Semantic::probability,
@@ -62,7 +62,7 @@ std::vector<OutputDescription> temporal_views() {
                     "it does not explain: α max(0, |S - μ| - σ) / max(S, μ) with history S and the mean μ "
                     "and deviation σ of the estimate on the same surface, up to eight pixels away. It is "
                     "what clipping to the neighbourhood's variance would take away [Salvi16].",
-             .active_when = with_history},
+             .active_when = while_temporal},
             {.key = "history.flicker",
              .label = "Spread of directions",
              .semantic = Semantic::probability,

@@ -9,6 +9,8 @@
 /// The steps of the filter.
 namespace ir::methods::photon_mapping {
 
+inline const std::string folder = "methods/photon-mapping/filtering/";  ///< of its shaders
+
 /// A picture of irradiance with the sum of directions that it comes from, as Splat.
 struct Signal {
     graph::ImageRef value;      ///< rgba32f: E, W/m²; x of the direction

@@ -4,7 +4,7 @@
 namespace ir::methods::photon_mapping {
 namespace {
 
-struct Inputs {
+struct TemporalInputs {
     passes::GBuffer gbuffer;
     graph::ImageRef surfaces;
     Splat splat;
@@ -12,10 +12,8 @@ struct Inputs {
     Parameters parameters;
 };
 
-const std::string folder = "methods/photon-mapping/filtering/";
-
 /// Accesses of filtering/unfiltered.glsl and, where history counts, filtering/history.glsl.
-void declare_reads(graph::PassBuilder& pass, const Inputs& in) {
+void declare_reads(graph::PassBuilder& pass, const TemporalInputs& in) {
     pass.reads(in.splat.irradiance, in.splat.direction, in.surfaces);
     if (in.splat.divisor > 1) pass.reads(in.splat.depth);
     if (!in.parameters.temporal) return;
@@ -32,7 +30,7 @@ void set_previous_rays(const gl::Program& program, const scene::View& view) {
     program.set("previous_direction_dy", rays.direction_dy);
 }
 
-void bind_history(const graph::PassContext& context, const gl::Program& program, const Inputs& in) {
+void bind_history(const graph::PassContext& context, const gl::Program& program, const TemporalInputs& in) {
     context.bind_texture(4, in.gbuffer.velocity);
     context.bind_texture(5, in.gbuffer.geometric_normal);
     context.bind_previous_texture(6, in.history.value);
@@ -43,7 +41,8 @@ void bind_history(const graph::PassContext& context, const gl::Program& program,
     set_previous_rays(program, context.inputs().previous_view);
 }
 
-const gl::Program& use(const graph::PassContext& context, const Inputs& in, gl::ProgramSource source) {
+const gl::Program& use(const graph::PassContext& context, const TemporalInputs& in,
+                       gl::ProgramSource source) {
     source.defines["DIVISOR"] = std::to_string(in.splat.divisor);
     if (in.parameters.temporal) source.defines["HISTORY"] = "1";
     const auto& program = context.program(source);
@@ -57,7 +56,7 @@ const gl::Program& use(const graph::PassContext& context, const Inputs& in, gl::
     return program;
 }
 
-void show(graph::GraphBuilder& builder, const Inputs& in, graph::ResourceText text, bool is_weight) {
+void show(graph::GraphBuilder& builder, const TemporalInputs& in, graph::ResourceText text, bool is_weight) {
     graph::ImageDesc desc;
     desc.text = std::move(text);
     desc.format = gl::Format::r32f;
@@ -80,7 +79,7 @@ Signal accumulate(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, 
                   const Splat& splat, const Parameters& parameters) {
     const auto result = declare_signal(builder, "filter.temporal", "After the temporal filter",
                                        "The estimate at the view's resolution, averaged over frames.");
-    const Inputs in{gbuffer, surfaces, splat, result, parameters};
+    const TemporalInputs in{gbuffer, surfaces, splat, result, parameters};
     const auto overflow =
         builder.counter({.key = "splat.overflow",
                          .label = "Texels beyond half floats",
