@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "projects/archive.h"
 #include "projects/plots.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
 #include "projects/store.h"
-#include "projects/tar.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/core/write_file.h"
@@ -32,11 +32,11 @@ fs::path common_folder(const std::vector<fs::path>& files) {
 
 class Packer {
   public:
-    Packer(const LoadedProject& loaded, TarWriter& tar)
+    Packer(const LoadedProject& loaded, ArchiveWriter& archive)
         : folder_(loaded.folder),
           project_(loaded.project),
           root_(fs::absolute(loaded.folder).lexically_normal().stem().string() + folder_suffix + "/"),
-          tar_(tar) {}
+          archive_(archive) {}
 
     std::vector<Message> run() {
         for (auto& scene : project_.scenes)
@@ -44,7 +44,7 @@ class Packer {
         for (auto& set : project_.lights)
             if (set.environment.kind == Environment::Kind::map) add_source(set.environment.source);
         for (auto& image : project_.images) add_source(image.source);
-        tar_.add_text(root_ + project_file_name, write_project(project_));
+        archive_.add_text(root_ + project_file_name, write_project(project_));
         add_results();
         add_studies();
         return std::move(messages_);
@@ -67,7 +67,7 @@ class Packer {
         const auto home = "files/" + std::to_string(++sources_) + "/";
         for (const auto& one : files) {
             if (fs::is_regular_file(one, ignored))
-                tar_.add_file(root_ + home + one.lexically_relative(base).generic_string(), one);
+                archive_.add_file(root_ + home + one.lexically_relative(base).generic_string(), one);
             else
                 miss(one.lexically_relative(base).generic_string());
         }
@@ -79,14 +79,14 @@ class Packer {
         for (const auto& plot : project_.plots) {
             const auto name = "results/" + study_path(plot.id);
             std::error_code ignored;
-            if (fs::is_regular_file(folder_ / name, ignored)) tar_.add_file(root_ + name, folder_ / name);
+            if (fs::is_regular_file(folder_ / name, ignored)) archive_.add_file(root_ + name, folder_ / name);
         }
     }
 
     void add_results() {
         const auto index = ResultIndex::load(folder_);
         if (index.entries().empty()) return;
-        tar_.add_file(root_ + "results/index.json", folder_ / "results/index.json");
+        archive_.add_file(root_ + "results/index.json", folder_ / "results/index.json");
         std::vector<std::string> done;
         for (const auto& entry : index.entries()) {
             for (const auto& file : entry.files) {
@@ -95,7 +95,7 @@ class Packer {
                 done.push_back(name);
                 std::error_code ignored;
                 if (fs::is_regular_file(folder_ / name, ignored))
-                    tar_.add_file(root_ + name, folder_ / name);
+                    archive_.add_file(root_ + name, folder_ / name);
                 else
                     miss(name);
             }
@@ -105,27 +105,10 @@ class Packer {
     const fs::path& folder_;
     Project project_;
     std::string root_;
-    TarWriter& tar_;
+    ArchiveWriter& archive_;
     int sources_ = 0;
     std::vector<Message> messages_;
 };
-
-/// Copies one file of an archive to disk.
-void extract(std::istream& content, std::uint64_t size, const fs::path& target, const CancelToken* cancel) {
-    auto& files = real_file_system();
-    files.create_directories(target.parent_path());
-    write_atomically(files, target, [&](std::ostream& out) {
-        std::vector<char> buffer(1u << 20);
-        for (std::uint64_t left = size; left > 0 && out;
-             left -= static_cast<std::uint64_t>(content.gcount())) {
-            if (cancel) cancel->check();
-            const auto count = static_cast<std::streamsize>(std::min<std::uint64_t>(left, buffer.size()));
-            if (!content.read(buffer.data(), count))
-                throw Error(target.string() + ": cannot be unpacked; the archive cannot be read to its end");
-            out.write(buffer.data(), count);
-        }
-    });
-}
 
 }  // namespace
 
@@ -134,9 +117,9 @@ std::vector<Message> pack_project(const fs::path& given, const fs::path& file, c
     const auto loaded = load_project(given, registry);
     std::vector<Message> messages;
     write_file(file, [&](std::ostream& out) {
-        TarWriter tar(out, cancel);
-        messages = Packer(loaded, tar).run();
-        tar.finish();
+        ArchiveWriter archive(out, cancel);
+        messages = Packer(loaded, archive).run();
+        archive.finish();
     });
     return messages;
 }
@@ -145,7 +128,8 @@ fs::path unpack_project(const fs::path& file, const fs::path& parent, const Canc
     std::optional<fs::path> root;
     std::error_code ignored;
     try {
-        read_tar(file, [&](const std::string& name, std::istream& content, std::uint64_t size) {
+        auto& files = real_file_system();
+        const auto extract = [&](const std::string& name, const CopyContent& copy) {
             const auto path = fs::path(name).lexically_normal();
             const auto top = parent / *path.begin();
             if (!root) {
@@ -158,8 +142,10 @@ fs::path unpack_project(const fs::path& file, const fs::path& parent, const Canc
             }
             if (top != *root || path == *path.begin())
                 throw InputError(file.string(), printable(name), "is outside the project's folder");
-            extract(content, size, parent / path, cancel);
-        });
+            files.create_directories((parent / path).parent_path());
+            write_atomically(files, parent / path, copy);
+        };
+        read_archive(file, extract, cancel);
         if (!root) throw InputError(file.string(), "", "is empty; ask for another copy");
         if (!fs::is_regular_file(*root / project_file_name, ignored))
             throw InputError(file.string(), "", "holds no project.json; ask for another copy");

@@ -5,11 +5,11 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "projects/archive.h"
 #include "projects/hash.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
 #include "projects/store.h"
-#include "projects/tar.h"
 #include "renderers/core/error.h"
 #include "tests/unit/projects/sample.h"
 
@@ -70,16 +70,34 @@ TEST(Pack, OrdinaryTarReadsIt) {
     if (std::system("tar --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "needs the tar program";
     TemporaryFolder here;
     const std::string long_name = "d/" + std::string(90, 'x') + "/" + std::string(90, 'y') + ".bin";
-    std::ofstream archive(here.path() / "a.tar", std::ios::binary);
-    TarWriter tar(archive);
-    tar.add_text(long_name, std::string(700, 'z'));
-    tar.add_text("d/empty", "");
-    tar.finish();
-    archive.close();
+    std::ofstream stream(here.path() / "a.tar", std::ios::binary);
+    ArchiveWriter writer(stream);
+    writer.add_text(long_name, std::string(700, 'z'));
+    writer.add_text("d/empty", "");
+    writer.finish();
+    stream.close();
     const std::string in = "cd " + here.path().string() + " && ";
     ASSERT_EQ(std::system((in + "tar xf a.tar").c_str()), 0);
     EXPECT_EQ(testing::read_text(here.path() / long_name), std::string(700, 'z'));
     EXPECT_TRUE(fs::exists(here.path() / "d/empty"));
+}
+
+TEST(Pack, ReadsWhatOtherProgramsPacked) {
+    if (std::system("tar --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "needs the tar program";
+    TemporaryFolder here, there;
+    const auto folder = make_project(here.path());
+    const auto packed = (here.path() / "a.tar.gz").string();
+    const std::string in = "cd " + here.path().string() + " && tar czf a.tar.gz ";
+    ASSERT_EQ(std::system((in + "a.interreflect").c_str()), 0);
+    const auto unpacked = unpack_project(packed, there.path());
+    EXPECT_EQ(load_project(unpacked, registry()).project, load_project(folder, registry()).project);
+    EXPECT_EQ(testing::read_text(unpacked / "results/k/main.exr"), "pixels");
+
+    fs::remove_all(unpacked);
+    fs::create_symlink("/etc/hostname", folder / "results/link");
+    ASSERT_EQ(std::system((in + "a.interreflect").c_str()), 0);
+    EXPECT_THROW(unpack_project(packed, there.path()), InputError);
+    EXPECT_TRUE(fs::is_empty(there.path()));
 }
 
 TEST(Pack, DamagedArchivesLeaveNothingBehind) {
@@ -106,12 +124,12 @@ TEST(Pack, NamesCannotLeaveTheProject) {
     fs::create_directories(there.path() / "inside");
     for (const char* name : {"../evil", "/evil", "a.interreflect/../../evil", "a.interreflect",
                              "b/project.json", "c.interreflect/project.json"}) {
-        std::ofstream archive(here.path() / "bad.tar", std::ios::binary);
-        TarWriter tar(archive);
-        tar.add_text("a.interreflect/project.json", "{}");
-        tar.add_text(name, "x");
-        tar.finish();
-        archive.close();
+        std::ofstream stream(here.path() / "bad.tar", std::ios::binary);
+        ArchiveWriter writer(stream);
+        writer.add_text("a.interreflect/project.json", "{}");
+        writer.add_text(name, "x");
+        writer.finish();
+        stream.close();
         EXPECT_THROW(unpack_project(here.path() / "bad.tar", there.path() / "inside"), InputError) << name;
         EXPECT_TRUE(fs::is_empty(there.path() / "inside")) << name;
         EXPECT_FALSE(fs::exists(there.path() / "evil"));

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include "renderers/core/progress.h"
+
+struct archive;
+
+namespace ir::projects {
+
+/// Writes an uncompressed tar archive of plain files. Equal contents give equal bytes: no dates, no owners.
+class ArchiveWriter {
+  public:
+    /// Whether all could be written is for the owner of the stream to see.
+    explicit ArchiveWriter(std::ostream& out, const CancelToken* cancel = nullptr);
+    void add_text(const std::string& name, const std::string& text);
+    /// Throws Error when `source` cannot be read or its size changes meanwhile, and Cancelled.
+    void add_file(const std::string& name, const std::filesystem::path& source);
+    void finish();  ///< writes the end
+
+  private:
+    void header(const std::string& name, std::uint64_t size);
+    void put(const char* data, std::size_t size);
+    std::ostream& out_;
+    const CancelToken* cancel_;
+    std::unique_ptr<archive, int (*)(archive*)> archive_;
+};
+
+/// Writes the content of a file of an archive into a stream.
+using CopyContent = std::function<void(std::ostream& out)>;
+
+/// Calls `read(name, copy)` for every plain file of a tar archive, also of one that gzip, xz or zstd made
+/// smaller. Throws InputError for what is no such archive, for links and for names that leave the archive's
+/// folder, and Cancelled.
+void read_archive(const std::filesystem::path& file,
+                  const std::function<void(const std::string& name, const CopyContent& copy)>& read,
+                  const CancelToken* cancel = nullptr);
+
+}  // namespace ir::projects
