@@ -91,14 +91,6 @@ void MainWindow::leave() {
     session_.leave();
 }
 
-void MainWindow::remember_window() const {
-    if (!options_.remember) return;
-    QSettings settings;
-    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    settings.setValue(QStringLiteral("window/docks"),
-                      has_hidden_docks_ ? hidden_docks_ : saveState(dock_version));
-}
-
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     // Whoever comes back may have changed files elsewhere.

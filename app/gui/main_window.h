@@ -77,8 +77,9 @@ class MainWindow : public QMainWindow {
     /// Throws UsageError that lists the known layouts.
     void apply_layout(const QString& name);
     static QStringList layout_names();
-    /// Arranges the window for what a screen has for windows. Where that is less than least_for_all_panels
-    /// (window_geometry.h) the panels of both sides stand behind each other.
+    /// Arranges the window for what a screen has for windows. One that has less than least_for_all_panels
+    /// (window_geometry.h) has an arrangement of its own: the panels of both sides stand behind each other,
+    /// so that four views of whatever project find room beside them.
     void fit(const QRect& available);
     void fit_screen();  ///< fit() for the screen that the window is on
     /// As closing, but asks nothing: Session::leave().
@@ -128,7 +129,11 @@ class MainWindow : public QMainWindow {
     void make_status_bar();
     void watch_docks();
     void restore_default_layout();
+    void arrange_docks();
+    QByteArray docks() const;  ///< the arrangement, as it is with a project
+    void set_cramped(bool cramped);
     void restore_window();
+    void remember_window() const;
     /// The welcome page stands alone; with a project the docks come back as they were.
     void show_docks(bool shown);
 
@@ -157,7 +162,6 @@ class MainWindow : public QMainWindow {
     void say_copy(const QString& sample, const projects::SampleCopy& copy);
     void begin_sample_afresh(const QString& sample, const projects::SampleCopy& copy);
     void store_memory();
-    void remember_window() const;
 
     // window_banners.cpp
     void update_project_banners();
@@ -221,6 +225,7 @@ class MainWindow : public QMainWindow {
     QLabel* device_label_ = nullptr;
     std::map<std::string, QImage> thumbnails_;
     QByteArray hidden_docks_;  ///< the arrangement while the welcome page is shown
+    QByteArray other_docks_;   ///< that of small screens on a large one, and the other way round
     bool has_hidden_docks_ = false, is_cramped_ = false;
 };
 

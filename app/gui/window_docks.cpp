@@ -10,6 +10,7 @@
 #include <QTabWidget>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/gui/main_window.h"
 #include "app/gui/window_geometry.h"
@@ -18,6 +19,10 @@
 
 namespace ir::gui {
 namespace {
+
+/// Of remembered arrangements; that of small screens is another one.
+const QString docks_key = QStringLiteral("window/docks"),
+              small_docks_key = QStringLiteral("window/small-docks");
 
 struct Layout {
     const char* name;
@@ -218,6 +223,11 @@ void MainWindow::make_status_bar() {
 }
 
 void MainWindow::restore_default_layout() {
+    arrange_docks();
+    workspace_.area().arrange(widgets::ViewArea::Arrangement::one);
+}
+
+void MainWindow::arrange_docks() {
     has_hidden_docks_ = false;
     for (auto* dock : docks_of(this)) {
         dock->setFloating(false);
@@ -247,7 +257,6 @@ void MainWindow::restore_default_layout() {
     resizeDocks({dock("parameters"), dock("buffers")}, {350, 400}, Qt::Horizontal);
     resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
     resizeDocks({dock("messages")}, {110}, Qt::Vertical);
-    workspace_.area().arrange(widgets::ViewArea::Arrangement::one);
 }
 
 QStringList MainWindow::layout_names() {
@@ -270,6 +279,19 @@ void MainWindow::apply_layout(const QString& name) {
                      layout_names().join(QStringLiteral(", ")).toStdString());
 }
 
+QByteArray MainWindow::docks() const {
+    return has_hidden_docks_ ? hidden_docks_ : saveState(dock_version);
+}
+
+void MainWindow::set_cramped(bool cramped) {
+    if (cramped == is_cramped_) return;
+    is_cramped_ = cramped;
+    const auto own = std::exchange(other_docks_, docks());
+    arrange_docks();
+    restoreState(own, dock_version);
+    if (!session_.has_project()) show_docks(false);
+}
+
 void MainWindow::show_docks(bool shown) {
     if (shown == !has_hidden_docks_) return;
     has_hidden_docks_ = !shown;
@@ -287,8 +309,17 @@ void MainWindow::restore_window() {
     if (!options_.remember) return;
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-    restoreState(settings.value(QStringLiteral("window/docks")).toByteArray(), dock_version);
+    restoreState(settings.value(docks_key).toByteArray(), dock_version);
+    other_docks_ = settings.value(small_docks_key).toByteArray();
     fit_screen();
+}
+
+void MainWindow::remember_window() const {
+    if (!options_.remember) return;
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(docks_key, is_cramped_ ? other_docks_ : docks());
+    settings.setValue(small_docks_key, is_cramped_ ? docks() : other_docks_);
 }
 
 void MainWindow::fit_screen() {
@@ -298,9 +329,7 @@ void MainWindow::fit_screen() {
 void MainWindow::fit(const QRect& available) {
     const int title_bar = style()->pixelMetric(QStyle::PM_TitleBarHeight);
     const QSize room = available.adjusted(0, title_bar, 0, 0).size();
-    const auto exceeds = [&room](QSize size) { return size.boundedTo(room) != size; };
-    is_cramped_ = exceeds(least_for_all_panels);
-    if (is_cramped_ && exceeds(minimumSizeHint())) restore_default_layout();
+    set_cramped(least_for_all_panels.boundedTo(room) != least_for_all_panels);
     if (!isMaximized() && !isFullScreen()) setGeometry(within(geometry(), available, title_bar));
 }
 

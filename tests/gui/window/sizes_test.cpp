@@ -70,6 +70,43 @@ TEST_F(SizesTest, OnASmallScreenPanelsOfBothSidesStandBehindEachOther) {
     EXPECT_EQ(window.dockWidgetArea(buffers), Qt::RightDockWidgetArea);
 }
 
+TEST_F(WindowTest, ASmallScreenHasAnArrangementOfItsOwn) {
+    const QRect small(0, 0, 960, 600), large(0, 0, 1920, 1200);
+    const auto dock = [](MainWindow& of, const char* name) { return of.findChild<QDockWidget*>(name); };
+    const auto area = [&] { return window.dockWidgetArea(dock(window, "buffers")); };
+    window.fit(small);
+    open_scene();  // after the start
+    trigger("views-4");
+    for (int view = 0; view < 4; ++view) {
+        window.workspace().area().set_active(view);
+        window.workspace().show_output("cloud");
+    }
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(area(), Qt::LeftDockWidgetArea);
+    EXPECT_LE(window.minimumSizeHint().width(), small.width());
+    EXPECT_LE(window.minimumSizeHint().height(), 570);
+    dock(window, "timings")->hide();
+    window.fit(large);
+    EXPECT_EQ(area(), Qt::RightDockWidgetArea);
+    EXPECT_FALSE(dock(window, "timings")->isHidden());
+    EXPECT_EQ(window.workspace().area().open_views().size(), 4u) << "views stay";
+    window.fit(small);
+    EXPECT_EQ(area(), Qt::LeftDockWidgetArea);
+    EXPECT_TRUE(dock(window, "timings")->isHidden());
+
+    for (const bool begins : {true, false}) {
+        FakeRenderer another_renderer;
+        MainWindow another(another_renderer, fake_registry(), {.remember = true});
+        another.fit(small);
+        ASSERT_TRUE(another.open_path("builtin:cornell"));
+        EXPECT_EQ(dock(another, "timings")->isHidden(), !begins) << "remembered";
+        dock(another, "timings")->hide();
+        another.session().close();
+        another.close();
+    }
+    QSettings().remove("window");
+}
+
 TEST_F(SizesTest, FourComparisonsFitTheSmallestScreen) {
     show_four("");
     for (const auto mode : widgets::all_modes()) {
