@@ -2,17 +2,12 @@
 
 #include <algorithm>
 
+#include "widgets/compare/one_size.h"
+
 namespace ir::gui {
 namespace {
 
 constexpr int most_levels = 16;
-
-QPoint scaled(QPoint pixel, QSize from, QSize to) {
-    const auto along = [](int at, int before, int after) {
-        return int((2 * qint64(at) + 1) * after / (2 * qint64(before)));
-    };
-    return {along(pixel.x(), from.width(), to.width()), along(pixel.y(), from.height(), to.height())};
-}
 
 }  // namespace
 
@@ -25,11 +20,13 @@ std::optional<int> level_of(QSize main, QSize image) {
 }
 
 QPoint pixel_of_main(QSize main, QSize image, QPoint pixel) {
-    return pixel.x() >= 0 && level_of(main, image) ? scaled(pixel, image, main) : QPoint(-1, -1);
+    return pixel.x() >= 0 && level_of(main, image) ? widgets::pixel_at_size(pixel, image, main)
+                                                   : QPoint(-1, -1);
 }
 
 QPoint pixel_of_level(QSize main, QSize image, QPoint pixel) {
-    return pixel.x() >= 0 && level_of(main, image) ? scaled(pixel, main, image) : QPoint(-1, -1);
+    return pixel.x() >= 0 && level_of(main, image) ? widgets::pixel_at_size(pixel, main, image)
+                                                   : QPoint(-1, -1);
 }
 
 }  // namespace ir::gui

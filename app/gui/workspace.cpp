@@ -85,7 +85,7 @@ void Workspace::connect_pane(int view, ViewPane& pane) {
     connect(&compare, &CompareView::camera_gesture_finished, this,
             [this](int) { session_.finish_camera_move(); });
     connect(&compare, &CompareView::picked_changed, this,
-            [this, view](QPoint pixel) { emit picked(pixel_of_result(view, pixel)); });
+            [this, view](QPoint pixel) { emit picked(pointed_pixel_of_result(view, pixel)); });
     connect(&compare, &CompareView::difference_shown, this, [this, view, &pane] {
         update_displays(view);
         pane.update_summary();
@@ -96,11 +96,11 @@ void Workspace::connect_pane(int view, ViewPane& pane) {
     connect(&pane, &ViewPane::table_made, this,
             [this, view](widgets::BufferTable& table) { connect_table(view, table); });
     connect(&pane, &ViewPane::cursor_moved, this, [this, view](QPoint pixel) {
-        if (view == area_->active()) emit cursor_moved(pixel_of_result(view, pixel));
+        if (view == area_->active()) emit cursor_moved(pointed_pixel_of_result(view, pixel));
     });
     connect(&pane, &ViewPane::explain_wanted, this, [this, view](QPoint pixel) {
         area_->set_active(view);
-        emit explain_wanted(pixel_of_result(view, pixel));
+        emit explain_wanted(pointed_pixel_of_result(view, pixel));
     });
 }
 

@@ -144,8 +144,9 @@ class Workspace : public QObject {
     void update_table(int view);
 
     // workspace_pixels.cpp
-    /// The pixel of the main result that a pixel of the view's picture shows; (-1, -1): none.
-    QPoint pixel_of_result(int view, QPoint pixel) const;
+    /// The pixel of the main result of A's owner that a pixel of a picture in the view shows; (-1, -1): none.
+    QPoint pixel_of_result(int view, const widgets::Picture* picture, QPoint pixel) const;
+    QPoint pointed_pixel_of_result(int view, QPoint pixel) const;
     QSize main_size(const std::string& owner) const;  ///< of the main result; empty: not known
     void mark_explained(int view);
 

@@ -12,8 +12,7 @@ QSize Workspace::main_size(const std::string& owner) const {
     return main ? QSize(main->width, main->height) : QSize();
 }
 
-QPoint Workspace::pixel_of_result(int view, QPoint pixel) const {
-    const auto picture = pane(view)->picture_at(0);
+QPoint Workspace::pixel_of_result(int view, const widgets::Picture* picture, QPoint pixel) const {
     const QSize main = main_size(state(view).a.owner);
     if (pixel.x() < 0 || !picture || !picture->has_image()) return {-1, -1};
     if (main.isEmpty()) return pixel;
@@ -24,6 +23,10 @@ QPoint Workspace::pixel_of_result(int view, QPoint pixel) const {
     return pixel_of_main(main, size, place.pixel);
 }
 
+QPoint Workspace::pointed_pixel_of_result(int view, QPoint pixel) const {
+    return pixel_of_result(view, pane(view)->compare().pointed_picture().get(), pixel);
+}
+
 /// What is explained is marked, also when it was chosen elsewhere. A mark on that pixel already stays: on a
 /// coarser level several of its pixels are the same one.
 void Workspace::mark_explained(int view) {
@@ -31,17 +34,15 @@ void Workspace::mark_explained(int view) {
     if (!pane(view) || !now.has_pixel()) return;
     const QPoint explained(now.x, now.y);
     auto& compare = pane(view)->compare();
-    if (pixel_of_result(view, compare.main_view().picked()) == explained) return;
+    for (const auto* each : compare.views())
+        if (pixel_of_result(view, each->picture().get(), each->picked()) == explained) return;
     const auto picture = pane(view)->picture_at(0);
     const QSize main = main_size(state(view).a.owner);
-    if (!picture || !picture->has_image() || main.isEmpty()) return compare.set_picked(explained);
-    QPoint mark = pixel_of_level(main, picture->size(), explained);
-    if (const auto& tiles = picture->atlas.tiles; !tiles.empty()) {
-        const auto& first = tiles.front();
-        mark = pixel_of_level(main, {first.width, first.height}, explained);
-        if (mark.x() >= 0) mark += QPoint(first.x, first.y);
-    }
-    compare.set_picked(mark);
+    if (!picture || !picture->has_image() || picture->atlas.tiles.empty() || main.isEmpty())
+        return compare.set_picked(explained, main);
+    const auto& first = picture->atlas.tiles.front();
+    const QPoint mark = pixel_of_level(main, {first.width, first.height}, explained);
+    compare.set_picked(mark.x() < 0 ? mark : mark + QPoint(first.x, first.y), picture->size());
 }
 
 void Workspace::set_inspection(const std::string& experiment, const Inspection& inspection) {

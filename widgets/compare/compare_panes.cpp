@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderers/image/enlarge.h"
 #include "widgets/compare/compare_view.h"
 #include "widgets/compare/difference_worker.h"
 #include "widgets/compare/one_size.h"
@@ -106,6 +107,16 @@ void CompareView::update_regions() {
     }
 }
 
+void CompareView::mark(ImageView& view) const {
+    const auto& picture = view.picture();
+    const QSize size = picture ? picture->size() : QSize(), of = picked_size_;
+    if (picked_.x() < 0 || of.isEmpty() || size.isEmpty() || size == of) return view.set_picked(picked_);
+    const bool alike =
+        picture->atlas.tiles.empty() && (is_reduced(size.width(), size.height(), of.width(), of.height()) ||
+                                         is_reduced(of.width(), of.height(), size.width(), size.height()));
+    view.set_picked(alike ? pixel_at_size(picked_, of, size) : QPoint(-1, -1));
+}
+
 QString CompareView::pane_label(int picture) const {
     if (count() < 2) return {};
     const QString &label = stage(picture).label, name = stage_name(picture);
@@ -116,7 +127,12 @@ void CompareView::refresh() {
     const auto shown = contents();
     const bool refused = held_ < 0 && count() >= 2 && !refusal().isEmpty();
     if (!refused) request_differences();
-    for (int i = 0; i < int(shown.size()); ++i) fill(*pane(i), shown[i]);
+    for (int i = 0; i < int(shown.size()); ++i) {
+        auto& view = *pane(i);
+        const QSizeF before = view.transform().image_size();
+        fill(view, shown[i]);
+        if (view.transform().image_size() != before) mark(view);
+    }
     for (std::size_t i = shown.size(); i < panes_.size(); ++i) {
         panes_[i]->hide();
         panes_[i]->set_picture(nullptr);
@@ -237,12 +253,16 @@ void CompareView::relink() {
     if (link_->is_linked() && shown > 1) link_->align_to(panes_[active_pane_]);
 }
 
+bool CompareView::is_right_of_wipe(int pane, QPoint pixel) const {
+    return mode_ == Mode::wipe && held_ < 0 && panes_[pane]->second() &&
+           pixel.x() + 0.5 >= wipe_ * panes_[pane]->image().width;
+}
+
 int CompareView::picture_of(int pane, QPoint pixel) const {
     const auto shown = contents();
     if (pane >= int(shown.size())) return 0;
     if (shown[pane].difference) return -1;
-    if (mode_ == Mode::wipe && held_ < 0 && panes_[pane]->second())
-        return pixel.x() + 0.5 >= wipe_ * panes_[pane]->image().width ? 1 : 0;
+    if (is_right_of_wipe(pane, pixel)) return 1;
     if (shown[pane].picture == StagePair::reference) return count();
     return shown[pane].picture;
 }

@@ -115,9 +115,10 @@ void CompareView::set_fly_speed(double metres_per_second) {
     for (auto* view : panes_) view->set_fly_speed(metres_per_second);
 }
 
-void CompareView::set_picked(QPoint pixel) {
+void CompareView::set_picked(QPoint pixel, QSize size) {
     picked_ = pixel;
-    for (auto* view : panes_) view->set_picked(pixel);
+    picked_size_ = size;
+    for (auto* view : panes_) mark(*view);
 }
 
 void CompareView::set_pins(std::vector<PinMark> pins) {
@@ -208,6 +209,11 @@ std::shared_ptr<const Picture> CompareView::difference_picture() const {
     return result && result->picture->has_image() ? result->picture : nullptr;
 }
 
+std::shared_ptr<const Picture> CompareView::pointed_picture() const {
+    const auto* view = panes_[pointed_pane_];
+    return is_right_of_wipe(pointed_pane_, pointed_) ? view->second() : view->picture();
+}
+
 const Display& CompareView::difference_display() const {
     return shown_difference_;
 }
@@ -237,10 +243,15 @@ ImageView* CompareView::pane(int index) {
 }
 
 void CompareView::connect_pane(ImageView* view, int index) {
-    connect(view, &ImageView::cursor_moved, this,
-            [this, index](QPoint pixel) { emit cursor_moved(pixel, picture_of(index, pixel)); });
-    connect(view, &ImageView::picked_changed, this, [this](QPoint pixel) {
-        picked_ = pixel;
+    connect(view, &ImageView::cursor_moved, this, [this, index](QPoint pixel) {
+        pointed_pane_ = index;
+        pointed_ = pixel;
+        emit cursor_moved(pixel, picture_of(index, pixel));
+    });
+    connect(view, &ImageView::picked_changed, this, [this, view, index](QPoint pixel) {
+        pointed_pane_ = index;
+        pointed_ = pixel;
+        set_picked(pixel, view->transform().image_size().toSize());
         emit picked_changed(pixel);
     });
     connect(view, &ImageView::region_changed, this, [this, view](QRect region) {

@@ -53,7 +53,9 @@ class CompareView : public QWidget {
     void set_camera(const CameraPose& pose);
     void set_camera(int picture, const CameraPose& pose);
     void set_fly_speed(double metres_per_second);
-    void set_picked(QPoint pixel);
+    /// A pixel of pictures of that size. Those of which it is a reduced or enlarged one mark the pixel that
+    /// covers its centre; without a size all mark the same one.
+    void set_picked(QPoint pixel, QSize size = {});
     void set_pins(std::vector<PinMark> pins);
     /// A rectangle of all pictures that have this size; empty: none.
     void set_region(QSize size, const QRect& region);
@@ -79,6 +81,8 @@ class CompareView : public QWidget {
     QString refusal() const;
     /// What stands in the place of a picture or difference that is not shown; empty: all are.
     QString missing() const;
+    /// What the cursor was over last: a picture, a difference, or a note; null: nothing.
+    std::shared_ptr<const Picture> pointed_picture() const;
     /// What is said of a pixel of the difference beside its value; empty: nothing.
     QString difference_text(QPoint pixel) const;
 
@@ -196,6 +200,8 @@ class CompareView : public QWidget {
     QString missing_picture() const;
     QString noise_refusal() const;
     void update_regions();
+    void mark(ImageView& view) const;
+    bool is_right_of_wipe(int pane, QPoint pixel) const;
     int count() const { return int(pictures_.size()); }
 
     ImageView::Surface surface_;
@@ -220,11 +226,13 @@ class CompareView : public QWidget {
     ImageView::Tool tool_ = ImageView::Tool::inspect;
     double fly_speed_ = 1;
     QPoint picked_{-1, -1};
+    QSize picked_size_;
+    QPoint pointed_{-1, -1};
     std::vector<PinMark> pins_;
     QSize region_size_;
     QRect region_;
     QString noise_hint_;
-    int active_pane_ = 0, flipped_ = 0, held_ = -1;
+    int active_pane_ = 0, pointed_pane_ = 0, flipped_ = 0, held_ = -1;
 };
 
 /// Signed and significant: a diverging map from -m … m; absolute and squared: 0 … m; relative: 0 … 1, or to m

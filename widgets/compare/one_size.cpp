@@ -34,6 +34,13 @@ std::shared_ptr<const Picture> at_size(const std::shared_ptr<const Picture>& pic
     return std::make_shared<const Picture>(std::move(result));
 }
 
+QPoint pixel_at_size(QPoint pixel, QSize from, QSize to) {
+    const auto along = [](int at, int before, int after) {
+        return int((2 * qint64(at) + 1) * after / (2 * qint64(before)));
+    };
+    return {along(pixel.x(), from.width(), to.width()), along(pixel.y(), from.height(), to.height())};
+}
+
 QString size_text(const Picture& picture) {
     return QStringLiteral("%1×%2").arg(picture.size().width()).arg(picture.size().height());
 }

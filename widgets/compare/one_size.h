@@ -14,6 +14,9 @@ bool have_difference(const Picture& a, const Picture& b);
 /// The picture, enlarged by the rule above to a size that it is not larger than, with its mask and variance.
 std::shared_ptr<const Picture> at_size(const std::shared_ptr<const Picture>& picture, QSize size);
 
+/// Where a pixel of pictures of one size is in those of another: the one that covers its centre.
+QPoint pixel_at_size(QPoint pixel, QSize from, QSize to);
+
 /// "192×108".
 QString size_text(const Picture& picture);
 /// The name with its size where the picture is the smaller of the two: "A (96×54)".

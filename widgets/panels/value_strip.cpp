@@ -21,12 +21,6 @@ QString channels_text(const Image& image, QPoint pixel, Semantic semantic, const
 
 }  // namespace
 
-QString pixel_text(const Image& image, QPoint pixel, Semantic semantic, const QString& unit) {
-    if (!QRect(0, 0, image.width, image.height).contains(pixel)) return {};
-    return QStringLiteral("x %1  y %2 ").arg(pixel.x(), 4).arg(pixel.y(), 4) +
-           channels_text(image, pixel, semantic, unit);
-}
-
 ValueStrip::ValueStrip(QWidget* parent)
     : QWidget(parent), values_(new QLabel(this)), zoom_(new QLabel(this)) {
     auto* layout = new QHBoxLayout(this);
@@ -94,17 +88,12 @@ void ValueStrip::resizeEvent(QResizeEvent* event) {
     update_line();
 }
 
-void ValueStrip::show_pixel(const Image& image, QPoint pixel) {
-    // The cursor may rest where a smaller picture has no pixel.
-    const auto text = pixel_text(image, pixel, semantic_, unit_);
-    say(text.isEmpty() ? summary() : text, text.isEmpty());
-}
-
 void ValueStrip::show_pixel(const Picture& picture, QPoint pixel) {
-    if (picture.atlas.tiles.empty()) return show_pixel(*picture.image, pixel);
+    // The cursor may rest where a smaller picture has no pixel.
     const auto place = place_text(picture, pixel);
-    values_->setText(place.isEmpty() ? summary()
-                                     : place + channels_text(*picture.image, pixel, semantic_, unit_));
+    if (place.isEmpty()) return say(summary(), true);
+    say(place + QLatin1Char(' ') + channels_text(*picture.image, pixel, picture.semantic, picture.unit),
+        false);
 }
 
 void ValueStrip::set_zoom(double zoom) {

@@ -17,10 +17,8 @@ class ValueStrip : public QWidget {
     explicit ValueStrip(QWidget* parent = nullptr);
     void set_picture(const Image& image, Semantic semantic, const QString& name, const QString& unit,
                      const Atlas& atlas = {});
-    /// As below; levels and slices of an atlas by their own pixels.
+    /// Levels and slices of an atlas by their own pixels; (-1, -1): none.
     void show_pixel(const Picture& picture, QPoint pixel);
-    /// (-1, -1): none.
-    void show_pixel(const Image& image, QPoint pixel);
     /// Anything else about the pixel under the cursor.
     void show_text(const QString& text) { say(text, false); }
     void set_zoom(double zoom);
@@ -44,6 +42,5 @@ class ValueStrip : public QWidget {
 };
 
 /// "x 12  y 40   R 0.25  G 0.5  B 1 W/(m² sr)"; empty for a pixel that the image does not have.
-QString pixel_text(const Image& image, QPoint pixel, Semantic semantic, const QString& unit);
 
 }  // namespace ir::widgets

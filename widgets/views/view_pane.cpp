@@ -93,19 +93,21 @@ void ViewPane::update_summary() {
                              picture->atlas);
     summarised_ = picture->image;
     values_->set_zoom(compare_->main_view().transform().zoom());
-    if (cursor_.x() >= 0) show_pixel(*picture, difference ? -1 : 0);
+    if (cursor_.x() >= 0) show_pixel();
 }
 
-void ViewPane::show_pixel(const Picture& picture, int number) {
-    const QString more = number < 0 ? compare_->difference_text(cursor_) : QString();
-    if (more.isEmpty()) return values_->show_pixel(picture, cursor_);
-    values_->show_text(place_text(picture, cursor_) + QStringLiteral("   ") + more);
+void ViewPane::show_pixel() {
+    const auto picture = compare_->pointed_picture();
+    if (!picture || !picture->has_image()) return;
+    const bool difference = compare_->mode() == CompareView::Mode::difference;
+    const QString more = difference ? compare_->difference_text(cursor_) : QString();
+    if (more.isEmpty()) return values_->show_pixel(*picture, cursor_);
+    values_->show_text(place_text(*picture, cursor_) + QStringLiteral("   ") + more);
 }
 
-void ViewPane::show_values(QPoint pixel, int number) {
+void ViewPane::show_values(QPoint pixel) {
     cursor_ = pixel;
-    const auto picture = picture_at(number);
-    if (picture && picture->has_image()) show_pixel(*picture, number);
+    show_pixel();
     emit cursor_moved(pixel);
 }
 

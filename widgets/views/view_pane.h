@@ -33,7 +33,7 @@ class ViewPane : public QWidget {
     void show_pictures(const ViewState& state, std::vector<std::shared_ptr<const Picture>> pictures);
     /// What the value strip says while the cursor is elsewhere.
     void update_summary();
-    /// The picture under the cursor or, without one, A.
+    /// By its place; -1: the difference, as many as there are: the reference.
     std::shared_ptr<const Picture> picture_at(int number) const;
 
     /// What is said in the place of something that should be seen; empty: nothing is missing. What is hidden,
@@ -43,8 +43,9 @@ class ViewPane : public QWidget {
     QImage snapshot(bool overlays) const;
 
   signals:
+    /// Of the picture that compare().pointed_picture() names.
     void cursor_moved(QPoint pixel);
-    /// Shift-click or the key for it: how did this pixel come about?
+    /// Shift-click or the key for it: how did this pixel of it come about?
     void explain_wanted(QPoint pixel);
     /// The page is there from now on.
     void space_made(ir::widgets::SpacePane& space);
@@ -54,8 +55,8 @@ class ViewPane : public QWidget {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    void show_values(QPoint pixel, int picture);
-    void show_pixel(const Picture& picture, int number);
+    void show_values(QPoint pixel);
+    void show_pixel();
     void watch_views();
     ImageView::Surface surface_;
     Content content_ = Content::picture;

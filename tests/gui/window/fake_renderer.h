@@ -218,7 +218,7 @@ class FakeRenderer final : public Renderer {
         for (const auto& part : request.parts) {
             computed.push_back(part.key);
             if (part.key != "shares" || request.inspection.has_pixel())
-                result->images[part] = paint(request.experiment, part, float(value));
+                result->images[part] = paint(sized(request.experiment, part.key), part, float(value));
         }
         for (const auto& key : request.buffers) {
             computed.push_back(key);
@@ -228,6 +228,11 @@ class FakeRenderer final : public Renderer {
         result->finished = true;
         result->report = report(request, computed);
         emit result_arrived(result);
+    }
+
+    engine::Experiment sized(engine::Experiment experiment, const std::string& key) const {
+        if (halves_rough && key == "rough") experiment.width /= 2, experiment.height /= 2;
+        return experiment;
     }
 
     static Image paint(const engine::Experiment& experiment, const engine::Part& part, float value) {
@@ -343,6 +348,7 @@ class FakeRenderer final : public Renderer {
     std::vector<std::string> releases;
     bool hold = false, hold_views = false;
     bool finds_none = false, shows_surface = true;  ///< of what explains a pixel; of every pixel
+    bool halves_rough = false;                      ///< the first stage has half the size
     std::string failure;                            ///< of every request from now on
     int cancels = 0;
 };

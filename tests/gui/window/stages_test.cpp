@@ -1,5 +1,6 @@
 // A method with a chain of stages, in the window.
 
+#include <QSignalSpy>
 #include <QToolButton>
 
 #include "tests/gui/window/window_fixture.h"
@@ -33,6 +34,20 @@ class StagesWindowTest : public WindowTest {
     }
     Workspace& workspace() { return window.workspace(); }
     widgets::CompareView& compare() { return window.workspace().active_pane().compare(); }
+    /// A row of 32×24, 64×48 and 64×48 pixels.
+    void show_unequal_stages() {
+        renderer.halves_rough = true;
+        const auto id = window.session().experiment()->id;
+        window.session().edit([&](const auto& project) {
+            return projects::edits::set_size(project, id, {64, 48});
+        });
+        trigger("stages");
+        ASSERT_EQ(compare().pictures()[0]->size(), QSize(32, 24));
+        ASSERT_EQ(compare().pictures()[1]->size(), QSize(64, 48));
+    }
+    std::string values() {
+        return workspace().active_pane().findChild<QLabel*>("values")->text().toStdString();
+    }
     QStringList names() {
         QStringList all;
         for (const auto& picture : compare().pictures()) all << picture->label;
@@ -94,6 +109,40 @@ TEST_F(StagesWindowTest, TheSessionRemembersRowAndPair) {
     workspace().load(memory);
     ASSERT_TRUE(settle());
     EXPECT_EQ(workspace().active_state().pair, StagePair());
+}
+
+TEST_F(StagesWindowTest, ThePixelUnderTheCursorIsThatOfThePictureThere) {
+    show_unequal_stages();
+    auto &half = *compare().views()[0], &whole = *compare().views()[1];
+    auto& difference = *compare().difference_views()[1];
+    QSignalSpy moved(&workspace(), &Workspace::cursor_moved);
+    emit half.cursor_moved({10, 6});
+    EXPECT_EQ(moved.last().at(0).toPoint(), QPoint(21, 13));
+    EXPECT_NE(values().find("x   10  y    6   R 0.75"), std::string::npos) << values();
+    emit whole.cursor_moved({40, 30});
+    EXPECT_EQ(moved.last().at(0).toPoint(), QPoint(40, 30));
+    EXPECT_NE(values().find("x   40  y   30   R 0.375"), std::string::npos) << values();
+    emit difference.cursor_moved({63, 47});
+    EXPECT_EQ(moved.last().at(0).toPoint(), QPoint(63, 47));
+    EXPECT_NE(values().find("x   63  y   47   R 0.125"), std::string::npos) << values();
+    emit whole.cursor_moved({40, 30});
+    type_level("0.5");  // a new frame; the cursor rests
+    EXPECT_NE(values().find("x   40  y   30   R 0.625"), std::string::npos) << values();
+}
+
+TEST_F(StagesWindowTest, APixelIsMarkedInEveryPictureWhereItIs) {
+    show_unequal_stages();
+    auto &half = *compare().views()[0], &whole = *compare().views()[1];
+    window.inspector().explain({41, 31});
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(whole.picked(), QPoint(41, 31));
+    EXPECT_EQ(half.picked(), QPoint(20, 15));
+    whole.set_picked({12, 8});  // as a click does
+    emit whole.picked_changed({12, 8});
+    EXPECT_EQ(half.picked(), QPoint(6, 4));
+    window.inspector().explain({12, 8});
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(whole.picked(), QPoint(12, 8)) << "the mark stays";
 }
 
 TEST_F(StagesWindowTest, AMethodWithoutStagesSaysSo) {
