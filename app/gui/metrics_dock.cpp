@@ -4,6 +4,7 @@
 
 #include "app/gui/json_fields.h"
 #include "app/gui/text_of.h"
+#include "widgets/compare/one_size.h"
 
 namespace ir::gui {
 namespace {
@@ -132,7 +133,8 @@ void MetricsDock::update() {
     widgets::MetricsFields fields;
     fields.label_a = now->image->label;
     fields.label_b = now->reference->label;
-    fields.size = now->image->size();
+    const bool comparable = widgets::have_difference(*now->image, *now->reference);
+    fields.size = comparable ? now->image->size().expandedTo(now->reference->size()) : now->image->size();
     fields.rectangle = workspace_.region(fields.size);
     fields.drawing = workspace_.tool() == widgets::ImageView::Tool::rectangle;
     fields.masks = masks(*now);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "renderers/core/error.h"
 #include "renderers/image/metrics.h"
@@ -68,10 +69,8 @@ double rmse_of(const DifferenceRequest& request) {
 }
 
 DifferenceRequest at_one_size(const DifferenceRequest& request) {
-    const QSize size = request.a->size().expandedTo(request.b->size());
     auto result = request;
-    result.a = at_size(request.a, size);
-    result.b = at_size(request.b, size);
+    std::tie(result.a, result.b) = at_one_size(request.a, request.b);
     result.name_a = name_at_size(request.name_a, *request.a, *request.b);
     result.name_b = name_at_size(request.name_b, *request.b, *request.a);
     return result;

@@ -34,6 +34,13 @@ std::shared_ptr<const Picture> at_size(const std::shared_ptr<const Picture>& pic
     return std::make_shared<const Picture>(std::move(result));
 }
 
+std::pair<std::shared_ptr<const Picture>, std::shared_ptr<const Picture>> at_one_size(
+    const std::shared_ptr<const Picture>& a, const std::shared_ptr<const Picture>& b) {
+    if (!have_difference(*a, *b)) return {a, b};
+    const QSize size = a->size().expandedTo(b->size());
+    return {at_size(a, size), at_size(b, size)};
+}
+
 QPoint pixel_at_size(QPoint pixel, QSize from, QSize to) {
     const auto along = [](int at, int before, int after) {
         return int((2 * qint64(at) + 1) * after / (2 * qint64(before)));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "widgets/image/picture.h"
 
 /// Pictures of one computation may have sizes of their own, such as stages that work at half the size. They
@@ -13,6 +15,10 @@ bool have_difference(const Picture& a, const Picture& b);
 
 /// The picture, enlarged by the rule above to a size that it is not larger than, with its mask and variance.
 std::shared_ptr<const Picture> at_size(const std::shared_ptr<const Picture>& picture, QSize size);
+
+/// Both at the larger one's size where there is a difference of them; else as they are.
+std::pair<std::shared_ptr<const Picture>, std::shared_ptr<const Picture>> at_one_size(
+    const std::shared_ptr<const Picture>& a, const std::shared_ptr<const Picture>& b);
 
 /// Where a pixel of pictures of one size is in those of another: the one that covers its centre.
 QPoint pixel_at_size(QPoint pixel, QSize from, QSize to);

@@ -2,9 +2,11 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <tuple>
 
 #include "renderers/core/error.h"
 #include "renderers/image/channels.h"
+#include "widgets/compare/one_size.h"
 
 namespace ir::widgets {
 namespace {
@@ -54,25 +56,8 @@ void merge(MetricResult& into, const MetricResult& from) {
     into.skipped = from.skipped;
 }
 
-}  // namespace
-
-bool MetricsRequest::same_as(const MetricsRequest& other) const {
-    const auto pixels = [](const std::shared_ptr<const Picture>& each) {
-        return each ? each->image : nullptr;
-    };
-    const auto valid = [](const std::shared_ptr<const Picture>& each) {
-        return each ? each->valid : nullptr;
-    };
-    return continues(other) && generation == other.generation && pixels(image) == pixels(other.image) &&
-           pixels(reference) == pixels(other.reference) && pixels(mask) == pixels(other.mask) &&
-           valid(image) == valid(other.image) && valid(reference) == valid(other.reference);
-}
-
-bool MetricsRequest::continues(const MetricsRequest& other) const {
-    return pair == other.pair && rectangle == other.rectangle && anyway == other.anyway &&
-           !mask == !other.mask;
-}
-
+/// Why pictures at one size can never be compared, in one line: sizes, channels, the mask's size. Empty: they
+/// can.
 QString why_not_measurable(const MetricsRequest& request) {
     const auto size = [](const Picture& picture) {
         return QStringLiteral("%1×%2").arg(picture.size().width()).arg(picture.size().height());
@@ -94,11 +79,32 @@ QString why_not_measurable(const MetricsRequest& request) {
     return {};
 }
 
-MetricsResult measure(const MetricsRequest& request, const std::atomic<bool>& cancelled,
+}  // namespace
+
+bool MetricsRequest::same_as(const MetricsRequest& other) const {
+    const auto pixels = [](const std::shared_ptr<const Picture>& each) {
+        return each ? each->image : nullptr;
+    };
+    const auto valid = [](const std::shared_ptr<const Picture>& each) {
+        return each ? each->valid : nullptr;
+    };
+    return continues(other) && generation == other.generation && pixels(image) == pixels(other.image) &&
+           pixels(reference) == pixels(other.reference) && pixels(mask) == pixels(other.mask) &&
+           valid(image) == valid(other.image) && valid(reference) == valid(other.reference);
+}
+
+bool MetricsRequest::continues(const MetricsRequest& other) const {
+    return pair == other.pair && rectangle == other.rectangle && anyway == other.anyway &&
+           !mask == !other.mask;
+}
+
+MetricsResult measure(const MetricsRequest& asked, const std::atomic<bool>& cancelled,
                       const std::function<void(const MetricsResult&)>& partial) {
     MetricsResult result;
-    result.request = request;
+    result.request = asked;
     result.complete = true;
+    auto request = asked;
+    std::tie(request.image, request.reference) = at_one_size(asked.image, asked.reference);
     const Picture &a = *request.image, &b = *request.reference;
     try {
         result.refusal = why_not_measurable(request);

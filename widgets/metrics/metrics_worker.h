@@ -40,11 +40,9 @@ struct MetricsResult {
     bool complete = false;      ///< false: metrics that take longer are still to come
 };
 
-/// Why these can never be compared, in one line: sizes, channels, the mask's size. Empty: they can.
-QString why_not_measurable(const MetricsRequest& request);
-
-/// Measures all metrics. Not for the window's thread. `partial` hears of the quick ones first; work ends
-/// early (incomplete) once `cancelled` is set.
+/// Measures all metrics, of pictures that have a difference (compare/one_size.h) at the larger one's size.
+/// Mask and rectangle are of that size. Not for the window's thread. `partial` hears of the quick ones first;
+/// work ends early (incomplete) once `cancelled` is set.
 MetricsResult measure(const MetricsRequest& request, const std::atomic<bool>& cancelled,
                       const std::function<void(const MetricsResult&)>& partial = {});
 

@@ -1,7 +1,9 @@
 // A method with a chain of stages, in the window.
 
+#include <QDockWidget>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <algorithm>
 
 #include "tests/gui/window/window_fixture.h"
 
@@ -143,6 +145,27 @@ TEST_F(StagesWindowTest, APixelIsMarkedInEveryPictureWhereItIs) {
     window.inspector().explain({12, 8});
     ASSERT_TRUE(settle());
     EXPECT_EQ(whole.picked(), QPoint(12, 8)) << "the mark stays";
+}
+
+TEST_F(StagesWindowTest, MetricsMeasureWhatTheRowMeasures) {
+    show_unequal_stages();
+    auto* dock = window.findChild<QDockWidget*>("metrics");
+    dock->show();
+    dock->raise();
+    ASSERT_TRUE(settle());
+    auto& panel = window.metrics().panel();
+    EXPECT_EQ(panel.fields().size, QSize(64, 48));
+    EXPECT_FALSE(panel.findChild<QLabel*>("refusal")->isVisible())
+        << panel.findChild<QLabel*>("refusal")->text().toStdString();
+    const auto& names = metric_names();
+    const auto rmse = int(std::find(names.begin(), names.end(), "rmse") - names.begin());
+    const auto measured = panel.model().value(rmse, widgets::MetricsModel::image_column);
+    ASSERT_TRUE(measured);
+    EXPECT_NEAR(*measured, 0.375, 1e-6);
+    EXPECT_EQ(compare().captions()[3], "RMSE 0.375");
+    workspace().set_region({64, 48}, {32, 24, 8, 8});
+    ASSERT_TRUE(settle());
+    EXPECT_NEAR(panel.model().value(rmse, widgets::MetricsModel::rectangle_column).value_or(-1), 0.375, 1e-6);
 }
 
 TEST_F(StagesWindowTest, AMethodWithoutStagesSaysSo) {
