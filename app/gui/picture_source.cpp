@@ -71,13 +71,6 @@ const ImageLayer* variance_layer(const std::vector<ImageLayer>& layers, const Im
     return nullptr;
 }
 
-bool same(const Picture& a, const Picture& b) {
-    return a.image == b.image && a.valid == b.valid && a.note == b.note && a.label == b.label &&
-           a.stale == b.stale && a.unit == b.unit && a.variance == b.variance &&
-           a.awaits_variance == b.awaits_variance && a.semantic == b.semantic &&
-           a.atlas.tiles == b.atlas.tiles;
-}
-
 }  // namespace
 
 const ResourceReport* find_resource(const FrameReport& report, const std::string& key) {
@@ -252,7 +245,7 @@ Picture PictureSource::make(const ViewSource& source) const {
 PictureSource::Entry& PictureSource::entry(const ViewSource& source) {
     auto& entry = cache_[{source.owner, source.output, source.level, source.layer}];
     auto made = make(source);
-    if (!entry.picture || !same(*entry.picture, made))
+    if (!entry.picture || *entry.picture != made)
         entry.picture = std::make_shared<const Picture>(std::move(made));
     return entry;
 }

@@ -135,6 +135,11 @@ class Workspace : public QObject {
     // workspace_pictures.cpp
     widgets::ViewSource meaning_of(const widgets::ViewState& state, const widgets::ViewSource& source);
     std::string difference_key_of(const widgets::ViewState& state);
+    /// The picture that is shown already where the other one says the same: it is not prepared, drawn and
+    /// compared anew.
+    static std::shared_ptr<const widgets::Picture> unless_equal(
+        const std::shared_ptr<const widgets::Picture>& shown,
+        const std::shared_ptr<const widgets::Picture>& picture);
     void update_pictures(int view);
     void update_displays(int view);
     widgets::Display display_of(const widgets::ViewSource& source, int view);

@@ -30,6 +30,12 @@ ViewSource Workspace::meaning_of(const widgets::ViewState& state, const ViewSour
     return source;
 }
 
+std::shared_ptr<const widgets::Picture> Workspace::unless_equal(
+    const std::shared_ptr<const widgets::Picture>& shown,
+    const std::shared_ptr<const widgets::Picture>& picture) {
+    return shown && picture && *shown == *picture ? shown : picture;
+}
+
 void Workspace::update_pictures(int view) {
     std::vector<std::shared_ptr<const widgets::Picture>> shown;
     const auto wanted = sources(state(view));
@@ -48,6 +54,9 @@ void Workspace::update_pictures(int view) {
         pane(view)->compare().set_noise_hint(pictures_.variance_hint());
     if (compares_reference(state(view))) shown.pop_back();  // it stands beside the row
     name_stages(view, shown);
+    const auto& before = pane(view)->compare().pictures();
+    for (std::size_t i = 0; i < std::min(before.size(), shown.size()); ++i)
+        shown[i] = unless_equal(before[i], shown[i]);
     update_reference(view);
     pane(view)->show_pictures(state(view), std::move(shown));
     update_displays(view);

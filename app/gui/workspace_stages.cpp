@@ -56,7 +56,8 @@ void Workspace::update_reference(int view) {
         named.origin = state(view).a.owner;
         picture = std::make_shared<const Picture>(std::move(named));
     }
-    pane(view)->compare().set_reference(!source.owner.empty(), std::move(picture));
+    auto& compare = pane(view)->compare();
+    compare.set_reference(!source.owner.empty(), unless_equal(compare.reference(), picture));
 }
 
 QString Workspace::missing_stages(const ViewState& state) const {

@@ -19,6 +19,7 @@ struct Atlas {
     std::vector<AtlasTile> tiles;
     /// The tile at a pixel; null in the gaps.
     const AtlasTile* tile_at(int x, int y) const;
+    bool operator==(const Atlas&) const = default;
 };
 /// Where an image has pixels: the tiles of its atlas, or all of it where that has none.
 std::vector<AtlasTile> tiles_of(const Image& image, const Atlas& atlas);

@@ -43,6 +43,7 @@ CompareView::~CompareView() = default;
 void CompareView::set_pictures(std::vector<std::shared_ptr<const Picture>> pictures) {
     for (auto& picture : pictures)
         if (!picture) picture = make_note({});
+    if (pictures == pictures_) return;
     pictures_ = std::move(pictures);
     displays_.resize(pictures_.size());
     poses_.resize(pictures_.size(), poses_.empty() ? CameraPose() : poses_.front());

@@ -28,6 +28,7 @@ struct Picture {
     bool stale = false;      ///< a newer one is being rendered
     std::string origin;      ///< whose computation it is a part of; empty: nobody knows
 
+    bool operator==(const Picture&) const = default;  ///< of pixels the same object
     bool has_image() const { return image && !image->empty(); }
     QSize size() const { return has_image() ? QSize(image->width, image->height) : QSize(); }
 };

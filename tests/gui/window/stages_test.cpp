@@ -168,6 +168,26 @@ TEST_F(StagesWindowTest, MetricsMeasureWhatTheRowMeasures) {
     EXPECT_NEAR(panel.model().value(rmse, widgets::MetricsModel::rectangle_column).value_or(-1), 0.375, 1e-6);
 }
 
+TEST_F(StagesWindowTest, PicturesThatDoNotChangeAreNotMadeAnew) {
+    trigger("match");
+    trigger("stages");
+    auto state = workspace().active_state();
+    state.pair = {0, StagePair::reference};
+    workspace().set_state(0, state);
+    ASSERT_TRUE(settle());
+    const auto pictures = compare().pictures();
+    const auto reference = compare().reference();
+    ASSERT_TRUE(reference);
+    window.session().edit(
+        [](const projects::Project& project) { return projects::edits::set_notes(project, "a note"); });
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(compare().pictures(), pictures);
+    EXPECT_EQ(compare().reference(), reference);
+    set_value("level", 0.5);
+    EXPECT_NE(compare().pictures(), pictures);
+    EXPECT_EQ(names(), QStringList({"Traced", "Smoothed", "Composed"}));
+}
+
 TEST_F(StagesWindowTest, AMethodWithoutStagesSaysSo) {
     trigger("stages");
     set_method("fake");
