@@ -202,6 +202,10 @@ void Lock::release() {
     if (read_holder(file_) == self_) ::unlink(file_.c_str());
 }
 
+void Lock::follow(const fs::path& folder) {
+    file_ = folder / lock_file_name;
+}
+
 bool Lock::is_still_ours() const {
     return held_ && read_holder(file_) == self_;
 }

@@ -32,7 +32,8 @@ class Lock {
     Lock(Lock&& other) noexcept;
     Lock& operator=(Lock&& other) noexcept;
     ~Lock();
-    void release();  ///< removes the file if it is still ours
+    void release();                                    ///< removes the file if it is still ours
+    void follow(const std::filesystem::path& folder);  ///< that was renamed
 
     bool is_held() const { return held_; }
     /// Looks at the file again: somebody may have broken the lock.

@@ -312,6 +312,22 @@ void OpenProject::save_as(const fs::path& given) {
     check_again();
 }
 
+void OpenProject::rename_folder(const fs::path& to) {
+    require_writable();
+    if (folder_.empty() || !lock_.is_still_ours())
+        throw Error(folder_.string() + ": cannot be renamed; another process has it open");
+    autosave_.flush();
+    files_.rename(folder_, to);
+    const auto follow = [&](fs::path& file) { file = to / file.filename(); };
+    if (recovery_) follow(recovery_->file);
+    for (auto& each : older_recoveries_) follow(each.file);
+    for (const auto& each : taken_) follow(each->file);
+    folder_ = to;
+    lock_.follow(to);
+    look_at_files();
+    check_again();
+}
+
 /// The folder's autosave holds what is saved elsewhere now.
 void OpenProject::leave(const fs::path& folder) {
     if (recovery_ && recovery_->file == folder / autosave_file_name) return;

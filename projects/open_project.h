@@ -79,6 +79,8 @@ class OpenProject {
     /// sources are rewritten to stay valid (then undo begins anew, because older states would point to the
     /// wrong place).
     void save_as(const std::filesystem::path& given);
+    /// Renames the folder within its parent, where it is open still. Throws Error, and nothing has changed.
+    void rename_folder(const std::filesystem::path& to);
     /// To be called now and then (a timer): writes an autosave when there are unsaved changes, again when the
     /// last one failed.
     void autosave();

@@ -108,16 +108,20 @@ SampleCopy copy_of_sample(const fs::path& sample, const fs::path& place, const R
     return copy;
 }
 
-fs::path put_aside(const SampleCopy& copy, FileSystem& files) {
-    if (!Lock::is_free(copy.folder)) throw Error(copy.folder.string() + ": another process has it open");
+fs::path place_aside(const SampleCopy& copy, FileSystem& files) {
     for (int number = 2;; ++number) {
         const auto aside =
             copy.folder.parent_path() /
             (copy.folder.stem().string() + "-" + std::to_string(number) + copy.folder.extension().string());
-        if (files.exists(aside)) continue;
-        files.rename(copy.folder, aside);
-        return aside;
+        if (!files.exists(aside)) return aside;
     }
+}
+
+fs::path put_aside(const SampleCopy& copy, FileSystem& files) {
+    if (!Lock::is_free(copy.folder)) throw Error(copy.folder.string() + ": another process has it open");
+    const auto aside = place_aside(copy, files);
+    files.rename(copy.folder, aside);
+    return aside;
 }
 
 }  // namespace ir::projects

@@ -20,7 +20,10 @@ struct SampleCopy {
 SampleCopy copy_of_sample(const std::filesystem::path& sample, const std::filesystem::path& place,
                           const Registry& registry, FileSystem& files = real_file_system());
 
-/// Gives a copy another name, so that copy_of_sample() makes a new one. Returns where it is now. Throws Error
+/// A name beside a copy that is free.
+std::filesystem::path place_aside(const SampleCopy& copy, FileSystem& files = real_file_system());
+
+/// Gives a copy that name, so that copy_of_sample() makes a new one. Returns where it is now. Throws Error
 /// while a process edits it.
 std::filesystem::path put_aside(const SampleCopy& copy, FileSystem& files = real_file_system());
 

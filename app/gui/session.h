@@ -10,6 +10,7 @@
 
 #include "projects/edits.h"
 #include "projects/open_project.h"
+#include "projects/sample_copy.h"
 #include "projects/session.h"
 #include "projects/text.h"
 #include "renderers/scene/scene.h"
@@ -31,8 +32,10 @@ class Session : public QObject {
 
     // Files. All throw Error with one line; the project that was open stays open then.
     /// A project's folder, also one that a crash left before the project was ever saved. The one that is open
-    /// is closed and read again.
+    /// is closed and read again, if it can be read.
     void open(const std::filesystem::path& path);
+    /// projects::put_aside(), also of the copy that is open, which stays open under its other name.
+    std::filesystem::path put_aside(const projects::SampleCopy& copy);
     /// Not saved yet, with nothing to undo.
     void create_from_scene(const std::string& scene);
     void add_scene(const std::string& scene);  ///< an edit
@@ -117,6 +120,7 @@ class Session : public QObject {
             return false;
         }
     }
+    bool is_open(const std::filesystem::path& folder) const;
     void adopt(std::unique_ptr<projects::OpenProject> project);
     bool changed(bool really);
     void report_project_messages();

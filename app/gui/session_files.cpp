@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "projects/scene_files.h"
+#include "projects/store.h"
 #include "renderers/core/error.h"
 
 namespace ir::gui {
@@ -34,11 +35,26 @@ void Session::open(const std::filesystem::path& given) {
     // Whatever folder the program is in later.
     auto path = std::filesystem::absolute(given).lexically_normal();
     if (path.filename().empty()) path = path.parent_path();
-    // Read again: its lock is our own.
+    const bool was_saved = !projects::is_unsaved(path);
+    if (was_saved && is_open(projects::project_folder(path))) {
+        projects::load_project(path, registry_);  // throws while nothing is lost yet
+        close();                                  // its lock is our own
+    }
+    adopt(!was_saved ? projects::OpenProject::recover_unsaved(path, registry_)
+                     : std::make_unique<projects::OpenProject>(path, registry_));
+}
+
+bool Session::is_open(const std::filesystem::path& folder) const {
     std::error_code ignored;
-    if (project_ && std::filesystem::equivalent(path, project_->folder(), ignored)) close();
-    adopt(projects::is_unsaved(path) ? projects::OpenProject::recover_unsaved(path, registry_)
-                                     : std::make_unique<projects::OpenProject>(path, registry_));
+    return project_ && std::filesystem::equivalent(folder, project_->folder(), ignored);
+}
+
+std::filesystem::path Session::put_aside(const projects::SampleCopy& copy) {
+    if (!is_open(copy.folder)) return projects::put_aside(copy);
+    const auto aside = projects::place_aside(copy);
+    project_->rename_folder(aside);
+    emit document_changed();
+    return aside;
 }
 
 const MethodDescription* Session::first_method() const {

@@ -75,11 +75,7 @@ void MainWindow::say_copy(const QString& sample, const projects::SampleCopy& cop
 void MainWindow::begin_sample_afresh(const QString& sample, const projects::SampleCopy& copy) {
     if (!may_discard()) return;
     QString aside;
-    const auto put_aside = [&] {
-        store_memory();
-        session_.close();
-        aside = QString::fromStdString(projects::put_aside(copy).string());
-    };
+    const auto put_aside = [&] { aside = QString::fromStdString(session_.put_aside(copy).string()); };
     if (!run_file_step(put_aside, tr("Cannot begin afresh"))) return;
     recent_.add(aside);
     if (open_path(sample)) status_->say(tr("What you had is kept in %1").arg(aside));

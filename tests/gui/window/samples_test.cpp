@@ -92,6 +92,40 @@ TEST_F(SamplesTest, AChangedCopyComesBackAndAFreshOneIsOffered) {
     EXPECT_FLOAT_EQ(pixel(), 0.75f);
 }
 
+TEST_F(SamplesTest, BeginningAfreshLosesNothingWhereItFails) {
+    const auto begin_afresh = [&] {
+        window.banners().findChild<QWidget*>("banner:sample")->findChild<QPushButton*>()->click();
+        ASSERT_TRUE(settle());
+    };
+    open_sample();
+    const auto copy = opened();
+    type_level("0.75");
+    trigger("save");
+    open_sample();
+    QFile::rename(sample + "/project.json", sample + "/away");
+    begin_afresh();  // it is put aside and nothing comes in its place
+    ASSERT_TRUE(window.session().has_project());
+    EXPECT_EQ(opened(), QFileInfo(copy).path() + "/a-2.interreflect");
+    EXPECT_FALSE(window.banners().text("file").isEmpty());
+    type_level("0.5");
+    trigger("save");
+    EXPECT_FALSE(window.isWindowModified());
+    QFile::rename(sample + "/away", sample + "/project.json");
+
+    open_sample();
+    type_level("0.625");
+    trigger("save");
+    window.session().close();
+    auto elsewhere = std::make_unique<projects::OpenProject>(copy.toStdString(), fake_registry());
+    open_sample();
+    ASSERT_TRUE(window.session().open_project().is_read_only());
+    begin_afresh();
+    ASSERT_TRUE(window.session().has_project());
+    EXPECT_EQ(opened(), copy);
+    EXPECT_FLOAT_EQ(pixel(), 0.625f);
+    elsewhere.reset();
+}
+
 TEST_F(SamplesTest, AreKnownThroughLinksAndRelativePaths) {
     QTemporaryDir elsewhere;
     QFile::link(installation.path() + "/samples", elsewhere.path() + "/link");

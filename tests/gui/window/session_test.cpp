@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <fstream>
 
+#include "renderers/core/error.h"
 #include "tests/gui/window/window_fixture.h"
 
 namespace ir::gui {
@@ -97,6 +98,21 @@ TEST_F(SessionTest, LocatingASceneThatIsGoneDoesNothing) {
     ASSERT_TRUE(QTest::qWaitFor([] { return !QApplication::activeModalWidget(); }, 5000));
     EXPECT_EQ(session().document().scenes.size(), 1u);
     EXPECT_TRUE(steps().can_redo()) << "nothing was edited";
+}
+
+TEST_F(SessionTest, TheOpenProjectIsNotLostWhereItCannotBeReadAgain) {
+    open_scene();
+    session().save_as(folder);
+    std::ofstream(folder / "project.json") << "{ no";
+    EXPECT_THROW(session().open(folder), Error);
+    ASSERT_TRUE(session().has_project());
+    EXPECT_FALSE(session().open_project().is_read_only());
+    session().save(true);
+    set_notes("read again");
+    session().save();
+    session().open(folder / "project.json");  // by another of its names
+    EXPECT_EQ(session().document().notes, "read again");
+    EXPECT_FALSE(session().open_project().is_read_only()) << session().open_project().read_only_reason();
 }
 
 TEST_F(SessionTest, AnImageThatIsRefusedIsNotSelected) {
