@@ -2,6 +2,7 @@
 
 #include <QDockWidget>
 #include <algorithm>
+#include <utility>
 
 #include "app/gui/camera_pose.h"
 #include "app/gui/stage_chain.h"
@@ -148,8 +149,13 @@ bool Workspace::shows(int view, const std::string& owner) const {
 void Workspace::update_all() {
     if (loading_) return;
     const auto owner = active_state().a.owner;
-    for (std::size_t view = 0; view < states_.size(); ++view)
-        states_[view] = completed(without_lost(int(view)));
+    for (std::size_t view = 0; view < states_.size(); ++view) {
+        auto state = completed(without_lost(int(view)));
+        const auto before = std::exchange(states_[view], std::move(state));
+        const auto& lost = before.a;
+        if (!lost.owner.empty() && !lost.is_file() && !session_.experiment(lost.owner))
+            gone_[view] = {before, states_[view]};
+    }
     // What is worked on is what is shown.
     if (active_state().a.owner != owner) session_.select_experiment(active_state().a.owner);
     send_wants();

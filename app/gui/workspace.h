@@ -177,6 +177,11 @@ class Workspace : public QObject {
     std::array<widgets::ViewState, widgets::ViewArea::most_views> states_;
     /// What a view showed before another experiment came into it.
     std::array<widgets::ViewState, widgets::ViewArea::most_views> before_;
+    /// What a view showed of an experiment that was then gone, and what it shows instead.
+    struct Gone {
+        widgets::ViewState state, instead;
+    };
+    std::array<Gone, widgets::ViewArea::most_views> gone_;
     std::array<widgets::ViewPane*, widgets::ViewArea::most_views> panes_{};
     /// 3D pictures of a view: what the newest was drawn from, whose they are, and which requests of that
     /// owner were sent and answered.

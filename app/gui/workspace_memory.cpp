@@ -45,6 +45,7 @@ void Workspace::load(const projects::Json& memory) {
     set_region(region_size_, region_);
     const auto& views = member_or_null(memory, "views");
     states_ = before_ = {};
+    gone_ = {};
     std::size_t view = 0;
     for (const auto& state : member_or_null(views, "states"))
         if (view < states_.size()) states_[view++] = view_state_from_json(state);

@@ -34,10 +34,15 @@ bool is_picture(OutputKind kind) {
 }  // namespace
 
 /// Where an experiment is gone, as after undoing what added it, the view shows what it did before it came,
-/// and what it was compared with is not replaced by something that nobody asked for.
+/// and what it was compared with is not replaced by something that nobody asked for. Where it comes back, as
+/// after redoing that, so does what the view showed of it, unless somebody looks at something else by then.
 ViewState Workspace::without_lost(int view) const {
     auto state = states_[std::size_t(view)];
     if (!session_.has_project()) return state;
+    const auto& gone = gone_[std::size_t(view)];
+    if (session_.experiment(gone.state.a.owner) && state.a == gone.instead.a &&
+        state.mode == gone.instead.mode)
+        return gone.state;
     const auto is_lost = [this](const ViewSource& source) {
         return !source.owner.empty() && !source.is_file() && !session_.experiment(source.owner);
     };

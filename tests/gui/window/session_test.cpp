@@ -115,6 +115,29 @@ TEST_F(SessionTest, TheOpenProjectIsNotLostWhereItCannotBeReadAgain) {
     EXPECT_FALSE(session().open_project().is_read_only()) << session().open_project().read_only_reason();
 }
 
+TEST_F(SessionTest, ARedoneExperimentIsShownAsItWas) {
+    open_scene();
+    window.workspace().show_output("depth");
+    ASSERT_TRUE(settle());
+    const auto first = session().experiment()->id;
+    trigger("experiment-add");
+    const auto second = session().experiment()->id;
+    window.workspace().show_output("levels", 1);
+    ASSERT_TRUE(settle());
+    const auto shown = [this] { return window.workspace().active_state().a; };
+    for (int times = 0; times < 2; ++times) {
+        trigger("undo");
+        EXPECT_EQ(shown(), (widgets::ViewSource{first, "depth"}));
+        trigger("redo");
+        EXPECT_EQ(shown(), (widgets::ViewSource{second, "levels", 1}));
+        EXPECT_EQ(session().experiment()->id, second);
+    }
+    trigger("undo");
+    window.workspace().show_output("slices");  // somebody looks at something else meanwhile
+    trigger("redo");
+    EXPECT_EQ(shown(), (widgets::ViewSource{first, "slices"}));
+}
+
 TEST_F(SessionTest, AnImageThatIsRefusedIsNotSelected) {
     open_scene();
     session().save_as(folder);
