@@ -115,7 +115,15 @@ bool LiveSession::explain(Entry& entry, const LiveRequest& request, const Step& 
 }
 
 void LiveSession::run_frame(Entry& entry, const LiveRequest& request, const Step& step) {
-    const auto options = frame_options(entry, request, step);
+    auto options = frame_options(entry, request, step);
+    if (step.progress) {
+        const double frames = std::max(1, request.experiment.frames);
+        const double before = std::min<double>(entry.execution->committed_frames(), frames - 1);
+        options.progress = [&, frames, before](const std::string& what, double part) {
+            step.progress(what, (before + part) / frames);
+        };
+        options.progress({}, 0);
+    }
     entry.whole = false;
     entry.explained.reset();
     entry.report = entry.execution->run_frame(options);

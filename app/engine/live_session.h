@@ -20,6 +20,8 @@ class LiveSession {
 
     struct Step {
         const CancelToken* cancel = nullptr;
+        /// Of all frames of the request, those that were there before among them; of an explanation by
+        /// itself. The first word of a frame is how much was there before it.
         ProgressCallback progress;
         std::function<void()> between_slices;  ///< serves draw() and probe()
     };

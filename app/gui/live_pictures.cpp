@@ -221,7 +221,7 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     entry.sent[entry.serial] = signature(experiment);
     entry.fraction = 0;
     entry.doing.clear();
-    entry.remaining.start(now());
+    entry.has_begun = false;
     set_state(id, entry, State::rendering);
 }
 
@@ -275,10 +275,9 @@ void LivePictures::on_progress(const std::string& tag, const std::string& what, 
     const auto found = entries_.find(tag);
     if (found == entries_.end() || found->second.state != State::rendering) return;
     auto& entry = found->second;
-    const auto* result = entry.result && entry.result->serial == entry.serial ? entry.result.get() : nullptr;
-    const int frames = entry.experiment ? std::max(1, entry.experiment->frames) : 1;
-    entry.fraction = ((result ? result->frame : 0) + fraction) / frames;
-    entry.remaining.report(now(), entry.fraction);
+    entry.fraction = fraction;
+    if (!std::exchange(entry.has_begun, true)) entry.remaining.start(now(), fraction);
+    entry.remaining.report(now(), fraction);
     entry.doing = what;
     emit progressed(tag);
 }
@@ -322,7 +321,7 @@ QString LivePictures::doing(const std::string& id) const {
 
 std::optional<double> LivePictures::seconds_left(const std::string& id) const {
     const auto* entry = find(id);
-    if (!entry || entry->state != State::rendering) return {};
+    if (!entry || entry->state != State::rendering || !entry->has_begun) return {};
     return entry->remaining.seconds();
 }
 

@@ -100,7 +100,8 @@ class LivePictures : public QObject {
         int frames_again = 0;                          ///< LiveRequest::frames_again
         double scene_end = 0;                          ///< of what its scene animates; 0: not known
         double fraction = 0;
-        RemainingTime remaining;
+        bool has_begun = false;   ///< something was heard of the newest request
+        RemainingTime remaining;  ///< since then
         std::shared_ptr<const engine::LiveResult> result;
     };
     void update(const std::string& id, Entry& entry);

@@ -16,15 +16,17 @@ constexpr double smoothing = 0.5;
 
 }  // namespace
 
-void RemainingTime::start(double now) {
+void RemainingTime::start(double now, double done) {
     *this = {};
     began_ = now;
+    done_before_ = done;
 }
 
 void RemainingTime::report(double now, double fraction) {
-    const double elapsed = now - began_;
-    if (!(fraction >= least_fraction) || elapsed < least_seconds) return;
-    const double rest = elapsed * (1 - std::min(fraction, 1.0)) / fraction;
+    const double elapsed = now - began_, missing = 1 - done_before_;
+    const double part = missing > 0 ? (std::min(fraction, 1.0) - done_before_) / missing : 1;
+    if (!(part >= least_fraction) || elapsed < least_seconds) return;
+    const double rest = elapsed * (1 - part) / part;
     if (!seconds_) seconds_ = rest;
     *seconds_ += smoothing * std::min(0.0, rest - *seconds_);
     is_true_ = rest <= false_factor * *seconds_ + false_seconds;

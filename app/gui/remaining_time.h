@@ -10,15 +10,15 @@ namespace ir::gui {
 /// of any clock that does not go back.
 class RemainingTime {
   public:
-    /// The work begins; nothing is known of it.
-    void start(double now);
-    /// A part of the work is done, 0 … 1.
+    /// The work begins, of which a part is done already; nothing is known of how long it takes.
+    void start(double now, double done = 0);
+    /// A part of the work is done, 0 … 1, with what was done before.
     void report(double now, double fraction);
     /// Seconds, as of the last report; absent while they are not known.
     std::optional<double> seconds() const { return is_true_ ? seconds_ : std::nullopt; }
 
   private:
-    double began_ = 0;
+    double began_ = 0, done_before_ = 0;
     std::optional<double> seconds_;
     bool is_true_ = false;
 };

@@ -33,6 +33,7 @@ class Renderer : public QObject {
     /// `error` is empty when the file was written.
     void exported(const std::string& tag, const std::string& file, const std::string& error);
     void kept(const ir::engine::KeepResult& result);
+    /// The fraction is that of all frames, those that were there before the request among them.
     void progressed(const std::string& tag, const std::string& what, double fraction);
     void failed(const std::string& tag, const std::string& error, bool cancelled);
     void scene_arrived(const ir::engine::SceneSummary& scene);

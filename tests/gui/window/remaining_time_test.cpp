@@ -79,6 +79,19 @@ TEST(RemainingTime, BeginsAnew) {
     EXPECT_NEAR(*time.seconds(), 90, 1e-9);
 }
 
+TEST(RemainingTime, CountsWhatWasDoneBefore) {
+    RemainingTime time;
+    time.start(0, 0.6);
+    time.report(10, 0.605);
+    EXPECT_FALSE(time.seconds()) << "an eightieth of what is missing";
+    time.report(10, 0.7);
+    ASSERT_TRUE(time.seconds());
+    EXPECT_NEAR(*time.seconds(), 30, 1e-9);
+    time.start(0, 1);
+    time.report(10, 1);
+    EXPECT_NEAR(time.seconds().value_or(-1), 0, 1e-9);
+}
+
 TEST(RemainingTime, IsRoundedForPeople) {
     const std::vector<std::pair<double, const char*>> texts = {{-3, "0 s"},
                                                                {4.4, "4 s"},

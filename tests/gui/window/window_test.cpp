@@ -121,6 +121,25 @@ TEST_F(WindowTest, RenderingShowsProgressAndEscapeCancels) {
     EXPECT_FALSE(window.view().image().empty());  // the last picture stays
 }
 
+TEST_F(WindowTest, TheRemainingTimeIsThatOfTheFramesThatAreMissing) {
+    open_scene();
+    const auto id = window.session().experiment()->id;
+    renderer.hold = true;
+    window.action("rerun")->trigger();
+    emit renderer.progressed(id, "", 0.9);  // it goes on from there
+    QTest::qWait(1500);
+    emit renderer.progressed(id, "painting", 0.925);
+    EXPECT_EQ(window.statusBar()->findChild<QProgressBar*>()->value(), 925);
+    const auto left = window.live().seconds_left(id);
+    ASSERT_TRUE(left);
+    EXPECT_GT(*left, 4) << "three times as much is missing as has been done";
+    EXPECT_NE(label("state").find("left"), std::string::npos) << label("state");
+    renderer.hold = false;
+    window.live().cancel();
+    window.live().render_again();
+    ASSERT_TRUE(settle());
+}
+
 TEST_F(WindowTest, SaveAsThenReopenGivesTheSameState) {
     const QTemporaryDir folder;
     open_scene();
