@@ -1,6 +1,8 @@
 #include "projects/gltf_references.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 
@@ -87,13 +89,46 @@ std::string percent_decoded(const std::string& uri) {
     return result;
 }
 
-}  // namespace
-
-std::vector<std::string> gltf_references(const fs::path& file) {
+bool is_gltf(const fs::path& file) {
     auto extension = file.extension().string();
     for (auto& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     std::error_code ignored;
-    if ((extension != ".gltf" && extension != ".glb") || !fs::is_regular_file(file, ignored)) return {};
+    return (extension == ".gltf" || extension == ".glb") && fs::is_regular_file(file, ignored);
+}
+
+/// Keeps two lists of the document, and nothing of its buffers and images.
+bool keeps_animations(int depth, Json::parse_event_t event, Json& parsed) {
+    return depth != 1 || event != Json::parse_event_t::key || parsed == "animations" || parsed == "accessors";
+}
+
+double last_key(const Json& document, const Json& animation, const Json& channel) {
+    const auto path = channel.at("target").value("path", "");
+    if (path != "translation" && path != "rotation" && path != "scale") return 0;
+    const auto& sampler = animation.at("samplers").at(channel.at("sampler").get<std::size_t>());
+    return document.at("accessors").at(sampler.at("input").get<std::size_t>()).at("max").at(0).get<double>();
+}
+
+}  // namespace
+
+double gltf_animation_end(const fs::path& file) {
+    if (!is_gltf(file)) return 0;
+    const auto text = json_text(file);
+    if (text.find("\"animations\"") == std::string::npos) return 0;
+    double end = 0;
+    try {
+        const auto document = Json::parse(text, keeps_animations);
+        if (!document.contains("animations")) return 0;
+        for (const auto& animation : document.at("animations"))
+            for (const auto& channel : animation.at("channels"))
+                end = std::max(end, last_key(document, animation, channel));
+    } catch (const std::exception&) {
+        return 0;
+    }
+    return std::isfinite(end) ? end : 0;
+}
+
+std::vector<std::string> gltf_references(const fs::path& file) {
+    if (!is_gltf(file)) return {};
     UriCollector collector;
     if (!Json::sax_parse(json_text(file), &collector)) return {};
     std::vector<std::string> references;

@@ -11,4 +11,8 @@ namespace ir::projects {
 /// what is wrong with them is the loader's matter.
 std::vector<std::string> gltf_references(const std::filesystem::path& file);
 
+/// Seconds until which a .gltf or .glb file animates its nodes, by the bounds that the times of its keys must
+/// have [glTF 2.0 §3.11]; 0: they stand still, as in other files and in damaged ones.
+double gltf_animation_end(const std::filesystem::path& file);
+
 }  // namespace ir::projects

@@ -57,6 +57,10 @@ std::vector<std::string> HashCache::references(const fs::path& file) {
     return remembered(references_, file, [&] { return gltf_references(file); });
 }
 
+double HashCache::animation_end(const fs::path& file) {
+    return remembered(animation_ends_, file, [&] { return gltf_animation_end(file); });
+}
+
 std::uint64_t HashCache::reads() const {
     const std::lock_guard guard(mutex_);
     return reads_;

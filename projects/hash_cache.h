@@ -24,6 +24,8 @@ class HashCache {
     std::string hash(const std::filesystem::path& file, const CancelToken* cancel = nullptr);
     /// As gltf_references.
     std::vector<std::string> references(const std::filesystem::path& file);
+    /// As gltf_animation_end.
+    double animation_end(const std::filesystem::path& file);
     /// How often a file's content had to be read.
     std::uint64_t reads() const;
 
@@ -50,6 +52,7 @@ class HashCache {
     mutable std::mutex mutex_;
     Memory<std::string> hashes_;
     Memory<std::vector<std::string>> references_;
+    Memory<double> animation_ends_;
     std::uint64_t reads_ = 0;
 };
 

@@ -131,9 +131,14 @@ void OpenProject::look_at_new_files() {
 }
 
 bool OpenProject::poll_files() {
-    if (!hasher_.take(contents_)) return false;
-    check_again();
-    return true;
+    const bool moves = hasher_.take(animation_ends_), is_other = hasher_.take(contents_);
+    if (is_other) check_again();
+    return moves || is_other;
+}
+
+double OpenProject::animation_end(const std::string& source) const {
+    const auto found = animation_ends_.find(resolve(source, folder_).string());
+    return found == animation_ends_.end() ? 0 : found->second;
 }
 
 void OpenProject::wait_for_files() {

@@ -57,6 +57,8 @@ class OpenProject {
     void wait_for_files();  ///< blocks until all are read: for commands and tests
     /// What is known of the files, for status(…, folder(), &contents()) in scene_files.h.
     const ContentHashes& contents() const { return contents_; }
+    /// Seconds until which a source that is a file animates its nodes; 0: nothing moves, as far as is known.
+    double animation_end(const std::string& source) const;
     /// Experiments whose kept result is no longer what they would render now.
     std::vector<std::string> stale_experiments() const;
 
@@ -141,6 +143,7 @@ class OpenProject {
     UndoStack undo_;
     std::vector<Message> messages_;
     ContentHashes contents_;
+    AnimationEnds animation_ends_;
     ContentHashes recorded_;  ///< at saves, where nothing was: older states do not have it
     std::set<std::string> requested_sources_;
     std::optional<Recovery> recovery_;

@@ -19,6 +19,10 @@ std::string to_string(FileState state);
 /// that is not in it was not read yet; an empty hash is a file that cannot be read.
 using ContentHashes = std::map<std::string, std::string>;
 
+/// Until when files animate something, seconds, by their resolved paths: those of a project that is saved
+/// elsewhere are known still.
+using AnimationEnds = std::map<std::string, double>;
+
 /// All sources of a document: parts of scenes, environment maps, foreign images.
 std::set<std::string> sources_of(const Project& project);
 

@@ -1,8 +1,37 @@
 #include "projects/scene_hasher.h"
 
+#include <utility>
+
+#include "projects/hash_cache.h"
 #include "renderers/core/error.h"
 
 namespace ir::projects {
+namespace {
+
+/// Moves what was found into what is known; returns whether that was news.
+template <class Known>
+bool take_over(Known& found, Known& known) {
+    bool is_news = false;
+    for (const auto& [source, value] : std::exchange(found, {})) {
+        const auto [place, is_new] = known.emplace(source, value);
+        is_news = is_news || is_new || place->second != value;
+        place->second = value;
+    }
+    return is_news;
+}
+
+/// The file behind a source and until when it animates something; no file of a built-in scene.
+std::pair<std::string, double> animation_end(const std::string& source, const std::filesystem::path& folder) {
+    if (is_builtin(source)) return {};
+    try {
+        const auto file = resolve(source, folder);
+        return {file.string(), shared_hash_cache().animation_end(file)};
+    } catch (const std::exception&) {
+        return {};  // no folder to begin with
+    }
+}
+
+}  // namespace
 
 SceneHasher::SceneHasher(std::function<void()> on_news)
     : on_news_(std::move(on_news)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
@@ -28,19 +57,19 @@ void SceneHasher::request(std::set<std::string> sources, const std::filesystem::
         folder_ = project_folder;
         waiting_.assign(sources.begin(), sources.end());
         found_.clear();
+        found_ends_.clear();
     }
     changed_.notify_all();
 }
 
 bool SceneHasher::take(ContentHashes& hashes) {
     const std::lock_guard guard(mutex_);
-    bool is_news = false;
-    for (const auto& [source, hash] : std::exchange(found_, {})) {
-        const auto [known, is_new] = hashes.emplace(source, hash);
-        is_news = is_news || is_new || known->second != hash;
-        known->second = hash;
-    }
-    return is_news;
+    return take_over(found_, hashes);
+}
+
+bool SceneHasher::take(AnimationEnds& ends) {
+    const std::lock_guard guard(mutex_);
+    return take_over(found_ends_, ends);
 }
 
 bool SceneHasher::is_busy() const {
@@ -63,6 +92,12 @@ void SceneHasher::run(const std::stop_token& thread_stops) {
         const auto request = request_;
         const auto cancel = reading_cancelled_;
         guard.unlock();
+        const auto [file, end] = animation_end(source, folder);
+        guard.lock();
+        const auto is_wanted = [&] { return request == request_ && !thread_stops.stop_requested(); };
+        if (is_wanted() && !file.empty()) found_ends_[file] = end;
+        if (end > 0 && is_wanted() && on_news_) on_news_();
+        guard.unlock();
         std::string hash;
         try {
             hash = scene_hash(source, folder, cancel.get());
@@ -71,10 +106,9 @@ void SceneHasher::run(const std::stop_token& thread_stops) {
         }
         guard.lock();
         reading_ = false;
-        const bool is_wanted = request == request_ && !thread_stops.stop_requested();
-        if (is_wanted) found_[source] = std::move(hash);
+        if (is_wanted()) found_[source] = std::move(hash);
         changed_.notify_all();
-        if (is_wanted && on_news_) on_news_();
+        if (is_wanted() && on_news_) on_news_();
     }
 }
 

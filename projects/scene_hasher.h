@@ -27,6 +27,7 @@ class SceneHasher {
     void request(std::set<std::string> sources, const std::filesystem::path& project_folder);
     /// Puts what was found since the last call into `hashes`; returns whether that was anything.
     bool take(ContentHashes& hashes);
+    bool take(AnimationEnds& ends);  ///< known before the file's hash is
     bool is_busy() const;
     void wait();  ///< until nothing waits
 
@@ -38,6 +39,7 @@ class SceneHasher {
     std::filesystem::path folder_;
     std::deque<std::string> waiting_;
     ContentHashes found_;
+    AnimationEnds found_ends_;
     bool reading_ = false;
     std::size_t request_ = 0;
     std::shared_ptr<CancelToken> reading_cancelled_ = std::make_shared<CancelToken>();

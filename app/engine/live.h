@@ -58,7 +58,6 @@ struct LiveResult {
     int frame = 0, frames = 1;
     int history = 0;               ///< frames since the history was empty, this one included
     double time = 0;               ///< seconds at which the frame saw the scene
-    double scene_end = 0;          ///< seconds, of what the scene animates; 0: it stands still
     std::map<Part, Image> images;  ///< by the parts asked for; absent: not available
     std::map<std::string, BufferContents> buffers;
     Image valid;                              ///< 1 channel, may be empty

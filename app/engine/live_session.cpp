@@ -205,7 +205,6 @@ LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial
     result.frame = std::min(execution.committed_frames(), request.experiment.frames);
     result.history = execution.committed_frames() - execution.first_frame();
     result.time = execution.time();
-    result.scene_end = execution.scene().duration();
     result.finished = execution.is_done();
     result.inspection = request.inspection;
     result.report = entry.report;

@@ -11,6 +11,7 @@
 #include "projects/samples.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
+#include "renderers/scene/builtin/registry.h"
 
 namespace ir::gui {
 namespace {
@@ -19,6 +20,16 @@ engine::Experiment with_pose(engine::Experiment experiment, const widgets::Camer
     experiment.camera = camera_of(pose);
     experiment.camera_motion.reset();
     return experiment;
+}
+
+/// Whoever renders a built-in scene that there is not says what is wrong.
+double end_of(const projects::OpenProject& project, const std::string& source) {
+    try {
+        return projects::is_builtin(source) ? scene::builtin::duration_of(source)
+                                            : project.animation_end(source);
+    } catch (const Error&) {
+        return 0;
+    }
 }
 
 std::string text_of(const Want& want) {
@@ -51,6 +62,8 @@ LivePictures::LivePictures(Session& session, Renderer& renderer, ImageLoader& im
         if (!std::exchange(no_device_, {}).empty()) update();
     });
     connect(&session_, &Session::document_changed, this, qOverload<>(&LivePictures::update));
+    // A scene may turn out to move, and is then to be at the moment.
+    connect(&session_, &Session::files_changed, this, qOverload<>(&LivePictures::update));
     connect(&session_, &Session::camera_moved, this, &LivePictures::follow_camera);
     connect(&session_, &Session::project_replaced, this, [this] { set_wants({}); });
     connect(&images_, &ImageLoader::arrived, this, qOverload<>(&LivePictures::update));
@@ -72,18 +85,20 @@ void LivePictures::set_moment(std::optional<Moment> moment) {
 double LivePictures::moves_until(const std::string& id) const {
     const auto* chosen = session_.experiment(id);
     if (!chosen) return 0;
-    const auto* entry = find(id);
-    double end = entry ? entry->scene_end : 0;
-    for (const auto* motion : projects::motions_of(session_.document(), projects::effective(*chosen)))
+    const auto run = projects::effective(*chosen);
+    double end = scene_end(run.scene);
+    for (const auto* motion : projects::motions_of(session_.document(), run))
         if (projects::is_moving(*motion)) end = std::max(end, motion->keys.back().time);
     return end;
 }
 
-bool LivePictures::is_animated(const std::string& scene) const {
-    return std::any_of(entries_.begin(), entries_.end(), [&](const auto& each) {
-        const auto* chosen = session_.experiment(each.first);
-        return chosen && chosen->scene == scene && each.second.scene_end > 0;
-    });
+double LivePictures::scene_end(const std::string& id) const {
+    const auto* scene = projects::find_item(session_.document().scenes, id);
+    double end = 0;
+    if (scene)
+        for (const auto& part : scene->parts)
+            end = std::max(end, end_of(session_.open_project(), part.source));
+    return end;
 }
 
 bool LivePictures::is_moving(const std::string& id) const {
@@ -240,9 +255,6 @@ void LivePictures::on_result(std::shared_ptr<const engine::LiveResult> result) {
     const auto id = found->first;
     if (entry.first_serial == 0 || result->serial < entry.first_serial) return;
     entry.result = result;
-    // The scene may turn out to move once it is loaded, and is then to be at the moment.
-    const bool moves_after_all =
-        std::exchange(entry.scene_end, result->scene_end) != result->scene_end && moment_;
     entry.sent.erase(entry.sent.begin(), entry.sent.lower_bound(result->serial));
     if (const auto sent = entry.sent.find(result->serial); sent != entry.sent.end())
         entry.computed_from = sent->second;
@@ -253,7 +265,6 @@ void LivePictures::on_result(std::shared_ptr<const engine::LiveResult> result) {
         emit message(each);
     }
     emit picture_arrived(id);
-    if (const auto now = entries_.find(id); moves_after_all && now != entries_.end()) update(id, now->second);
     // Whoever heard of the picture may want something else by now.
     if (const auto now = entries_.find(id);
         done && now != entries_.end() && now->second.result == result && now->second.serial == result->serial)

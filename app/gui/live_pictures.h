@@ -51,10 +51,10 @@ class LivePictures : public QObject {
     /// time.
     void set_moment(std::optional<Moment> moment);
     const std::optional<Moment>& moment() const { return moment_; }
-    /// Whether something moves in an experiment, as far as is known.
+    /// Whether something moves in an experiment.
     bool is_moving(const std::string& id) const;
-    /// Whether a scene (its id) animates something by itself, as far as is known.
-    bool is_animated(const std::string& scene) const;
+    /// Seconds until which a scene (its id) animates something by itself, as its files say; 0: nothing moves.
+    double scene_end(const std::string& scene) const;
     /// Until when, seconds; 0: nothing moves.
     double moves_until(const std::string& id) const;
     /// Experiments that are wanted and move.
@@ -98,7 +98,6 @@ class LivePictures : public QObject {
         std::uint64_t cancelled_serial = 0;  ///< of the request that was given up
         std::optional<engine::Experiment> experiment;  ///< as the document has it, at the moment
         int frames_again = 0;                          ///< LiveRequest::frames_again
-        double scene_end = 0;                          ///< of what its scene animates; 0: not known
         double fraction = 0;
         bool has_begun = false;   ///< something was heard of the newest request
         RemainingTime remaining;  ///< since then

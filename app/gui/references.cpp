@@ -14,6 +14,7 @@ constexpr const char* banner_name = "reference";
 References::References(Session& session, LivePictures& live, Workspace& workspace, QObject* parent)
     : QObject(parent), session_(session), live_(live), workspace_(workspace) {
     connect(&session_, &Session::document_changed, this, &References::update_banner);
+    connect(&session_, &Session::files_changed, this, &References::update_banner);
     connect(&session_, &Session::project_replaced, this, &References::update_banner);
     connect(&session_, &Session::experiment_selected, this, &References::update_banner);
     connect(&live_, &LivePictures::state_changed, this, &References::update_banner);
@@ -44,7 +45,7 @@ QString References::why_not(const std::string& experiment) const {
 }
 
 projects::AnimatedScene References::animated_scenes() const {
-    return [this](const std::string& scene) { return live_.is_animated(scene); };
+    return [this](const std::string& scene) { return live_.scene_end(scene) > 0; };
 }
 
 void References::match(const std::string& experiment) {

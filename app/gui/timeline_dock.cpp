@@ -69,13 +69,9 @@ std::vector<widgets::TimelineTrack> TimelineDock::tracks() const {
         for (const auto& key : motion->keys) track.keys.push_back(key.time);
         result.push_back(std::move(track));
     }
-    // What the scene's files animate is known by its end alone; parts' motions are among it.
-    const auto shown = live_.result(chosen->id);
-    const bool is_more = shown && std::none_of(result.begin(), result.end(), [&](const auto& track) {
-                             return track.keys.back() >= shown->scene_end - 1e-4;
-                         });
-    if (is_more && shown->scene_end > 0)
-        result.push_back({tr("Animation"), tr("nodes of the scene's files"), {}, shown->scene_end, false});
+    // What the scene's files animate is known by its end alone.
+    if (const double end = live_.scene_end(projects::effective(*chosen).scene); end > 0)
+        result.push_back({tr("Animation"), tr("nodes of the scene's files"), {}, end, false});
     return result;
 }
 

@@ -80,7 +80,8 @@ Description corridor() {
             "Three dark halls with doorways, through which a lamp flies (19 x 3.2 x 4 m, 8 s).",
             {{"detail", 1, 0.1, 4, "", "scales the triangles of round things; 14 000 in all at 1"},
              {"seconds", 8, 1, 60, "s", "how long the flight takes"}},
-            make};
+            make,
+            [](const Values& values) { return values.at("seconds"); }};
 }
 
 }  // namespace ir::scene::builtin

@@ -131,6 +131,12 @@ const std::vector<Description>& descriptions() {
     return all;
 }
 
+double duration_of(const std::string& name_version_options) {
+    const Request request = split(name_version_options);
+    const Description& description = find_scene(request);
+    return description.duration ? description.duration(read_options(request, description)) : 0;
+}
+
 }  // namespace builtin
 
 Scene make_builtin(const std::string& name_version_options) {

@@ -26,10 +26,15 @@ struct Description {
     std::string doc;  ///< one line
     std::vector<Option> options;
     Scene (*make)(const Values& values) = nullptr;
+    double (*duration)(const Values& values) = nullptr;  ///< seconds, of what it animates; null: nothing
 };
 
 /// All scenes in the order of their listing.
 const std::vector<Description>& descriptions();
+
+/// Seconds until which the scene of this name animates something, without making it; 0: it stands still.
+/// Throws UsageError for an unknown name or option.
+double duration_of(const std::string& name_version_options);
 
 // One per file.
 Description cornell();

@@ -1,4 +1,6 @@
+#include <QTemporaryDir>
 #include <QToolButton>
+#include <fstream>
 
 #include "projects/motion.h"
 #include "tests/gui/window/window_fixture.h"
@@ -97,6 +99,36 @@ TEST_F(TimelineWindowTest, PlaysFrameByFramePausesStepsAndScrubs) {
     ASSERT_TRUE(settle());
     EXPECT_EQ(asked().time, 0);
     EXPECT_EQ(renderer.requests.back().frames_again, 0);
+}
+
+TEST_F(TimelineWindowTest, WhatASceneAnimatesIsKnownOfTheScenesFilesBeforeItIsLoaded) {
+    const QTemporaryDir folder;
+    const auto file = (folder.path() + "/door.gltf").toStdString();
+    std::ofstream(file) << R"({"asset": {"version": "2.0"}, "nodes": [{"name": "door"}],
+        "accessors": [{"componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1.5]},
+                      {"componentType": 5126, "count": 2, "type": "VEC3"}],
+        "animations": [{"samplers": [{"input": 0, "output": 1}],
+                        "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}]})";
+    renderer.hold = true;  // nothing is loaded
+    const auto moves = [this] { return playback().can_play(); };
+    ASSERT_TRUE(window.open_path(QString::fromStdString(file)));
+    ASSERT_TRUE(QTest::qWaitFor(moves, 5000));
+    EXPECT_NEAR(playback().end(), 1.5, 1e-6);
+    ASSERT_EQ(shown().tracks.size(), 1u);
+    EXPECT_NEAR(shown().tracks[0].end, 1.5, 1e-6);
+    EXPECT_NEAR(window.live().scene_end(window.session().experiment()->scene), 1.5, 1e-6);
+
+    // A reference is of the moment that the picture is of.
+    const auto id = window.session().experiment()->id;
+    window.session().edit([&](const auto& project) { return projects::edits::set_frames(project, id, 16); });
+    window.references().match(id);
+    const auto* truth = window.session().experiment(window.session().experiment(id)->reference);
+    ASSERT_TRUE(truth);
+    EXPECT_NEAR(truth->time, 15 * frame, 1e-6);
+
+    ASSERT_TRUE(window.open_path("builtin:corridor?seconds=4"));
+    EXPECT_TRUE(moves());
+    EXPECT_NEAR(playback().end(), 4, 1e-6);
 }
 
 TEST_F(TimelineWindowTest, TheTimeIsTheViewsUntilItIsSetAndIsRemembered) {

@@ -235,7 +235,6 @@ TEST_F(MotionTest, ALostHistoryBeginsAgainALittleBefore) {
     EXPECT_FALSE(result.finished);
     result = advance();
     EXPECT_TRUE(result.finished);
-    EXPECT_NEAR(result.scene_end, 2, 1e-6);
     request.experiment.frames = 11;
     result = advance();
     EXPECT_EQ(result.history, 3) << "the next frame goes on";

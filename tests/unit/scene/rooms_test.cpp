@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "renderers/scene/builtin/registry.h"
 #include "renderers/scene/scene.h"
 #include "renderers/scene/world.h"
 #include "tests/unit/scene/closed_mesh.h"
@@ -171,6 +172,9 @@ TEST(Corridor, LampFliesThroughAllHallsInTime) {
     ASSERT_TRUE(scene.is_animated());
     EXPECT_FLOAT_EQ(scene.duration(), 8);
     EXPECT_FLOAT_EQ(make_builtin("corridor?seconds=3").duration(), 3);
+    EXPECT_EQ(builtin::duration_of("builtin:corridor@1"), 8) << "without making it";
+    EXPECT_EQ(builtin::duration_of("corridor?seconds=3"), 3);
+    EXPECT_EQ(builtin::duration_of("cornell"), 0);
     std::set<int> halls;
     glm::vec3 last{0};
     for (int frame = 0; frame <= 8 * 15; ++frame) {
