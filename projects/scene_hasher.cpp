@@ -46,6 +46,7 @@ SceneHasher::~SceneHasher() {
 void SceneHasher::set_on_news(std::function<void()> on_news) {
     const std::lock_guard guard(mutex_);
     on_news_ = std::move(on_news);
+    if (on_news_ && !(found_.empty() && found_ends_.empty())) on_news_();
 }
 
 void SceneHasher::request(std::set<std::string> sources, const std::filesystem::path& project_folder) {

@@ -20,6 +20,7 @@ class SceneHasher {
     /// `on_news` is called on the hasher's thread after each source; it may only pass the word on.
     explicit SceneHasher(std::function<void()> on_news = {});
     ~SceneHasher();  ///< drops what waits; stops within one block of a file
+    /// Says at once what was found before.
     void set_on_news(std::function<void()> on_news);
 
     /// Hashes all of `sources`, again where they were hashed before (unchanged files cost one look). Replaces

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/gui/picture_source.h"
 #include "app/gui/text_of.h"
 
@@ -8,14 +10,6 @@ namespace {
 /// Never said of what cannot render.
 QString rendering() {
     return QObject::tr("Rendering …");
-}
-
-/// What a description says of when the output is empty: its sentences from "Empty …" on. Those that need a
-/// pixel say so there.
-QString when_empty(const ResourceReport& resource) {
-    const auto doc = text_of(resource.doc);
-    const auto begin = doc.lastIndexOf(QStringLiteral("Empty "));
-    return begin < 0 ? QString() : doc.mid(begin);
 }
 
 QString asks_for_pixel(const ResourceReport& resource) {
@@ -61,15 +55,26 @@ QString PictureSource::why_absent(const std::string& owner, const std::string& k
                : QObject::tr("“%1” has not been computed.").arg(text_of(resource->label));
 }
 
+const OutputDescription* PictureSource::description(const std::string& owner, const std::string& key) const {
+    const auto* experiment = session_.experiment(owner);
+    const auto* method = experiment ? session_.registry().find(experiment->method) : nullptr;
+    if (!method) return nullptr;
+    const auto found = std::find_if(method->outputs.begin(), method->outputs.end(),
+                                    [&](const auto& output) { return output.key == key; });
+    return found == method->outputs.end() ? nullptr : &*found;
+}
+
 QString PictureSource::why_empty(const std::string& owner, const std::string& key) const {
     if (const auto why = why_absent(owner, key); !why.isEmpty()) return why;
     const auto result = live_.result(owner);
     const auto* resource = find_resource(result->report, key);
     if (resource->width > 0 || resource->elements > 0) return {};
-    const auto hint = when_empty(*resource);
+    if (const auto why = why_unfinished(owner); !why.isEmpty()) return why;  // of an older frame, or a part
+    const auto* output = description(owner, key);
+    const auto reason = output ? text_of(output->when_empty) : QString();
+    const auto hint = reason.isEmpty() ? QString() : QObject::tr(" Empty where %1.").arg(reason);
     const auto& pixel = result->inspection;
-    if (!resource->explains || hint.isEmpty())
-        return QObject::tr("“%1” has no elements. %2").arg(text_of(resource->label), hint).trimmed();
+    if (!resource->explains) return QObject::tr("“%1” has no elements.").arg(text_of(resource->label)) + hint;
     if (!pixel.has_pixel()) return asks_for_pixel(*resource);
     const auto at = [&](const char* text) { return QObject::tr(text).arg(pixel.x).arg(pixel.y); };
     const auto* main = find_resource(result->report, key_of({owner, {}}));
@@ -78,7 +83,7 @@ QString PictureSource::why_empty(const std::string& owner, const std::string& ke
     const auto& valid = result->valid;
     if (pixel.x < valid.width && pixel.y < valid.height && valid.at(pixel.x, pixel.y) <= 0.5f)
         return at("Pixel %1, %2 shows no surface that is computed.");
-    return at("None for pixel %1, %2. ") + hint;
+    return at("None for pixel %1, %2.") + hint;
 }
 
 }  // namespace ir::gui

@@ -45,7 +45,7 @@ OutputOption option_of(const OutputDescription& output) {
     option.key = output.key;
     option.label = text_of(output.label);
     option.group = tr("Outputs");
-    option.doc = text_of(output.doc);
+    option.doc = text_of(full_doc(output));
     option.kind = output.kind;
     option.semantic = output.semantic;
     return option;

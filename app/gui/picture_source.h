@@ -36,8 +36,8 @@ class PictureSource {
     QString why_nothing(const std::string& owner) const;
     /// Why an output or buffer of an experiment is not there, or not of the newest frame; empty: it is.
     QString why_absent(const std::string& owner, const std::string& key) const;
-    /// Why a buffer has no elements: as above, or what its own description says of the picked pixel; empty:
-    /// it has some, or is an image.
+    /// Why a buffer has no elements: as above, or what its description says where all went well; empty: it
+    /// has some, or is an image.
     QString why_empty(const std::string& owner, const std::string& key) const;
     /// Why an experiment will not get any further before it is finished; empty: it is finished or goes on.
     QString why_unfinished(const std::string& owner) const;
@@ -67,6 +67,8 @@ class PictureSource {
     widgets::Picture of_experiment(const widgets::ViewSource& source) const;
     void add_variance(widgets::Picture& picture, const widgets::ViewSource& source) const;
     widgets::Picture of_file(const widgets::ViewSource& source) const;
+    /// Of the method's output; null for other buffers.
+    const OutputDescription* description(const std::string& owner, const std::string& key) const;
     const projects::ForeignImage* foreign(const std::string& owner) const;
     /// "time 0 s / 0.5 s" where something moves and two owners show it at different moments; else empty.
     QString time_mismatch(const std::string& a, const std::string& b) const;

@@ -234,10 +234,14 @@ void PixelInspector::update_explain() {
         for (const auto& output : method->outputs) {
             if (!output.explains) continue;
             const auto* resource = result ? find_resource(result->report, output.key) : nullptr;
-            const bool available = resource && resource->available;
+            // Without elements, what is not finished may be of an older frame.
+            const bool may_lack = resource && resource->elements == 0 && resource->width == 0 &&
+                                  !workspace_.pictures().why_unfinished(id).isEmpty();
+            const bool available = resource && resource->available && !may_lack;
             const bool counted = available && resource->width == 0;
             outputs.push_back({output.key, text_of(output.label), text_of(to_string(output.kind)),
-                               text_of(output.doc), counted ? qint64(resource->elements) : -1, available,
+                               text_of(full_doc(output)), counted ? qint64(resource->elements) : -1,
+                               available,
                                pixel ? workspace_.pictures().why_empty(id, output.key) : QString()});
         }
         for (const auto& each : workspace_.selectors(id))

@@ -46,7 +46,7 @@ Json json_of(const OutputDescription& output) {
               {"semantic", to_string(output.semantic)},
               {"unit", output.unit},
               {"colour_map", map.empty() ? default_colour_map(output.semantic) : map},
-              {"doc", output.doc},
+              {"doc", full_doc(output)},
               {"explains", output.explains}};
     if (!output.active_when.key.empty()) json["active_when"] = json_of(output.active_when);
     return json;

@@ -17,6 +17,13 @@ std::string to_string(Semantic semantic) {
     return names.at(static_cast<std::size_t>(semantic));
 }
 
+std::string full_doc(const OutputDescription& output) {
+    if (output.when_empty.empty()) return output.doc;
+    const std::string begin =
+        output.explains ? " Empty while no pixel is picked, and where " : " Empty where ";
+    return output.doc + begin + output.when_empty + ".";
+}
+
 std::string default_colour_map(Semantic semantic) {
     switch (semantic) {
         case Semantic::depth:

@@ -40,11 +40,17 @@ struct OutputDescription {
     std::string unit = {};
     std::string colour_map = {};  ///< empty: the semantic's own
     std::string doc = {};
+    /// Of a set: where it has no elements although everything succeeded; of one that explains, although a
+    /// pixel is picked: "the pixel shows no surface". The rest of a sentence that says "Empty where".
+    std::string when_empty = {};
     /// Depends on the inspection: computed only when asked for, and again when a person points elsewhere.
     bool explains = false;
     /// Under other settings the method has no such output.
     Condition active_when = {};
 };
+
+/// `doc`, and when it is empty.
+std::string full_doc(const OutputDescription& output);
 
 /// The colour map that a semantic is shown with when nobody chose another ("viridis", "grey", …).
 std::string default_colour_map(Semantic semantic);

@@ -42,7 +42,7 @@ ResourceReport described(const ResourceText& text, const MethodDescription& meth
         report.semantic = output.semantic;
         report.unit = output.unit;
         if (!output.colour_map.empty()) report.colour_map = output.colour_map;
-        if (!output.doc.empty()) report.doc = output.doc;
+        if (!output.doc.empty()) report.doc = full_doc(output);
     }
     return report;
 }

@@ -105,8 +105,8 @@ std::vector<OutputDescription> explanation_outputs() {
              "form_factor: of the part above the point's tangent plane; weight: fall-off times the mean of "
              "the mask; occlusion: their product, which the additive form adds up; hits: samples whose ray "
              "meets the triangle; won: those of which it is the nearest; distance: metres to the nearest "
-             "of the hits, −1 without one. Empty while no pixel is picked, and where the pixel shows no "
-             "surface.",
+             "of the hits, −1 without one.",
+         .when_empty = "the pixel shows no surface",
          .explains = true},
     };
 }

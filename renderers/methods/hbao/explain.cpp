@@ -12,8 +12,7 @@ namespace {
 using graph::Field;
 using graph::FieldType;
 
-const std::string empty_without_surface =
-    " Empty while no pixel is picked, and where the pixel shows no surface.";
+const std::string no_surface = "the pixel shows no surface";
 
 struct Explained {
     graph::BufferRef elements;
@@ -79,16 +78,16 @@ std::vector<OutputDescription> explanation_outputs() {
              "Where the horizon of each marched direction lies on the sphere. horizon, tangent: elevations "
              "in degrees of the horizon and of the triangle's plane above the plane across the line of "
              "sight; contribution: what the direction adds to the pixel's accessibility before the blur; "
-             "distance: metres to the sample that made the horizon, 0 where there is none." +
-             empty_without_surface,
+             "distance: metres to the sample that made the horizon, 0 where there is none.",
+         .when_empty = no_surface,
          .explains = true},
         {.key = "hbao.explain.lines",
          .label = "Lines to the horizon",
          .kind = OutputKind::line_set,
          .unit = "m",
          .doc = "From the pixel's point to the sample that made each direction's horizon; without length "
-                "where found is 0. distance and contribution as for the horizons." +
-                empty_without_surface,
+                "where found is 0. distance and contribution as for the horizons.",
+         .when_empty = no_surface,
          .explains = true},
         {.key = "hbao.explain.samples",
          .label = "Samples marched",
@@ -99,8 +98,8 @@ std::vector<OutputDescription> explanation_outputs() {
              "What was looked at, direction by direction. role: 0 no surface, shown at the pixel's depth; 1 "
              "not counted: beyond the radius, the pixel itself, or below the angle bias; 2 below the "
              "horizon so far; 3 raises it. elevation: degrees above the plane across the line of sight; "
-             "taken: what the sample takes from the pixel's accessibility before the blur." +
-             empty_without_surface,
+             "taken: what the sample takes from the pixel's accessibility before the blur.",
+         .when_empty = no_surface,
          .explains = true},
     };
 }

@@ -14,8 +14,7 @@ using graph::FieldType;
 /// Entries that are reserved for each map chosen, and lines of the walk.
 constexpr std::uint64_t expected_entries = 64;
 
-const std::string empty_without_surface =
-    " Empty while no pixel is picked, and where the pixel shows no surface.";
+const std::string no_surface = "the pixel shows no surface";
 
 void use(const graph::PassContext& context, const gl::Program& program, const passes::GBuffer& gbuffer) {
     program.use();
@@ -110,8 +109,8 @@ std::vector<OutputDescription> explanation_outputs() {
              "What each of the 2N directions finds from the pixel's point. hit: 1 hit, 0 miss, -1 below the "
              "surface, not asked. distance: metres to the hit, or to the largest distance or the scene's "
              "end. contribution: what the direction adds to the pixel's accessibility of this frame. "
-             "own_found: 1 where the point's own entry was in the map." +
-             empty_without_surface,
+             "own_found: 1 where the point's own entry was in the map.",
+         .when_empty = no_surface,
          .explains = true},
         {.key = "ldm.explain.rays",
          .label = "Rays of the pixel",
@@ -119,8 +118,8 @@ std::vector<OutputDescription> explanation_outputs() {
          .unit = "m",
          .doc = "One line per map: from the pixel's point along the direction above its surface to what it "
                 "hits, or to the largest distance or the scene's end. hit as for the directions; lines below "
-                "the surface have no length. side: 1 along the map's direction, -1 against it." +
-                empty_without_surface,
+                "the surface have no length. side: 1 along the map's direction, -1 against it.",
+         .when_empty = no_surface,
          .explains = true},
         {.key = "ldm.explain.entries",
          .label = "Entries under the pixel",
@@ -130,8 +129,8 @@ std::vector<OutputDescription> explanation_outputs() {
          .doc = "All depths at the texel that the map chosen is asked for the pixel's point. depth: metres "
                 "along "
                 "the map's direction, from the point. layer: 0 is the first along that direction. role: 0 "
-                "none, 1 the point's own, 2 hit along the direction, 3 hit against it." +
-                empty_without_surface,
+                "none, 1 the point's own, 2 hit along the direction, 3 hit against it.",
+         .when_empty = no_surface,
          .explains = true},
         {.key = "ldm.explain.walk",
          .label = "Walk through the map",
@@ -141,8 +140,8 @@ std::vector<OutputDescription> explanation_outputs() {
              "From the pixel's point along (role 0) and against (role 1) the direction of the map chosen to "
              "what is found there, or to the largest distance or the scene's end; hit says which. above: 1 "
              "for the direction above the surface, which counts. Then (role 2) from entry to entry of the "
-             "texel, up to the one where a search from the front ends; step counts them." +
-             empty_without_surface,
+             "texel, up to the one where a search from the front ends; step counts them.",
+         .when_empty = no_surface,
          .explains = true},
         {.key = "ldm.explain.texel",
          .label = "Texel asked",
@@ -150,8 +149,8 @@ std::vector<OutputDescription> explanation_outputs() {
          .unit = "m",
          .doc =
              "The outline of the texel that the map chosen is asked, where the point's surface crosses its "
-             "middle." +
-             empty_without_surface,
+             "middle.",
+         .when_empty = no_surface,
          .explains = true},
     };
 }

@@ -8,8 +8,7 @@ namespace {
 using graph::Field;
 using graph::FieldType;
 
-const std::string empty_without_surface =
-    " Empty while no pixel is picked, and where the pixel shows no surface.";
+const std::string no_surface = "the pixel shows no surface";
 const std::string roles =
     "role: 0 outside of the picture; 1 open; 2 an occluder that sends light; 3 an occluder turned away; 4 an "
     "occluder below the pixel's horizon; 5 one beyond the maximum distance. sent: W/(m² sr), RGB, what the "
@@ -73,7 +72,8 @@ std::vector<OutputDescription> explanation_outputs() {
          .semantic = Semantic::position,
          .unit = "m",
          .doc = "Where the picked pixel's steps end, and what became of them. step: its length, m. " + roles +
-                sky + empty_without_surface,
+                sky,
+         .when_empty = no_surface,
          .explains = true},
         {.key = "ssdo.explain.lines",
          .label = "Lines to the occluders",
@@ -82,7 +82,8 @@ std::vector<OutputDescription> explanation_outputs() {
          .doc = "From the picked pixel's point to what occludes each sample, or along its step where nothing "
                 "does. pixel: where the sample ended in the picture, -1 outside. distance: m, from the "
                 "pixel's point to the occluder, 0 without one. " +
-                roles + empty_without_surface,
+                roles,
+         .when_empty = no_surface,
          .explains = true},
     };
 }

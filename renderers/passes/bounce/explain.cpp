@@ -15,7 +15,8 @@ const std::string fields =
     "both "
     "lists together the pixel. weight: of a sample beside those of the pixel itself. apart: pixels between "
     "the "
-    "two. Empty while no pixel is picked, and where the pixel shows no surface that is reconstructed.";
+    "two.";
+const std::string no_surface = "the pixel shows no surface that is reconstructed";
 
 struct Lines {
     graph::BufferRef elements;
@@ -61,6 +62,7 @@ std::vector<OutputDescription> reconstruction_outputs(const Condition& active_wh
          .kind = OutputKind::line_set,
          .unit = "m",
          .doc = "The picked pixel's own samples, from its point to what they met." + fields,
+         .when_empty = no_surface,
          .explains = true,
          .active_when = active_when},
         {.key = "bounce.explain.neighbours",
@@ -70,6 +72,7 @@ std::vector<OutputDescription> reconstruction_outputs(const Condition& active_wh
          .doc = "The samples of other pixels that the reconstruction takes for the picked one, from their "
                 "points to what they met." +
                 fields,
+         .when_empty = no_surface,
          .explains = true,
          .active_when = active_when}};
 }

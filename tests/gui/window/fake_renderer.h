@@ -45,22 +45,22 @@ inline const MethodDescription& fake_method() {
         distance.soft = {0, 10};
         m.parameters = {level, items, distance};
         m.selectors = {{"item", "Item", "The one that is shown.", "items"}};
-        m.outputs = {
-            {.key = "picture", .label = "Picture", .semantic = Semantic::radiance},
-            {.key = "depth", .label = "Depth", .semantic = Semantic::depth},
-            {.key = "levels", .label = "Levels", .kind = OutputKind::pyramid},
-            {.key = "slices", .label = "Slices", .kind = OutputKind::stack},
-            {.key = "cloud", .label = "Cloud", .kind = OutputKind::point_set},
-            {.key = "ball", .label = "Ball", .kind = OutputKind::sphere_values},
-            {.key = "numbers", .label = "Numbers", .kind = OutputKind::table},
-            {.key = "why",
-             .label = "Why",
-             .kind = OutputKind::line_set,
-             .doc = "Lines of the pixel. Empty while no pixel is picked, and where nothing is in its way.",
-             .explains = true},
-            {.key = "shares", .label = "Shares", .explains = true},
-            {.key = "noise", .label = "Noise"},
-            {.key = "cover", .label = "Cover", .semantic = Semantic::mask}};
+        m.outputs = {{.key = "picture", .label = "Picture", .semantic = Semantic::radiance},
+                     {.key = "depth", .label = "Depth", .semantic = Semantic::depth},
+                     {.key = "levels", .label = "Levels", .kind = OutputKind::pyramid},
+                     {.key = "slices", .label = "Slices", .kind = OutputKind::stack},
+                     {.key = "cloud", .label = "Cloud", .kind = OutputKind::point_set},
+                     {.key = "ball", .label = "Ball", .kind = OutputKind::sphere_values},
+                     {.key = "numbers", .label = "Numbers", .kind = OutputKind::table},
+                     {.key = "why",
+                      .label = "Why",
+                      .kind = OutputKind::line_set,
+                      .doc = "Lines of the pixel. Empty words are no reason.",
+                      .when_empty = "nothing is in its way",
+                      .explains = true},
+                     {.key = "shares", .label = "Shares", .explains = true},
+                     {.key = "noise", .label = "Noise"},
+                     {.key = "cover", .label = "Cover", .semantic = Semantic::mask}};
         m.variance = "noise";
         return m;
     }();
@@ -272,7 +272,7 @@ class FakeRenderer final : public Renderer {
             ResourceReport resource;
             resource.key = output.key;
             resource.label = output.label;
-            resource.doc = output.doc;
+            resource.doc = full_doc(output);
             resource.pass = "paint";
             resource.kind = output.kind;
             resource.semantic = output.semantic;

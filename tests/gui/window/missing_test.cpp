@@ -99,8 +99,7 @@ TEST_F(MissingTest, AnExplanationWithoutElementsSaysWhyInViewAndPanel) {
     window.inspector().explain({3, 4});
     show_output("why");
     ASSERT_TRUE(QTest::qWaitFor([&] { return !space().picture().layers.empty(); }, 3000));
-    const std::string none =
-        "None for pixel 3, 4. Empty while no pixel is picked, and where nothing is in its way.";
+    const std::string none = "None for pixel 3, 4. Empty where nothing is in its way.";
     EXPECT_EQ(space().picture().layers[0].note, none);
     EXPECT_EQ(missing(), none);
     const auto details = window.inspector()
@@ -117,6 +116,34 @@ TEST_F(MissingTest, AnExplanationWithoutElementsSaysWhyInViewAndPanel) {
     window.inspector().explain({4000, 4});
     ASSERT_TRUE(settle());
     EXPECT_EQ(missing(), "Pixel 4000, 4 lies outside the picture.");
+}
+
+TEST_F(MissingTest, WhatIsTrulyEmptySaysWhenItIs) {
+    renderer.finds_none = true;
+    window.inspector().explain({3, 4});
+    show_output("why");
+    EXPECT_EQ(missing(), "None for pixel 3, 4. Empty where nothing is in its way.");
+    const auto outputs = workspace().pictures().outputs(first);
+    EXPECT_EQ(
+        workspace().pictures().find(outputs, "why")->doc.toStdString(),
+        "Lines of the pixel. Empty words are no reason. Empty while no pixel is picked, and where nothing "
+        "is in its way.");
+}
+
+TEST_F(MissingTest, WhatAFailedExplanationLacksIsNotCalledEmpty) {
+    renderer.finds_none = true;
+    window.inspector().explain({3, 4});
+    show_output("why");
+    renderer.failure = "out of memory";
+    window.live().render_again();
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(missing(), "out of memory");
+    const auto why = workspace().pictures().why_empty(first, "why").toStdString();
+    EXPECT_EQ(why, "out of memory") << "what an older frame had says nothing of this one";
+    const auto* panel = window.inspector().explain_panel().findChild<QWidget*>("output:why");
+    const auto details = panel->findChildren<QLabel*>().at(1)->text();
+    EXPECT_TRUE(details.contains("out of memory")) << details.toStdString();
+    EXPECT_FALSE(details.contains("Empty")) << details.toStdString();
 }
 
 TEST_F(MissingTest, ABufferThatIsNotThereYetIsRenderingAndNotUnknown) {

@@ -98,6 +98,23 @@ TEST(SceneHasher, FindsHashesAndMissingFilesOnItsThread) {
     EXPECT_EQ(hashes.at("a.glb"), hash_bytes("b"));
 }
 
+TEST(SceneHasher, SaysWhatItFoundBeforeSomeoneListened) {
+    TemporaryFolder folder;
+    testing::write_text(folder.path() / "a.bin", "one");
+    SceneHasher hasher;
+    hasher.request({"a.bin"}, folder.path());
+    hasher.wait();
+    int words = 0;
+    hasher.set_on_news([&] { ++words; });
+    EXPECT_EQ(words, 1);
+    ContentHashes hashes;
+    AnimationEnds ends;
+    EXPECT_TRUE(hasher.take(hashes));
+    EXPECT_TRUE(hasher.take(ends));
+    hasher.set_on_news([&] { ++words; });
+    EXPECT_EQ(words, 1) << "it was taken";
+}
+
 TEST(SceneHasher, ANewerRequestReplacesTheOneBeingRead) {
     TemporaryFolder first, second;
     testing::write_text(first.path() / "a.glb", "");

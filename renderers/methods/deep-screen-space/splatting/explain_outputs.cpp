@@ -3,7 +3,7 @@
 namespace ir::methods::deep_screen_space {
 namespace {
 
-const std::string where_picked = " Empty while no pixel is picked, and where the pixel shows no surface.";
+const std::string no_surface = "the pixel shows no surface";
 
 const std::string outcomes =
     "1 the pixel's point lies in no shell of the level; 2 the ray misses the disc; 3 met beyond the maximum "
@@ -25,8 +25,8 @@ std::vector<OutputDescription> explanation_outputs() {
                 "it was "
                 "splatted; shell: which its disc was enlarged for. outcome: " +
                 outcomes +
-                ". distance: m along the ray to the disc's plane; z: what the depth test compares." +
-                where_picked,
+                ". distance: m along the ray to the disc's plane; z: what the depth test compares.",
+         .when_empty = no_surface,
          .explains = true},
         {.key = "splats.explain.levels",
          .label = "Levels of the pixel",
@@ -35,8 +35,8 @@ std::vector<OutputDescription> explanation_outputs() {
                 "outcome "
                 "(hits: 5 to 7). found: 1 + index of the nearest by the search, with its z; kept: what the "
                 "framebuffer "
-                "holds, which has to be the same. nearest: 1 on the level whose hit counts." +
-                where_picked,
+                "holds, which has to be the same. nearest: 1 on the level whose hit counts.",
+         .when_empty = no_surface,
          .explains = true},
         {.key = "splats.explain.choice",
          .label = "Surfel explained",

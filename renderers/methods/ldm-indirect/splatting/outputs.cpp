@@ -32,7 +32,7 @@ std::vector<OutputDescription> pictures() {
         {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."}};
 }
 
-const std::string empty_without_pixel = " Empty while no pixel is picked, and where it shows no surface.";
+const std::string no_surface = "the pixel shows no surface";
 
 std::vector<OutputDescription> explanations() {
     return {{.key = "indirect.explain.photons",
@@ -44,8 +44,8 @@ std::vector<OutputDescription> explanations() {
                     "direction it came along (side 1: with the map's, -1: against it; 0: directly from the "
                     "light, map 65535). source: texel of the lights' images. path_length: m, from the light. "
                     "distance: m, from the pixel's point to the footprint's middle. photon: its place in the "
-                    "photon buffer." +
-                    empty_without_pixel,
+                    "photon buffer.",
+             .when_empty = no_surface,
              .explains = true},
             {.key = "indirect.explain.sum",
              .label = "Sum of the photons against the pixel",
@@ -54,8 +54,8 @@ std::vector<OutputDescription> explanations() {
              .doc = "gathered: the sum of what the photons above contribute, found by a search through the "
                     "whole photon buffer, by eq. 7 as printed; direct: the part that came directly from the "
                     "lights; pixel: the splatted irradiance; difference: pixel less gathered, which is "
-                    "rounding." +
-                    empty_without_pixel,
+                    "rounding.",
+             .when_empty = no_surface,
              .explains = true},
             {.key = "indirect.explain.directions",
              .label = "Light by direction",
@@ -63,8 +63,8 @@ std::vector<OutputDescription> explanations() {
              .unit = "W/m²",
              .doc = "What each of the 2N directions adds to the picked pixel. centre: where its light comes "
                     "from. contribution: RGB, W/m²; luminance: the same as one number; photons: how many. "
-                    "map, side: as of the photons; light that comes directly is not in it." +
-                    empty_without_pixel,
+                    "map, side: as of the photons; light that comes directly is not in it.",
+             .when_empty = no_surface,
              .explains = true},
             {.key = "indirect.explain.paths",
              .label = "Paths of the photons",
@@ -72,8 +72,8 @@ std::vector<OutputDescription> explanations() {
              .unit = "m",
              .doc = "leg 0: from the light to where a photon was split; leg 1: from there to its footprint's "
                     "middle. Photons that came directly have leg 0 alone. The point in between follows from "
-                    "length and direction. contribution, map, side and photon as of the photons." +
-                    empty_without_pixel,
+                    "length and direction. contribution, map, side and photon as of the photons.",
+             .when_empty = no_surface,
              .explains = true}};
 }
 

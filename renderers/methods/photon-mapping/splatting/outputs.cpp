@@ -43,8 +43,9 @@ std::vector<OutputDescription> splatting_outputs() {
          .doc = "The kernels that cover the picked pixel's texel, the largest contribution first. "
                 "contribution: RGB, W/m², to the unfiltered irradiance. power: W. distance: from the surface "
                 "to the photon, m. radius: of the kernel across the light, m. photon: its place in the "
-                "photon buffer. Empty while no pixel is picked, and where no kernel covers the texel in this "
-                "frame: the light there comes from neighbours and earlier frames, by filtering.",
+                "photon buffer.",
+         .when_empty = "no kernel covers the texel in this frame: the light there comes from neighbours and "
+                       "earlier frames, by filtering",
          .explains = true},
         {.key = "splat.explain.sum",
          .label = "Sum of the photons against the pixel",
