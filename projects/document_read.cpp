@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <set>
 
+#include "projects/document_fields.h"
 #include "projects/document_json.h"
 #include "projects/migrations.h"
 #include "projects/motion_read.h"
 #include "projects/object_reader.h"
 #include "projects/text.h"
+#include "projects/validate.h"
 #include "projects/value_reader.h"
 #include "renderers/core/error.h"
 
@@ -46,8 +48,7 @@ Scene read_scene(ObjectReader& reader) {
     reader.each("parts", [&](const Json& json, const std::string& pointer) {
         ObjectReader inner(json, reader.file(), pointer);
         ScenePart part;
-        part.source = inner.required_text("source");
-        part.content_hash = inner.text("content_hash");
+        read_fields(inner, part, part_fields());
         part.transform = read_transform(inner);
         part.materials = read_materials(inner);
         part.extra = inner.rest();
@@ -57,20 +58,26 @@ Scene read_scene(ObjectReader& reader) {
     return scene;
 }
 
-Camera read_camera(ObjectReader& reader) {
-    Camera camera;
-    read_head(reader, camera);
-    camera.scene_camera = reader.text("scene_camera");
-    if (!camera.scene_camera.empty()) return camera;
-    camera.eye = reader.vec3("eye", camera.eye);
-    camera.target = reader.vec3("target", camera.target);
-    camera.up = reader.vec3("up", camera.up);
-    camera.fov_y_degrees = reader.number("fov_y_degrees", camera.fov_y_degrees, 0.001, 179.999);
-    camera.orthographic = reader.flag("orthographic", false);
-    camera.height = reader.number("height", camera.height, 1e-9, 1e9);
-    if (camera.eye == camera.target) reader.fail("target", "must differ from eye");
-    if (camera.up == glm::dvec3(0)) reader.fail("up", "must not be 0, 0, 0");
-    return camera;
+/// What binds several fields of an item, for the whole of it.
+template <class Item>
+void check(const ObjectReader& reader, const Item& item) {
+    try {
+        validate(item);
+    } catch (const UsageError& error) {
+        throw InputError(reader.file(), reader.pointer(), error.what());
+    }
+}
+
+/// Reads an item that is nothing but its fields.
+template <class Item>
+auto read_with(const Fields<Item>& fields) {
+    return [&fields](ObjectReader& reader) {
+        Item item;
+        read_head(reader, item);
+        read_fields(reader, item, fields);
+        check(reader, item);
+        return item;
+    };
 }
 
 LightSpec::Type read_light_type(ObjectReader& reader) {
@@ -86,9 +93,10 @@ void read_strength(ObjectReader& reader, LightSpec& light) {
     int given = 0;
     const auto allowed = allowed_quantities(light.type);
     for (const auto quantity : allowed) {
-        if (!reader.has(to_string(quantity))) continue;
+        const auto& text = quantity_text(quantity);
+        if (!reader.has(text.key)) continue;
         light.quantity = quantity;
-        light.amount = reader.number(to_string(quantity), 0);
+        read_value(reader, text, &light.amount);
         ++given;
     }
     if (given == 1) return;
@@ -97,26 +105,11 @@ void read_strength(ObjectReader& reader, LightSpec& light) {
 }
 
 LightSpec read_light(ObjectReader& reader) {
-    using Type = LightSpec::Type;
     LightSpec light;
     light.type = read_light_type(reader);
     read_strength(reader, light);
-    light.color = reader.vec3("color", light.color);
-    if (light.type != Type::directional) light.position = reader.vec3("position", light.position);
-    if (light.type != Type::directional && light.type != Type::point)
-        light.target = reader.optional_vec3("target");
-    if (light.type != Type::point) light.direction = reader.optional_vec3("direction");
-    if (light.type == Type::spot) {
-        light.outer = reader.number("outer", light.outer);
-        light.inner = reader.number("inner", light.inner);
-    }
-    if (light.type == Type::rect || light.type == Type::disk)
-        light.size = reader.optional_vec2("size").value_or(light.size);
-    try {
-        validate(light);
-    } catch (const UsageError& error) {
-        throw InputError(reader.file(), reader.pointer(), error.what());
-    }
+    read_fields(reader, light, light_fields());
+    check(reader, light);
     return light;
 }
 
@@ -126,9 +119,7 @@ Environment read_environment(ObjectReader& reader) {
     if (!json || *json == "scene") return environment;
     if (json->is_array()) {
         environment.kind = Environment::Kind::constant;
-        environment.constant = reader.vec3("environment", {});
-        if (glm::any(glm::lessThan(environment.constant, glm::dvec3(0))))
-            reader.fail("environment", "must not be negative");
+        read_value(reader, constant_environment_text(), &environment.constant);
         return environment;
     }
     if (!json->is_object()) reader.fail("environment", "must be \"scene\", [r, g, b] or {\"source\": FILE}");
@@ -159,31 +150,10 @@ LightSet read_light_set(ObjectReader& reader) {
     return set;
 }
 
-ForeignImage read_image(ObjectReader& reader) {
-    ForeignImage image;
-    read_head(reader, image);
-    image.source = reader.required_text("source");
-    image.content_hash = reader.text("content_hash");
-    image.notes = reader.text("notes");
-    return image;
-}
-
-Comparison read_comparison(ObjectReader& reader) {
-    Comparison comparison;
-    read_head(reader, comparison);
-    comparison.a = reader.text("a");
-    comparison.b = reader.text("b");
-    comparison.output = reader.text("output");
-    comparison.mode = reader.text("mode", comparison.mode);
-    comparison.range = reader.optional_vec2("range");
-    comparison.notes = reader.text("notes");
-    return comparison;
-}
-
 Sweep read_sweep(ObjectReader& reader) {
     Sweep sweep;
     read_head(reader, sweep);
-    sweep.experiment = reader.text("experiment");
+    read_fields(reader, sweep, sweep_fields());
     reader.each("axes", [&](const Json& json, const std::string& pointer) {
         ObjectReader inner(json, reader.file(), pointer);
         Sweep::Axis axis;
@@ -193,29 +163,6 @@ Sweep read_sweep(ObjectReader& reader) {
         sweep.axes.push_back(std::move(axis));
     });
     return sweep;
-}
-
-bool read_against_time(ObjectReader& reader) {
-    const auto axis = reader.text("axis", "time");
-    if (axis != "time" && axis != "values")
-        reader.fail("axis", "'" + printable(axis, 60) + "' is no axis; give time or values");
-    return axis == "time";
-}
-
-ErrorPlot read_plot(ObjectReader& reader) {
-    ErrorPlot plot;
-    read_head(reader, plot);
-    plot.reference = reader.text("reference");
-    reader.each("experiments", [&](const Json& json, const std::string& pointer) {
-        if (!json.is_string()) throw InputError(reader.file(), pointer, "must be the id of an experiment");
-        plot.experiments.push_back(json);
-    });
-    plot.over = reader.text("over", plot.over);
-    reader.each("values", [&](const Json& value, const std::string&) { plot.values.push_back(value); });
-    plot.metric = reader.text("metric", plot.metric);
-    plot.against_time = read_against_time(reader);
-    plot.notes = reader.text("notes");
-    return plot;
 }
 
 /// A list of items with unique ids; keeps what nobody took of each.
@@ -249,7 +196,7 @@ ReadProject read_project(const std::string& text, const std::string& file, const
     project.name = reader.text("name");
     project.notes = reader.text("notes");
     project.scenes = read_list<Scene>(reader, "scenes", read_scene);
-    project.cameras = read_list<Camera>(reader, "cameras", read_camera);
+    project.cameras = read_list<Camera>(reader, "cameras", read_with(camera_fields()));
     project.lights = read_list<LightSet>(reader, "lights", read_light_set);
     project.motion = read_list<Motion>(reader, "motion", [](ObjectReader& inner) {
         Motion motion;
@@ -257,13 +204,13 @@ ReadProject read_project(const std::string& text, const std::string& file, const
         read_motion(inner, motion);
         return motion;
     });
-    project.images = read_list<ForeignImage>(reader, "images", read_image);
+    project.images = read_list<ForeignImage>(reader, "images", read_with(image_fields()));
     project.experiments = read_list<Experiment>(reader, "experiments", [&](ObjectReader& inner) {
         return read_experiment(inner, registry, result.schema_in_file, result.messages);
     });
-    project.comparisons = read_list<Comparison>(reader, "comparisons", read_comparison);
+    project.comparisons = read_list<Comparison>(reader, "comparisons", read_with(comparison_fields()));
     project.sweeps = read_list<Sweep>(reader, "sweeps", read_sweep);
-    project.plots = read_list<ErrorPlot>(reader, "plots", read_plot);
+    project.plots = read_list<ErrorPlot>(reader, "plots", read_with(plot_fields()));
     project.extra = reader.rest();
     return result;
 }

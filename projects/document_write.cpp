@@ -1,3 +1,4 @@
+#include "projects/document_fields.h"
 #include "projects/document_json.h"
 #include "projects/motion.h"
 #include "renderers/core/transport.h"
@@ -14,9 +15,6 @@ Json with_extra(Json json, const Json& extra) {
 
 Json array(const glm::dvec3& v) {
     return Json::array({v.x, v.y, v.z});
-}
-Json array(const glm::dvec2& v) {
-    return Json::array({v.x, v.y});
 }
 Json array(const glm::ivec2& v) {
     return Json::array({v.x, v.y});
@@ -38,8 +36,8 @@ Json list(const std::vector<Item>& items, Write write) {
 }
 
 Json write_part(const ScenePart& part) {
-    Json json = Json::object({{"source", part.source}});
-    put_unless_empty(json, "content_hash", part.content_hash);
+    Json json = Json::object();
+    write_fields(json, part, part_fields());
     if (part.transform) json["transform"] = *part.transform;
     for (const auto& [name, change] : part.materials)
         json["materials"][name] = with_extra(to_json(change), change.extra);
@@ -52,19 +50,14 @@ Json write_scene(const Scene& scene) {
     return with_extra(json, scene.extra);
 }
 
-Json write_camera(const Camera& camera) {
-    Json json = Json::object({{"id", camera.id}, {"name", camera.name}});
-    if (!camera.scene_camera.empty()) {
-        json["scene_camera"] = camera.scene_camera;
-        return with_extra(json, camera.extra);
-    }
-    json["eye"] = array(camera.eye);
-    json["target"] = array(camera.target);
-    json["up"] = array(camera.up);
-    json["fov_y_degrees"] = camera.fov_y_degrees;
-    if (camera.orthographic) json["orthographic"] = true;
-    if (camera.orthographic || camera.height != Camera{}.height) json["height"] = camera.height;
-    return with_extra(json, camera.extra);
+/// An item that is nothing but its fields.
+template <class Item>
+auto write_with(const Fields<Item>& fields) {
+    return [&fields](const Item& item) {
+        Json json = Json::object({{"id", item.id}, {"name", item.name}});
+        write_fields(json, item, fields);
+        return with_extra(json, item.extra);
+    };
 }
 
 Json write_environment(const Environment& environment) {
@@ -92,24 +85,8 @@ Json write_light_set(const LightSet& set) {
 }
 
 Json write_key(const Motion::Key& key, Motion::Kind kind) {
-    Json json = Json::object({{"time", key.time}});
-    switch (kind) {
-        case Motion::Kind::camera:
-            json["eye"] = array(key.eye);
-            json["target"] = array(key.target);
-            json["up"] = array(key.up);
-            break;
-        case Motion::Kind::light:
-            if (key.position) json["position"] = array(*key.position);
-            if (key.look_at) json["target"] = array(*key.look_at);
-            if (key.direction) json["direction"] = array(*key.direction);
-            json["intensity"] = key.intensity;
-            break;
-        case Motion::Kind::part:
-            json["translation"] = array(key.translation);
-            json["rotation"] = array(key.rotation);
-            json["scale"] = array(key.scale);
-    }
+    Json json = Json::object();
+    write_fields(json, key, key_fields(kind));
     return with_extra(json, key.extra);
 }
 
@@ -130,13 +107,6 @@ Json write_motion(const Motion& motion) {
     if (motion.loop) json["loop"] = true;
     json["keys"] = list(motion.keys, [&](const Motion::Key& key) { return write_key(key, motion.kind); });
     return with_extra(json, motion.extra);
-}
-
-Json write_image(const ForeignImage& image) {
-    Json json = Json::object({{"id", image.id}, {"name", image.name}, {"source", image.source}});
-    put_unless_empty(json, "content_hash", image.content_hash);
-    put_unless_empty(json, "notes", image.notes);
-    return with_extra(json, image.extra);
 }
 
 /// The groups "transport" and "values".
@@ -178,49 +148,25 @@ Json write_experiment(const Experiment& e) {
     return with_extra(json, e.extra);
 }
 
-Json write_comparison(const Comparison& c) {
-    Json json = Json::object({{"id", c.id}, {"name", c.name}, {"a", c.a}, {"b", c.b}});
-    put_unless_empty(json, "output", c.output);
-    json["mode"] = c.mode;
-    if (c.range) json["range"] = array(*c.range);
-    put_unless_empty(json, "notes", c.notes);
-    return with_extra(json, c.extra);
-}
-
 Json write_sweep(const Sweep& sweep) {
-    Json json = Json::object({{"id", sweep.id}, {"name", sweep.name}, {"experiment", sweep.experiment}});
+    Json json = Json::object({{"id", sweep.id}, {"name", sweep.name}});
+    write_fields(json, sweep, sweep_fields());
     json["axes"] = list(sweep.axes, [](const Sweep::Axis& axis) {
         return with_extra(Json::object({{"key", axis.key}, {"values", axis.values}}), axis.extra);
     });
     return with_extra(json, sweep.extra);
 }
 
-Json write_plot(const ErrorPlot& plot) {
-    Json json = Json::object({{"id", plot.id}, {"name", plot.name}, {"reference", plot.reference}});
-    json["experiments"] = plot.experiments;
-    json["over"] = plot.over;
-    if (!plot.values.empty()) json["values"] = plot.values;
-    json["metric"] = plot.metric;
-    json["axis"] = plot.against_time ? "time" : "values";
-    put_unless_empty(json, "notes", plot.notes);
-    return with_extra(json, plot.extra);
-}
-
 }  // namespace
 
 Json to_json(const LightSpec& light) {
+    Json fields = Json::object();
+    write_fields(fields, light, light_fields());
     Json json = Json::object({{"type", to_string(light.type)}});
-    if (light.type != LightSpec::Type::directional) json["position"] = array(light.position);
-    if (light.target) json["target"] = array(*light.target);
-    if (light.direction) json["direction"] = array(*light.direction);
-    json[to_string(light.quantity)] = light.amount;
-    json["color"] = array(light.color);
-    if (light.type == LightSpec::Type::spot) {
-        json["outer"] = light.outer;
-        json["inner"] = light.inner;
+    for (auto it = fields.begin(); it != fields.end(); ++it) {
+        if (it.key() == "color") json[quantity_text(light.quantity).key] = light.amount;
+        json[it.key()] = *it;
     }
-    if (light.type == LightSpec::Type::rect || light.type == LightSpec::Type::disk)
-        json["size"] = array(light.size);
     return json;
 }
 
@@ -245,14 +191,14 @@ Json motion_inputs(const Motion& motion) {
 Json to_json(const Project& project) {
     Json json = Json::object({{"schema", project.schema}, {"name", project.name}, {"notes", project.notes}});
     json["scenes"] = list(project.scenes, write_scene);
-    json["cameras"] = list(project.cameras, write_camera);
+    json["cameras"] = list(project.cameras, write_with(camera_fields()));
     json["lights"] = list(project.lights, write_light_set);
     json["motion"] = list(project.motion, write_motion);
-    json["images"] = list(project.images, write_image);
+    json["images"] = list(project.images, write_with(image_fields()));
     json["experiments"] = list(project.experiments, write_experiment);
-    json["comparisons"] = list(project.comparisons, write_comparison);
+    json["comparisons"] = list(project.comparisons, write_with(comparison_fields()));
     json["sweeps"] = list(project.sweeps, write_sweep);
-    json["plots"] = list(project.plots, write_plot);
+    json["plots"] = list(project.plots, write_with(plot_fields()));
     return with_extra(json, project.extra);
 }
 

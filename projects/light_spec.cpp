@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "projects/document_fields.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
@@ -39,20 +40,14 @@ std::array<double, count> parse_numbers(std::string_view text, const std::string
     return numbers;
 }
 
-bool looks(Type type) {
-    return type == Type::spot || type == Type::rect || type == Type::disk;
-}
-
 std::vector<std::string> allowed_fields(Type type) {
-    std::vector<std::string> fields;
-    if (type != Type::directional) fields.push_back("position");
-    if (looks(type)) fields.push_back("target");
-    if (type != Type::point) fields.push_back("direction");
-    for (const auto quantity : allowed_quantities(type)) fields.push_back(to_string(quantity));
-    if (type == Type::spot) fields.insert(fields.end(), {"outer", "inner"});
-    if (type == Type::rect || type == Type::disk) fields.push_back("size");
-    fields.push_back("color");
-    return fields;
+    LightSpec light;
+    light.type = type;
+    std::vector<std::string> keys;
+    for (const auto& field : light_fields())
+        if (field.is_stored_in(light)) keys.push_back(field.text.key);
+    for (const auto quantity : allowed_quantities(type)) keys.push_back(to_string(quantity));
+    return keys;
 }
 
 Type parse_type(std::string_view text, std::string_view spec) {
@@ -62,12 +57,12 @@ Type parse_type(std::string_view text, std::string_view spec) {
                      "'; give point, spot, directional, rect or disk");
 }
 
-using Fields = std::map<std::string, std::string_view, std::less<>>;
+using Given = std::map<std::string, std::string_view, std::less<>>;
 
 /// Splits "key=value;…" and refuses keys that the type does not have or that stand twice.
-Fields parse_fields(std::string_view text, Type type, const std::string& where) {
+Given parse_fields(std::string_view text, Type type, const std::string& where) {
     const auto allowed = allowed_fields(type);
-    Fields fields;
+    Given given;
     for (const auto part : split(text, ';')) {
         if (part.empty()) continue;
         const auto equals = part.find('=');
@@ -76,23 +71,23 @@ Fields parse_fields(std::string_view text, Type type, const std::string& where) 
             std::find(allowed.begin(), allowed.end(), key) == allowed.end())
             throw UsageError(where + "unknown field '" + printable(key) + "'; allowed are " +
                              listed(allowed));
-        if (!fields.emplace(key, part.substr(equals + 1)).second)
+        if (!given.emplace(key, part.substr(equals + 1)).second)
             throw UsageError(where + "field '" + key + "' stands twice; give it once");
     }
-    return fields;
+    return given;
 }
 
-void require(const Fields& fields, const std::string& key, const std::string& where) {
-    if (fields.count(key) == 0) throw UsageError(where + "field '" + key + "' is missing; add " + key + "=…");
+void require(const Given& given, const std::string& key, const std::string& where) {
+    if (given.count(key) == 0) throw UsageError(where + "field '" + key + "' is missing; add " + key + "=…");
 }
 
-void take_quantity(LightSpec& light, const Fields& fields, const std::string& where) {
+void take_quantity(LightSpec& light, const Given& all, const std::string& where) {
     std::vector<std::string> names;
     int given = 0;
     for (const auto quantity : allowed_quantities(light.type)) {
         names.push_back(to_string(quantity));
-        const auto found = fields.find(names.back());
-        if (found == fields.end()) continue;
+        const auto found = all.find(names.back());
+        if (found == all.end()) continue;
         light.quantity = quantity;
         light.amount = parse_number(found->second, where + names.back());
         ++given;
@@ -104,13 +99,29 @@ void take_quantity(LightSpec& light, const Fields& fields, const std::string& wh
                      "; give " + choices);
 }
 
-void require_places(const LightSpec& light, const Fields& fields, const std::string& where) {
-    if (light.type != Type::directional) require(fields, "position", where);
-    if (light.type == Type::directional) require(fields, "direction", where);
-    if (light.type == Type::spot) require(fields, "outer", where);
-    if (light.type == Type::rect || light.type == Type::disk) require(fields, "size", where);
-    if (looks(light.type) && fields.count("target") + fields.count("direction") != 1)
+void require_all(const LightSpec& light, const Given& given, const std::string& where) {
+    for (const auto& key : allowed_fields(light.type))
+        if (key == "position" || key == "outer" || key == "size") require(given, key, where);
+    if (light.type == Type::directional) require(given, "direction", where);
+    if (looks(light.type) && given.count("target") + given.count("direction") != 1)
         throw UsageError(where + "give either target or direction");
+}
+
+void parse(std::string_view text, const std::string& what, double& value) {
+    value = parse_number(text, what);
+}
+void parse(std::string_view text, const std::string& what, glm::dvec2& value) {
+    value = parse_vec2(text, what);
+}
+void parse(std::string_view text, const std::string& what, glm::dvec3& value) {
+    value = parse_vec3(text, what);
+}
+void parse(std::string_view text, const std::string& what, std::optional<glm::dvec3>& value) {
+    value = parse_vec3(text, what);
+}
+template <class Other>
+void parse(std::string_view, const std::string& what, Other&) {
+    throw std::logic_error(what + ": no light has such a field");
 }
 
 std::string text_of(double number) {
@@ -118,24 +129,21 @@ std::string text_of(double number) {
     return {text, std::to_chars(text, text + sizeof text, number).ptr};
 }
 
-std::string text_of(const glm::dvec3& v) {
-    return text_of(v.x) + "," + text_of(v.y) + "," + text_of(v.z);
-}
-
-bool is_finite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+std::string text_of(const std::vector<double>& numbers) {
+    std::string text;
+    for (const double number : numbers) text += (text.empty() ? "" : ",") + text_of(number);
+    return text;
 }
 
 void validate_places(const LightSpec& light, const std::string& where) {
-    if (!is_finite(light.position)) throw UsageError(where + "position must be finite");
     if (looks(light.type) && light.target.has_value() == light.direction.has_value())
         throw UsageError(where + "give either target or direction");
     if (light.type == Type::directional && !light.direction)
         throw UsageError(where + "direction is missing; give the direction of travel");
-    if (light.target && (!is_finite(*light.target) || *light.target == light.position))
-        throw UsageError(where + "target must be finite and differ from position");
-    if (light.direction && (!is_finite(*light.direction) || glm::length(*light.direction) == 0))
-        throw UsageError(where + "direction must be finite and not 0,0,0");
+    if (light.target && *light.target == light.position)
+        throw UsageError(where + "target must differ from position");
+    if (light.direction && glm::length(*light.direction) == 0)
+        throw UsageError(where + "direction must not be 0,0,0");
 }
 
 }  // namespace
@@ -146,8 +154,11 @@ std::string to_string(LightSpec::Type type) {
 }
 
 std::string to_string(LightSpec::Quantity quantity) {
-    static constexpr std::array names{"intensity", "flux", "irradiance", "radiance"};
-    return names.at(static_cast<std::size_t>(quantity));
+    return quantity_text(quantity).key;
+}
+
+bool looks(Type type) {
+    return type == Type::spot || type == Type::rect || type == Type::disk;
 }
 
 std::vector<Quantity> allowed_quantities(Type type) {
@@ -180,18 +191,14 @@ void validate(const LightSpec& light) {
     if (std::find(allowed.begin(), allowed.end(), light.quantity) == allowed.end())
         throw UsageError(where + to_string(light.quantity) + " does not fit; give " +
                          to_string(allowed.front()));
-    if (!std::isfinite(light.amount) || light.amount < 0)
-        throw UsageError(where + to_string(light.quantity) + " must be a number of at least 0");
-    if (!is_finite(light.color) || light.color.x < 0 || light.color.y < 0 || light.color.z < 0)
-        throw UsageError(where + "color must be three numbers of at least 0");
+    double amount = light.amount;
+    const auto& strength = quantity_text(light.quantity);
+    if (const auto problem = problem_with(strength, &amount); !problem.empty())
+        throw UsageError(where + strength.key + " " + problem);
+    validate_fields(light, light_fields(), where);
     validate_places(light, where);
-    if (light.type == Type::spot && !(light.outer > 0 && light.outer <= 90))
-        throw UsageError(where + "outer must be above 0 and at most 90 degrees");
-    if (light.type == Type::spot && !(light.inner >= 0 && light.inner <= light.outer))
-        throw UsageError(where + "inner must lie between 0 and outer (degrees)");
-    const bool has_size = light.type == Type::rect || light.type == Type::disk;
-    if (has_size && !(light.size.x > 0 && light.size.y > 0 && std::isfinite(light.size.x + light.size.y)))
-        throw UsageError(where + "size must be two numbers above 0 (metres)");
+    if (light.type == Type::spot && light.inner > light.outer)
+        throw UsageError(where + "inner must not exceed outer");
 }
 
 LightSpec parse_light(std::string_view spec) {
@@ -199,34 +206,31 @@ LightSpec parse_light(std::string_view spec) {
     LightSpec light;
     light.type = parse_type(spec.substr(0, colon), spec);
     const std::string where = "light '" + to_string(light.type) + "': ";
-    const auto fields =
+    const auto given =
         parse_fields(colon == std::string_view::npos ? "" : spec.substr(colon + 1), light.type, where);
-    require_places(light, fields, where);
-    take_quantity(light, fields, where);
-    for (const auto& [key, text] : fields) {
-        if (key == "position") light.position = parse_vec3(text, where + key);
-        if (key == "target") light.target = parse_vec3(text, where + key);
-        if (key == "direction") light.direction = parse_vec3(text, where + key);
-        if (key == "color") light.color = parse_vec3(text, where + key);
-        if (key == "size") light.size = parse_vec2(text, where + key);
-        if (key == "outer") light.outer = parse_number(text, where + key);
-        if (key == "inner") light.inner = parse_number(text, where + key);
-    }
+    require_all(light, given, where);
+    take_quantity(light, given, where);
+    for (const auto& field : light_fields())
+        if (const auto found = given.find(field.text.key); found != given.end())
+            std::visit([&](auto place) { parse(found->second, where + found->first, light.*place); },
+                       field.member);
     validate(light);
     return light;
 }
 
 std::string to_string(const LightSpec& light) {
-    std::string text = to_string(light.type) + ":";
-    if (light.type != Type::directional) text += "position=" + text_of(light.position) + ";";
-    if (light.target) text += "target=" + text_of(*light.target) + ";";
-    if (light.direction) text += "direction=" + text_of(*light.direction) + ";";
-    if (light.type == Type::spot) text += "outer=" + text_of(light.outer) + ";";
-    if (light.type == Type::spot && light.inner != 0) text += "inner=" + text_of(light.inner) + ";";
-    if (light.type == Type::rect || light.type == Type::disk)
-        text += "size=" + text_of(light.size.x) + "," + text_of(light.size.y) + ";";
-    text += to_string(light.quantity) + "=" + text_of(light.amount);
-    return light.color == glm::dvec3(1) ? text : text + ";color=" + text_of(light.color);
+    auto values = light;
+    std::string text = to_string(light.type) + ":", color;
+    for (const auto& field : light_fields()) {
+        const auto numbers = numbers_of(field.slot(values));
+        if (!field.counts_in(light) || numbers.empty()) continue;
+        const auto part = field.text.key + "=" + text_of(numbers) + ";";
+        if (field.text.key == "color")
+            color = light.color == glm::dvec3(1) ? "" : ";color=" + text_of(numbers);
+        else if (field.text.key != "inner" || light.inner != 0)
+            text += part;
+    }
+    return text + to_string(light.quantity) + "=" + text_of(light.amount) + color;
 }
 
 glm::dvec3 parse_vec3(std::string_view text, const std::string& what) {

@@ -47,6 +47,9 @@ void validate(const LightSpec& light);
 std::string to_string(LightSpec::Type type);          ///< "point", "spot", "directional", "rect", "disk"
 std::string to_string(LightSpec::Quantity quantity);  ///< "intensity", "flux", "irradiance", "radiance"
 
+/// Whether it looks at a point or along a direction: spot, rect and disk.
+bool looks(LightSpec::Type type);
+
 /// The quantities that a type of light may be given in; the first is its own.
 std::vector<LightSpec::Quantity> allowed_quantities(LightSpec::Type type);
 

@@ -1,5 +1,6 @@
 #include "projects/motion_read.h"
 
+#include "projects/document_fields.h"
 #include "projects/motion.h"
 #include "projects/text.h"
 #include "projects/validate.h"
@@ -36,24 +37,7 @@ void read_target(ObjectReader& reader, Motion& motion) {
 
 Motion::Key read_key(ObjectReader& reader, Motion::Kind kind) {
     Motion::Key key;
-    key.time = reader.number("time", key.time);
-    switch (kind) {
-        case Motion::Kind::camera:
-            key.eye = reader.vec3("eye", key.eye);
-            key.target = reader.vec3("target", key.target);
-            key.up = reader.vec3("up", key.up);
-            break;
-        case Motion::Kind::light:
-            key.position = reader.optional_vec3("position");
-            key.look_at = reader.optional_vec3("target");
-            key.direction = reader.optional_vec3("direction");
-            key.intensity = reader.number("intensity", key.intensity, 0);
-            break;
-        case Motion::Kind::part:
-            key.translation = reader.vec3("translation", key.translation);
-            key.rotation = reader.vec3("rotation", key.rotation);
-            key.scale = reader.vec3("scale", key.scale);
-    }
+    read_fields(reader, key, key_fields(kind));
     key.extra = reader.rest();
     return key;
 }

@@ -96,41 +96,14 @@ std::uint64_t ObjectReader::natural(const std::string& key, std::uint64_t otherw
     return json->get<std::uint64_t>();
 }
 
-void ObjectReader::numbers(const std::string& key, const Json& array, double* out, std::size_t count) const {
-    bool good = array.is_array() && array.size() == count;
+void ObjectReader::numbers(const std::string& key, double* out, std::size_t count) {
+    const auto* json = take(key);
+    bool good = json && json->is_array() && json->size() == count;
     for (std::size_t i = 0; good && i < count; ++i) {
-        good = array[i].is_number();
-        if (good) out[i] = array[i].get<double>();
+        good = (*json)[i].is_number();
+        if (good) out[i] = (*json)[i].get<double>();
     }
     if (!good) fail(key, "must be an array of " + std::to_string(count) + " numbers");
-}
-
-std::optional<glm::dvec3> ObjectReader::optional_vec3(const std::string& key) {
-    const auto* json = take(key);
-    if (!json) return std::nullopt;
-    double n[3] = {};
-    numbers(key, *json, n, 3);
-    return glm::dvec3(n[0], n[1], n[2]);
-}
-
-glm::dvec3 ObjectReader::vec3(const std::string& key, const glm::dvec3& otherwise) {
-    return optional_vec3(key).value_or(otherwise);
-}
-
-std::optional<glm::dvec4> ObjectReader::optional_vec4(const std::string& key) {
-    const auto* json = take(key);
-    if (!json) return std::nullopt;
-    double n[4] = {};
-    numbers(key, *json, n, 4);
-    return glm::dvec4(n[0], n[1], n[2], n[3]);
-}
-
-std::optional<glm::dvec2> ObjectReader::optional_vec2(const std::string& key) {
-    const auto* json = take(key);
-    if (!json) return std::nullopt;
-    double n[2] = {};
-    numbers(key, *json, n, 2);
-    return glm::dvec2(n[0], n[1]);
 }
 
 std::optional<glm::ivec2> ObjectReader::optional_size(const std::string& key) {

@@ -37,10 +37,8 @@ class ObjectReader {
                   double max = std::numeric_limits<double>::max());
     std::int64_t integer(const std::string& key, std::int64_t otherwise, std::int64_t min, std::int64_t max);
     std::uint64_t natural(const std::string& key, std::uint64_t otherwise);
-    glm::dvec3 vec3(const std::string& key, const glm::dvec3& otherwise);
-    std::optional<glm::dvec3> optional_vec3(const std::string& key);
-    std::optional<glm::dvec4> optional_vec4(const std::string& key);
-    std::optional<glm::dvec2> optional_vec2(const std::string& key);
+    /// The member is an array of so many numbers.
+    void numbers(const std::string& key, double* out, std::size_t count);
     std::optional<glm::ivec2> optional_size(const std::string& key);
 
     /// Calls `read(item, pointer)` for every item of the array; an absent member is empty.
@@ -52,8 +50,6 @@ class ObjectReader {
     [[noreturn]] void fail(const std::string& key, const std::string& problem) const;
 
   private:
-    void numbers(const std::string& key, const Json& array, double* out, std::size_t count) const;
-
     const Json& object_;
     std::string file_, pointer_;
     std::set<std::string> known_;

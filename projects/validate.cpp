@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "projects/document_fields.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
@@ -19,31 +20,15 @@ void check_id(const std::string& id, const std::string& word) {
                                        "beginning with '.'");
 }
 
-bool is_finite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 bool is_finite(const Settings& values) {
     for (const auto& [key, value] : values)
         if (const auto* number = std::get_if<double>(&value); number && !std::isfinite(*number)) return false;
     return true;
 }
 
-bool is_finite(const std::optional<glm::dvec3>& v) {
-    return !v || is_finite(*v);
-}
-
-bool is_finite(const Motion::Key& key) {
-    return std::isfinite(key.time) && is_finite(key.eye) && is_finite(key.target) && is_finite(key.up) &&
-           is_finite(key.position) && is_finite(key.look_at) && is_finite(key.direction) &&
-           std::isfinite(key.intensity) && is_finite(key.translation) && is_finite(key.rotation) &&
-           is_finite(key.scale);
-}
-
 /// Keys between which a light cannot be told from interpolation are refused.
 void validate_light_key(const std::vector<Motion::Key>& keys, std::size_t i, const std::string& where) {
     const auto& key = keys[i];
-    refuse_unless(key.intensity >= 0, where + "a light's intensity must not be negative");
     refuse_unless(!(key.look_at && key.direction), where + "a key has a target or a direction, not both");
     refuse_unless(!key.direction || *key.direction != glm::dvec3(0), where + "a direction must not be 0,0,0");
     if (i == 0) return;
@@ -64,7 +49,7 @@ void validate(const Scene& scene) {
     const std::string where = "scene '" + scene.id + "': ";
     refuse_unless(!scene.parts.empty(), where + "needs at least one file");
     for (const auto& part : scene.parts) {
-        refuse_unless(!part.source.empty(), where + "a part has no file; give one");
+        validate_fields(part, part_fields(), where + "a part's ");
         for (const auto& [name, change] : part.materials)
             validate(change, where + "material '" + printable(name, 60) + "': ");
         if (!part.transform) continue;
@@ -76,13 +61,10 @@ void validate(const Scene& scene) {
 void validate(const Camera& camera) {
     check_id(camera.id, "camera");
     const std::string where = "camera '" + camera.id + "': ";
-    refuse_unless(is_finite(camera.eye) && is_finite(camera.target) && is_finite(camera.up),
-                  where + "eye, target and up must be finite");
+    validate_fields(camera, camera_fields(), where);
+    if (!camera.scene_camera.empty()) return;
     refuse_unless(camera.eye != camera.target, where + "target must differ from eye");
     refuse_unless(camera.up != glm::dvec3(0), where + "up must not be 0,0,0");
-    refuse_unless(camera.fov_y_degrees >= 0.001 && camera.fov_y_degrees <= 179.999,
-                  where + "the field of view must lie between 0.001 and 179.999 degrees");
-    refuse_unless(camera.height >= 1e-9 && camera.height <= 1e9, where + "height must be above 0 metres");
 }
 
 void validate(const LightSet& lights) {
@@ -92,10 +74,9 @@ void validate(const LightSet& lights) {
     refuse_unless(!lights.use_scene_lights || lights.lights.empty(),
                   where + "uses either the scene's lights or its own");
     for (const auto& light : lights.lights) validate(light);
-    const auto& environment = lights.environment;
-    refuse_unless(is_finite(environment.constant) &&
-                      glm::all(glm::greaterThanEqual(environment.constant, glm::dvec3(0))),
-                  where + "the environment's radiance must be three numbers of at least 0");
+    auto environment = lights.environment;
+    const auto problem = problem_with(constant_environment_text(), &environment.constant);
+    refuse_unless(problem.empty(), where + "the environment's radiance " + problem);
     refuse_unless(environment.kind != Environment::Kind::map || !environment.source.empty(),
                   where + "the environment map's file is missing; give one");
 }
@@ -106,7 +87,7 @@ void validate(const Motion& motion) {
     refuse_unless(motion.light >= 0 && motion.part >= 0, where + "counts lights and parts from 0");
     for (std::size_t i = 0; i < motion.keys.size(); ++i) {
         const auto& key = motion.keys[i];
-        refuse_unless(is_finite(key), where + "its keys must hold finite numbers");
+        validate_fields(key, key_fields(motion.kind), where + "key " + std::to_string(i + 1) + ": ");
         refuse_unless(i == 0 || key.time > motion.keys[i - 1].time,
                       where + "the times of its keys must ascend");
         if (motion.kind == Motion::Kind::light) validate_light_key(motion.keys, i, where);
@@ -118,7 +99,7 @@ void validate(const Motion& motion) {
 
 void validate(const ForeignImage& image) {
     check_id(image.id, "image");
-    refuse_unless(!image.source.empty(), "image '" + image.id + "': its file is missing; give one");
+    validate_fields(image, image_fields(), "image '" + image.id + "': ");
 }
 
 void validate(const Experiment& experiment) {
@@ -142,8 +123,7 @@ void validate(const Experiment& experiment) {
 
 void validate(const Comparison& comparison) {
     check_id(comparison.id, "comparison");
-    refuse_unless(!comparison.range || std::isfinite(comparison.range->x + comparison.range->y),
-                  "comparison '" + comparison.id + "': its range must be finite");
+    validate_fields(comparison, comparison_fields(), "comparison '" + comparison.id + "': ");
 }
 
 void validate(const Sweep& sweep) {
@@ -154,9 +134,7 @@ void validate(const Sweep& sweep) {
 
 void validate(const ErrorPlot& plot) {
     check_id(plot.id, "plot");
-    const std::string where = "plot '" + plot.id + "': ";
-    refuse_unless(!plot.over.empty(), where + "runs over nothing; give frames, seed or a parameter's key");
-    refuse_unless(!plot.metric.empty(), where + "has no metric; give one, such as rmse");
+    validate_fields(plot, plot_fields(), "plot '" + plot.id + "': ");
 }
 
 void validate_size(glm::ivec2 size) {

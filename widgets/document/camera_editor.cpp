@@ -40,26 +40,36 @@ CameraEditor::CameraEditor(QWidget* parent) : ItemForm(parent) {
     make_text_rows(make_form_section(tr("As text"), this));
 }
 
-VectorField* CameraEditor::vector_row(QGridLayout* grid, const char* name, const QString& label,
-                                      const QString& tip, glm::dvec3 Camera::*member) {
-    auto* field =
-        new VectorField(name, {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")}, this);
-    pose_rows_.insert(pose_rows_.end(), {row(grid, label, field, tip), field});
-    connect(field, &VectorField::chosen, this, [this, name, member](int index, double value) {
+VectorField* CameraEditor::vector_row(QGridLayout* grid, const std::string& key) {
+    const auto& camera_field = projects::field_of(projects::camera_fields(), key);
+    auto* field = new VectorField(q(key), xyz, this);
+    pose_rows_.insert(pose_rows_.end(), {row(grid, camera_field.text, field), field});
+    connect(field, &VectorField::chosen, this, [this, &camera_field](int index, double value) {
         emit edit_wanted(
-            field_edit<Camera>(id_, name, [=](Camera& camera) { (camera.*member)[index] = value; }));
+            field_edit<Camera>(id_, camera_field.text.key, [&camera_field, index, value](Camera& camera) {
+                projects::set_number(camera_field.slot(camera), index, value);
+            }));
     });
     return field;
 }
 
+CameraEditor::NumberRow CameraEditor::number_row(QGridLayout* grid, const std::string& key) {
+    const auto& camera_field = projects::field_of(projects::camera_fields(), key);
+    auto* field = make_number(q(key), camera_field.text, this);
+    auto* label = row(grid, camera_field.text, field);
+    const std::string name = q(camera_field.text.label).toLower().toStdString();
+    connect(field, &NumberField::chosen, this, [this, name, &camera_field](double value) {
+        emit edit_wanted(field_edit<Camera>(id_, name, [&camera_field, value](Camera& camera) {
+            projects::set_number(camera_field.slot(camera), 0, value);
+        }));
+    });
+    return {label, field, &camera_field};
+}
+
 void CameraEditor::make_pose_rows(QGridLayout* grid) {
-    eye_ = vector_row(grid, "eye", tr("Eye"), tr("Where the camera is: x, y, z in metres, world space"),
-                      &Camera::eye);
-    target_ =
-        vector_row(grid, "target", tr("Target"),
-                   tr("What it looks at: x, y, z in metres; orbits turn about this point"), &Camera::target);
-    up_ = vector_row(grid, "up", tr("Up"), tr("Direction that is up in the picture: x, y, z, any length"),
-                     &Camera::up);
+    eye_ = vector_row(grid, "eye");
+    target_ = vector_row(grid, "target");
+    up_ = vector_row(grid, "up");
     projection_ = new ChoiceField("projection", this);
     auto* projection_label = row(grid, tr("Projection"), projection_, tr("Perspective, or parallel rays"));
     pose_rows_.insert(pose_rows_.end(), {projection_label, projection_});
@@ -68,17 +78,7 @@ void CameraEditor::make_pose_rows(QGridLayout* grid) {
         emit edit_wanted(field_edit<Camera>(
             id_, "projection", [=](Camera& camera) { camera.orthographic = orthographic; }, false));
     });
-    fov_ = make_number("fov", 0.001, 179.999, QStringLiteral("°"), this);
-    fov_label_ = row(grid, tr("View angle"), fov_, tr("Vertical field of view in degrees"));
-    connect(fov_, &NumberField::chosen, this, [this](double value) {
-        emit edit_wanted(
-            field_edit<Camera>(id_, "field of view", [=](Camera& camera) { camera.fov_y_degrees = value; }));
-    });
-    height_ = make_number("height", 1e-9, 1e9, QStringLiteral("m"), this);
-    height_label_ = row(grid, tr("Height"), height_, tr("Metres from the picture's lower to its upper edge"));
-    connect(height_, &NumberField::chosen, this, [this](double value) {
-        emit edit_wanted(field_edit<Camera>(id_, "height", [=](Camera& camera) { camera.height = value; }));
-    });
+    numbers_ = {number_row(grid, "fov_y_degrees"), number_row(grid, "height")};
 }
 
 void CameraEditor::make_text_rows(QGridLayout* grid) {
@@ -168,8 +168,9 @@ void CameraEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     const QString from_file =
         tr("The pose comes from the file's camera “%1”; choose “Its own” above to edit it.")
             .arg(source_name_);
-    for (QWidget* widget : std::initializer_list<QWidget*>{eye_, target_, up_, projection_, fov_, height_})
+    for (QWidget* widget : std::initializer_list<QWidget*>{eye_, target_, up_, projection_})
         set_usable(widget, from_file);
+    for (const auto& each : numbers_) set_usable(each.control, from_file);
 }
 
 void CameraEditor::show_pose(bool is_known) {
@@ -180,13 +181,15 @@ void CameraEditor::show_pose(bool is_known) {
         {{QStringLiteral("perspective"), tr("Perspective"), {}},
          {QStringLiteral("orthographic"), tr("Parallel (orthographic)"), {}}},
         pose_.orthographic ? QStringLiteral("orthographic") : QStringLiteral("perspective"));
-    fov_->show_value(pose_.fov_y_degrees);
-    height_->show_value(pose_.height);
+    Camera camera;
+    makers::put_pose(camera, pose_);
     for (auto* widget : pose_rows_) widget->setVisible(is_known);
-    for (QWidget* widget : std::initializer_list<QWidget*>{fov_, fov_label_})
-        widget->setVisible(is_known && !pose_.orthographic);
-    for (QWidget* widget : std::initializer_list<QWidget*>{height_, height_label_})
-        widget->setVisible(is_known && pose_.orthographic);
+    for (const auto& each : numbers_) {
+        each.control->show_value(projects::numbers_of(each.field->slot(camera)).front());
+        const bool shown = is_known && each.field->counts_in(camera);
+        each.label->setVisible(shown);
+        each.control->setVisible(shown);
+    }
     hint_->setVisible(!is_known);
     text_->show_text(is_known ? QString::fromStdString(pose_text(pose_)) : QString());
     set_usable(copy_, is_known ? QString() : tr("The pose is not known yet."));

@@ -27,14 +27,19 @@ class CameraEditor : public ItemForm {
     void show_pose(bool is_known);
     void choose_source(const QString& name);
     void take_text(const QString& text);
-    VectorField* vector_row(QGridLayout* grid, const char* name, const QString& label, const QString& tip,
-                            glm::dvec3 projects::Camera::*member);
+    struct NumberRow {
+        QLabel* label;
+        NumberField* control;
+        const projects::Field<projects::Camera>* field;
+    };
+    VectorField* vector_row(QGridLayout* grid, const std::string& key);
+    NumberRow number_row(QGridLayout* grid, const std::string& key);
 
     TextField *name_, *text_;
     ChoiceField *source_, *projection_;
     VectorField *eye_, *target_, *up_;
-    NumberField *fov_, *height_;
-    QLabel *fov_label_, *height_label_, *hint_;
+    std::vector<NumberRow> numbers_;  ///< one counts in each projection
+    QLabel* hint_;
     QToolButton *copy_, *paste_, *from_view_;
     std::function<std::optional<CameraPose>()> view_pose_;
     CameraPose pose_;      ///< that is shown

@@ -48,29 +48,27 @@ ComparisonEditor::ComparisonEditor(QWidget* parent) : ItemForm(parent) {
               {QStringLiteral("difference:significant"), tr("Significant difference"), {}}};
     auto* grid = make_form_section(tr("Comparison"), this);
     name_ = name_row(grid, ItemKind::comparison, tr("What the comparison is called"));
-    a_ =
-        choice_row(grid, "a", tr("A"), tr("First picture: an experiment or a foreign image"), &Comparison::a);
-    b_ = choice_row(grid, "b", tr("B"), tr("Second picture: an experiment or a foreign image"),
-                    &Comparison::b);
-    output_ =
-        choice_row(grid, "output", tr("Output"), tr("Which buffer of both is compared"), &Comparison::output);
-    mode_ = choice_row(grid, "mode", tr("Mode"), tr("How the two are shown"), &Comparison::mode);
+    a_ = choice_row(grid, "a");
+    b_ = choice_row(grid, "b");
+    output_ = choice_row(grid, "output");
+    mode_ = choice_row(grid, "mode");
     make_range_rows(grid);
     notes_ = new NotesField("notes", this);
-    row(grid, tr("Notes"), notes_, tr("What the comparison shows"));
+    row(grid, projects::field_of(projects::comparison_fields(), "notes").text, notes_);
     connect(notes_, &NotesField::chosen, this, [this](const QString& text) {
         emit edit_wanted(field_edit<Comparison>(
             id_, "notes", [notes = text.toStdString()](Comparison& changed) { changed.notes = notes; }));
     });
 }
 
-ChoiceField* ComparisonEditor::choice_row(QGridLayout* grid, const char* name, const QString& label,
-                                          const QString& tip, std::string Comparison::*member) {
-    auto* field = new ChoiceField(name, this);
-    row(grid, label, field, tip);
-    connect(field, &ChoiceField::chosen, this, [this, name, member](const QString& chosen) {
+ChoiceField* ComparisonEditor::choice_row(QGridLayout* grid, const char* key) {
+    const auto& text_field = projects::field_of(projects::comparison_fields(), key);
+    auto* field = new ChoiceField(key, this);
+    row(grid, text_field.text, field);
+    const auto member = std::get<std::string Comparison::*>(text_field.member);
+    connect(field, &ChoiceField::chosen, this, [this, key, member](const QString& chosen) {
         emit edit_wanted(field_edit<Comparison>(
-            id_, name,
+            id_, key,
             [member, value = chosen.toStdString()](Comparison& changed) { changed.*member = value; }, false));
     });
     return field;
@@ -88,8 +86,8 @@ void ComparisonEditor::make_range_rows(QGridLayout* grid) {
             },
             false));
     });
-    range_ = new VectorField("range", {QStringLiteral("from"), QStringLiteral("to")}, this);
-    row(grid, QString(), range_, tr("Values shown as the first and the last colour, in the output's unit"));
+    range_ = new VectorField(QStringLiteral("range"), {QStringLiteral("from"), QStringLiteral("to")}, this);
+    row(grid, QString(), range_, q(projects::field_of(projects::comparison_fields(), "range").text.doc));
     connect(range_, &VectorField::chosen, this, [this](int index, double value) {
         emit edit_wanted(field_edit<Comparison>(id_, "range", [=](Comparison& changed) {
             glm::dvec2 range = changed.range.value_or(glm::dvec2(0, 1));

@@ -66,11 +66,16 @@ QToolButton* make_button(const char* drawing, const QString& tip, QWidget* paren
     return button;
 }
 
-NumberField* make_number(const char* name, double least, double most, const QString& unit, QWidget* parent) {
+void set_range(NumberField* field, const projects::Range& range) {
+    constexpr double most = 1e300;  // sums of what is typed stay finite
+    field->setRange(std::max(range.min, -most), std::min(range.max, most));
+}
+
+NumberField* make_number(const QString& name, const projects::FieldText& text, QWidget* parent) {
     auto* field = new NumberField(parent);
-    field->setObjectName(QLatin1String(name));
-    field->setRange(least, most);
-    if (!unit.isEmpty()) field->setSuffix(QLatin1Char(' ') + unit);
+    field->setObjectName(name);
+    set_range(field, text.range);
+    if (!text.unit.empty()) field->setSuffix(QLatin1Char(' ') + QString::fromStdString(text.unit));
     return field;
 }
 

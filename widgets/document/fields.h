@@ -7,6 +7,7 @@
 #include <QWidget>
 #include <vector>
 
+#include "projects/fields.h"
 #include "widgets/parameters/experiment_panel.h"
 #include "widgets/parameters/number_field.h"
 
@@ -31,16 +32,17 @@ void add_wide(QGridLayout* grid, QWidget* control);
 QGridLayout* make_form_section(const QString& title, QWidget* parent);
 QToolButton* make_button(const char* drawing, const QString& tip, QWidget* parent);
 
-/// One number with its unit.
-NumberField* make_number(const char* name, double least, double most, const QString& unit, QWidget* parent);
+void set_range(NumberField* field, const projects::Range& range);
+/// One number with its unit and limits.
+NumberField* make_number(const QString& name, const projects::FieldText& text, QWidget* parent);
 
 /// Several numbers in a row: positions, directions, colours. They step by keys and wheel.
 class VectorField : public QWidget {
     Q_OBJECT
   public:
     /// `parts` are what the numbers are called: {"x", "y", "z"}.
-    VectorField(const char* name, const QStringList& parts, QWidget* parent);
-    void set_range(double least, double most);
+    VectorField(const QString& name, const QStringList& parts, QWidget* parent);
+    void set_range(const projects::Range& range);
     void show_values(const std::vector<double>& values);
     NumberField* part(int index) const { return parts_[std::size_t(index)]; }
 
@@ -56,8 +58,7 @@ class VectorField : public QWidget {
 class ColourField : public QWidget {
     Q_OBJECT
   public:
-    ColourField(const char* name, bool with_alpha, QWidget* parent);
-    void set_range(double least, double most);
+    ColourField(const QString& name, bool with_alpha, const projects::Range& range, QWidget* parent);
     void show_values(const std::vector<double>& values);
     VectorField* numbers() const { return numbers_; }
     const std::vector<double>& values() const { return values_; }

@@ -19,6 +19,10 @@ QLabel* ItemForm::row(QGridLayout* grid, const QString& label, QWidget* control,
     return text;
 }
 
+QLabel* ItemForm::row(QGridLayout* grid, const projects::FieldText& text, QWidget* control) {
+    return row(grid, QString::fromStdString(text.label), control, QString::fromStdString(text.doc));
+}
+
 void ItemForm::add_control(QWidget* control) {
     controls_.push_back(control);
     watch(control);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "projects/document_fields.h"
 #include "widgets/document/edit_maker.h"
 #include "widgets/document/item_ref.h"
 #include "widgets/image/camera_motion.h"
@@ -66,6 +67,7 @@ class ItemForm : public QWidget {
   protected:
     /// A row whose control edits the document. `tip` says what it means.
     QLabel* row(QGridLayout* grid, const QString& label, QWidget* control, const QString& tip);
+    QLabel* row(QGridLayout* grid, const projects::FieldText& text, QWidget* control);
     /// Controls outside rows that edit the document.
     void add_control(QWidget* control);
     /// Ends the undo step when the field is done.

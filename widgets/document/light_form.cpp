@@ -18,21 +18,10 @@ using Type = LightSpec::Type;
 using Quantity = LightSpec::Quantity;
 
 constexpr Type types[] = {Type::point, Type::spot, Type::directional, Type::rect, Type::disk};
-bool looks(Type type) {
-    return type == Type::spot || type == Type::rect || type == Type::disk;
-}
 
 QString quantity_name(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::intensity:
-            return LightForm::tr("Intensity, W/sr");
-        case Quantity::flux:
-            return LightForm::tr("Flux, W");
-        case Quantity::irradiance:
-            return LightForm::tr("Irradiance, W/m²");
-        default:
-            return LightForm::tr("Radiance, W/(m² sr)");
-    }
+    const auto& text = projects::quantity_text(quantity);
+    return QStringLiteral("%1, %2").arg(q(text.label), q(text.unit));
 }
 
 }  // namespace
@@ -80,25 +69,16 @@ LightForm::LightForm(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(t
                     tr("type"), [type](LightSpec& light) { light = with_type(light, type); }, false);
     });
     make_strength_rows();
-    make_place_rows();
-    make_shape_rows();
+    make_colour_row(projects::field_of(projects::light_fields(), "color"));
+    for (const auto& field : projects::light_fields()) {
+        if (field.text.key == "target") make_aim_row();
+        if (field.text.key != "color") make_field_row(field);
+    }
 }
 
 QWidget* LightForm::add(const QString& label, QWidget* control, const QString& tip) {
-    rows_.push_back({add_row(grid_, label, control, tip), control});
+    rows_.push_back({add_row(grid_, label, control, tip), control, nullptr});
     return control;
-}
-
-NumberField* LightForm::number_row(const char* name, const QString& label, const QString& tip, double most,
-                                   const QString& unit, double LightSpec::*member) {
-    auto* field = make_number(name, 0, most, unit, this);
-    add(label, field, tip);
-    connect(field, &NumberField::chosen, this, [this, label, member](double value) {
-        emit change_wanted(
-            label.toLower(), [member, value](LightSpec& light) { light.*member = value; }, true);
-    });
-    connect(field, &NumberField::editingFinished, this, &LightForm::finished);
-    return field;
 }
 
 void LightForm::make_strength_rows() {
@@ -107,39 +87,22 @@ void LightForm::make_strength_rows() {
         tr("Choosing another quantity converts the number; the light stays as bright"));
     connect(quantity_, &ChoiceField::chosen, this, [this](const QString& id) {
         for (const auto quantity : {Quantity::intensity, Quantity::flux})
-            if (id == QString::fromStdString(to_string(quantity)))
+            if (id == q(to_string(quantity)))
                 emit change_wanted(
                     tr("quantity"), [quantity](LightSpec& light) { light = with_quantity(light, quantity); },
                     false);
     });
-    amount_ = number_row("light-amount", tr("Strength"), tr("Per colour channel, times the colour"), 1e300,
-                         QStringLiteral("W/sr"), &LightSpec::amount);
-    colour_ = new ColourField("light-colour", false, this);
-    add(tr("Colour"), colour_, tr("Linear red, green and blue; may be brighter than 1"));
-    connect(colour_, &ColourField::chosen, this, [this](const std::vector<double>& c) {
+    const auto& text = projects::quantity_text(Quantity::intensity);
+    amount_ = make_number(QStringLiteral("light-amount"), text, this);
+    add(tr("Strength"), amount_, q(text.doc));
+    connect(amount_, &NumberField::chosen, this, [this](double value) {
         emit change_wanted(
-            tr("colour"),
-            [c](LightSpec& light) {
-                light.color = {c[0], c[1], c[2]};
-            },
-            true);
+            tr("strength"), [value](LightSpec& light) { light.amount = value; }, true);
     });
-    connect(colour_, &ColourField::finished, this, &LightForm::finished);
+    connect(amount_, &NumberField::editingFinished, this, &LightForm::finished);
 }
 
-void LightForm::make_place_rows() {
-    const auto vector = [this](const char* name, const QString& label, const QString& tip, auto put) {
-        auto* field = new VectorField(name, xyz, this);
-        add(label, field, tip);
-        connect(field, &VectorField::chosen, this, [this, label, put](int index, double value) {
-            emit change_wanted(
-                label.toLower(), [=](LightSpec& light) { put(light)[index] = value; }, true);
-        });
-        connect(field, &VectorField::finished, this, &LightForm::finished);
-        return field;
-    };
-    position_ = vector("light-position", tr("Position"), tr("x, y, z in metres, world space"),
-                       [](LightSpec& light) -> glm::dvec3& { return light.position; });
+void LightForm::make_aim_row() {
     aim_ = new ChoiceField("light-aim", this);
     add(tr("Looks"), aim_, tr("At a point, or along a direction"));
     connect(aim_, &ChoiceField::chosen, this, [this](const QString& id) {
@@ -153,32 +116,49 @@ void LightForm::make_place_rows() {
             },
             false);
     });
-    target_ = vector("light-target", tr("Target"), tr("Point that the light looks at: x, y, z in metres"),
-                     [](LightSpec& light) -> glm::dvec3& {
-                         if (!light.target) light.target = light.position + light.travel();
-                         return *light.target;
-                     });
-    direction_ = vector("light-direction", tr("Direction"),
-                        tr("Direction in which the light travels: x, y, z, any length"),
-                        [](LightSpec& light) -> glm::dvec3& {
-                            if (!light.direction) light.direction = light.travel();
-                            return *light.direction;
-                        });
 }
 
-void LightForm::make_shape_rows() {
-    outer_ = number_row("light-outer", tr("Outer"), tr("Half-angle in degrees where the light ends"), 90,
-                        QStringLiteral("°"), &LightSpec::outer);
-    inner_ = number_row("light-inner", tr("Inner"),
-                        tr("Half-angle up to which the light is full; equal to the outer: a hard edge"), 90,
-                        QStringLiteral("°"), &LightSpec::inner);
-    size_ = new VectorField("light-size", {QStringLiteral("w"), QStringLiteral("h")}, this);
-    add(tr("Size"), size_, tr("Sides of the rectangle or diameters of the disk, metres"));
-    connect(size_, &VectorField::chosen, this, [this](int index, double value) {
+void LightForm::make_field_row(const projects::Field<LightSpec>& field) {
+    const QString name = QStringLiteral("light-") + q(field.text.key), label = q(field.text.label);
+    const auto change = [this, label, &field](int index, double value) {
         emit change_wanted(
-            tr("size"), [=](LightSpec& light) { light.size[index] = value; }, true);
+            label.toLower(),
+            [&field, index, value](LightSpec& light) {
+                projects::set_number(field.slot(light), index, value);
+            },
+            true);
+    };
+    QWidget* control = nullptr;
+    if (std::holds_alternative<double LightSpec::*>(field.member)) {
+        auto* number = make_number(name, field.text, this);
+        connect(number, &NumberField::chosen, this, [change](double value) { change(0, value); });
+        connect(number, &NumberField::editingFinished, this, &LightForm::finished);
+        control = number;
+    } else {
+        const bool is_size = std::holds_alternative<glm::dvec2 LightSpec::*>(field.member);
+        auto* vector = new VectorField(
+            name, is_size ? QStringList{QStringLiteral("w"), QStringLiteral("h")} : xyz, this);
+        vector->set_range(field.text.range);
+        connect(vector, &VectorField::chosen, this, change);
+        connect(vector, &VectorField::finished, this, &LightForm::finished);
+        control = vector;
+    }
+    add(label, control, q(field.text.doc));
+    rows_.back().field = &field;
+}
+
+void LightForm::make_colour_row(const projects::Field<LightSpec>& field) {
+    colour_ = new ColourField(QStringLiteral("light-") + q(field.text.key), false, field.text.range, this);
+    add(q(field.text.label), colour_, q(field.text.doc));
+    connect(colour_, &ColourField::chosen, this, [this](const std::vector<double>& c) {
+        emit change_wanted(
+            tr("colour"),
+            [c](LightSpec& light) {
+                light.color = {c[0], c[1], c[2]};
+            },
+            true);
     });
-    connect(size_, &VectorField::finished, this, &LightForm::finished);
+    connect(colour_, &ColourField::finished, this, &LightForm::finished);
 }
 
 void LightForm::set_shown(QWidget* control, bool shown) {
@@ -202,27 +182,26 @@ void LightForm::show_light(const LightSpec& light) {
     for (const auto quantity : allowed)
         quantities.push_back({QString::fromStdString(to_string(quantity)), quantity_name(quantity), {}});
     quantity_->show_options(quantities, QString::fromStdString(to_string(light.quantity)));
-    amount_->setSuffix(QLatin1Char(' ') + unit_of(light.quantity));
+    amount_->setSuffix(QLatin1Char(' ') + q(projects::quantity_text(light.quantity).unit));
     amount_->show_value(light.amount);
     colour_->show_values(numbers(light.color));
-    position_->show_values(numbers(light.position));
     aim_->show_options({{QStringLiteral("target"), tr("at a point"), {}},
                         {QStringLiteral("direction"), tr("along a direction"), {}}},
                        light.target ? QStringLiteral("target") : QStringLiteral("direction"));
-    target_->show_values(numbers(light.target.value_or(glm::dvec3(0))));
-    direction_->show_values(numbers(light.direction.value_or(glm::dvec3(0, -1, 0))));
-    outer_->show_value(light.outer);
-    inner_->show_value(light.inner);
-    size_->show_values({light.size.x, light.size.y});
-    const bool has_size = light.type == Type::rect || light.type == Type::disk;
     set_shown(quantity_, allowed.size() > 1);
-    set_shown(position_, light.type != Type::directional);
     set_shown(aim_, looks(light.type));
-    set_shown(target_, looks(light.type) && light.target.has_value());
-    set_shown(direction_, light.type == Type::directional || (looks(light.type) && !light.target));
-    set_shown(outer_, light.type == Type::spot);
-    set_shown(inner_, light.type == Type::spot);
-    set_shown(size_, has_size);
+    auto values = light;
+    for (const auto& row : rows_) {
+        if (!row.field) continue;
+        const bool counts = row.field->counts_in(light);
+        set_shown(row.control, counts);
+        const auto shown = projects::numbers_of(row.field->slot(values));
+        if (!counts || shown.empty()) continue;
+        if (auto* number = qobject_cast<NumberField*>(row.control))
+            number->show_value(shown.front());
+        else
+            static_cast<VectorField*>(row.control)->show_values(shown);
+    }
 }
 
 }  // namespace ir::widgets

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "projects/light_spec.h"
+#include "projects/document_fields.h"
 
 class QGridLayout;
 class QLabel;
@@ -13,7 +13,6 @@ namespace ir::widgets {
 class ChoiceField;
 class ColourField;
 class NumberField;
-class VectorField;
 
 /// The light as another type: what both have stays, what the type needs gets a value.
 projects::LightSpec with_type(const projects::LightSpec& light, projects::LightSpec::Type type);
@@ -39,21 +38,20 @@ class LightForm : public QWidget {
     struct FormRow {
         QLabel* label;
         QWidget* control;
+        const projects::Field<projects::LightSpec>* field;  ///< null: a choice, the strength or the colour
     };
     QWidget* add(const QString& label, QWidget* control, const QString& tip);
     void make_strength_rows();
-    void make_place_rows();
-    void make_shape_rows();
-    NumberField* number_row(const char* name, const QString& label, const QString& tip, double most,
-                            const QString& unit, double projects::LightSpec::*member);
+    void make_colour_row(const projects::Field<projects::LightSpec>& field);
+    void make_aim_row();
+    void make_field_row(const projects::Field<projects::LightSpec>& field);
     void set_shown(QWidget* control, bool shown);
 
     QGridLayout* grid_;
     std::vector<FormRow> rows_;
     ChoiceField *type_, *quantity_, *aim_;
-    NumberField *amount_, *outer_, *inner_;
+    NumberField* amount_;
     ColourField* colour_;
-    VectorField *position_, *target_, *direction_, *size_;
 };
 
 }  // namespace ir::widgets

@@ -116,9 +116,9 @@ void LightSetEditor::make_environment(QGridLayout* grid) {
     environment_ = new ChoiceField("environment", this);
     row(grid, tr("Light"), environment_, tr("What shines from infinity, where rays leave the scene"));
     connect(environment_, &ChoiceField::chosen, this, &LightSetEditor::choose_environment);
-    constant_ = new ColourField("environment-constant", false, this);
-    constant_label_ =
-        row(grid, tr("Radiance"), constant_, tr("The same from everywhere: red, green, blue in W/(m² sr)"));
+    const auto& constant = projects::constant_environment_text();
+    constant_ = new ColourField(QStringLiteral("environment-constant"), false, constant.range, this);
+    constant_label_ = row(grid, constant, constant_);
     connect(constant_, &ColourField::chosen, this, [this](const std::vector<double>& c) {
         emit edit_wanted(field_edit<LightSet>(id_, "environment radiance", [c](LightSet& set) {
             set.environment.constant = {c[0], c[1], c[2]};

@@ -52,6 +52,8 @@ LightSpec fresh_light(LightSpec::Type type) {
     return light;
 }
 
+}  // namespace
+
 void put_pose(projects::Camera& camera, const CameraPose& pose) {
     camera.scene_camera.clear();
     camera.eye = pose.eye;
@@ -61,8 +63,6 @@ void put_pose(projects::Camera& camera, const CameraPose& pose) {
     camera.orthographic = pose.orthographic;
     camera.height = pose.height;
 }
-
-}  // namespace
 
 EditMaker add_scene(const std::string& name, const std::string& source) {
     return [=](const Project& project) {

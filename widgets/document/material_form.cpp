@@ -10,17 +10,25 @@
 #include <algorithm>
 
 #include "widgets/document/fields.h"
+#include "widgets/document/short_forms.h"
 
 namespace ir::widgets {
 namespace {
 
 using projects::MaterialOverride;
 
-template <class Vector>
-std::vector<double> numbers(const Vector& v) {
-    std::vector<double> result;
-    for (int i = 0; i < Vector::length(); ++i) result.push_back(v[i]);
-    return result;
+/// What a glTF file that does not say has [glTF 2.0 §5.19, KHR_materials_ior, KHR_materials_transmission].
+const MaterialOverride& gltf_defaults() {
+    static const MaterialOverride defaults{glm::dvec4(1), 1, 1, glm::dvec3(0), 1, 1.5, 0};
+    return defaults;
+}
+
+/// The numbers of one member; those of glTF where it is absent.
+std::vector<double> numbers_or_defaults(const projects::Field<MaterialOverride>& field,
+                                        MaterialOverride values) {
+    const auto numbers = projects::numbers_of(field.slot(values));
+    auto defaults = gltf_defaults();
+    return numbers.empty() ? projects::numbers_of(field.slot(defaults)) : numbers;
 }
 
 }  // namespace
@@ -58,79 +66,60 @@ MaterialForm::MaterialForm(QWidget* parent)
     hint_->setWordWrap(true);
     hint_->setForegroundRole(QPalette::PlaceholderText);
     add_wide(grid_, hint_);
-    add_colour("base_colour", tr("Colour"),
-               tr("Base colour factor: linear red, green, blue and opacity, 0 … 1"), 1, glm::dvec4(1),
-               &MaterialOverride::base_colour);
-    add_number("metallic", tr("Metallic"), tr("0: dielectric, 1: metal"), 0, 1, 1,
-               &MaterialOverride::metallic);
-    add_number("roughness", tr("Roughness"), tr("0: mirror-like, 1: fully rough"), 0, 1, 1,
-               &MaterialOverride::roughness);
-    add_colour("emission", tr("Emission"), tr("Radiance that it emits: red, green, blue in W/(m² sr)"), 1e9,
-               glm::dvec3(0), &MaterialOverride::emission);
-    add_number("normal_scale", tr("Bumps"), tr("Strength of the normal map; 0: none"), -100, 100, 1,
-               &MaterialOverride::normal_scale);
-    add_number("ior", tr("IOR"), tr("Index of refraction, 1 … 10"), 1, 10, 1.5, &MaterialOverride::ior);
-    add_number("transmission", tr("Transmission"), tr("0: opaque, 1: glass"), 0, 1, 0,
-               &MaterialOverride::transmission);
+    for (const auto& field : projects::material_fields()) add_field(field);
 }
 
-QCheckBox* MaterialForm::add_tick(const char* name, const QString& label, const QString& tip,
-                                  QWidget* field) {
-    auto* tick = new QCheckBox(label, this);
-    tick->setObjectName(QStringLiteral("tick:") + QLatin1String(name));
-    set_tip(tick, tr("%1. Not ticked: as the file has it. Textures multiply it.").arg(tip));
-    set_tip(field, tip);
+QCheckBox* MaterialForm::add_tick(const projects::FieldText& text, QWidget* field) {
+    auto* tick = new QCheckBox(q(text.label), this);
+    tick->setObjectName(QStringLiteral("tick:") + q(text.key));
+    set_tip(tick, tr("%1. Not ticked: as the file has it. Textures multiply it.").arg(q(text.doc)));
+    set_tip(field, q(text.doc));
     const int row = grid_->rowCount();
     grid_->addWidget(tick, row, 0);
     grid_->addWidget(field, row, 1, 1, 2);
     return tick;
 }
 
-void MaterialForm::add_number(const char* name, const QString& label, const QString& tip, double least,
-                              double most, double standard, std::optional<double> MaterialOverride::*member) {
-    auto* field = make_number(name, least, most, {}, this);
-    auto* tick = add_tick(name, label, tip, field);
-    connect(tick, &QCheckBox::clicked, this, [=, this](bool on) {
-        const double start = field->value();
+void MaterialForm::add_field(const projects::Field<MaterialOverride>& field) {
+    using Numbers = std::vector<double>;
+    const QString name = q(field.text.key);
+    const bool is_number = std::holds_alternative<std::optional<double> MaterialOverride::*>(field.member),
+               has_alpha =
+                   std::holds_alternative<std::optional<glm::dvec4> MaterialOverride::*>(field.member);
+    auto* number = is_number ? make_number(name, field.text, this) : nullptr;
+    auto* colour = is_number ? nullptr : new ColourField(name, has_alpha, field.text.range, this);
+    QWidget* control = number ? static_cast<QWidget*>(number) : colour;
+    auto* tick = add_tick(field.text, control);
+    const auto change = [this, &field](const Numbers& numbers, bool merges) {
         emit change_wanted(
-            material_, label.toLower(),
-            [=](MaterialOverride& change) { change.*member = on ? std::optional(start) : std::nullopt; },
-            false);
-    });
-    connect(field, &NumberField::chosen, this, [=, this](double value) {
-        emit change_wanted(
-            material_, label.toLower(), [=](MaterialOverride& change) { change.*member = value; }, true);
-    });
-    connect(field, &NumberField::editingFinished, this, &MaterialForm::finished);
-    rows_.push_back({tick, field, [member](const auto& values) { return (values.*member).has_value(); },
-                     [=](const auto& values) { field->show_value((values.*member).value_or(standard)); }});
-}
-
-template <class Vector>
-void MaterialForm::add_colour(const char* name, const QString& label, const QString& tip, double most,
-                              Vector standard, std::optional<Vector> MaterialOverride::*member) {
-    auto* field = new ColourField(name, Vector::length() == 4, this);
-    field->set_range(0, most);
-    auto* tick = add_tick(name, label, tip, field);
-    const auto put = [member](MaterialOverride& change, const std::vector<double>& values) {
-        Vector vector(0.0);
-        for (int i = 0; i < Vector::length(); ++i) vector[i] = values[std::size_t(i)];
-        change.*member = vector;
+            material_, q(field.text.label).toLower(),
+            [&field, numbers](MaterialOverride& changed) {
+                for (std::size_t i = 0; i < numbers.size(); ++i)
+                    projects::set_number(field.slot(changed), int(i), numbers[i]);
+                if (numbers.empty())
+                    std::visit(
+                        [&](auto member) { changed.*member = std::decay_t<decltype(changed.*member)>(); },
+                        field.member);
+            },
+            merges);
     };
-    connect(tick, &QCheckBox::clicked, this, [=, this](bool on) {
-        const std::vector<double> start = field->values();
-        emit change_wanted(
-            material_, label.toLower(),
-            [=](MaterialOverride& change) { on ? put(change, start) : (change.*member).reset(); }, false);
+    connect(tick, &QCheckBox::clicked, this, [=](bool on) {
+        change(!on ? Numbers() : number ? Numbers{number->value()} : colour->values(), false);
     });
-    connect(field, &ColourField::chosen, this, [=, this](const std::vector<double>& values) {
-        emit change_wanted(
-            material_, label.toLower(), [=](MaterialOverride& change) { put(change, values); }, true);
-    });
-    connect(field, &ColourField::finished, this, &MaterialForm::finished);
+    if (number) {
+        connect(number, &NumberField::chosen, this, [=](double value) { change({value}, true); });
+        connect(number, &NumberField::editingFinished, this, &MaterialForm::finished);
+    } else {
+        connect(colour, &ColourField::chosen, this, [=](const Numbers& values) { change(values, true); });
+        connect(colour, &ColourField::finished, this, &MaterialForm::finished);
+    }
     rows_.push_back(
-        {tick, field, [member](const auto& values) { return (values.*member).has_value(); },
-         [=](const auto& values) { field->show_values(numbers((values.*member).value_or(standard))); }});
+        {tick, control,
+         [&field](MaterialOverride values) { return !projects::numbers_of(field.slot(values)).empty(); },
+         [=, &field](const MaterialOverride& values) {
+             const auto shown = numbers_or_defaults(field, values);
+             number ? number->show_value(shown.front()) : colour->show_values(shown);
+         }});
 }
 
 void MaterialForm::set_usable(const QString& why_not) {

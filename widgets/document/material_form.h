@@ -46,12 +46,8 @@ class MaterialForm : public QWidget {
         std::function<bool(const projects::MaterialOverride&)> has;
         std::function<void(const projects::MaterialOverride&)> show;
     };
-    QCheckBox* add_tick(const char* name, const QString& label, const QString& tip, QWidget* field);
-    void add_number(const char* name, const QString& label, const QString& tip, double least, double most,
-                    double standard, std::optional<double> projects::MaterialOverride::*member);
-    template <class Vector>
-    void add_colour(const char* name, const QString& label, const QString& tip, double most, Vector standard,
-                    std::optional<Vector> projects::MaterialOverride::*member);
+    QCheckBox* add_tick(const projects::FieldText& text, QWidget* field);
+    void add_field(const projects::Field<projects::MaterialOverride>& field);
     void fill_names();
     void show_values();
 

@@ -93,77 +93,47 @@ void MotionEditor::make_keys(QGridLayout* grid) {
             },
             false));
     });
-    time_ = make_number("key-time", -1e6, 1e6, QStringLiteral("s"), this);
-    row(grid, tr("Time"), time_, tr("Seconds; between two keys all is interpolated linearly"));
+    const auto& camera_fields = projects::key_fields(Motion::Kind::camera);
+    const auto& time = projects::field_of(camera_fields, "time").text;
+    time_ = make_number(QStringLiteral("key-time"), time, this);
+    row(grid, time, time_);
     connect(time_, &NumberField::chosen, this,
             [this](double value) { change_key("time", [value](Key& key) { key.time = value; }); });
-    make_camera_rows(grid);
-    make_light_rows(grid);
-    make_part_rows(grid);
+    for (const auto kind : {Motion::Kind::camera, Motion::Kind::light, Motion::Kind::part}) {
+        if (kind == Motion::Kind::light) make_given_row(grid);
+        for (const auto& field : projects::key_fields(kind))
+            if (field.text.key != "time") make_field_row(grid, kind, field);
+    }
 }
 
-void MotionEditor::make_camera_rows(QGridLayout* grid) {
-    const auto add = [&](const char* name, const QString& label, const QString& tip,
-                         glm::dvec3 Key::*member) {
-        auto* field = vector_row(grid, name, label, tip, [member](Key& key) { return &(key.*member); });
-        rows_.back().kind = Motion::Kind::camera;
-        return field;
-    };
-    add("key-eye", tr("Eye"), tr("Where the camera is then: x, y, z in metres"), &Key::eye);
-    add("key-target", tr("Target"), tr("What it looks at then: x, y, z in metres"), &Key::target);
-    add("key-up", tr("Up"), tr("Direction that is up in the picture then"), &Key::up);
-}
-
-void MotionEditor::make_light_rows(QGridLayout* grid) {
+void MotionEditor::make_given_row(QGridLayout* grid) {
     given_ = new ChoiceField("key-given", this);
     auto* label =
         row(grid, tr("Keys give"), given_, tr("What of the light changes; all else is as in its set"));
-    rows_.push_back({Motion::Kind::light, label, given_, {}});
+    rows_.push_back({Motion::Kind::light, label, given_, nullptr});
     connect(given_, &ChoiceField::chosen, this, &MotionEditor::choose_given);
-    const auto add = [&](const char* name, const QString& text, const QString& tip,
-                         std::optional<glm::dvec3> Key::*member) {
-        vector_row(grid, name, text, tip,
-                   [member](Key& key) { return key.*member ? &*(key.*member) : nullptr; });
-        rows_.back().kind = Motion::Kind::light;
-    };
-    add("key-position", tr("Position"), tr("Where the light is then: x, y, z in metres"), &Key::position);
-    add("key-look-at", tr("Looks at"), tr("The point that it looks at then: x, y, z in metres"),
-        &Key::look_at);
-    add("key-direction", tr("Direction"), tr("Along which it shines then; turned at a constant speed"),
-        &Key::direction);
-    intensity_ = make_number("key-intensity", 0, 1e9, QString(), this);
-    label =
-        row(grid, tr("Intensity"), intensity_, tr("Factor on the light's strength then; 1 is as in its set"));
-    rows_.push_back({Motion::Kind::light, label, intensity_, {}});
-    connect(intensity_, &NumberField::chosen, this,
-            [this](double value) { change_key("intensity", [value](Key& key) { key.intensity = value; }); });
 }
 
-void MotionEditor::make_part_rows(QGridLayout* grid) {
-    const auto add = [&](const char* name, const QString& label, const QString& tip,
-                         glm::dvec3 Key::*member) {
-        vector_row(grid, name, label, tip, [member](Key& key) { return &(key.*member); });
-        rows_.back().kind = Motion::Kind::part;
-    };
-    add("key-translation", tr("Position"), tr("Where the file's origin is then: x, y, z in metres"),
-        &Key::translation);
-    add("key-rotation", tr("Rotation"),
-        tr("Degrees about x, then y, then z; between two keys it turns the shorter way"), &Key::rotation);
-    add("key-scale", tr("Scale"), tr("Along its own x, y and z; the motion takes the place of its transform"),
-        &Key::scale);
-}
-
-VectorField* MotionEditor::vector_row(QGridLayout* grid, const char* name, const QString& label,
-                                      const QString& tip, const Place& place) {
-    auto* field = new VectorField(name, xyz, this);
-    auto* text = row(grid, label, field, tip);
-    rows_.push_back({Motion::Kind::camera, text, field, place});
-    connect(field, &VectorField::chosen, this, [this, label, place](int index, double value) {
-        change_key(label.toLower().toStdString(), [=](Key& key) {
-            if (auto* vector = place(key)) (*vector)[index] = value;
+void MotionEditor::make_field_row(QGridLayout* grid, Motion::Kind kind, const projects::Field<Key>& field) {
+    const QString name = QStringLiteral("%1-key-%2").arg(q(to_string(kind)), q(field.text.key));
+    const auto change = [this, &field](int index, double value) {
+        change_key(q(field.text.label).toLower().toStdString(), [&field, index, value](Key& key) {
+            if (!projects::numbers_of(field.slot(key)).empty())
+                projects::set_number(field.slot(key), index, value);
         });
-    });
-    return field;
+    };
+    QWidget* control = nullptr;
+    if (std::holds_alternative<double Key::*>(field.member)) {
+        auto* number = make_number(name, field.text, this);
+        connect(number, &NumberField::chosen, this, [change](double value) { change(0, value); });
+        control = number;
+    } else {
+        auto* vector = new VectorField(name, xyz, this);
+        vector->set_range(field.text.range);
+        connect(vector, &VectorField::chosen, this, change);
+        control = vector;
+    }
+    rows_.push_back({kind, row(grid, field.text, control), control, &field});
 }
 
 /// All keys give the same; what is new in them is as where the light stands.
@@ -215,7 +185,8 @@ void MotionEditor::add_key(const Key& key, double time) {
 void MotionEditor::show_rows() {
     Key key = motion_.keys.empty() ? rest_ : motion_.keys.front();
     for (const auto& each : rows_) {
-        const bool shown = each.kind == motion_.kind && (!each.place || each.place(key));
+        const bool shown = each.kind == motion_.kind &&
+                           (!each.field || !projects::numbers_of(each.field->slot(key)).empty());
         each.label->setVisible(shown);
         each.control->setVisible(shown);
     }
@@ -241,10 +212,14 @@ void MotionEditor::show_key() {
     }
     Key key = is_there ? motion_.keys[std::size_t(chosen_)] : Key();
     time_->show_value(key.time);
-    intensity_->show_value(key.intensity);
-    for (const auto& each : rows_)
-        if (const auto* vector = each.place ? each.place(key) : nullptr)
-            static_cast<VectorField*>(each.control)->show_values(numbers(*vector));
+    for (const auto& each : rows_) {
+        const auto shown = each.field ? projects::numbers_of(each.field->slot(key)) : std::vector<double>();
+        if (shown.empty()) continue;
+        if (auto* number = qobject_cast<NumberField*>(each.control))
+            number->show_value(shown.front());
+        else
+            static_cast<VectorField*>(each.control)->show_values(shown);
+    }
 }
 
 void MotionEditor::show_item(const ShownProject& shown, const ItemRef& item) {

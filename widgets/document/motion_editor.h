@@ -7,7 +7,6 @@ namespace ir::widgets {
 class ChoiceField;
 class NumberField;
 class OrderedList;
-class VectorField;
 
 /// What a camera, a light or a part of a scene does over time, key by key.
 class MotionEditor : public ItemForm {
@@ -21,12 +20,8 @@ class MotionEditor : public ItemForm {
   private:
     using Key = projects::Motion::Key;
     void make_keys(QGridLayout* grid);
-    void make_camera_rows(QGridLayout* grid);
-    void make_light_rows(QGridLayout* grid);
-    void make_part_rows(QGridLayout* grid);
-    using Place = std::function<glm::dvec3*(Key&)>;  ///< null: the key has no such value
-    VectorField* vector_row(QGridLayout* grid, const char* name, const QString& label, const QString& tip,
-                            const Place& place);
+    void make_given_row(QGridLayout* grid);
+    void make_field_row(QGridLayout* grid, projects::Motion::Kind kind, const projects::Field<Key>& field);
     void choose_given(const QString& given);
     void show_rows();
     void change_key(const std::string& field, const std::function<void(Key&)>& change);
@@ -36,12 +31,12 @@ class MotionEditor : public ItemForm {
     TextField* name_;
     ChoiceField *moves_, *given_, *loop_;
     OrderedList* list_;
-    NumberField *time_, *intensity_;
+    NumberField* time_;
     struct Row {
         projects::Motion::Kind kind;
         QLabel* label;
         QWidget* control;
-        Place place;  ///< of vectors
+        const projects::Field<Key>* field;  ///< null: what keys give
     };
     std::vector<Row> rows_;
     std::function<std::optional<CameraPose>()> view_pose_;

@@ -106,15 +106,14 @@ ImageEditor::ImageEditor(QWidget* parent) : ItemForm(parent) {
     browse_->setObjectName(QStringLiteral("browse"));
     layout->addWidget(file_, 1);
     layout->addWidget(browse_);
-    row(grid, tr("File"), box, tr("EXR or PNG, relative to the project's folder"));
+    row(grid, projects::field_of(projects::image_fields(), "source").text, box);
     box->setFocusProxy(file_);
     connect(file_, &TextField::chosen, this, [this](const QString& source) {
         emit edit_wanted(makers::set_image_source(id_, source.toStdString()));
     });
     connect(browse_, &QToolButton::clicked, this, [this] { emit browse_wanted({ItemKind::image, q(id_)}); });
     notes_ = new NotesField("notes", this);
-    row(grid, tr("Notes"), notes_,
-        tr("Where it comes from and what light transport it shows: nobody can see that from the pixels"));
+    row(grid, projects::field_of(projects::image_fields(), "notes").text, notes_);
     connect(notes_, &NotesField::chosen, this, [this](const QString& text) {
         emit edit_wanted(field_edit<ForeignImage>(
             id_, "notes", [notes = text.toStdString()](ForeignImage& image) { image.notes = notes; }));

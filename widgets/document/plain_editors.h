@@ -50,8 +50,7 @@ class ComparisonEditor : public ItemForm {
     void set_modes(const std::vector<Option>& modes) { modes_ = modes; }
 
   private:
-    ChoiceField* choice_row(QGridLayout* grid, const char* name, const QString& label, const QString& tip,
-                            std::string projects::Comparison::*member);
+    ChoiceField* choice_row(QGridLayout* grid, const char* key);
     void make_range_rows(QGridLayout* grid);
     TextField* name_;
     ChoiceField *a_, *b_, *output_, *mode_;

@@ -24,38 +24,39 @@ std::vector<Option> pictures(const projects::Project& project) {
     return options;
 }
 
+const projects::FieldText& text_of(const char* key) {
+    return projects::field_of(projects::plot_fields(), key).text;
+}
+
 }  // namespace
 
 PlotEditor::PlotEditor(QWidget* parent) : ItemForm(parent) {
     auto* grid = make_form_section(tr("Plot of the error"), this);
     name_ = name_row(grid, ItemKind::plot, tr("What the plot is called"));
-    reference_ =
-        choice_row(grid, "reference", tr("Reference"),
-                   tr("Experiment or foreign image that all others are judged by"), &ErrorPlot::reference);
+    reference_ = choice_row(grid, "reference");
     make_experiments(grid);
     make_values(grid);
-    metric_ = choice_row(grid, "metric", tr("Metric"),
-                         tr("Error that is drawn; all metrics are measured, so that changing it is free"),
-                         &ErrorPlot::metric);
+    metric_ = choice_row(grid, "metric");
     axis_ = new ChoiceField("axis", this);
-    row(grid, tr("Drawn over"), axis_, tr("Horizontal axis: the time that rendering took, or the values"));
+    row(grid, text_of("axis"), axis_);
     connect(axis_, &ChoiceField::chosen, this,
             [this](const QString& id) { emit edit_wanted(set_plot_axis(id_, id == QLatin1String("time"))); });
     notes_ = new NotesField("notes", this);
-    row(grid, tr("Notes"), notes_, tr("What the plot shows"));
+    row(grid, text_of("notes"), notes_);
     connect(notes_, &NotesField::chosen, this, [this](const QString& text) {
         emit edit_wanted(field_edit<ErrorPlot>(
             id_, "notes", [notes = text.toStdString()](ErrorPlot& plot) { plot.notes = notes; }));
     });
 }
 
-ChoiceField* PlotEditor::choice_row(QGridLayout* grid, const char* name, const QString& label,
-                                    const QString& tip, std::string ErrorPlot::*member) {
-    auto* field = new ChoiceField(name, this);
-    row(grid, label, field, tip);
-    connect(field, &ChoiceField::chosen, this, [this, name, member](const QString& chosen) {
+ChoiceField* PlotEditor::choice_row(QGridLayout* grid, const char* key) {
+    auto* field = new ChoiceField(key, this);
+    row(grid, text_of(key), field);
+    const auto member =
+        std::get<std::string ErrorPlot::*>(projects::field_of(projects::plot_fields(), key).member);
+    connect(field, &ChoiceField::chosen, this, [this, key, member](const QString& chosen) {
         emit edit_wanted(field_edit<ErrorPlot>(
-            id_, name, [member, value = chosen.toStdString()](ErrorPlot& plot) { plot.*member = value; },
+            id_, key, [member, value = chosen.toStdString()](ErrorPlot& plot) { plot.*member = value; },
             false));
     });
     return field;
@@ -67,7 +68,7 @@ void PlotEditor::make_experiments(QGridLayout* grid) {
     experiments_->setAccessibleName(tr("Experiments of the plot"));
     experiments_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     experiments_->setTextElideMode(Qt::ElideRight);
-    row(grid, tr("Experiments"), experiments_, tr("Those that are drawn; Space adds or removes one"));
+    row(grid, text_of("experiments"), experiments_);
     connect(experiments_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
         if (showing_) return;
         const auto chosen = item->data(Qt::UserRole).toString().toStdString();
@@ -84,13 +85,11 @@ void PlotEditor::make_experiments(QGridLayout* grid) {
 
 void PlotEditor::make_values(QGridLayout* grid) {
     over_ = new ChoiceField("over", this);
-    row(grid, tr("Varies"), over_, tr("What differs from point to point"));
+    row(grid, text_of("over"), over_);
     connect(over_, &ChoiceField::chosen, this,
             [this](const QString& key) { emit edit_wanted(set_plot_key(id_, key.toStdString())); });
     values_ = new TextField("values", this);
-    row(grid, tr("Values"), values_,
-        tr("Separated by commas: 32, 64, 128. Of frames they may be left out: then 1, 2, 4, … of each "
-           "experiment"));
+    row(grid, text_of("values"), values_);
     connect(values_, &TextField::chosen, this,
             [this](const QString& text) { emit edit_wanted(set_plot_values(id_, text.toStdString())); });
     count_ = new QLabel(this);

@@ -18,8 +18,7 @@ class PlotEditor : public ItemForm {
     void show_item(const ShownProject& shown, const ItemRef& item) override;
 
   private:
-    ChoiceField* choice_row(QGridLayout* grid, const char* name, const QString& label, const QString& tip,
-                            std::string projects::ErrorPlot::*member);
+    ChoiceField* choice_row(QGridLayout* grid, const char* key);
     void make_experiments(QGridLayout* grid);
     void make_values(QGridLayout* grid);
     void show_experiments(const ShownProject& shown);

@@ -223,19 +223,6 @@ QString source_name(const std::string& source) {
     return text.startsWith(QLatin1String("builtin:")) ? text : text.section(QLatin1Char('/'), -1);
 }
 
-QString unit_of(LightSpec::Quantity quantity) {
-    switch (quantity) {
-        case LightSpec::Quantity::intensity:
-            return QStringLiteral("W/sr");
-        case LightSpec::Quantity::flux:
-            return QStringLiteral("W");
-        case LightSpec::Quantity::irradiance:
-            return QStringLiteral("W/m²");
-        default:
-            return QStringLiteral("W/(m² sr)");
-    }
-}
-
 QString light_name(LightSpec::Type type) {
     switch (type) {
         case LightSpec::Type::point:
@@ -252,7 +239,8 @@ QString light_name(LightSpec::Type type) {
 }
 
 QString light_text(const LightSpec& light) {
-    const QString amount = number_text(light.amount) + QLatin1Char(' ') + unit_of(light.quantity);
+    const QString amount =
+        number_text(light.amount) + QLatin1Char(' ') + q(projects::quantity_text(light.quantity).unit);
     if (light.type == LightSpec::Type::directional)
         return tr("%1 along %2").arg(amount, vector_text(light.travel()));
     return tr("%1 at %2").arg(amount, vector_text(light.position));

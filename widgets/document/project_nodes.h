@@ -15,8 +15,6 @@ std::unique_ptr<ProjectModel::Node> project_nodes(const projects::Project& proje
 QString light_text(const projects::LightSpec& light);
 /// "Point light"
 QString light_name(projects::LightSpec::Type type);
-/// "W/sr", "W", "W/m²", "W/(m² sr)".
-QString unit_of(projects::LightSpec::Quantity quantity);
 /// Last step of a source: "nave.gltf", "builtin:atrium@1".
 QString source_name(const std::string& source);
 

@@ -54,7 +54,7 @@ SweepEditor::SweepEditor(QWidget* parent) : ItemForm(parent) {
     auto* grid = make_form_section(tr("Sweep"), this);
     name_ = name_row(grid, ItemKind::sweep, tr("What the sweep is called"));
     experiment_ = new ChoiceField("experiment", this);
-    row(grid, tr("Varies"), experiment_, tr("The experiment of which variations are made"));
+    row(grid, projects::field_of(projects::sweep_fields(), "experiment").text, experiment_);
     connect(experiment_, &ChoiceField::chosen, this, [this](const QString& id) {
         emit edit_wanted(field_edit<Sweep>(
             id_, "experiment", [id = id.toStdString()](Sweep& sweep) { sweep.experiment = id; }, false));

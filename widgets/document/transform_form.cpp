@@ -66,7 +66,7 @@ TransformForm::TransformForm(QWidget* parent) : QWidget(parent) {
 
 VectorField* TransformForm::vector_row(QGridLayout* grid, const char* name, const QString& label,
                                        const QString& tip, glm::dvec3 Trs::*member) {
-    auto* field = new VectorField(name, xyz, this);
+    auto* field = new VectorField(QLatin1String(name), xyz, this);
     labels_.push_back(add_row(grid, label, field, tip));
     connect(field, &VectorField::chosen, this, [this, name, member](int index, double value) {
         Trs wanted = shown_;

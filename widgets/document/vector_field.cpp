@@ -45,14 +45,14 @@ QIcon patch_icon(const QColor& colour) {
 
 }  // namespace
 
-VectorField::VectorField(const char* name, const QStringList& parts, QWidget* parent) : QWidget(parent) {
-    setObjectName(QLatin1String(name));
+VectorField::VectorField(const QString& name, const QStringList& parts, QWidget* parent) : QWidget(parent) {
+    setObjectName(name);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(3);
     for (int i = 0; i < parts.size(); ++i) {
         auto* field = new NumberField(this);
-        field->setObjectName(QStringLiteral("%1.%2").arg(QLatin1String(name), parts[i]));
+        field->setObjectName(QStringLiteral("%1.%2").arg(name, parts[i]));
         field->setAccessibleName(field->objectName());
         field->setButtonSymbols(QAbstractSpinBox::NoButtons);
         field->setMinimumWidth(parts.size() > 3 ? 36 : 44);
@@ -64,21 +64,21 @@ VectorField::VectorField(const char* name, const QStringList& parts, QWidget* pa
     setFocusProxy(parts_.front());
 }
 
-void VectorField::set_range(double least, double most) {
-    for (auto* field : parts_) field->setRange(least, most);
+void VectorField::set_range(const projects::Range& range) {
+    for (auto* field : parts_) ir::widgets::set_range(field, range);
 }
 
 void VectorField::show_values(const std::vector<double>& values) {
     for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i]->show_value(values[i]);
 }
 
-ColourField::ColourField(const char* name, bool with_alpha, QWidget* parent)
+ColourField::ColourField(const QString& name, bool with_alpha, const projects::Range& range, QWidget* parent)
     : QWidget(parent),
       numbers_(new VectorField(
           name, with_alpha ? QStringList{"r", "g", "b", "a"} : QStringList{"r", "g", "b"}, this)),
       patch_(new QToolButton(this)),
       values_(with_alpha ? 4 : 3, 0.0) {
-    setObjectName(QStringLiteral("colour:") + QLatin1String(name));
+    setObjectName(QStringLiteral("colour:") + name);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(3);
@@ -89,7 +89,7 @@ ColourField::ColourField(const char* name, bool with_alpha, QWidget* parent)
     layout->addWidget(numbers_, 1);
     layout->addWidget(patch_);
     setFocusProxy(numbers_);
-    numbers_->set_range(0, 1e9);
+    numbers_->set_range(range);
     connect(patch_, &QToolButton::clicked, this, &ColourField::choose);
     connect(numbers_, &VectorField::chosen, this, [this](int index, double value) {
         std::vector<double> values = values_;
@@ -97,10 +97,6 @@ ColourField::ColourField(const char* name, bool with_alpha, QWidget* parent)
         emit chosen(values);
     });
     connect(numbers_, &VectorField::finished, this, &ColourField::finished);
-}
-
-void ColourField::set_range(double least, double most) {
-    numbers_->set_range(least, most);
 }
 
 void ColourField::show_values(const std::vector<double>& values) {

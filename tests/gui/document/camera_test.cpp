@@ -26,7 +26,7 @@ TEST_F(CameraTest, TypedNumbersAreEdits) {
     EXPECT_EQ(camera().target, glm::dvec3(0, 1.5, -1));
     type_number("up.x", "0.25");
     EXPECT_EQ(camera().up, glm::dvec3(0.25, 1, 0));
-    type_number("fov", "60");
+    type_number("fov_y_degrees", "60");
     EXPECT_EQ(camera().fov_y_degrees, 60);
     type_text("name", "Choir");
     EXPECT_EQ(camera().name, "Choir");
@@ -43,7 +43,7 @@ TEST_F(CameraTest, SpinsOfOneFieldAreOneStep) {
     for (int i = 0; i < 5; ++i) QTest::keyClick(x, Qt::Key_Up);
     EXPECT_EQ(steps(), 1u);
     EXPECT_NE(camera().eye.x, 0.1);
-    auto* fov = field<NumberField>("fov");
+    auto* fov = field<NumberField>("fov_y_degrees");
     fov->setFocus();
     QTest::keyClick(fov, Qt::Key_Up);
     QTest::keyClick(fov, Qt::Key_Up);
@@ -62,13 +62,13 @@ TEST_F(CameraTest, EnterBeginsANewStep) {
 TEST_F(CameraTest, ParallelProjectionsHaveAHeight) {
     choose("projection", "orthographic");
     EXPECT_TRUE(camera().orthographic);
-    EXPECT_FALSE(editor->findChild<NumberField*>("fov")->isVisible());
+    EXPECT_FALSE(editor->findChild<NumberField*>("fov_y_degrees")->isVisible());
     type_number("height", "3.5");
     EXPECT_EQ(camera().height, 3.5);
     undo();
     undo();
     EXPECT_FALSE(camera().orthographic);
-    EXPECT_TRUE(field<NumberField>("fov")->isVisible());
+    EXPECT_TRUE(field<NumberField>("fov_y_degrees")->isVisible());
 }
 
 TEST_F(CameraTest, RefusedValuesGoBack) {
@@ -143,7 +143,8 @@ TEST_F(CameraTest, TheFilesPoseIsShownAndBecomesItsOwn) {
 TEST_F(CameraTest, ReadOnlyFieldsSayWhy) {
     read_only = true;
     show();
-    for (const char* name : {"name", "eye", "target", "up", "projection", "fov", "pose-text", "paste-pose"}) {
+    for (const char* name :
+         {"name", "eye", "target", "up", "projection", "fov_y_degrees", "pose-text", "paste-pose"}) {
         EXPECT_FALSE(field<QWidget>(name)->isEnabled()) << name;
         EXPECT_TRUE(field<QWidget>(name)->toolTip().contains("Another program has it open.")) << name;
     }

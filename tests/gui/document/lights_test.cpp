@@ -33,7 +33,7 @@ class LightsTest : public DocumentTest {
 
 TEST_F(LightsTest, EveryValueOfASpotIsAnEdit) {
     type_number("light-amount", "25");
-    type_number("light-colour.g", "0.5");
+    type_number("light-color.g", "0.5");
     type_number("light-position.y", "4");
     type_number("light-target.x", "1");
     type_number("light-outer", "40");
@@ -72,7 +72,7 @@ TEST_F(LightsTest, AimsAtAPointOrAlongADirection) {
 
 TEST_F(LightsTest, RefusedValuesGoBack) {
     type_number("light-inner", "80");
-    EXPECT_TRUE(message.contains("inner must lie between 0 and outer")) << message.toStdString();
+    EXPECT_TRUE(message.contains("inner must not exceed outer")) << message.toStdString();
     EXPECT_EQ(field<NumberField>("light-inner")->value(), 20);
     EXPECT_EQ(project, sample_project());
 }

@@ -71,7 +71,7 @@ TEST_F(EditorTest, ClearForgetsWhatIsBeingTyped) {
 
 TEST_F(EditorTest, CommitTakesWhatIsBeingTyped) {
     select("camera:nave");
-    auto* fov = field<NumberField>("fov");
+    auto* fov = field<NumberField>("fov_y_degrees");
     fov->setFocus();
     fov->selectAll();
     QTest::keyClicks(fov, "33");
@@ -141,7 +141,7 @@ TEST_F(EditorTest, ForeignImagesHaveAFileAndNotes) {
     ASSERT_EQ(browse.count(), 1);
     EXPECT_EQ(browse[0][0].value<ItemRef>(), (ItemRef{ItemKind::image, "photo"}));
     type_text("file", "");
-    EXPECT_TRUE(message.contains("file is missing")) << message.toStdString();
+    EXPECT_TRUE(message.contains("source is missing")) << message.toStdString();
     EXPECT_EQ(field<QLineEdit>("file")->text(), "images/other.exr");
 }
 

@@ -103,10 +103,10 @@ TEST_F(SeriesTest, MotionsAreEditedKeyByKey) {
     EXPECT_EQ(field<NumberField>("key-time")->value(), 2);
     type_number("key-time", "3");
     EXPECT_EQ(motion().keys[1].time, 3);
-    type_number("key-eye.x", "1.5");
+    type_number("camera-key-eye.x", "1.5");
     EXPECT_EQ(motion().keys[1].eye.x, 1.5);
-    type_number("key-target.y", "0.5");
-    type_number("key-up.z", "0.1");
+    type_number("camera-key-target.y", "0.5");
+    type_number("camera-key-up.z", "0.1");
     EXPECT_EQ(motion().keys[1].target.y, 0.5);
     EXPECT_EQ(motion().keys[1].up.z, 0.1);
     type_number("key-time", "-1");
@@ -158,11 +158,11 @@ TEST_F(SeriesTest, ALightMovesByKeysThatGiveWhatIsChosen) {
     const auto& set = *projects::find_item(project.lights, light.lights);
     EXPECT_EQ(light.keys[0].position.value_or(glm::dvec3(-1)), set.lights[0].position);
     select(("motion:" + light.id).c_str());
-    for (const auto* eye : editor->findChildren<QWidget*>(QStringLiteral("key-eye")))
+    for (const auto* eye : editor->findChildren<QWidget*>(QStringLiteral("camera-key-eye")))
         EXPECT_FALSE(eye->isVisible());
-    EXPECT_TRUE(field<QWidget>("key-position")->isVisibleTo(editor));
-    type_number("key-position.x", "3");
-    type_number("key-intensity", "0.5");
+    EXPECT_TRUE(field<QWidget>("light-key-position")->isVisibleTo(editor));
+    type_number("light-key-position.x", "3");
+    type_number("light-key-intensity", "0.5");
     EXPECT_EQ(light.keys[0].position->x, 3);
     EXPECT_EQ(light.keys[0].intensity, 0.5);
     EXPECT_TRUE(light.keys[0].look_at);

@@ -115,11 +115,11 @@ TEST(Document, WrongStructureNamesThePlace) {
     const std::string material = "/scenes/0/parts/1/materials/gold";
     EXPECT_NE(refusal_with(material, 1).find(material + ": must be an object"), std::string::npos);
     EXPECT_NE(
-        refusal_with(material + "/metallic", 1.5).find(material + "/metallic: must lie between 0 and 1"),
+        refusal_with(material + "/metallic", 1.5).find(material + "/metallic: must be a number from 0 to 1"),
         std::string::npos);
     EXPECT_NE(refusal_with(material + "/base_colour", {1, 1, 1}).find("array of 4 numbers"),
               std::string::npos);
-    EXPECT_NE(refusal_with(material + "/emission", {1, -1, 0}).find("/emission: must lie between 0"),
+    EXPECT_NE(refusal_with(material + "/emission", {1, -1, 0}).find("/emission: must be 3 numbers from 0"),
               std::string::npos);
     EXPECT_NE(refusal_with("/cameras/0/fov_y_degrees", 180).find("0.001 to 179.999"), std::string::npos);
     EXPECT_NE(refusal_with("/cameras/0/eye", {1, 2}).find("array of 3 numbers"), std::string::npos);

@@ -71,7 +71,8 @@ TEST(LightSpec, RefusalsNameFieldAndWhatIsAllowed) {
         std::string::npos);
     EXPECT_NE(spec_refusal("spot:position=0,1,0;intensity=1;outer=20").find("target or direction"),
               std::string::npos);
-    EXPECT_NE(spec_refusal("directional:direction=0,0,0;irradiance=1").find("not 0,0,0"), std::string::npos);
+    EXPECT_NE(spec_refusal("directional:direction=0,0,0;irradiance=1").find("must not be 0,0,0"),
+              std::string::npos);
     EXPECT_NE(spec_refusal("rect:position=0,1,0;target=0,0,0;size=0,1;radiance=1").find("size"),
               std::string::npos);
     EXPECT_NE(spec_refusal("").find("unknown type"), std::string::npos);

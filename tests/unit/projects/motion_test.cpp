@@ -153,7 +153,7 @@ TEST(Motion, SenselessKeysAreRefused) {
         }
     };
     refuses([](Motion& m) { m.keys[1].time = m.keys[0].time; }, 0, "ascend");
-    refuses([](Motion& m) { m.keys[1].intensity = -1; }, 1, "negative");
+    refuses([](Motion& m) { m.keys[1].intensity = -1; }, 1, "at least 0");
     refuses([](Motion& m) { m.keys[1].position.reset(); }, 1, "the same of position");
     refuses([](Motion& m) { m.keys[1].direction = {1, 0, 0}; }, 1, "not both");
     refuses([](Motion& m) { m.keys[0].scale.x = 0; }, 2, "scaled by 0");

@@ -40,8 +40,8 @@ std::string refusal_of(Work work) {
 
 TEST(ErrorPlots, WrongMembersNameThePlace) {
     EXPECT_EQ(refusal_with("/plots/0/axis", "distance"),
-              "test.json: /plots/0/axis: 'distance' is no axis; give time or values");
-    EXPECT_NE(refusal_with("/plots/0/experiments", {"a", 1}).find("/plots/0/experiments/1: must be the id"),
+              "test.json: /plots/0/axis: must be values or time, not 'distance'");
+    EXPECT_NE(refusal_with("/plots/0/experiments", {"a", 1}).find("/plots/0/experiments/1: must be a text"),
               std::string::npos);
     EXPECT_NE(refusal_with("/plots/0/values", 3).find("/plots/0/values: must be an array"),
               std::string::npos);
@@ -56,8 +56,10 @@ TEST(ErrorPlots, EditsRefuseWhatCannotBeDrawn) {
         change(plot);
         return refusal_of([&] { edits::change_plot(p, plot); });
     };
-    EXPECT_NE(changed([](auto& plot) { plot.over.clear(); }).find("runs over nothing"), std::string::npos);
-    EXPECT_NE(changed([](auto& plot) { plot.metric.clear(); }).find("has no metric"), std::string::npos);
+    EXPECT_NE(changed([](auto& plot) { plot.over.clear(); }).find("over is missing or empty"),
+              std::string::npos);
+    EXPECT_NE(changed([](auto& plot) { plot.metric.clear(); }).find("metric is missing or empty"),
+              std::string::npos);
     EXPECT_NE(changed([](auto& plot) { plot.id = "gone"; }).find("no plot 'gone'"), std::string::npos);
 }
 
