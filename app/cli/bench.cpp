@@ -35,7 +35,7 @@ int run_plots(ProjectPlots job, const MachineFlags& machine, bool json) {
     return plot_project(job);
 }
 
-struct Flags {
+struct BenchFlags {
     MachineFlags machine;
     std::string name, scene, eye, target, size, csv;
     std::vector<std::string> variants;
@@ -44,7 +44,7 @@ struct Flags {
     bool json = false, quiet = false;
 };
 
-engine::BenchmarkOptions benchmark_options(const Flags& flags) {
+engine::BenchmarkOptions benchmark_options(const BenchFlags& flags) {
     engine::BenchmarkOptions options;
     options.place.scene = flags.scene;
     if (!flags.eye.empty() || !flags.target.empty()) {
@@ -64,7 +64,7 @@ std::string text_of(const engine::BenchmarkProgress& progress) {
 }
 
 /// Failed where no variant could be measured.
-int run_benchmark(const Flags& flags) {
+int run_benchmark(const BenchFlags& flags) {
     const auto& benchmark = engine::find_benchmark(flags.name);
     const auto options = benchmark_options(flags);
     if (!flags.csv.empty()) require_folder_of(flags.csv, "--csv");
@@ -88,7 +88,7 @@ int run_benchmark(const Flags& flags) {
 }  // namespace
 
 void add_bench(CLI::App& app, Run& run) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<BenchFlags>();
     auto* command = app.add_subcommand("bench", "Benchmarks; without NAME the list of them");
     command->add_option("NAME", flags->name, "Which to run");
     command->add_option("--scene", flags->scene, "Scene instead of the benchmark's own");

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Flags {
+struct CompareFlags {
     std::string image, reference, layer, metrics = "mean,reference-mean,bias,relbias,rmse,mae,psnr",
                                          rectangle, mask, range, allowed;
     DifferenceRequest difference;
@@ -59,7 +59,7 @@ Rectangle parse_rectangle(const std::string& text) {
     return {int(n[0]), int(n[1]), int(n[2]), int(n[3])};
 }
 
-std::vector<std::string> chosen_metrics(const Flags& flags) {
+std::vector<std::string> chosen_metrics(const CompareFlags& flags) {
     if (flags.metrics == "all") return metric_names();
     auto names = split(flags.metrics);
     if (names.empty())
@@ -69,7 +69,7 @@ std::vector<std::string> chosen_metrics(const Flags& flags) {
 }
 
 /// By metric. Adds metrics that only limits name.
-std::map<std::string, double> parse_limits(const Flags& flags, std::vector<std::string>& names) {
+std::map<std::string, double> parse_limits(const CompareFlags& flags, std::vector<std::string>& names) {
     std::map<std::string, double> limits;
     for (const auto& text : flags.limits) {
         const auto equals = text.find('=');
@@ -130,7 +130,7 @@ bool exceeds(const std::string& name, double value, double limit) {
     return !(badness(metric(name), value) <= badness(metric(name), limit));
 }
 
-Json as_json(const Flags& flags, const std::vector<std::string>& names, const MetricResult& result,
+Json as_json(const CompareFlags& flags, const std::vector<std::string>& names, const MetricResult& result,
              const std::vector<Mismatch>& found) {
     Json json{{"image", flags.image},
               {"reference", flags.reference},
@@ -163,7 +163,7 @@ void print(const std::vector<std::string>& names, const MetricResult& result) {
     std::cout << "pixels " << result.pixels << " (" << result.skipped << " skipped as invalid)\n";
 }
 
-Json write_and_print(const Flags& flags, const Side& image, const Side& reference) {
+Json write_and_print(const CompareFlags& flags, const Side& image, const Side& reference) {
     const auto shown = write_difference(image, reference, flags.difference);
     Json json{{"file", flags.difference.file},
               {"kind", shown.kind},
@@ -178,7 +178,7 @@ Json write_and_print(const Flags& flags, const Side& image, const Side& referenc
     return json;
 }
 
-int compare(Flags flags) {
+int compare(CompareFlags flags) {
     if (!flags.range.empty()) {
         const auto range = numbers(flags.range, 2, "--range", "lo,hi");
         flags.difference.range = {range[0], range[1]};
@@ -220,7 +220,7 @@ int compare(Flags flags) {
 }  // namespace
 
 void add_compare(CLI::App& app, Run& run) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<CompareFlags>();
     auto* command = app.add_subcommand("compare", "Metrics and difference of two pictures");
     command->add_option("IMAGE", flags->image, "EXR, PNG or another image")->required();
     command->add_option("REFERENCE", flags->reference, "What it is compared with")->required();

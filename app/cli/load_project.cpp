@@ -26,4 +26,12 @@ void require_results(const std::string& project, const std::filesystem::path& fo
     }
 }
 
+projects::Project as_on_disk(const projects::LoadedProject& loaded) {
+    for (const auto& experiment : loaded.project.experiments)
+        if (!experiment.last_kept_key.empty())
+            return projects::with_contents(loaded.project,
+                                           projects::read_contents(loaded.project, loaded.folder));
+    return loaded.project;
+}
+
 }  // namespace ir::cli

@@ -14,4 +14,7 @@ projects::LoadedProject load_project(const std::string& project);
 /// other process should keep any there at the same time. `project` is what it was called.
 void require_results(const std::string& project, const std::filesystem::path& folder);
 
+/// The document with the contents of its files. They are read only where a kept result is judged by them.
+projects::Project as_on_disk(const projects::LoadedProject& loaded);
+
 }  // namespace ir::cli

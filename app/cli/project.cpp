@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/complain.h"
+#include "app/cli/load_project.h"
 #include "app/cli/results.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/execution.h"
@@ -30,7 +31,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Flags {
+struct ProjectFlags {
     MachineFlags machine;
     std::string project, pack, unpack;
     std::vector<std::string> changes;
@@ -63,15 +64,6 @@ Json sources(const projects::Scene& scene) {
     Json list = Json::array();
     for (const auto& part : scene.parts) list.push_back(part.source);
     return list;
-}
-
-/// The document with the contents of its files. They are read only where a kept result is judged by them.
-projects::Project as_on_disk(const projects::LoadedProject& loaded) {
-    for (const auto& experiment : loaded.project.experiments)
-        if (!experiment.last_kept_key.empty())
-            return projects::with_contents(loaded.project,
-                                           projects::read_contents(loaded.project, loaded.folder));
-    return loaded.project;
 }
 
 Json summary(const projects::LoadedProject& loaded) {
@@ -145,7 +137,7 @@ void print_row(const Json& row) {
 }
 
 /// What cannot be verified is reported and keeps no other result from being verified.
-int verify_all(const Flags& flags, projects::LoadedProject loaded) {
+int verify_all(const ProjectFlags& flags, projects::LoadedProject loaded) {
     const auto contents = projects::read_contents(loaded.project, loaded.folder, &engine::interruption());
     loaded.project = projects::with_contents(loaded.project, contents);
     const auto index = projects::ResultIndex::load(loaded.folder);
@@ -196,7 +188,7 @@ std::vector<Message> check_all(const projects::LoadedProject& loaded) {
     return messages;
 }
 
-int pack(const Flags& flags) {
+int pack(const ProjectFlags& flags) {
     const auto messages =
         projects::pack_project(flags.project, flags.pack, engine::registry(), &engine::interruption());
     if (flags.json) {
@@ -208,7 +200,7 @@ int pack(const Flags& flags) {
     return done;
 }
 
-int unpack(const Flags& flags) {
+int unpack(const ProjectFlags& flags) {
     const auto folder = projects::unpack_project(flags.project, flags.unpack, &engine::interruption());
     if (flags.json)
         std::cout << Json{{"folder", folder.string()}}.dump(2) << "\n";
@@ -217,7 +209,7 @@ int unpack(const Flags& flags) {
     return done;
 }
 
-int run_project(const Flags& flags) {
+int run_project(const ProjectFlags& flags) {
     const auto& registry = engine::registry();
     if (!flags.pack.empty()) return pack(flags);
     if (!flags.unpack.empty()) return unpack(flags);
@@ -263,7 +255,7 @@ int run_project(const Flags& flags) {
 }  // namespace
 
 void add_project(CLI::App& app, Run& run) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<ProjectFlags>();
     auto* command = app.add_subcommand("project", "What a project holds; checks and mends it");
     command
         ->add_option("PROJECT", flags->project,

@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-struct Flags {
+struct ReferenceFlags {
     MachineFlags machine;
     std::string project, out;
     std::vector<std::string> experiments;
@@ -51,7 +51,7 @@ std::string text_of(const engine::Execution& execution, const FrameReport& repor
 
 class References {
   public:
-    explicit References(const Flags& flags) : flags_(flags) {}
+    explicit References(const ReferenceFlags& flags) : flags_(flags) {}
 
     int run() {
         if (!flags_.out.empty()) make_out_folder(flags_.out);
@@ -178,7 +178,7 @@ class References {
                          {"figures", figures}});
     }
 
-    const Flags& flags_;
+    const ReferenceFlags& flags_;
     std::filesystem::path folder_;
     projects::Project project_;  ///< matched
     std::optional<engine::Machine> machine_;
@@ -191,7 +191,7 @@ class References {
 }  // namespace
 
 void add_reference(CLI::App& app, Run& run) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<ReferenceFlags>();
     auto* command = app.add_subcommand(
         "reference", "Match a project's experiments with their ground truth, compute it and keep it");
     command->add_option("PROJECT", flags->project, "Project folder or its project.json")->required();

@@ -21,7 +21,7 @@
 namespace ir::cli {
 namespace {
 
-struct Flags {
+struct RenderFlags {
     MachineFlags machine;
     InspectionFlags inspection;
     std::string project, scene, method, eye, target, up, camera, environment, out, json;
@@ -74,7 +74,7 @@ Settings parse_settings(const MethodDescription& method, const std::vector<std::
     return settings;
 }
 
-engine::Experiment to_experiment(const Flags& flags) {
+engine::Experiment to_experiment(const RenderFlags& flags) {
     engine::Experiment e;
     e.scene = flags.scene;
     e.method = flags.method;
@@ -128,7 +128,7 @@ void match(engine::Experiment& experiment, std::int64_t samples) {
     experiment.time = truth.time;
 }
 
-int render_scene(const Flags& flags) {
+int render_scene(const RenderFlags& flags) {
     auto experiment = to_experiment(flags);
     if (flags.match) match(experiment, flags.samples);
     const auto inspection = parse_inspection(flags.inspection, experiment);
@@ -172,7 +172,7 @@ int render_scene(const Flags& flags) {
 }  // namespace
 
 void add_render(CLI::App& app, Run& run) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<RenderFlags>();
     auto* command =
         app.add_subcommand("render", "Render a project's experiments, or one scene by one method");
     command->add_option("PROJECT", flags->project,

@@ -1,5 +1,7 @@
 #include "app/cli/results.h"
 
+#include "app/cli/load_project.h"
+
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -15,10 +17,6 @@ namespace ir::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-projects::Project as_on_disk(const projects::LoadedProject& loaded) {
-    return projects::with_contents(loaded.project, projects::read_contents(loaded.project, loaded.folder));
-}
 
 /// Id of the method that rendered it; empty where the index does not tell.
 std::string method_of(const projects::KeptResult& result) {

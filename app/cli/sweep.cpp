@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Flags {
+struct SweepFlags {
     ProjectRender job;
     std::string name, shard;
     bool quiet = false;
@@ -63,7 +63,7 @@ Json entry_of(const projects::SweepPoint& point) {
 }
 
 /// Renders one point; what went wrong stands in its entry.
-Json render_point(const Flags& flags, engine::Machine& machine, const projects::LoadedProject& loaded,
+Json render_point(const SweepFlags& flags, engine::Machine& machine, const projects::LoadedProject& loaded,
                   const projects::SweepPoint& point, ProgressLine& line, int& status) {
     auto entry = entry_of(point);
     try {
@@ -118,7 +118,7 @@ class SweepList {
     std::size_t done_ = 0;
 };
 
-int run_sweep(const Flags& flags) {
+int run_sweep(const SweepFlags& flags) {
     const auto shard = parse_shard(flags.shard);
     const auto loaded = load_project(flags.job.project);
     const auto& sweep = chosen_sweep(loaded.project, flags.name);
@@ -161,7 +161,7 @@ int run_sweep(const Flags& flags) {
 }  // namespace
 
 void add_sweep(CLI::App& app, Run& run) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<SweepFlags>();
     auto& job = flags->job;
     auto* command = app.add_subcommand("sweep", "Render all variations of a project's sweep");
     command->add_option("PROJECT", job.project, "Project folder")->required();

@@ -4,18 +4,11 @@
 Copies the source tree, adds a method by copying the folders of an example under a new name, builds the command
 line and asks it for the new method: list, describe, render. Usage: add_method.py ROOT FOLDER [CMAKE_ARGUMENT...]
 """
-import json
 import os
 import shutil
-import subprocess
 import sys
 
-EXAMPLE, ADDED = "view-normals", "added-method"
-
-
-def run(*command):
-    print("$", " ".join(command), flush=True)
-    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
+from try_added_method import ADDED, EXAMPLE, run, try_method
 
 
 def copy_with_new_name(source, target):
@@ -45,15 +38,7 @@ def main():
     run("cmake", "-S", tree, "-B", build, "-DINTERREFLECT_GUI=OFF", "-DINTERREFLECT_TESTS=OFF", *sys.argv[3:])
     run("cmake", "--build", build, "--target", "interreflect-cli", "--parallel", "2")
     cli = os.path.join(build, "bin", "interreflect-cli")
-    assert ADDED in run(cli, "list"), "the new method is not listed"
-    added, example = (json.loads(run(cli, "describe", name, "--json")) for name in (ADDED, EXAMPLE))
-    assert added["id"] == ADDED and added["parameters"] == example["parameters"], "it is described otherwise"
-    pictures = []
-    for name in (ADDED, EXAMPLE):
-        pictures.append(os.path.join(folder, name + ".exr"))
-        run(cli, "render", "--scene", "builtin:cornell", "--method", name, "--size", "32x32", "--out",
-            pictures[-1])
-    run(cli, "compare", pictures[0], pictures[1], "--fail-above", "rmse=0")
+    try_method(cli, folder)
     shutil.rmtree(folder)
 
 
