@@ -121,19 +121,30 @@ TEST_F(DssFigure8, OneSetOfDefaultsForAllRows) {
 
 /// What each deviation from the defaults gains, one at a time.
 TEST_F(DssFigure8, Causes) {
-    const std::vector<std::pair<const char*, Settings>> causes{
-        {"with visibility", {}},
+    const std::vector<std::pair<std::string, Settings>> causes{
+        {"defaults", {}},
         {"samples = 16", {{"samples", std::int64_t{16}}}},
         {"surfel_radius = 0.75", {{"surfel_radius", 0.75}}},
         {"coverage = 3", {{"coverage", 3.0}}},
         {"trade_off = 0.005", {{"trade_off", 0.005}}},
         {"glossy_senders = false", {{"glossy_senders", false}}}};
     for (const std::size_t i : {0u, 1u, 3u}) {
-        const auto truth = reference(rows[i], 1);
+        const auto& row = rows[i];
+        const auto truth = reference(row, 1);
+        std::map<std::string, double> share;  // of the reference's mean
         for (const auto& [what, settings] : causes) {
-            const auto shot = render(rows[i], "deep-screen-space", settings);
-            print(rows[i], what, errors(rows[i], shot.image, truth.image), shot);
+            const auto shot = render(row, "deep-screen-space", settings);
+            print(row, what.c_str(), errors(row, shot.image, truth.image), shot);
+            share[what] = mean(shot.image) / mean(truth.image);
             std::printf("mean %.4f, of the reference %.4f\n", mean(shot.image), mean(truth.image));
+        }
+        if (row.paths == "ao") {
+            EXPECT_LT(share.at("coverage = 3"), share.at("defaults") - 0.1) << "larger discs occlude more";
+            EXPECT_NEAR(share.at("samples = 16"), share.at("defaults"), 0.03) << "samples only add noise";
+            EXPECT_EQ(share.at("glossy_senders = false"), share.at("defaults")) << "nothing is sent";
+        } else {
+            EXPECT_LT(share.at("glossy_senders = false"), share.at("defaults")) << row.name;
+            EXPECT_GT(share.at("coverage = 3"), share.at("defaults")) << "fewer rays pass between discs";
         }
     }
 }

@@ -38,15 +38,22 @@ TEST(Shaders, FoldersMirrorRenderers) {
             << "shaders/passes/" << subject << " has no renderers/passes/" << subject;
 }
 
+/// By its path anywhere, or by its file's name in the folder of the same subject.
+bool names(const SourceFile& code, const std::string& shader) {
+    const auto subject = "renderers/" + shader.substr(0, shader.find('/', shader.find('/') + 1) + 1);
+    const auto file = shader.substr(shader.rfind('/') + 1);
+    return code.text.find('"' + shader + '"') != std::string::npos ||
+           (code.path.starts_with(subject) && (code.text.find('"' + file + '"') != std::string::npos ||
+                                               code.text.find('/' + file + '"') != std::string::npos));
+}
+
 TEST(Shaders, EveryEntryPointIsUsed) {
     const auto code = source_files({"renderers", "app"}, {".cpp", ".h"});
     for (const auto& file : source_files({"shaders"}, shader_endings)) {
         if (file.path.ends_with(".glsl")) continue;
-        const auto name = file.path.substr(8);
-        const auto short_name = name.substr(name.rfind('/') + 1);
-        EXPECT_TRUE(std::any_of(
-            code.begin(), code.end(),
-            [&](const auto& source) { return source.text.find(short_name) != std::string::npos; }))
+        const auto shader = file.path.substr(8);
+        EXPECT_TRUE(
+            std::any_of(code.begin(), code.end(), [&](const auto& each) { return names(each, shader); }))
             << file.path << " is named nowhere";
     }
 }
