@@ -17,7 +17,8 @@ class ValueStrip : public QWidget {
     explicit ValueStrip(QWidget* parent = nullptr);
     void set_picture(const Image& image, Semantic semantic, const QString& name, const QString& unit,
                      const Atlas& atlas = {});
-    /// Levels and slices of an atlas by their own pixels; (-1, -1): none.
+    /// "x 12  y 40   R 0.25  G 0.5  B 1 W/(m² sr)"; levels and slices of an atlas by their own pixels. The
+    /// summary for a pixel that the picture does not have.
     void show_pixel(const Picture& picture, QPoint pixel);
     /// Anything else about the pixel under the cursor.
     void show_text(const QString& text) { say(text, false); }
@@ -40,7 +41,5 @@ class ValueStrip : public QWidget {
     QSize size_;
     int channels_ = 0;
 };
-
-/// "x 12  y 40   R 0.25  G 0.5  B 1 W/(m² sr)"; empty for a pixel that the image does not have.
 
 }  // namespace ir::widgets

@@ -385,8 +385,9 @@ TEST(ImageView, TellsThePixelUnderTheCursor) {
     // The pointer of a shared screen may first report where it was.
     ASSERT_TRUE(QTest::qWaitFor([&] { return moves.last().first().toPoint() == QPoint(5, 2); }));
     const QPoint pixel = moves.last().first().toPoint();
-    EXPECT_EQ(pixel_text(view.image(), pixel, Semantic::radiance, "W").toStdString(),
-              "x    5  y    2   R 0  G 1  B 0 W");
+    ValueStrip strip;
+    strip.show_pixel(*make_picture(view.image(), Semantic::radiance, {}, "W"), pixel);
+    EXPECT_EQ(strip.text().toStdString(), "x    5  y    2   R 0  G 1  B 0 W");
 }
 
 /// Alpha is 1 in a black picture; four numbers of another meaning are four.
@@ -403,10 +404,18 @@ TEST(ValueStrip, StatisticsLeaveAlphaOut) {
 }
 
 TEST(ValueStrip, SaysNothingOfPixelsThatASmallerPictureLacks) {
-    const auto image = corners();
-    EXPECT_TRUE(pixel_text(image, {-1, -1}, Semantic::radiance, {}).isEmpty());
-    EXPECT_TRUE(pixel_text(image, {image.width, 0}, Semantic::radiance, {}).isEmpty());
-    EXPECT_FALSE(pixel_text(image, {image.width - 1, image.height - 1}, Semantic::radiance, {}).isEmpty());
+    const auto shown = make_picture(corners(), Semantic::radiance);
+    const auto& picture = *shown;
+    const int width = picture.image->width, height = picture.image->height;
+    ValueStrip strip;
+    strip.set_picture(*picture.image, Semantic::radiance, "corners", {});
+    const auto summary = strip.text();
+    strip.show_pixel(picture, {width - 1, height - 1});
+    EXPECT_TRUE(strip.text().startsWith("x")) << strip.text().toStdString();
+    for (const QPoint outside : {QPoint(-1, -1), QPoint(width, 0)}) {
+        strip.show_pixel(picture, outside);
+        EXPECT_EQ(strip.text(), summary);
+    }
 }
 
 TEST(ImageView, WheelZoomsAboutTheCursor) {
