@@ -124,8 +124,7 @@ void add_describe(CLI::App& app, Run& run) {
             if (flags->json)
                 std::cout << describe_json(method) << "\n";
             else if (flags->glsl)
-                std::cout << gl::parameter_glsl(method.parameters, defaults(method.parameters),
-                                                gl::parameter_binding);
+                std::cout << gl::parameter_glsl(method.parameters, defaults(method.parameters));
             else
                 std::cout << describe_markdown(method);
             return static_cast<int>(done);

@@ -92,8 +92,7 @@ std::string choice_constants(const ParameterDescription& parameter) {
 
 }  // namespace
 
-std::string parameter_glsl(const std::vector<ParameterDescription>& parameters, const Settings& settings,
-                           int binding) {
+std::string parameter_glsl(const std::vector<ParameterDescription>& parameters, const Settings& settings) {
     std::string constants, defines, members;
     for (const auto& parameter : parameters) {
         constants += choice_constants(parameter);
@@ -105,8 +104,7 @@ std::string parameter_glsl(const std::vector<ParameterDescription>& parameters, 
                        literal(parameter, value_of(parameter, settings)) + "\n";
     }
     if (members.empty()) return constants + defines;
-    return constants + defines + "layout(std430, binding = " + std::to_string(binding) +
-           ") readonly buffer Parameters {\n" + members + "} params;\n";
+    return constants + defines + "layout(std430) readonly buffer Parameters {\n" + members + "} params;\n";
 }
 
 std::vector<std::uint32_t> parameter_block(const std::vector<ParameterDescription>& parameters,

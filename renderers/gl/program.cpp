@@ -92,6 +92,37 @@ void Program::set(const char* uniform, const glm::mat4& value) const {
                                   glm::value_ptr(value));
 }
 
+const ProgramResource* Program::find_resource(const std::string& name) const {
+    if (!declares(name))
+        throw Error(label_ + ": the source has no block, sampler or image '" + name + "'; check its name");
+    const auto found = std::find_if(resources_.begin(), resources_.end(),
+                                    [&](const ProgramResource& resource) { return resource.name == name; });
+    return found == resources_.end() ? nullptr : &*found;
+}
+
+void Program::bind_buffer(const char* block, Name buffer, std::uint64_t offset, std::uint64_t bytes) const {
+    const auto* resource = find_resource(block);
+    if (!resource) return;
+    if (bytes == 0)
+        api_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, resource->unit, buffer);
+    else
+        api_->BindBufferRange(GL_SHADER_STORAGE_BUFFER, resource->unit, buffer, static_cast<GLintptr>(offset),
+                              static_cast<GLsizeiptr>(bytes));
+}
+
+void Program::bind_texture(const char* sampler, Name texture) const {
+    const auto* resource = find_resource(sampler);
+    if (!resource) return;
+    api_->BindTextureUnit(resource->unit, texture);
+    api_->BindSampler(resource->unit, 0);
+}
+
+void Program::bind_image(const char* image, Name texture, Format format) const {
+    const auto* resource = find_resource(image);
+    if (!resource) return;
+    api_->BindImageTexture(resource->unit, texture, 0, GL_FALSE, 0, GL_READ_WRITE, info(format).internal);
+}
+
 void Program::dispatch(std::int64_t x, std::int64_t y, std::int64_t z) const {
     const std::array<std::int64_t, 3> invocations{x, y, z};
     std::array<GLuint, 3> groups{};

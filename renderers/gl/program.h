@@ -15,6 +15,8 @@
 #include "renderers/core/parameter.h"
 #include "renderers/core/report.h"
 #include "renderers/gl/context.h"
+#include "renderers/gl/device.h"
+#include "renderers/gl/program_resources.h"
 
 namespace ir::gl {
 
@@ -40,6 +42,11 @@ class ShaderError : public Error {
 class Program {
   public:
     GLuint name() const { return name_; }
+    const std::string& label() const { return label_; }  ///< its files
+    /// What it reads and writes; each has a unit.
+    const std::vector<ProgramResource>& resources() const { return resources_; }
+    /// Whether the source declares a block, sampler or image of this name, also one that was optimised away.
+    bool declares(const std::string& resource) const { return declarations_.names(resource); }
     void use() const;
     void set(const char* uniform, int value) const;
     void set(const char* uniform, unsigned value) const;
@@ -49,6 +56,11 @@ class Program {
     void set(const char* uniform, glm::vec4 value) const;
     void set(const char* uniform, glm::ivec2 value) const;
     void set(const char* uniform, const glm::mat4& value) const;
+    /// Binds to the unit that a resource of the program has; all of the buffer where `bytes` is 0. One that
+    /// the compiler removed is ignored; one that the source never declares throws Error.
+    void bind_buffer(const char* block, Name buffer, std::uint64_t offset = 0, std::uint64_t bytes = 0) const;
+    void bind_texture(const char* sampler, Name texture) const;             ///< with its own filter and wrap
+    void bind_image(const char* image, Name texture, Format format) const;  ///< level 0, read and write
     /// Local size of a compute program.
     glm::ivec3 work_group_size() const { return work_group_size_; }
     /// Dispatches enough groups for x × y × z invocations, after use(). Nothing when one of them is 0. Throws
@@ -65,12 +77,15 @@ class Program {
     const Uniform& find_uniform(const std::string& uniform) const;
     /// The location for a value whose type is one of `accepted`, or -1.
     GLint location(const char* uniform, std::initializer_list<GLenum> accepted) const;
+    const ProgramResource* find_resource(const std::string& name) const;
 
     const Api* api_ = nullptr;
     GLuint name_ = 0;
     std::string label_;
     glm::ivec3 work_group_size_{1}, max_groups_{65535};
     std::unordered_set<std::string> identifiers_;  ///< all words of the source
+    ResourceDeclarations declarations_;
+    std::vector<ProgramResource> resources_;
     mutable std::unordered_map<std::string, Uniform> uniforms_;
 };
 
@@ -104,11 +119,10 @@ class ProgramLibrary {
 };
 
 /// The GLSL block for a method's parameters: `#define`s with the current value for those that ask for
-/// recompilation, one std430 buffer block `Parameters` at `binding` for the others (no block when there are
-/// none), and constants KEY_CHOICE for choices (STORAGE_LINKED_LISTS). In GLSL a parameter is `params.key`
-/// (bool as uint is hidden behind `bool(params.key)`), or KEY in capitals for a #define.
-std::string parameter_glsl(const std::vector<ParameterDescription>& parameters, const Settings& settings,
-                           int binding);
+/// recompilation, one std430 buffer block `Parameters` for the others (no block when there are none), and
+/// constants KEY_CHOICE for choices (STORAGE_LINKED_LISTS). In GLSL a parameter is `params.key` (bool as uint
+/// is hidden behind `bool(params.key)`), or KEY in capitals for a #define.
+std::string parameter_glsl(const std::vector<ParameterDescription>& parameters, const Settings& settings);
 
 /// The bytes of that block for complete settings: 4 bytes a scalar, in order of description.
 std::vector<std::uint32_t> parameter_block(const std::vector<ParameterDescription>& parameters,
@@ -119,7 +133,6 @@ std::vector<std::uint32_t> parameter_block(const std::vector<ParameterDescriptio
 void check_parameter_block(const Api& api, GLuint program,
                            const std::vector<ParameterDescription>& parameters);
 
-/// The binding point of the generated parameter block.
-inline constexpr int parameter_binding = 15;
+inline constexpr const char* parameter_block_name = "Parameters";
 
 }  // namespace ir::gl

@@ -186,8 +186,10 @@ void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
             const auto stage = preprocess(folder_, file, source.defines, source.preamble, entry.files);
             compile_stage(api, handle, file, stage);
             add_identifiers(stage.text, program.identifiers_);
+            program.declarations_.add(stage.text);
         }
         link(api, handle, source);
+        program.resources_ = assign_units(api, handle.name, program.declarations_);
         api.ObjectLabel(GL_PROGRAM, handle.name,
                         static_cast<GLsizei>(std::min<std::size_t>(label.size(), 255)), label.c_str());
         program.api_ = &api;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "renderers/graph/pass_context.h"
+
 namespace ir::graph {
 
 int stride(const BufferDesc& desc) {
@@ -16,6 +18,32 @@ PassBuilder& PassBuilder::counts(CounterRef counter) {
     return *this;
 }
 
+PassBuilder& PassBuilder::counts(std::string name, CounterRef counter) {
+    pass_->bindings.emplace_back(std::move(name),
+                                 Pass::Binding{Pass::Binding::Kind::counter, counter.index, true});
+    return counts(counter);
+}
+
+PassBuilder& PassBuilder::reads(std::string name, ImageRef ref, const scene::Sampler& sampler) {
+    bind(std::move(name), ref, false, false);
+    pass_->bindings.back().second.sampler = sampler;
+    return *this;
+}
+
+PassBuilder& PassBuilder::bind(std::string name, ImageRef ref, bool write, bool previous) {
+    if (ref.index >= 0) access(ref, write, previous);
+    pass_->bindings.emplace_back(std::move(name),
+                                 Pass::Binding{Pass::Binding::Kind::image, ref.index, write, previous});
+    return *this;
+}
+
+PassBuilder& PassBuilder::bind(std::string name, BufferRef ref, bool write, bool previous) {
+    if (ref.index >= 0) access(ref, write, previous);
+    pass_->bindings.emplace_back(std::move(name),
+                                 Pass::Binding{Pass::Binding::Kind::buffer, ref.index, write, previous});
+    return *this;
+}
+
 void PassBuilder::execute(std::function<void(PassContext&)> run) {
     pass_->execute = [run = std::move(run)](PassContext& context, Slice) { run(context); };
 }
@@ -26,6 +54,35 @@ void PassBuilder::execute_sliced(std::int64_t items, std::function<void(PassCont
     // Even of half a minute's work, the first slice then takes no longer than the others.
     pass_->first_slice = first_slice > 0 ? first_slice : std::max<std::int64_t>(1, items / 1024);
     pass_->execute = std::move(run);
+}
+
+void PassBuilder::compute(const gl::ProgramSource& source, ImageRef over, Set set) {
+    execute([source, over, set = std::move(set)](PassContext& context) {
+        const auto& program = context.use(source);
+        if (set) set(context, program);
+        const auto shape = context.shape(over);
+        program.dispatch(shape.width, shape.height, std::max(1, shape.layers));
+    });
+}
+
+void PassBuilder::compute(const gl::ProgramSource& source, std::int64_t invocations, Set set) {
+    execute([source, invocations, set = std::move(set)](PassContext& context) {
+        const auto& program = context.use(source);
+        if (set) set(context, program);
+        program.dispatch(invocations);
+    });
+}
+
+void PassBuilder::draw(const gl::ProgramSource& source, ImageRef target, Set set) {
+    writes(target);
+    auto drawn = source;
+    drawn.files.insert(drawn.files.begin(), "lib/full_screen.vert");
+    execute([drawn = std::move(drawn), target, set = std::move(set)](PassContext& context) {
+        context.bind_framebuffer({{target}});
+        const auto& program = context.use(drawn);
+        if (set) set(context, program);
+        context.draw_full_screen();
+    });
 }
 
 void PassBuilder::access(ImageRef ref, bool write, bool previous) {

@@ -1,14 +1,21 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "renderers/core/parameter.h"
 #include "renderers/graph/frame_inputs.h"
 #include "renderers/graph/resource.h"
+
+namespace ir::gl {
+class Program;
+struct ProgramSource;
+}  // namespace ir::gl
 
 namespace ir::graph {
 
@@ -32,39 +39,81 @@ struct Pass {
     };
     std::vector<Access> accesses;
     std::vector<CounterRef> counters;
+    /// What stands behind a name of the pass's programs; index -1: nothing.
+    struct Binding {
+        enum class Kind { image, buffer, counter } kind;
+        int index;
+        bool write = false, previous = false;
+        int level = 0;                               ///< of images
+        std::optional<scene::Sampler> sampler = {};  ///< of textures; else nearest, clamped
+        std::optional<gl::Format> format = {};       ///< of images; else their own
+        bool ambiguous = false;                      ///< several resources have this name
+    };
+    std::vector<std::pair<std::string, Binding>> bindings;
     std::int64_t items = 1, first_slice = 0;
     std::function<void(PassContext&, Slice)> execute;
 };
 
-/// Declares one pass: `builder.pass("trace").reads(a, b).writes(c).execute([=](PassContext& p) { … });`
+template <class Ref>
+concept ResourceRef =
+    std::same_as<Ref, ImageRef> || std::same_as<Ref, BufferRef> || std::same_as<Ref, ObjectRef>;
+
+/// Declares one pass: `builder.pass("trace").reads("Rays", rays).writes("Hits", hits).execute(…)`. A name is
+/// that of a block, sampler or image in the pass's programs; at least one of them must declare it. An absent
+/// ref stands for nothing, until PassContext::bind says otherwise. What no program names (attachments,
+/// uploads, passes of the cpu queue) is declared without; so is what has a name of its own (ImageDesc::name).
 class PassBuilder {
   public:
     explicit PassBuilder(Pass& pass) : pass_(&pass) {}
-    template <class... Refs>
+    template <ResourceRef... Refs>
     PassBuilder& reads(Refs... refs) {
         (access(refs, false, false), ...);
         return *this;
     }
     /// Also for passes that modify what an earlier pass wrote.
-    template <class... Refs>
+    template <ResourceRef... Refs>
     PassBuilder& writes(Refs... refs) {
         (access(refs, true, false), ...);
         return *this;
     }
     /// The contents that the last committed frame left in the resource (zeros in the first frame).
-    template <class... Refs>
+    template <ResourceRef... Refs>
     PassBuilder& reads_previous(Refs... refs) {
         (access(refs, false, true), ...);
         return *this;
     }
+    template <ResourceRef Ref>
+    PassBuilder& reads(std::string name, Ref ref) {
+        return bind(std::move(name), ref, false, false);
+    }
+    PassBuilder& reads(std::string name, ImageRef ref, const scene::Sampler& sampler);
+    template <ResourceRef Ref>
+    PassBuilder& writes(std::string name, Ref ref) {
+        return bind(std::move(name), ref, true, false);
+    }
+    template <ResourceRef Ref>
+    PassBuilder& reads_previous(std::string name, Ref ref) {
+        return bind(std::move(name), ref, false, true);
+    }
     PassBuilder& counts(CounterRef counter);
+    /// GLSL: buffer NAME { uint … };
+    PassBuilder& counts(std::string name, CounterRef counter);
     void execute(std::function<void(PassContext&)> run);
     /// Divisible work: `run` is called for consecutive ranges of [0, items), sized so that each takes about
     /// 30 ms; `first_slice` is the size of the first one (0: items / 1024).
     void execute_sliced(std::int64_t items, std::function<void(PassContext&, Slice)> run,
                         std::int64_t first_slice = 0);
+    /// Gives values to the uniforms of the pass's program.
+    using Set = std::function<void(const PassContext&, const gl::Program&)>;
+    /// One dispatch, with an invocation for each texel of all layers of an image.
+    void compute(const gl::ProgramSource& source, ImageRef over, Set set = {});
+    void compute(const gl::ProgramSource& source, std::int64_t invocations, Set set = {});
+    /// Writes all of an image by a fragment shader behind shaders/lib/full_screen.vert.
+    void draw(const gl::ProgramSource& source, ImageRef target, Set set = {});
 
   private:
+    PassBuilder& bind(std::string name, ImageRef ref, bool write, bool previous);
+    PassBuilder& bind(std::string name, BufferRef ref, bool write, bool previous);
     void access(ImageRef ref, bool write, bool previous);
     void access(BufferRef ref, bool write, bool previous);
     void access(ObjectRef ref, bool write, bool previous);

@@ -95,6 +95,7 @@ void Graph::State::prepare_counters() {
 }
 
 void Graph::State::prepare_parameters() {
+    programs_with_parameters.clear();
     auto block = gl::parameter_block(method->description.parameters, *settings);
     if (block.empty()) block.push_back(0);
     const auto bytes = std::max<std::uint64_t>(16, block.size() * 4);

@@ -28,34 +28,6 @@ void require_write(const Pass& pass, const Pass::Access& access, const std::stri
         throw std::logic_error("pass '" + pass.name + "' writes '" + key + "' without declaring it");
 }
 
-GLenum wrap_of(scene::Wrap wrap) {
-    switch (wrap) {
-        case scene::Wrap::repeat:
-            return GL_REPEAT;
-        case scene::Wrap::mirrored_repeat:
-            return GL_MIRRORED_REPEAT;
-        default:
-            return GL_CLAMP_TO_EDGE;
-    }
-}
-
-GLuint make_sampler(const gl::Api& gl, const scene::Sampler& sampler) {
-    const bool linear = sampler.min == scene::Filter::linear;
-    GLuint name = 0;
-    gl.CreateSamplers(1, &name);
-    gl.SamplerParameteri(name, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrap_of(sampler.wrap_s)));
-    gl.SamplerParameteri(name, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrap_of(sampler.wrap_t)));
-    gl.SamplerParameteri(name, GL_TEXTURE_MAG_FILTER,
-                         sampler.mag == scene::Filter::linear ? GL_LINEAR : GL_NEAREST);
-    gl.SamplerParameteri(name, GL_TEXTURE_MIN_FILTER,
-                         sampler.mipmaps ? (linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST)
-                                         : (linear ? GL_LINEAR : GL_NEAREST));
-    return name;
-}
-
-constexpr scene::Sampler nearest_clamped{scene::Wrap::clamp_to_edge, scene::Wrap::clamp_to_edge,
-                                         scene::Filter::nearest, scene::Filter::nearest, false};
-
 }  // namespace
 
 const FrameInputs& PassContext::inputs() const {
@@ -99,30 +71,6 @@ gl::Name PassContext::previous(BufferRef ref) const {
     return physical(ref, true).before().name;
 }
 
-const gl::Program& PassContext::program(const gl::ProgramSource& source) const {
-    return graph_.state_->programs->get(source);
-}
-
-const gl::Program& PassContext::method_program(gl::ProgramSource source) const {
-    auto& s = *graph_.state_;
-    const auto& parameters = s.method->description.parameters;
-    source.preamble += gl::parameter_glsl(parameters, *s.settings, gl::parameter_binding);
-    const auto& program = s.programs->get(source);
-    if (!parameters.empty()) {
-        gl::check_parameter_block(api(), program.name(), parameters);
-        api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, gl::parameter_binding, s.parameter_buffer);
-    }
-    return program;
-}
-
-void PassContext::bind_buffer(int binding, BufferRef ref) const {
-    api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), buffer(ref));
-}
-
-void PassContext::bind_previous_buffer(int binding, BufferRef ref) const {
-    api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), previous(ref));
-}
-
 void PassContext::check_declared(CounterRef ref) const {
     const auto found = std::find_if(pass_.counters.begin(), pass_.counters.end(),
                                     [&](CounterRef counter) { return counter.index == ref.index; });
@@ -130,40 +78,6 @@ void PassContext::check_declared(CounterRef ref) const {
         throw std::logic_error("pass '" + pass_.name + "' uses counter '" +
                                graph_.state_->builder->counters().at(ref.index).key +
                                "' without declaring it");
-}
-
-void PassContext::bind_counter(int binding, CounterRef ref) const {
-    check_declared(ref);
-    const auto& s = *graph_.state_;
-    api().BindBufferRange(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), s.counter_buffer,
-                          static_cast<GLintptr>(ref.index * counter_stride), 16);
-}
-
-void PassContext::bind_texture(int unit, ImageRef ref) const {
-    bind_texture(unit, ref, nearest_clamped);
-}
-
-void PassContext::bind_texture(int unit, ImageRef ref, const scene::Sampler& sampler) const {
-    auto& s = *graph_.state_;
-    auto found = std::find_if(s.samplers.begin(), s.samplers.end(),
-                              [&](const auto& entry) { return entry.first == sampler; });
-    if (found == s.samplers.end()) {
-        s.samplers.emplace_back(sampler, make_sampler(api(), sampler));
-        found = s.samplers.end() - 1;
-    }
-    api().BindTextureUnit(static_cast<GLuint>(unit), image(ref));
-    api().BindSampler(static_cast<GLuint>(unit), found->second);
-}
-
-void PassContext::bind_previous_texture(int unit, ImageRef ref) const {
-    api().BindTextureUnit(static_cast<GLuint>(unit), previous(ref));
-    api().BindSampler(static_cast<GLuint>(unit), 0);
-}
-
-void PassContext::bind_storage_image(int unit, ImageRef ref, int level) const {
-    const auto& target = physical(ref, false);
-    api().BindImageTexture(static_cast<GLuint>(unit), image(ref), level, target.shape.layers > 0, 0,
-                           GL_READ_WRITE, gl::info(target.shape.format).internal);
 }
 
 void PassContext::bind_framebuffer(const std::vector<Attachment>& colours, const Attachment* depth) const {

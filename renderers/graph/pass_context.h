@@ -2,6 +2,7 @@
 
 #include <any>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -33,18 +34,20 @@ class PassContext {
     gl::Name buffer(BufferRef ref) const;
     gl::Name previous(BufferRef ref) const;
 
-    /// A program without, and one with the method's parameter block (which is then bound).
     const gl::Program& program(const gl::ProgramSource& source) const;
-    const gl::Program& method_program(gl::ProgramSource source) const;
 
-    void bind_buffer(int binding, BufferRef ref) const;
-    void bind_previous_buffer(int binding, BufferRef ref) const;
-    /// GLSL: layout(std430, binding = N) buffer … { uint name; };
-    void bind_counter(int binding, CounterRef ref) const;
-    void bind_texture(int unit, ImageRef ref) const;  ///< nearest, clamped
-    void bind_texture(int unit, ImageRef ref, const scene::Sampler& sampler) const;
-    void bind_previous_texture(int unit, ImageRef ref) const;
-    void bind_storage_image(int unit, ImageRef ref, int level = 0) const;  ///< all layers, read and write
+    /// Makes a program current and binds to its names what the pass declares. Programs with a file in
+    /// "methods/" see the method's `params`. Throws Error that names pass, program and resource for a name
+    /// to which nothing is bound, and for a wrong kind, format or access.
+    const gl::Program& use(const gl::ProgramSource& source) const;
+    void use(const gl::Program& program) const;
+    /// Puts something else behind a name, from now on and in the current program. An absent ref: nothing,
+    /// for a texture that the program does not look at now.
+    void bind(const std::string& name, ImageRef ref, int level = 0) const;
+    void bind(const std::string& name, ImageRef ref, const scene::Sampler& sampler) const;
+    void bind(const std::string& name, BufferRef ref) const;
+    /// The program sees the image's texels as another format of as many bytes.
+    void bind_as(const std::string& name, ImageRef ref, gl::Format format) const;
 
     /// A framebuffer with these attachments (layer -1: all layers, for layered rendering), bound with a
     /// fitting viewport.
@@ -112,7 +115,18 @@ class PassContext {
 
   private:
     friend class Graph;
-    PassContext(Graph& graph, const Pass& pass) : graph_(graph), pass_(pass) {}
+    PassContext(Graph& graph, const Pass& pass);
+    /// Throws Error for a declared name that no program of the pass has.
+    void check_names() const;
+    const gl::Program& method_program(const gl::ProgramSource& source) const;
+    void offer(const std::string& name, const Pass::Binding& binding);
+    bool writes(Pass::Access::Kind kind, int index) const;
+    void bind_element(const gl::ProgramResource& resource, int element) const;
+    void put(const std::string& name, const Pass::Binding& binding) const;
+    [[noreturn]] void refuse(const gl::ProgramResource& resource, const std::string& problem) const;
+    void bind_image(const gl::ProgramResource& resource, GLuint unit, const Pass::Binding& binding) const;
+    void bind_block(const gl::ProgramResource& resource, const Pass::Binding& binding) const;
+    GLuint sampler_of(const scene::Sampler& sampler) const;
     Physical& physical(ImageRef ref, bool previous, bool write = false) const;
     Physical& physical(BufferRef ref, bool previous, bool write = false) const;
     void check_declared(CounterRef ref) const;
@@ -125,6 +139,8 @@ class PassContext {
     }
     Graph& graph_;
     const Pass& pass_;
+    mutable std::map<std::string, Pass::Binding> bindings_;
+    mutable std::vector<const gl::Program*> programs_;  ///< that were used; the last is current
 };
 
 }  // namespace ir::graph

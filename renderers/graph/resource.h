@@ -44,6 +44,9 @@ struct Extent {
 
 struct ImageDesc {
     ResourceText text;
+    /// The sampler or image that stands for it in every shader of a pass that declares it. Passes may give
+    /// another.
+    std::string name = {};
     gl::Format format = gl::Format::rgba32f;
     Extent extent = {};
     int levels = 1;
@@ -58,6 +61,7 @@ using ir::FieldType;
 
 struct BufferDesc {
     ResourceText text;
+    std::string name = {};                ///< of its block, as ImageDesc has it
     OutputKind kind = OutputKind::table;  ///< or point_set, line_set, glyphs, sphere_values
     std::vector<Field> fields;            ///< std430 with scalars only: 4 bytes each, tightly packed
     std::uint64_t elements = 0;
@@ -79,7 +83,9 @@ struct ObjectDesc {
 /// summed in the report. For a growable buffer the count is the number of elements asked for, also beyond
 /// capacity; with several counters (batches) the largest decides.
 struct CounterDesc {
-    std::string key, label, doc = {};
+    std::string key;
+    std::string name = {};  ///< of its block, as ImageDesc has it
+    std::string label = {}, doc = {};
     BufferRef growth_of = {};
     /// Counts what the picture lacks: where it is not 0 the frame warns with the label, the number and the
     /// doc, which says what to do.

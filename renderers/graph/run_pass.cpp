@@ -112,6 +112,7 @@ int Graph::State::run_slices(const Pass& pass, std::size_t index, PassContext& p
         if (begin < pass.items && options->between_slices) serve_views(on_gl, index);
     } while (begin < pass.items);
     if (sliced && rate > 0) items_per_ms[pass.name] = rate;
+    pass_context.check_names();
     return slices;
 }
 

@@ -93,6 +93,7 @@ struct Graph::State {
     std::unique_ptr<std::atomic<std::uint32_t>[]> host_counters;
     gl::Name parameter_buffer = 0;
     std::uint64_t parameter_bytes = 0;
+    std::map<gl::ProgramSource, const gl::Program*> programs_with_parameters;
     CancelToken never_cancelled;
     std::vector<double> views_ms;  ///< by pass: spent on views between its slices
 

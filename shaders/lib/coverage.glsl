@@ -1,5 +1,4 @@
-// Whether a surface with an alpha mask is there: the rule of scene::is_covered, on the same bits. Before
-// including, choose the binding points COVERAGE_OPACITY and COVERAGE_OPACITY_WORDS.
+// Whether a surface with an alpha mask is there: the rule of scene::is_covered, on the same bits.
 
 /// One per material; width 0 where there is no mask.
 struct OpacityBitmap {
@@ -7,8 +6,8 @@ struct OpacityBitmap {
     uint first_word;  // rows are padded to 32 texels
     uint wraps;       // wrap in s, and in t << 4: 0 repeat, 1 mirrored repeat, 2 clamp to edge
 };
-layout(std430, binding = COVERAGE_OPACITY) readonly buffer Opacity { OpacityBitmap opacity[]; };
-layout(std430, binding = COVERAGE_OPACITY_WORDS) readonly buffer OpacityWords { uint opacity_words[]; };
+layout(std430) readonly buffer Opacity { OpacityBitmap opacity[]; };
+layout(std430) readonly buffer OpacityWords { uint opacity_words[]; };
 
 /// Index of the nearest texel along one axis, in the arithmetic of scene::is_covered.
 int nearest_texel(float coordinate, int size, uint wrap) {

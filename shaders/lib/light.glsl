@@ -1,7 +1,7 @@
 // One element of the buffer "scene.lights" (renderers/passes/scene/light_data.h writes it), and what a light
 // without extent sends to a point. Declare the buffer where it is used:
 //
-//   layout(std430, binding = N) readonly buffer Lights { Light lights[]; };
+//   layout(std430) readonly buffer Lights { Light lights[]; };
 
 const int LIGHT_POINT = 0;
 const int LIGHT_SPOT = 1;

@@ -1,7 +1,7 @@
 // One element of the buffer "scene.materials" (renderers/passes/scene/material_data.h writes it). Declare the
 // buffer where it is used:
 //
-//   layout(std430, binding = N) readonly buffer Materials { Material materials[]; };
+//   layout(std430) readonly buffer Materials { Material materials[]; };
 
 /// Where and how a texture is looked up: uv' = offset + R (scale uv)  [glTF2 KHR_texture_transform].
 struct TextureSlot {

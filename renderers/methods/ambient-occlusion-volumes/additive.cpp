@@ -14,15 +14,15 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const std::vector<OutputDe
 }
 
 /// Sums what the fragments give, over all triangles in their order.
-void blend(const graph::PassContext& context, const Volumes& volumes, const gl::Program& program,
+void blend(const graph::PassContext& context, const Volumes& volumes, const gl::ProgramSource& source,
            const std::vector<graph::ImageRef>& targets, graph::Slice slice) {
     if (slice.first)
         for (const auto target : targets) context.clear(target);
     std::vector<graph::PassContext::Attachment> colours;
     for (const auto target : targets) colours.push_back({target});
     context.bind_framebuffer(colours);
-    program.use();
-    bind_volumes(context, program, volumes);
+    const auto& program = context.use(source);
+    set_volumes(context, program, volumes);
     const auto& gl = context.api();
     gl.Enable(GL_BLEND);
     gl.BlendEquation(GL_FUNC_ADD);
@@ -38,18 +38,14 @@ graph::ImageRef add_up(graph::GraphBuilder& builder, const Volumes& volumes) {
     const auto sum = declare(builder, outputs, "volumes.sum"), raw = declare(builder, outputs, "volumes.raw");
     auto pass = builder.pass("additive");
     read_volumes(pass, volumes);
-    pass.writes(sum).execute_sliced(
-        volumes.triangles, [volumes, sum](graph::PassContext& context, graph::Slice slice) {
-            blend(context, volumes, context.method_program(drawing_with("additive.frag")), {sum}, slice);
-        });
-    builder.pass("compensate").reads(sum).writes(raw).execute([sum, raw](graph::PassContext& context) {
-        const auto& program = context.method_program({{"methods/ambient-occlusion-volumes/compose.comp"}});
-        program.use();
-        context.bind_texture(0, sum);
-        context.bind_storage_image(0, raw);
-        const auto shape = context.shape(raw);
-        program.dispatch(shape.width, shape.height);
-    });
+    pass.writes(sum).execute_sliced(volumes.triangles,
+                                    [volumes, sum](graph::PassContext& context, graph::Slice slice) {
+                                        blend(context, volumes, drawing_with("additive.frag"), {sum}, slice);
+                                    });
+    builder.pass("compensate")
+        .reads("sums", sum)
+        .writes("raw", raw)
+        .compute({{"methods/ambient-occlusion-volumes/compose.comp"}}, raw);
     return raw;
 }
 
@@ -61,7 +57,7 @@ void count_volumes(graph::GraphBuilder& builder, const Volumes& volumes) {
     read_volumes(pass, volumes);
     pass.writes(covering, within)
         .execute_sliced(volumes.triangles, [=](graph::PassContext& context, graph::Slice slice) {
-            blend(context, volumes, context.program(drawing_with("count.frag")), {covering, within}, slice);
+            blend(context, volumes, drawing_with("count.frag"), {covering, within}, slice);
         });
 }
 

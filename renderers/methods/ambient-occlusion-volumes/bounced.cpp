@@ -32,10 +32,8 @@ struct BouncedPass {
     /// Items are triangles, once for each sample.
     void run(const graph::PassContext& context, graph::Slice slice) const {
         if (slice.first) clear(context);
-        const auto& program = context.program(drawing_with("bounced.frag"));
-        program.use();
-        bind_volumes(context, program, volumes);
-        context.bind_texture(5, directions.directions);
+        const auto& program = context.use(drawing_with("bounced.frag"));
+        set_volumes(context, program, volumes);
         const auto& gl = context.api();
         gl.Enable(GL_DEPTH_TEST);
         gl.DepthFunc(GL_LESS);
@@ -70,7 +68,7 @@ Bounced find_nearest(graph::GraphBuilder& builder, const Volumes& volumes,
     bounced.depth = declare(builder, "volumes.depth", gl::Format::depth32f, directions.samples);
     auto pass = builder.pass("bounced z");
     read_volumes(pass, volumes);
-    pass.reads(directions.directions)
+    pass.reads("directions", directions.directions)
         .writes(bounced.result.distance, bounced.result.winner, bounced.depth)
         .execute_sliced(
             volumes.triangles * directions.samples,

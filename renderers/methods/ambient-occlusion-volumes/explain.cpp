@@ -21,26 +21,20 @@ struct Explanation {
 
     void read_by(graph::PassBuilder& pass) const {
         read_volumes(pass, volumes);
-        if (directions) pass.reads(directions->directions, bounced->winner);
+        if (directions) pass.reads("directions", directions->directions).reads("winners", bounced->winner);
     }
 
     const gl::Program& use(const graph::PassContext& context, bool write) const {
         gl::ProgramSource source{{"methods/ambient-occlusion-volumes/explain.comp"}};
         source.defines = {{"WRITE", write ? "1" : "0"}, {"BOUNCED", directions ? "1" : "0"}};
-        const auto& program = context.method_program(source);
-        program.use();
-        bind_volumes(context, program, volumes);
-        if (directions) {
-            context.bind_texture(5, directions->directions);
-            context.bind_texture(6, bounced->winner);
-        }
+        const auto& program = context.use(source);
+        set_volumes(context, program, volumes);
         const auto& inputs = context.inputs();
         const auto& picked = inputs.inspection;
         const bool inside =
             picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
         program.set("picked", inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1));
         program.set("triangle_count", static_cast<unsigned>(volumes.triangles));
-        context.bind_buffer(9, concerned);
         return program;
     }
 };
@@ -79,20 +73,21 @@ void explain(graph::GraphBuilder& builder, const Volumes& volumes,
                          .growth_of = e.triangles});
     auto find = builder.pass("explain: find volumes");
     e.read_by(find);
-    find.writes(e.concerned).execute([e](graph::PassContext& context) {
+    find.writes("Found", e.concerned).execute([e](graph::PassContext& context) {
         e.use(context, false).dispatch(e.volumes.triangles);
         context.barrier();
     });
     e.places = passes::exclusive_scan(builder, "volumes.explain.concerned", e.concerned, count, total);
     auto write = builder.pass("explain: volumes");
     e.read_by(write);
-    write.reads(e.concerned, e.places).writes(e.triangles).execute([e](graph::PassContext& context) {
-        const auto& program = e.use(context, true);
-        context.bind_buffer(10, e.places);
-        context.bind_buffer(11, e.triangles);
-        program.dispatch(e.volumes.triangles);
-        context.barrier();
-    });
+    write.reads("Concerned", e.concerned)
+        .reads("Places", e.places)
+        .writes("Explained", e.triangles)
+        .execute([e](graph::PassContext& context) {
+            const auto& program = e.use(context, true);
+            program.dispatch(e.volumes.triangles);
+            context.barrier();
+        });
 }
 
 std::vector<OutputDescription> explanation_outputs() {

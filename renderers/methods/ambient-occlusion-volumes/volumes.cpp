@@ -36,28 +36,17 @@ Tiles declare_tiles(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
     tiles.high = declare("volumes.tiles.high", "Largest position of tiles");
     builder.pass("picture bounds")
         .reads(gbuffer.position)
-        .writes(tiles.low, tiles.high)
-        .execute([=](graph::PassContext& context) {
-            const auto& program = context.program({{"methods/ambient-occlusion-volumes/bounds.comp"}});
-            program.use();
-            context.bind_texture(0, gbuffer.position);
-            context.bind_storage_image(0, tiles.low);
-            context.bind_storage_image(1, tiles.high);
-            program.set("side", tiles.side);
-            const auto shape = context.shape(tiles.low);
-            program.dispatch(shape.width, shape.height);
-        });
+        .writes("low", tiles.low)
+        .writes("high", tiles.high)
+        .compute({{"methods/ambient-occlusion-volumes/bounds.comp"}}, tiles.low,
+                 [side = tiles.side](const graph::PassContext&, const gl::Program& program) {
+                     program.set("side", side);
+                 });
     return tiles;
 }
 
-/// Buffers 0 … 7, and what is said of all triangles.
-void bind_triangles(const graph::PassContext& context, const gl::Program& program, const Volumes& volumes) {
-    const auto& scene = volumes.scene;
-    const graph::BufferRef buffers[] = {
-        scene.positions,          scene.indices,   scene.uv0,     scene.uv1,
-        scene.triangle_materials, scene.materials, scene.opacity, scene.opacity_words};
-    int binding = 0;
-    for (const auto buffer : buffers) context.bind_buffer(binding++, buffer);
+/// What is said of all triangles.
+void set_triangles(const graph::PassContext& context, const gl::Program& program, const Volumes& volumes) {
     program.set("opaque_triangles", context.inputs().world->opaque_triangles);
     program.set("reach", volumes.reach);
     program.set("both_sides", volumes.both_sides ? 1 : 0);
@@ -94,18 +83,10 @@ struct CullPass {
     void run(const graph::PassContext& context, graph::Slice slice) const {
         gl::ProgramSource source{{"methods/ambient-occlusion-volumes/cull.comp"}};
         source.defines["CULLING"] = tiles ? "1" : "0";
-        const auto& program = context.program(source);
-        program.use();
-        bind_triangles(context, program, volumes);
+        const auto& program = context.use(source);
+        set_triangles(context, program, volumes);
         set_hull(context, program);
-        context.bind_buffer(8, volumes.occluders);
-        context.bind_counter(9, drawn);
-        context.bind_counter(10, culled);
-        if (tiles) {
-            context.bind_texture(0, tiles->low);
-            context.bind_texture(1, tiles->high);
-            program.set("side", tiles->side);
-        }
+        if (tiles) program.set("side", tiles->side);
         const auto& view = context.inputs().view;
         program.set("size_px", glm::vec2(view.width, view.height));
         program.set("first_triangle", static_cast<unsigned>(slice.begin));
@@ -123,8 +104,8 @@ void cull(graph::GraphBuilder& builder, const Volumes& volumes, const std::optio
                                           "has no area."});
     auto pass = builder.pass("cull volumes");
     read_triangles(pass, volumes.scene);
-    if (tiles) pass.reads(tiles->low, tiles->high);
-    pass.writes(volumes.occluders).counts(cull.drawn).counts(cull.culled);
+    if (tiles) pass.reads("tile_low", tiles->low).reads("tile_high", tiles->high);
+    pass.writes("Occluders", volumes.occluders).counts("Drawn", cull.drawn).counts("Culled", cull.culled);
     pass.execute_sliced(volumes.triangles, [cull](graph::PassContext& context, graph::Slice slice) {
         cull.run(context, slice);
     });
@@ -156,15 +137,11 @@ Volumes declare_volumes(graph::GraphBuilder& builder, const passes::SceneBuffers
 void read_volumes(graph::PassBuilder& pass, const Volumes& volumes) {
     read_triangles(pass, volumes.scene);
     const auto& g = volumes.gbuffer;
-    pass.reads(volumes.occluders, g.position, g.normal, g.geometric_normal);
+    pass.reads("Occluders", volumes.occluders).reads(g.position, g.normal, g.geometric_normal);
 }
 
-void bind_volumes(const graph::PassContext& context, const gl::Program& program, const Volumes& volumes) {
-    bind_triangles(context, program, volumes);
-    context.bind_buffer(8, volumes.occluders);
-    context.bind_texture(0, volumes.gbuffer.position);
-    context.bind_texture(1, volumes.gbuffer.normal);
-    context.bind_texture(2, volumes.gbuffer.geometric_normal);
+void set_volumes(const graph::PassContext& context, const gl::Program& program, const Volumes& volumes) {
+    set_triangles(context, program, volumes);
 }
 
 gl::ProgramSource drawing_with(const std::string& fragments) {

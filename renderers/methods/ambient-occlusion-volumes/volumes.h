@@ -27,9 +27,8 @@ Volumes declare_volumes(graph::GraphBuilder& builder, const passes::SceneBuffers
 /// Declares what a pass reads to draw volumes, or to look at triangles.
 void read_volumes(graph::PassBuilder& pass, const Volumes& volumes);
 
-/// Binds triangles to buffers 0 … 7, occluders to 8, the receiver to textures 0 … 2, and sets the uniforms of
-/// triangle.glsl and origin.glsl, `reach` and `both_sides`.
-void bind_volumes(const graph::PassContext& context, const gl::Program& program, const Volumes& volumes);
+/// Sets the uniforms of triangle.glsl and origin.glsl, `reach` and `both_sides`.
+void set_volumes(const graph::PassContext& context, const gl::Program& program, const Volumes& volumes);
 
 /// volume.vert and volume.geom with this fragment shader.
 gl::ProgramSource drawing_with(const std::string& fragments);

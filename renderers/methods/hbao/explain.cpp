@@ -117,19 +117,17 @@ void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const
                samples = declare_samples(builder, directions * static_cast<std::uint64_t>(parameters.steps));
     auto pass = builder.pass("explain");
     pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal);
-    for (const auto& e : {horizons, lines, samples}) pass.writes(e.elements).counts(e.count);
+    pass.writes("Horizons", horizons.elements).counts("HorizonCount", horizons.count);
+    pass.writes("Lines", lines.elements).counts("LineCount", lines.count);
+    pass.writes("Samples", samples.elements).counts("SampleCount", samples.count);
     pass.execute([=](graph::PassContext& context) {
-        const auto& program = context.method_program({{"methods/hbao/explain.comp"}});
-        program.use();
-        bind_march(context, program, gbuffer);
+        const auto& program = context.use({{"methods/hbao/explain.comp"}});
+        set_march(context, program);
         const auto& inputs = context.inputs();
         const auto& picked = inputs.inspection;
         const bool inside =
             picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
         program.set("picked", inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1));
-        int binding = 3;
-        for (const auto& e : {horizons, lines, samples}) context.bind_buffer(binding++, e.elements);
-        for (const auto& e : {horizons, lines, samples}) context.bind_counter(binding++, e.count);
         program.dispatch(1);
     });
 }

@@ -19,35 +19,22 @@ graph::ImageRef declare(graph::GraphBuilder& builder, graph::ResourceText text, 
     return builder.image(std::move(desc));
 }
 
-void dispatch_over(const graph::PassContext& context, const gl::Program& program, graph::ImageRef image) {
-    const auto shape = context.shape(image);
-    program.dispatch(shape.width, shape.height);
-}
-
-void march_directions(graph::PassContext& context, const passes::GBuffer& gbuffer, graph::ImageRef sums,
-                      int first, int end) {
-    const auto& program = context.method_program({{"methods/hbao/march.comp"}});
-    program.use();
-    bind_march(context, program, gbuffer);
-    context.bind_storage_image(0, sums);
+void march_directions(graph::PassContext& context, graph::ImageRef sums, int first, int end) {
+    const auto& program = context.use({{"methods/hbao/march.comp"}});
+    set_march(context, program);
     program.set("first_direction", first);
     program.set("end_direction", end);
-    dispatch_over(context, program, sums);
+    const auto shape = context.shape(sums);
+    program.dispatch(shape.width, shape.height);
     context.barrier();
 }
 
 void resolve(graph::GraphBuilder& builder, const Marched& marched) {
     builder.pass("resolve")
-        .reads(marched.sums)
-        .writes(marched.raw, marched.cut)
-        .execute([marched](graph::PassContext& context) {
-            const auto& program = context.method_program({{"methods/hbao/resolve.comp"}});
-            program.use();
-            context.bind_texture(0, marched.sums);
-            context.bind_storage_image(0, marched.raw);
-            context.bind_storage_image(1, marched.cut);
-            dispatch_over(context, program, marched.raw);
-        });
+        .reads("sums", marched.sums)
+        .writes("raw", marched.raw)
+        .writes("cut", marched.cut)
+        .compute({{"methods/hbao/resolve.comp"}}, marched.raw);
 }
 
 }  // namespace
@@ -80,23 +67,19 @@ Marched march(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, cons
     marched.cut = declare(builder, graph::text_of(outputs, "hbao.cut"), gl::Format::r32f);
     const int at_once = std::max(1, steps_per_dispatch / parameters.steps), all = parameters.directions;
     auto pass = builder.pass("march");
-    pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).writes(marched.sums);
-    pass.execute_sliced(
-        (all + at_once - 1) / at_once,
-        [gbuffer, sums = marched.sums, at_once, all](graph::PassContext& context, graph::Slice slice) {
-            for (auto i = static_cast<int>(slice.begin); i < static_cast<int>(slice.end); ++i)
-                march_directions(context, gbuffer, sums, i * at_once, std::min(all, (i + 1) * at_once));
-        },
-        1);
+    pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).writes("sums", marched.sums);
+    pass.execute_sliced((all + at_once - 1) / at_once,
+                        [sums = marched.sums, at_once, all](graph::PassContext& context, graph::Slice slice) {
+                            for (auto i = static_cast<int>(slice.begin); i < static_cast<int>(slice.end); ++i)
+                                march_directions(context, sums, i * at_once,
+                                                 std::min(all, (i + 1) * at_once));
+                        },
+                        1);
     resolve(builder, marched);
     return marched;
 }
 
-void bind_march(const graph::PassContext& context, const gl::Program& program,
-                const passes::GBuffer& gbuffer) {
-    context.bind_texture(0, gbuffer.position);
-    context.bind_texture(1, gbuffer.normal);
-    context.bind_texture(2, gbuffer.geometric_normal);
+void set_march(const graph::PassContext& context, const gl::Program& program) {
     const auto& view = context.inputs().view;
     passes::set_pixel_rays(program, view);
     program.set("pixel_from_world", passes::pixel_from_world(view));

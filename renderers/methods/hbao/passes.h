@@ -19,8 +19,7 @@ std::vector<OutputDescription> marched_outputs();
 /// Declares the passes "march" and "resolve".
 Marched march(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Parameters& parameters);
 
-/// Binds what shaders/methods/hbao/march.glsl reads: textures 0 to 2 and the view.
-void bind_march(const graph::PassContext& context, const gl::Program& program,
-                const passes::GBuffer& gbuffer);
+/// Sets the uniforms of shaders/methods/hbao/march.glsl.
+void set_march(const graph::PassContext& context, const gl::Program& program);
 
 }  // namespace ir::methods::hbao

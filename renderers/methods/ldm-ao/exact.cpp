@@ -105,9 +105,7 @@ ExactHits declare_exact_hits(graph::GraphBuilder& builder, const passes::ldm::Ma
     return {builder.buffer(desc), passes::bvh(builder), parameters.exact, parameters.exact_texels};
 }
 
-void bind_exact(const graph::PassContext& context, const gl::Program& program, const ExactHits& exact,
-                const passes::ldm::Maps& maps, int binding) {
-    context.bind_buffer(binding, exact.hits);
+void set_exact(const gl::Program& program, const ExactHits& exact, const passes::ldm::Maps& maps) {
     program.set("exact_words", static_cast<unsigned>(words_per_pixel(maps)));
     program.set("exact_texels", exact.exact == Exact::all ? -1.0f : exact.texels);
 }

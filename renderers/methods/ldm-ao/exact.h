@@ -21,8 +21,7 @@ void trace_exact(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, M
                  const ExactHits& exact, const Transport& transport);
 
 /// For programs that include methods/ldm-ao/exact.glsl.
-void bind_exact(const graph::PassContext& context, const gl::Program& program, const ExactHits& exact,
-                const passes::ldm::Maps& maps, int binding);
+void set_exact(const gl::Program& program, const ExactHits& exact, const passes::ldm::Maps& maps);
 
 /// Distance up to which hits of the map come from exact rays, m; infinite for all of them.
 float exact_reach(const passes::ldm::MapFrame& frame, Exact exact, float texels);

@@ -16,11 +16,7 @@ constexpr std::uint64_t expected_entries = 64;
 
 const std::string no_surface = "the pixel shows no surface";
 
-void use(const graph::PassContext& context, const gl::Program& program, const passes::GBuffer& gbuffer) {
-    program.use();
-    context.bind_texture(0, gbuffer.position);
-    context.bind_texture(1, gbuffer.normal);
-    context.bind_texture(2, gbuffer.geometric_normal);
+void set_pick(const graph::PassContext& context, const gl::Program& program) {
     const auto& inputs = context.inputs();
     const auto& picked = inputs.inspection;
     const bool inside = picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
@@ -33,22 +29,17 @@ void explain_hits(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, 
                   graph::BufferRef directions, const Explanation& explanation) {
     auto pass = builder.pass("explain hits" + maps->batch_name(batch));
     ldm::reads_maps(pass, *maps);
-    pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal, directions);
-    pass.writes(explanation.hits, explanation.rays);
-    pass.counts(explanation.hit_count).counts(explanation.ray_count);
+    pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).reads("Regions", directions);
+    pass.writes("Hits", explanation.hits).writes("Rays", explanation.rays);
+    pass.counts("HitCount", explanation.hit_count).counts("RayCount", explanation.ray_count);
     pass.execute([=](graph::PassContext& context) {
         gl::ProgramSource source{{"methods/ldm-ao/explain_hits.comp"}};
-        source.defines = ldm::bind_maps(context, *maps, 0, 1);
+        source.defines = ldm::defines_of(context, *maps);
         int words = 0;
         for (const auto& field : ldm::region_fields(*maps)) words += field.count;
         source.defines["REGION_WORDS"] = std::to_string(words) + "u";
-        const auto& program = context.method_program(source);
-        use(context, program, gbuffer);
-        context.bind_buffer(4, directions);
-        context.bind_buffer(5, explanation.hits);
-        context.bind_buffer(6, explanation.rays);
-        context.bind_counter(7, explanation.hit_count);
-        context.bind_counter(8, explanation.ray_count);
+        const auto& program = context.use(source);
+        set_pick(context, program);
         program.set("first_frame", static_cast<unsigned>(maps->first_map(batch)));
         program.set("map_count", static_cast<unsigned>(maps->batch_maps(batch)));
         program.set("all_maps", static_cast<unsigned>(maps->layout.maps));
@@ -63,19 +54,17 @@ void explain_entries(graph::GraphBuilder& builder, const passes::GBuffer& gbuffe
     auto pass = builder.pass("explain entries" + maps->batch_name(batch));
     ldm::reads_maps(pass, *maps);
     pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal);
-    pass.writes(explanation.entries, explanation.walk, explanation.texel);
-    pass.counts(explanation.entry_count).counts(explanation.walk_count).counts(explanation.texel_count);
+    pass.writes("Entries", explanation.entries)
+        .writes("Walk", explanation.walk)
+        .writes("Texels", explanation.texel);
+    pass.counts("EntryCount", explanation.entry_count)
+        .counts("WalkCount", explanation.walk_count)
+        .counts("TexelCount", explanation.texel_count);
     pass.execute([=](graph::PassContext& context) {
         gl::ProgramSource source{{"methods/ldm-ao/explain_entries.comp"}};
-        source.defines = ldm::bind_maps(context, *maps, 0, 1);
-        const auto& program = context.method_program(source);
-        use(context, program, gbuffer);
-        context.bind_buffer(4, explanation.entries);
-        context.bind_buffer(5, explanation.walk);
-        context.bind_buffer(6, explanation.texel);
-        context.bind_counter(7, explanation.entry_count);
-        context.bind_counter(8, explanation.walk_count);
-        context.bind_counter(9, explanation.texel_count);
+        source.defines = ldm::defines_of(context, *maps);
+        const auto& program = context.use(source);
+        set_pick(context, program);
         // One after another, so that elements come in the order of the maps.
         for (int map = range.first; map < range.first + range.count; ++map) {
             program.set("frame_index", static_cast<unsigned>(map));

@@ -14,7 +14,6 @@ namespace ldm = passes::ldm;
 /// each direction walks through a list.
 constexpr std::int64_t directions_per_dispatch = 16;
 /// Behind those of the maps' storage.
-constexpr int exact_binding = 8;
 
 graph::ImageRef plain_image(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format) {
     graph::ImageDesc desc;
@@ -23,32 +22,23 @@ graph::ImageRef plain_image(graph::GraphBuilder& builder, graph::ResourceText te
     return builder.image(desc);
 }
 
-void dispatch_over(const graph::PassContext& context, const gl::Program& program, graph::ImageRef image) {
-    const auto shape = context.shape(image);
-    program.dispatch(shape.width, shape.height);
-}
-
 void declare_trace(graph::GraphBuilder& builder, const std::string& name, const passes::GBuffer& gbuffer,
                    MapsPointer maps, int batch, graph::ImageRef sums, bool views, const ExactHits* exact) {
     auto pass = builder.pass(name + maps->batch_name(batch));
     ldm::reads_maps(pass, *maps);
-    pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).writes(sums);
-    if (exact) pass.reads(exact->hits);
+    pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).writes("sums", sums);
+    if (exact) pass.reads("ExactHits", exact->hits);
     const auto replaced = exact ? std::optional(*exact) : std::nullopt;
     const auto run = [=](graph::PassContext& context, graph::Slice slice) {
         gl::ProgramSource source{{"methods/ldm-ao/trace.comp"}};
-        source.defines = ldm::bind_maps(context, *maps, 0, 1);
+        source.defines = ldm::defines_of(context, *maps);
         if (views) source.defines["LDM_VIEWS"] = "1";
-        if (replaced) source.defines["EXACT_HITS"] = std::to_string(exact_binding);
-        const auto& program = context.method_program(source);
-        program.use();
-        context.bind_texture(0, gbuffer.position);
-        context.bind_texture(1, gbuffer.normal);
-        context.bind_texture(2, gbuffer.geometric_normal);
-        context.bind_storage_image(0, sums);
-        if (replaced) bind_exact(context, program, *replaced, *maps, exact_binding);
+        if (replaced) source.defines["EXACT_HITS"] = "1";
+        const auto& program = context.use(source);
+        if (replaced) set_exact(program, *replaced, *maps);
         static_assert(sizeof(ldm::MapFrame) == 6 * sizeof(glm::vec4));
         const auto rows = context.api().GetUniformLocation(program.name(), "frame_rows");
+        const auto shape = context.shape(sums);
         const auto end = std::min<std::int64_t>(slice.end * directions_per_dispatch, maps->batch_maps(batch));
         for (auto first = slice.begin * directions_per_dispatch; first < end;
              first += directions_per_dispatch) {
@@ -59,7 +49,7 @@ void declare_trace(graph::GraphBuilder& builder, const std::string& name, const 
             program.set("first_frame", static_cast<unsigned>(frame));
             program.set("first_map", static_cast<unsigned>(first));
             program.set("map_count", static_cast<unsigned>(count));
-            dispatch_over(context, program, sums);
+            program.dispatch(shape.width, shape.height);
             context.barrier();
         }
     };
@@ -136,50 +126,33 @@ void trace_views(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, M
 
 void resolve(graph::GraphBuilder& builder, const Images& images, const Parameters& parameters) {
     auto pass = builder.pass("accessibility");
-    pass.reads(images.sums).writes(images.accessibility);
-    if (parameters.progressive) pass.writes(images.average).reads_previous(images.average);
-    pass.execute([images, progressive = parameters.progressive](graph::PassContext& context) {
-        gl::ProgramSource source{{"methods/ldm-ao/resolve.comp"}};
-        if (progressive) source.defines["PROGRESSIVE"] = "1";
-        const auto& program = context.program(source);
-        program.use();
-        context.bind_texture(0, images.sums);
-        context.bind_storage_image(0, images.accessibility);
-        if (progressive) {
-            context.bind_previous_texture(1, images.average);
-            context.bind_storage_image(1, images.average);
-            program.set("continues", context.has_previous() &&
-                                         passes::stands_still(context.inputs(), passes::Watched::surfaces));
-        }
-        dispatch_over(context, program, images.accessibility);
-    });
+    pass.reads("sums", images.sums).writes("accessibility", images.accessibility);
+    if (parameters.progressive)
+        pass.writes("average", images.average).reads_previous("previous", images.average);
+    gl::ProgramSource source{{"methods/ldm-ao/resolve.comp"}};
+    if (parameters.progressive) source.defines["PROGRESSIVE"] = "1";
+    pass.compute(source, images.accessibility,
+                 [progressive = parameters.progressive](const graph::PassContext& context,
+                                                        const gl::Program& program) {
+                     if (!progressive) return;
+                     const bool still = passes::stands_still(context.inputs(), passes::Watched::surfaces);
+                     program.set("continues", context.has_previous() && still);
+                 });
 }
 
 void resolve_views(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Images& images) {
     builder.pass("self-hit views")
-        .reads(images.view_counts)
-        .writes(images.self_hits, images.missing, images.leaks)
-        .execute([images](graph::PassContext& context) {
-            const auto& program = context.program({{"methods/ldm-ao/self_hit_views.comp"}});
-            program.use();
-            context.bind_texture(0, images.view_counts);
-            context.bind_storage_image(0, images.self_hits);
-            context.bind_storage_image(1, images.missing);
-            context.bind_storage_image(2, images.leaks);
-            dispatch_over(context, program, images.self_hits);
-        });
+        .reads("counts", images.view_counts)
+        .writes("found", images.self_hits)
+        .writes("missing", images.missing)
+        .writes("suspect", images.leaks)
+        .compute({{"methods/ldm-ao/self_hit_views.comp"}}, images.self_hits);
     builder.pass("self-hit overlay")
-        .reads(images.accessibility, images.view_counts, gbuffer.geometric_normal)
-        .writes(images.self_hit_overlay)
-        .execute([images, normal = gbuffer.geometric_normal](graph::PassContext& context) {
-            const auto& program = context.program({{"methods/ldm-ao/self_hit_overlay.comp"}});
-            program.use();
-            context.bind_texture(0, images.accessibility);
-            context.bind_texture(1, images.view_counts);
-            context.bind_texture(2, normal);
-            context.bind_storage_image(0, images.self_hit_overlay);
-            dispatch_over(context, program, images.self_hit_overlay);
-        });
+        .reads("accessibility", images.accessibility)
+        .reads("counts", images.view_counts)
+        .reads(gbuffer.geometric_normal)
+        .writes("overlay", images.self_hit_overlay)
+        .compute({{"methods/ldm-ao/self_hit_overlay.comp"}}, images.self_hit_overlay);
 }
 
 }  // namespace ir::methods::ldm_ao

@@ -100,17 +100,14 @@ void explain(graph::GraphBuilder& builder, const Inputs& inputs, graph::ImageRef
     const auto samples = declare_samples(builder, all), lines = declare_lines(builder, all);
     auto pass = builder.pass("explain");
     declare_reads(pass, inputs, senders);
-    for (const auto& e : {samples, lines}) pass.writes(e.elements).counts(e.count);
+    pass.writes("Ends", samples.elements).counts("EndCount", samples.count);
+    pass.writes("Lines", lines.elements).counts("LineCount", lines.count);
     pass.execute([=](graph::PassContext& context) {
-        const auto& program = use_samples(context, "methods/ssdo/explain.comp", inputs, senders);
+        const auto& program = use_samples(context, "methods/ssdo/explain.comp", inputs);
         const auto& view = context.inputs().view;
         const auto& picked = context.inputs().inspection;
         const bool inside = picked.has_pixel() && picked.x < view.width && picked.y < view.height;
         program.set("picked", inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1));
-        context.bind_buffer(1, samples.elements);
-        context.bind_buffer(2, lines.elements);
-        context.bind_counter(3, samples.count);
-        context.bind_counter(4, lines.count);
         program.dispatch(1);
     });
 }

@@ -29,16 +29,14 @@ passes::bounce::Receivers receivers_of(const Inputs& inputs) {
 
 /// Runs `shader` over all samples, some at a time; it adds to `sums`, the images that it writes.
 void add_samples(graph::PassBuilder& pass, const std::string& shader, const Inputs& inputs,
-                 graph::ImageRef senders, const std::vector<graph::ImageRef>& sums) {
+                 graph::ImageRef senders, const std::vector<std::pair<const char*, graph::ImageRef>>& sums) {
     declare_reads(pass, inputs, senders);
-    for (const auto image : sums) pass.writes(image);
+    for (const auto& [name, image] : sums) pass.writes(name, image);
     const int all = inputs.parameters.samples;
     pass.execute_sliced((all + samples_per_dispatch - 1) / samples_per_dispatch,
                         [=](graph::PassContext& context, graph::Slice slice) {
-                            const auto& program = use_samples(context, shader, inputs, senders);
-                            for (std::size_t i = 0; i < sums.size(); ++i)
-                                context.bind_storage_image(static_cast<int>(i), sums[i]);
-                            const auto shape = context.shape(sums.front());
+                            const auto& program = use_samples(context, shader, inputs);
+                            const auto shape = context.shape(sums.front().second);
                             for (auto i = static_cast<int>(slice.begin); i < static_cast<int>(slice.end);
                                  ++i) {
                                 program.set("first_sample", i * samples_per_dispatch);
@@ -64,14 +62,15 @@ Sky gather_sky(graph::GraphBuilder& builder, const Inputs& inputs) {
                   declare(builder, "ssdo.accessibility", gl::Format::r32f),
                   declare(builder, "ssdo.cut", gl::Format::r32f)};
     auto pass = builder.pass("directional occlusion");
-    add_samples(pass, "methods/ssdo/sky.comp", inputs, {}, {sky.raw, sky.accessibility, sky.cut});
+    add_samples(pass, "methods/ssdo/sky.comp", inputs, {},
+                {{"sky", sky.raw}, {"accessibility", sky.accessibility}, {"cut", sky.cut}});
     return sky;
 }
 
 graph::ImageRef gather_indirect(graph::GraphBuilder& builder, const Inputs& inputs, graph::ImageRef senders) {
     const auto raw = declare(builder, "ssdo.indirect.raw", gl::Format::rgba32f);
     auto pass = builder.pass("indirect light");
-    add_samples(pass, "methods/ssdo/senders.comp", inputs, senders, {raw});
+    add_samples(pass, "methods/ssdo/senders.comp", inputs, senders, {{"indirect", raw}});
     return raw;
 }
 
@@ -102,21 +101,17 @@ std::vector<OutputDescription> gathered_outputs() {
 
 void declare_reads(graph::PassBuilder& pass, const Inputs& inputs, graph::ImageRef senders) {
     receivers_of(inputs).declare_reads(pass);
-    pass.reads(inputs.environment);
-    if (senders.index >= 0) pass.reads(senders);
+    pass.reads("environment_texture", inputs.environment).reads("senders_texture", senders);
 }
 
 const gl::Program& use_samples(const graph::PassContext& context, const std::string& shader,
-                               const Inputs& inputs, graph::ImageRef senders) {
+                               const Inputs& inputs) {
     const auto receivers = receivers_of(inputs);
     gl::ProgramSource source{{shader}};
     receivers.define(source);
     source.defines.erase("LIGHT");  // samples.glsl says so itself
-    const auto& program = context.method_program(source);
-    program.use();
-    receivers.bind(context, program);
-    context.bind_texture(5, inputs.environment);
-    if (senders.index >= 0) context.bind_texture(6, senders);
+    const auto& program = context.use(source);
+    receivers.set(context, program);
     const auto& view = context.inputs().view;
     passes::set_pixel_rays(program, view);
     program.set("pixel_from_world", passes::pixel_from_world(view));

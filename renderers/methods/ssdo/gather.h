@@ -37,6 +37,6 @@ std::vector<OutputDescription> gathered_outputs();
 /// For passes that include shaders/methods/ssdo/samples.glsl: `senders` has no index where none are read.
 void declare_reads(graph::PassBuilder& pass, const Inputs& inputs, graph::ImageRef senders);
 const gl::Program& use_samples(const graph::PassContext& context, const std::string& shader,
-                               const Inputs& inputs, graph::ImageRef senders);
+                               const Inputs& inputs);
 
 }  // namespace ir::methods::ssdo

@@ -16,21 +16,13 @@ graph::ImageRef declare(graph::GraphBuilder& builder, graph::ResourceText text) 
 /// Divides by the materials' reflectance, or multiplies with it.
 void modulate(graph::GraphBuilder& builder, const std::string& name, const passes::GBuffer& gbuffer,
               graph::ImageRef from, graph::ImageRef to, bool remove) {
+    gl::ProgramSource source{{"methods/ssdo/modulate.comp"}};
+    if (remove) source.defines["REMOVE"] = "1";
     builder.pass(name)
-        .reads(from, gbuffer.albedo, gbuffer.material)
-        .writes(to)
-        .execute([=](graph::PassContext& context) {
-            gl::ProgramSource source{{"methods/ssdo/modulate.comp"}};
-            if (remove) source.defines["REMOVE"] = "1";
-            const auto& program = context.method_program(source);
-            program.use();
-            context.bind_texture(0, from);
-            context.bind_texture(1, gbuffer.albedo);
-            context.bind_texture(2, gbuffer.material);
-            context.bind_storage_image(0, to);
-            const auto shape = context.shape(to);
-            program.dispatch(shape.width, shape.height);
-        });
+        .reads("from_image", from)
+        .reads(gbuffer.albedo, gbuffer.material)
+        .writes("to_image", to)
+        .compute(source, to);
 }
 
 }  // namespace
@@ -54,22 +46,15 @@ Lit add_sky(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const 
                   declare(builder, graph::text_of(light_outputs(), "ssdo.senders"))};
     const bool has_sky = sky != nullptr;
     const auto added = has_sky ? *sky : direct.radiance;
+    gl::ProgramSource source{{"methods/ssdo/direct.comp"}};
+    if (has_sky) source.defines["SKY"] = "1";
     builder.pass("add environment light")
-        .reads(direct.radiance, added, gbuffer.material)
-        .writes(lit.seen, lit.senders)
-        .execute([=](graph::PassContext& context) {
-            gl::ProgramSource source{{"methods/ssdo/direct.comp"}};
-            if (has_sky) source.defines["SKY"] = "1";
-            const auto& program = context.program(source);
-            program.use();
-            context.bind_texture(0, direct.radiance);
-            context.bind_texture(1, added);
-            context.bind_texture(2, gbuffer.material);
-            context.bind_storage_image(0, lit.seen);
-            context.bind_storage_image(1, lit.senders);
-            const auto shape = context.shape(lit.seen);
-            program.dispatch(shape.width, shape.height);
-        });
+        .reads("direct_image", direct.radiance)
+        .reads("sky_image", added)
+        .reads(gbuffer.material)
+        .writes("seen", lit.seen)
+        .writes("sent", lit.senders)
+        .compute(source, lit.seen);
     return lit;
 }
 

@@ -58,15 +58,12 @@ void setup(graph::GraphBuilder& builder, const Parameters& p) {
     desc.format = gl::Format::rgba16f;
     const auto normal = builder.image(desc);
 
-    builder.pass("view normals").reads(source).writes(normal).execute([=](graph::PassContext& pass) {
-        pass.bind_framebuffer({{normal}});
-        const auto& program =
-            pass.method_program({{"lib/full_screen.vert", "methods/view-normals/view_normals.frag"}});
-        program.use();
-        program.set("view_from_world", pass.inputs().view.view_from_world);
-        pass.bind_texture(0, source);
-        pass.draw_full_screen();
-    });
+    builder.pass("view normals")
+        .reads("normal_image", source)
+        .draw({{"methods/view-normals/view_normals.frag"}}, normal,
+              [](const graph::PassContext& pass, const gl::Program& program) {
+                  program.set("view_from_world", pass.inputs().view.view_from_world);
+              });
 }
 
 }  // namespace

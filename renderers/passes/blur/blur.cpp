@@ -17,15 +17,11 @@ ImageRef declare(graph::GraphBuilder& builder, graph::ResourceText text, gl::For
 void blur_axis(graph::GraphBuilder& builder, const std::string& name, const GBuffer& gbuffer, ImageRef from,
                ImageRef to, const BlurOptions& options, glm::ivec2 axis) {
     auto pass = builder.pass(name);
-    pass.reads(from, gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).writes(to);
+    pass.reads("image", from)
+        .reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal)
+        .writes("result", to);
     pass.execute([=](graph::PassContext& context) {
-        const auto& program = context.program({{"passes/blur/blur.comp"}});
-        program.use();
-        context.bind_texture(0, from);
-        context.bind_texture(1, gbuffer.position);
-        context.bind_texture(2, gbuffer.normal);
-        context.bind_texture(3, gbuffer.geometric_normal);
-        context.bind_storage_image(0, to);
+        const auto& program = context.use({{"passes/blur/blur.comp"}});
         program.set("axis", axis);
         program.set("radius", options.radius);
         program.set("plane_tolerance", options.plane_tolerance);

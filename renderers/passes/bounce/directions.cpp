@@ -90,13 +90,11 @@ Directions directions(graph::GraphBuilder& builder, const SceneBuffers& scene, c
     const Receivers receivers{scene, gbuffer, options};
     auto pass = builder.pass("directions");
     receivers.declare_reads(pass);
-    pass.writes(result.directions);
+    pass.writes("directions", result.directions);
     execute_by_tiles(pass, builder, [=](graph::PassContext& context) -> const gl::Program& {
-        const auto& program = context.program(source_of(receivers));
+        const auto& program = context.use(source_of(receivers));
         const auto& inputs = context.inputs();
-        program.use();
-        receivers.bind(context, program);
-        context.bind_storage_image(0, result.directions);
+        receivers.set(context, program);
         program.set("seed_low", static_cast<unsigned>(inputs.seed));
         program.set("seed_high", static_cast<unsigned>(inputs.seed >> 32));
         program.set("frame", options.vary ? static_cast<unsigned>(inputs.frame) : 0u);

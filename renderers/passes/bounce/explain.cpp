@@ -88,19 +88,14 @@ void explain_rays(graph::GraphBuilder& builder, const SceneBuffers& scene, const
                                 (side * side - 1) * directions.samples);
     auto pass = builder.pass("explain rays");
     filter.declare_reads(pass);
-    pass.reads(samples.distance);
-    for (const auto& lines : {own, others}) pass.writes(lines.elements).counts(lines.count);
+    pass.reads("distances", samples.distance);
+    pass.writes("OwnLines", own.elements).counts("OwnCount", own.count);
+    pass.writes("OtherLines", others.elements).counts("OtherCount", others.count);
     pass.execute([=](graph::PassContext& context) {
         gl::ProgramSource source{{"passes/bounce/explain.comp"}};
         filter.define(source);
-        const auto& program = context.program(source);
-        program.use();
-        filter.bind(context, program);
-        context.bind_texture(7, samples.distance);
-        context.bind_buffer(1, own.elements);
-        context.bind_counter(2, own.count);
-        context.bind_buffer(3, others.elements);
-        context.bind_counter(4, others.count);
+        const auto& program = context.use(source);
+        filter.set(context, program);
         const auto& inputs = context.inputs();
         const auto& pick = inputs.inspection;
         const bool inside = pick.has_pixel() && pick.x < inputs.view.width && pick.y < inputs.view.height;

@@ -9,13 +9,11 @@ void Filter::define(gl::ProgramSource& source) const {
 
 void Filter::declare_reads(graph::PassBuilder& pass) const {
     receivers.declare_reads(pass);
-    pass.reads(directions.directions, samples.incoming);
+    pass.reads("directions", directions.directions).reads("incoming", samples.incoming);
 }
 
-void Filter::bind(const graph::PassContext& context, const gl::Program& program) const {
-    receivers.bind(context, program);
-    context.bind_texture(5, directions.directions);
-    context.bind_texture(6, samples.incoming);
+void Filter::set(const graph::PassContext& context, const gl::Program& program) const {
+    receivers.set(context, program);
     const auto blur = options_of(parameters.blur);
     program.set("radius", blur.radius);
     program.set("plane_tolerance", blur.plane_tolerance);

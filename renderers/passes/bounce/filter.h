@@ -14,7 +14,7 @@ struct Filter {
 
     void define(gl::ProgramSource& source) const;
     void declare_reads(graph::PassBuilder& pass) const;
-    void bind(const graph::PassContext& context, const gl::Program& program) const;
+    void set(const graph::PassContext& context, const gl::Program& program) const;
 };
 
 }  // namespace ir::passes::bounce

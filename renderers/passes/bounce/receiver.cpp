@@ -12,14 +12,8 @@ void Receivers::declare_reads(graph::PassBuilder& pass) const {
     if (options.light) pass.reads(gbuffer.albedo, gbuffer.material, scene.materials);
 }
 
-void Receivers::bind(const graph::PassContext& context, const gl::Program& program) const {
-    context.bind_texture(0, gbuffer.position);
-    context.bind_texture(1, gbuffer.normal);
-    context.bind_texture(2, gbuffer.geometric_normal);
+void Receivers::set(const graph::PassContext& context, const gl::Program& program) const {
     if (!options.light) return;
-    context.bind_texture(3, gbuffer.albedo);
-    context.bind_texture(4, gbuffer.material);
-    context.bind_buffer(0, scene.materials);
     const auto& view = context.inputs().view;
     const bool orthographic = view.clip_from_view[3][3] != 0;
     const auto axis = -glm::vec3(glm::transpose(view.view_from_world)[2]);

@@ -5,7 +5,7 @@
 
 namespace ir::passes::bounce {
 
-/// What shaders/passes/bounce/receiver.glsl needs: defines, accesses, bindings and uniforms.
+/// What shaders/passes/bounce/receiver.glsl needs: defines, accesses and uniforms.
 struct Receivers {
     SceneBuffers scene;
     GBuffer gbuffer;
@@ -13,7 +13,7 @@ struct Receivers {
 
     void define(gl::ProgramSource& source) const;
     void declare_reads(graph::PassBuilder& pass) const;
-    void bind(const graph::PassContext& context, const gl::Program& program) const;
+    void set(const graph::PassContext& context, const gl::Program& program) const;
 };
 
 }  // namespace ir::passes::bounce

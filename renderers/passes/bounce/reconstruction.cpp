@@ -53,14 +53,12 @@ graph::ImageRef reconstruct(graph::GraphBuilder& builder, const SceneBuffers& sc
     const auto result = builder.image(std::move(desc));
     auto pass = builder.pass("reconstruction");
     filter.declare_reads(pass);
-    pass.writes(result);
+    pass.writes("result", result);
     execute_by_tiles(pass, builder, [=](graph::PassContext& context) -> const gl::Program& {
         gl::ProgramSource source{{"passes/bounce/reconstruct.comp"}};
         filter.define(source);
-        const auto& program = context.program(source);
-        program.use();
-        filter.bind(context, program);
-        context.bind_storage_image(0, result);
+        const auto& program = context.use(source);
+        filter.set(context, program);
         return program;
     });
     return result;

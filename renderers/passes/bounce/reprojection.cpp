@@ -27,19 +27,9 @@ graph::ResourceText of_this_frame(graph::ResourceText text) {
     return text;
 }
 
-void bind(const graph::PassContext& context, const gl::Program& program, const GBuffer& gbuffer,
-          const Images& images, const ReprojectionParameters& parameters) {
+void set_uniforms(const graph::PassContext& context, const gl::Program& program,
+                  const ReprojectionParameters& parameters) {
     const auto& inputs = context.inputs();
-    context.bind_texture(0, images.now);
-    context.bind_texture(1, gbuffer.position);
-    context.bind_texture(2, gbuffer.geometric_normal);
-    context.bind_texture(3, gbuffer.velocity);
-    context.bind_previous_texture(4, images.average);
-    context.bind_previous_texture(5, images.surfaces);
-    context.bind_previous_texture(6, images.frames);
-    context.bind_storage_image(0, images.average);
-    context.bind_storage_image(1, images.surfaces);
-    context.bind_storage_image(2, images.frames);
     program.set("has_history", context.has_previous() ? 1 : 0);
     program.set("history", parameters.history);
     program.set("depth_row", -glm::vec4(glm::transpose(inputs.view.view_from_world)[2]));
@@ -97,13 +87,17 @@ graph::ImageRef reproject(graph::GraphBuilder& builder, const GBuffer& gbuffer,
     images.frames = history_image(builder, graph::text_of(reprojection_outputs(), "reprojection.frames"),
                                   gl::Format::r32f);
     auto pass = builder.pass("reprojection");
-    pass.reads(images.now, gbuffer.position, gbuffer.geometric_normal, gbuffer.velocity)
-        .reads_previous(images.average, images.surfaces, images.frames)
-        .writes(images.average, images.surfaces, images.frames);
+    pass.reads("now", images.now)
+        .reads(gbuffer.position, gbuffer.geometric_normal, gbuffer.velocity)
+        .reads_previous("previous_average", images.average)
+        .reads_previous("previous_surfaces", images.surfaces)
+        .reads_previous("previous_frames", images.frames)
+        .writes("average", images.average)
+        .writes("surfaces", images.surfaces)
+        .writes("frames", images.frames);
     bounce::execute_by_tiles(pass, builder, [=](graph::PassContext& context) -> const gl::Program& {
-        const auto& program = context.program({{"passes/bounce/reproject.comp"}});
-        program.use();
-        bind(context, program, gbuffer, images, parameters);
+        const auto& program = context.use({{"passes/bounce/reproject.comp"}});
+        set_uniforms(context, program, parameters);
         return program;
     });
     return images.average;

@@ -76,16 +76,14 @@ graph::ImageRef visibility_of(graph::GraphBuilder& builder, const GBuffer& gbuff
     const auto result =
         declare(builder, text_of(incoming_visibility()), gl::Format::r32f, directions.samples);
     auto pass = builder.pass("visibility");
-    pass.reads(gbuffer.geometric_normal, directions.directions, distance).writes(result);
+    pass.reads(gbuffer.geometric_normal)
+        .reads("directions", directions.directions)
+        .reads("distances", distance)
+        .writes("incoming", result);
     execute_by_tiles(pass, builder, [=](graph::PassContext& context) -> const gl::Program& {
         gl::ProgramSource source{{"passes/bounce/visibility.comp"}};
         source.defines["SMOOTH"] = transport.falloff == Transport::Falloff::smooth ? "1" : "0";
-        const auto& program = context.program(source);
-        program.use();
-        context.bind_texture(2, gbuffer.geometric_normal);
-        context.bind_texture(5, directions.directions);
-        context.bind_texture(6, distance);
-        context.bind_storage_image(0, result);
+        const auto& program = context.use(source);
         program.set("max_distance", transport.max_distance);
         return program;
     });

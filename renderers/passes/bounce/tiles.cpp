@@ -15,13 +15,13 @@ std::int64_t tiles(std::int64_t pixels) {
 }  // namespace
 
 void execute_by_tiles(graph::PassBuilder& pass, const graph::GraphBuilder& builder,
-                      std::function<const gl::Program&(graph::PassContext&)> bind) {
+                      std::function<const gl::Program&(graph::PassContext&)> use) {
     const auto across = tiles(builder.inputs().view.width),
                count = across * tiles(builder.inputs().view.height);
     pass.execute_sliced(
         count,
         [=](graph::PassContext& context, graph::Slice slice) {
-            const auto& program = bind(context);
+            const auto& program = use(context);
             program.set("tiles_across", static_cast<int>(across));
             for (auto first = slice.begin; first < slice.end; first += most_groups) {
                 program.set("first_tile", static_cast<int>(first));

@@ -19,23 +19,12 @@ struct Parts {
     glm::vec3 background{0};
 };
 
-/// Calls `use(texture unit, name of its define, image)` for each part that there is.
-template <class Use>
-void for_each_part(const Parts& parts, Use use) {
-    if (parts.indirect) use(1, "INDIRECT", *parts.indirect);
-    if (parts.direct) use(2, "DIRECT", *parts.direct);
-    if (parts.emission) use(3, "EMISSION", *parts.emission);
-}
-
 void add_up(const graph::PassContext& context, const Parts& parts, graph::ImageRef radiance) {
     gl::ProgramSource source{{"passes/direct/compose.comp"}};
-    for_each_part(parts, [&](int, const char* define, graph::ImageRef) { source.defines[define] = "1"; });
-    const auto& program = context.program(source);
-    program.use();
-    context.bind_texture(0, parts.geometric_normal);
-    for_each_part(parts,
-                  [&](int unit, const char*, graph::ImageRef image) { context.bind_texture(unit, image); });
-    context.bind_storage_image(0, radiance);
+    if (parts.indirect) source.defines["INDIRECT"] = "1";
+    if (parts.direct) source.defines["DIRECT"] = "1";
+    if (parts.emission) source.defines["EMISSION"] = "1";
+    const auto& program = context.use(source);
     program.set("background", parts.background);
     const auto shape = context.shape(radiance);
     program.dispatch(shape.width, shape.height);
@@ -67,8 +56,12 @@ graph::ImageRef compose_light(graph::GraphBuilder& builder, const GBuffer& gbuff
     const auto radiance = builder.image(std::move(desc));
     auto pass = builder.pass("compose");
     pass.reads(parts.geometric_normal);
-    for_each_part(parts, [&](int, const char*, graph::ImageRef image) { pass.reads(image); });
-    pass.writes(radiance).execute([=](graph::PassContext& p) { add_up(p, parts, radiance); });
+    if (parts.indirect) pass.reads("indirect_image", *parts.indirect);
+    if (parts.direct) pass.reads("direct_image", *parts.direct);
+    if (parts.emission) pass.reads(*parts.emission);
+    pass.writes("radiance_image", radiance).execute([=](graph::PassContext& p) {
+        add_up(p, parts, radiance);
+    });
     see_through_glass(builder, gbuffer, radiance);
     return radiance;
 }

@@ -11,13 +11,6 @@ namespace {
 using graph::GraphBuilder;
 using graph::PassContext;
 
-struct Inputs {
-    SceneBuffers scene;
-    GBuffer gbuffer;
-    ShadowMaps shadow;
-    DirectLightOptions options;
-};
-
 void note_skipped_lights(GraphBuilder& builder) {
     const auto& lights = builder.inputs().world->lights;
     const auto skipped = std::count_if(lights.begin(), lights.end(), [](const scene::Light& light) {
@@ -36,33 +29,14 @@ void note_many_materials(GraphBuilder& builder) {
                  " apart: direct light may take the index of refraction of another one");
 }
 
-void bind(const PassContext& p, const Inputs& in) {
-    p.bind_buffer(0, in.scene.materials);
-    p.bind_buffer(1, in.scene.lights);
-    p.bind_buffer(2, in.shadow.views);
-    p.bind_texture(0, in.gbuffer.position);
-    p.bind_texture(1, in.gbuffer.normal);
-    p.bind_texture(2, in.gbuffer.geometric_normal);
-    p.bind_texture(3, in.gbuffer.albedo);
-    p.bind_texture(4, in.gbuffer.material);
-    p.bind_texture(5, in.shadow.maps);
-}
-
-void light(const PassContext& p, const Inputs& in, graph::ImageRef radiance) {
+void set_light(const PassContext& p, const gl::Program& program, const DirectLightOptions& options) {
     const auto& view = p.inputs().view;
     const bool orthographic = view.clip_from_view[3][3] != 0;
     const auto axis = -glm::vec3(glm::transpose(view.view_from_world)[2]);
-    p.bind_framebuffer({{radiance}});
-    gl::ProgramSource source{{"lib/full_screen.vert", "passes/direct/direct_light.frag"}};
-    source.defines["MATERIALS"] = std::to_string(static_cast<int>(in.options.materials));
-    const auto& program = p.program(source);
-    program.use();
     program.set("light_count", static_cast<int>(p.inputs().world->lights.size()));
-    program.set("shadow_filter_radius", in.options.shadow_filter_radius);
+    program.set("shadow_filter_radius", options.shadow_filter_radius);
     program.set("eye_ws", view.eye_ws);
     program.set("view_axis_ws", orthographic ? axis : glm::vec3(0));
-    bind(p, in);
-    p.draw_full_screen();
 }
 
 }  // namespace
@@ -77,12 +51,14 @@ DirectLight direct_light(GraphBuilder& builder, const SceneBuffers& scene, const
                  Semantic::radiance, "W/(m² sr)",    {}};
     desc.format = gl::Format::rgba32f;
     const DirectLight result{builder.image(desc), shadow};
-    const Inputs in{scene, gbuffer, shadow, options};
     builder.pass("direct light")
         .reads(scene.materials, scene.lights, shadow.views, shadow.maps, gbuffer.position, gbuffer.normal,
                gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material)
-        .writes(result.radiance)
-        .execute([=](PassContext& p) { light(p, in, result.radiance); });
+        .draw({{"passes/direct/direct_light.frag"},
+               {{"MATERIALS", std::to_string(static_cast<int>(options.materials))}}},
+              result.radiance, [options](const PassContext& p, const gl::Program& program) {
+                  set_light(p, program, options);
+              });
     return result;
 }
 

@@ -33,20 +33,15 @@ graph::ImageRef lit(graph::GraphBuilder& builder, const GBuffer& gbuffer, const 
     desc.text = graph::text_of({lit_output()}, "lit");
     desc.format = gl::Format::rgba32f;
     const auto result = builder.image(std::move(desc));
-    const std::vector<graph::ImageRef> sources{accessibility, direct.radiance, gbuffer.albedo,
-                                               gbuffer.emission, gbuffer.geometric_normal};
     auto pass = builder.pass("lit");
-    for (const auto source : sources) pass.reads(source);
-    pass.writes(result).execute([sources, result, ambient](graph::PassContext& context) {
-        const auto& program = context.program({{"passes/direct/lit.comp"}});
-        program.use();
-        for (std::size_t i = 0; i < sources.size(); ++i)
-            context.bind_texture(static_cast<int>(i), sources[i]);
-        context.bind_storage_image(0, result);
-        program.set("ambient", ambient);
-        const auto shape = context.shape(result);
-        program.dispatch(shape.width, shape.height);
-    });
+    pass.reads("accessibility", accessibility)
+        .reads("direct", direct.radiance)
+        .reads(gbuffer.albedo, gbuffer.emission, gbuffer.geometric_normal);
+    pass.writes("lit", result)
+        .compute({{"passes/direct/lit.comp"}}, result,
+                 [ambient](const graph::PassContext&, const gl::Program& program) {
+                     program.set("ambient", ambient);
+                 });
     see_through_glass(builder, gbuffer, result);
     return result;
 }

@@ -7,33 +7,20 @@ namespace {
 
 using graph::PassContext;
 
-void bind_buffers(const PassContext& p, const SceneBuffers& s) {
-    p.bind_buffer(0, s.positions);
-    p.bind_buffer(1, s.normals);
-    p.bind_buffer(2, s.tangents);
-    p.bind_buffer(3, s.uv0);
-    p.bind_buffer(4, s.uv1);
-    p.bind_buffer(5, s.colours);
-    p.bind_buffer(6, s.instances);
-    p.bind_buffer(7, s.indices);
-    p.bind_buffer(9, s.opacity);
-    p.bind_buffer(10, s.opacity_words);
-    p.bind_buffer(11, s.materials);
-}
+constexpr const char* texture_names[] = {"base_colour_texture", "metallic_roughness_texture",
+                                         "normal_texture", "emission_texture", "transmission_texture"};
 
-/// Binds the textures that the material has to units 0, 1, …; a bit for each.
+/// Binds the textures that the material has; a bit for each.
 int bind_textures(const PassContext& p, const SceneBuffers& s, const scene::Material& material) {
     const scene::TextureSlot* slots[] = {&material.base_colour_texture, &material.metallic_roughness_texture,
                                          &material.normal_texture, &material.emission_texture,
                                          &material.transmission_texture};
-    int unit = 0, bound = 0;
-    for (const auto* slot : slots) {
-        if (slot->texture >= 0) {
-            const auto index = static_cast<std::size_t>(slot->texture);
-            p.bind_texture(unit, s.textures.at(index), p.inputs().scene->textures.at(index).sampler);
-            bound |= 1 << unit;
-        }
-        ++unit;
+    int bound = 0;
+    for (int i = 0; i < 5; ++i) {
+        if (slots[i]->texture < 0) continue;
+        const auto index = static_cast<std::size_t>(slots[i]->texture);
+        p.bind(texture_names[i], s.textures.at(index), p.inputs().scene->textures.at(index).sampler);
+        bound |= 1 << i;
     }
     return bound;
 }
@@ -52,12 +39,12 @@ void reads_scene(graph::PassBuilder& pass, const SceneBuffers& scene) {
     pass.reads(scene.positions, scene.normals, scene.tangents, scene.uv0, scene.uv1, scene.colours,
                scene.instances, scene.indices, scene.opacity, scene.opacity_words, scene.materials);
     for (const auto texture : scene.textures) pass.reads(texture);
+    for (const auto* name : texture_names) pass.reads(name, graph::ImageRef{});
 }
 
 void draw_scene(const PassContext& p, const SceneBuffers& s, const gl::Program& program, bool normal_maps,
                 const std::function<bool(const scene::Material&)>& is_drawn) {
     set_uniforms(program, p.inputs().view, normal_maps);
-    bind_buffers(p, s);
     p.bind_empty_vertex_array();
     for (const auto& range : p.inputs().world->ranges) {
         const auto& material = p.inputs().scene->materials.at(static_cast<std::size_t>(range.material));

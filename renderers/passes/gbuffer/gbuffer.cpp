@@ -1,5 +1,7 @@
 #include "renderers/passes/gbuffer/gbuffer.h"
 
+#include <algorithm>
+
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/draw_scene.h"
 #include "renderers/passes/gbuffer/glass.h"
@@ -11,8 +13,11 @@ using graph::GraphBuilder;
 using graph::ImageRef;
 using graph::PassContext;
 
+/// In shaders "gbuffer.geometric_normal" is gbuffer_geometric_normal.
 ImageRef declare(GraphBuilder& builder, gl::Format format, graph::ResourceText text) {
     graph::ImageDesc desc;
+    desc.name = text.key;
+    std::ranges::replace(desc.name, '.', '_');
     desc.text = std::move(text);
     desc.format = format;
     return builder.image(std::move(desc));
@@ -72,14 +77,12 @@ void draw_surfaces(const PassContext& p, const SceneBuffers& s, const GBuffer& g
                         {g.valid}},
                        &depth);
     clear(gl, 8);
-    const auto& program = p.program({{"passes/gbuffer/gbuffer.vert", "passes/gbuffer/gbuffer.frag"}});
-    program.use();
+    const auto& program = p.use({{"passes/gbuffer/gbuffer.vert", "passes/gbuffer/gbuffer.frag"}});
     program.set("previous_clip_from_world", p.inputs().previous_view.clip_from_world());
     program.set("previous_depth_row",
                 -glm::vec4(glm::transpose(p.inputs().previous_view.view_from_world)[2]));
     program.set("size_px", glm::vec2(view.width, view.height));
     program.set("see_through", options.sees_through_glass ? 1 : 0);
-    p.bind_buffer(8, s.motion);
     gl.Enable(GL_DEPTH_TEST);
     draw_scene(p, s, program, options.normal_maps, [](const scene::Material&) { return true; });
     gl.Disable(GL_DEPTH_TEST);

@@ -9,8 +9,9 @@
 
 namespace ir::passes {
 
-/// What is visible at the centre of each pixel. Normals are unit length and turned to the viewer; background
-/// pixels are 0. Glass is left out: its pixels hold what lies behind it along the straight view ray.
+/// What is visible at the centre of each pixel; in shaders gbuffer_position, gbuffer_normal, …. Normals are
+/// unit length and turned to the viewer; background pixels are 0. Glass is left out: its pixels hold what
+/// lies behind it along the straight view ray.
 struct GBuffer {
     graph::ImageRef depth;     ///< "gbuffer.depth" depth32f, 0…1, background 1
     graph::ImageRef position;  ///< "gbuffer.position" rgba32f: xyz world space (m); w distance to the eye (m)

@@ -29,9 +29,7 @@ void draw_glass(const PassContext& p, const SceneBuffers& s, const GBuffer& g, b
     p.bind_framebuffer({{*g.glass}, {g.valid}}, &depth);
     const float zero[4] = {0, 0, 0, 0};
     gl.ClearBufferfv(GL_COLOR, 0, zero);
-    const auto& program = p.program({{"passes/gbuffer/gbuffer.vert", "passes/gbuffer/glass.frag"}});
-    program.use();
-    p.bind_texture(5, g.position);
+    const auto& program = p.use({{"passes/gbuffer/gbuffer.vert", "passes/gbuffer/glass.frag"}});
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthMask(GL_FALSE);
     gl.Enablei(GL_BLEND, 0);
@@ -43,12 +41,9 @@ void draw_glass(const PassContext& p, const SceneBuffers& s, const GBuffer& g, b
     gl.Disable(GL_DEPTH_TEST);
 }
 
-void exponentiate(const PassContext& p, graph::ImageRef glass, graph::CounterRef pixels) {
+void exponentiate(const PassContext& p) {
     p.barrier();
-    const auto& program = p.program({{"passes/gbuffer/glass.comp"}});
-    program.use();
-    p.bind_storage_image(0, glass);
-    p.bind_counter(0, pixels);
+    const auto& program = p.use({{"passes/gbuffer/glass.comp"}});
     program.dispatch(p.inputs().view.width, p.inputs().view.height);
 }
 
@@ -71,10 +66,14 @@ std::optional<graph::ImageRef> glass_before(graph::GraphBuilder& builder, const 
                                          .doc = "Drawn as what lies behind the glass, and not valid."});
     auto pass = builder.pass("glass");
     reads_scene(pass, scene);
-    pass.reads(g.position).writes(*g.glass, g.valid, g.depth).counts(pixels).execute([=](PassContext& p) {
-        draw_glass(p, scene, g, normal_maps);
-        exponentiate(p, *g.glass, pixels);
-    });
+    pass.reads(g.position)
+        .writes("glass", *g.glass)
+        .writes(g.valid, g.depth)
+        .counts("Pixels", pixels)
+        .execute([=](PassContext& p) {
+            draw_glass(p, scene, g, normal_maps);
+            exponentiate(p);
+        });
     return g.glass;
 }
 
@@ -86,15 +85,9 @@ void see_through_glass(graph::GraphBuilder& builder, const GBuffer& gbuffer, gra
         std::to_string(glass_count(builder.inputs())) + " of " +
         std::to_string(builder.inputs().world->ranges.size()) + " materials)");
     builder.pass("through glass")
-        .reads(*gbuffer.glass)
-        .writes(radiance)
-        .execute([glass = *gbuffer.glass, radiance](PassContext& p) {
-            const auto& program = p.program({{"passes/gbuffer/through_glass.comp"}});
-            program.use();
-            p.bind_texture(0, glass);
-            p.bind_storage_image(0, radiance);
-            program.dispatch(p.inputs().view.width, p.inputs().view.height);
-        });
+        .reads("glass", *gbuffer.glass)
+        .writes("radiance", radiance)
+        .compute({{"passes/gbuffer/through_glass.comp"}}, radiance);
 }
 
 }  // namespace ir::passes

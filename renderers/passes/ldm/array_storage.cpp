@@ -8,17 +8,20 @@ ArrayStorage::ArrayStorage(graph::GraphBuilder& builder, const Layout& layout, H
     rows_ = builder.buffer({.text = {.key = "ldm.rows",
                                      .label = "Rows of texels",
                                      .doc = "Number of the first depth of each row of texels."},
+                            .name = "LdmRows",
                             .fields = {{"first", FieldType::u32}},
                             .elements = batch_rows()});
     offsets_ = builder.buffer({.text = {.key = "ldm.offsets",
                                         .label = "Offsets of texels",
                                         .doc = "Number of each texel's first depth, counted from the row's; "
                                                "two of 16 bits per word, or one of 32 bits."},
+                               .name = "LdmOffsets",
                                .fields = {{"pair", FieldType::u32}},
                                .elements = batch_rows() * row_words(),
                                .growable = true});
     sorted_ = declare_sorted_depths(builder, layout);
     offset_words_asked_ = builder.counter({.key = "ldm.offset_words",
+                                           .name = "OffsetsAsked",
                                            .label = "Words of offsets",
                                            .doc = "Of a batch of maps.",
                                            .growth_of = offsets_});
@@ -28,10 +31,8 @@ bool ArrayStorage::is_wide(const graph::PassContext& context) const {
     return context.capacity(offsets_) >= 2 * batch_rows() * row_words();
 }
 
-std::map<std::string, std::string> ArrayStorage::defines(const graph::PassContext& context,
-                                                         int first_binding) const {
-    std::map<std::string, std::string> result{{"LDM_ARRAYS", "1"},
-                                              {"LDM_STORAGE", std::to_string(first_binding)}};
+std::map<std::string, std::string> ArrayStorage::defines(const graph::PassContext& context) const {
+    std::map<std::string, std::string> result{{"LDM_ARRAYS", "1"}};
     if (is_wide(context)) result["LDM_WIDE"] = "1";
     // Before it has grown the table may be too small for any query.
     if (context.capacity(offsets_) < batch_rows() * row_words()) result["LDM_EMPTY"] = "1";
@@ -40,16 +41,12 @@ std::map<std::string, std::string> ArrayStorage::defines(const graph::PassContex
 
 void ArrayStorage::store(const graph::PassContext& context, const FragmentList& list,
                          const Chunk& chunk) const {
-    bind(context, 13);
-    sorted_.bind(context);
-    context.bind_counter(10, offset_words_asked_);
     std::map<std::string, std::string> defines;
     if (is_wide(context)) defines["LDM_WIDE"] = "1";
     if (holds_ == Holds::one_chunk) defines["ONE_CHUNK"] = "1";
     const int rows = chunk.maps * layout_.resolution;
     const auto use = [&](const char* file) -> const gl::Program& {
-        const auto& program = context.program({{file}, defines});
-        program.use();
+        const auto& program = context.use({{file}, defines});
         program.set("first_row", static_cast<unsigned>(chunk.first_map * layout_.resolution));
         program.set("row_count", static_cast<unsigned>(rows));
         program.set("resolution", static_cast<unsigned>(layout_.resolution));

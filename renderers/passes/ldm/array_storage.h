@@ -13,8 +13,7 @@ class ArrayStorage : public Storage {
     enum class Holds { batch, one_chunk };
     ArrayStorage(graph::GraphBuilder& builder, const Layout& layout, Holds holds = Holds::batch);
 
-    std::map<std::string, std::string> defines(const graph::PassContext& context,
-                                               int first_binding) const override;
+    std::map<std::string, std::string> defines(const graph::PassContext& context) const override;
     std::vector<graph::BufferRef> buffers() const override { return {rows_, offsets_, sorted_.depths}; }
     std::vector<graph::BufferRef> scratch() const override { return {sorted_.unsorted, sorted_.deep_texels}; }
     std::vector<graph::CounterRef> counters() const override {

@@ -36,6 +36,7 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
     maps.list.state = builder.buffer({.text = {.key = "ldm.state",
                                                .label = "State of building",
                                                .doc = "What the steps of building tell each other."},
+                                      .name = "LdmState",
                                       .fields = {{"word", FieldType::u32}},
                                       .elements = state_words});
     if (maps.inserts_directly()) return;
@@ -44,10 +45,12 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
                   .label = "Fragments of a chunk",
                   .doc = "Texel, and order of arrival << 16 | depth in quanta, of the chunk of "
                          "maps that was built last."},
+         .name = "LdmFragments",
          .fields = {{"texel", FieldType::u32}, {"arrival_depth", FieldType::u32}},
          .elements = texels * expected_layers,
          .growable = true});
     maps.fragments_asked = builder.counter({.key = "ldm.chunk_fragments",
+                                            .name = "FragmentsAsked",
                                             .label = "Fragments of the largest chunk",
                                             .growth_of = maps.list.fragments});
     if (maps.storage->needs_arrivals())
@@ -57,6 +60,7 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
                                      .doc = "Per texel of the chunk that was built last: first "
                                             "its fragments, then where they begin.",
                                      .semantic = Semantic::count},
+                            .name = "LdmCounts",
                             .fields = {{"count", FieldType::u32}},
                             .elements = texels + 1});
     if (maps.options.builder != BuilderKind::compute) return;
@@ -64,11 +68,14 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
                                           .label = "Strips of large triangles",
                                           .doc = "Triangle, and map | strip << 8, of the chunk of maps that "
                                                  "was built last."},
+                                 .name = "LdmLarge",
                                  .fields = {{"triangle", FieldType::u32}, {"map_strip", FieldType::u32}},
                                  .elements = std::max<std::uint64_t>(1 << 16, texels / 2),
                                  .growable = true});
-    maps.large_asked = builder.counter(
-        {.key = "ldm.chunk_strips", .label = "Strips of the largest chunk", .growth_of = maps.large});
+    maps.large_asked = builder.counter({.key = "ldm.chunk_strips",
+                                        .name = "LargeAsked",
+                                        .label = "Strips of the largest chunk",
+                                        .growth_of = maps.large});
 }
 
 bool is_fixed(StorageKind kind) {
@@ -77,11 +84,14 @@ bool is_fixed(StorageKind kind) {
 
 void declare_counters(graph::GraphBuilder& builder, Maps& maps) {
     maps.generated = builder.counter({.key = "ldm.fragments",
+                                      .name = "Generated",
                                       .label = "Fragments",
                                       .doc = "Made by rasterising the scene into all maps."});
-    maps.kept = builder.counter({.key = "ldm.nodes", .label = "Nodes", .doc = "Depths in all maps."});
+    maps.kept =
+        builder.counter({.key = "ldm.nodes", .name = "Kept", .label = "Nodes", .doc = "Depths in all maps."});
     maps.dropped = builder.counter(
         {.key = "ldm.dropped",
+         .name = "Dropped",
          .label = "Dropped fragments",
          .doc = is_fixed(maps.options.storage)
                     ? "Beyond the fixed layers of a texel: hits are missing from the picture. Raise "
@@ -95,6 +105,7 @@ void declare_counters(graph::GraphBuilder& builder, Maps& maps) {
     for (int batch = 0; batch < maps.layout.batches(); ++batch)
         maps.bytes.push_back(
             builder.counter({.key = "ldm.bytes",
+                             .name = "Bytes",
                              .label = "Memory of maps",
                              .doc = "Bytes that all maps take, without spare and scratch space."}));
 }
@@ -143,7 +154,6 @@ class BatchBuild {
                    std::int64_t end) const {
         if (first == 0 && maps_->list.counts.index >= 0) context.clear(maps_->list.counts);
         end = std::min(end, static_cast<std::int64_t>(context.inputs().world->triangles()));
-        bind_rasteriser(context, scene_, *maps_);
         const int first_map = maps_->first_map(batch_) + chunk.first_map;
         if (maps_->options.builder == BuilderKind::raster)
             draw_triangles(context, scene_, *maps_, chunk, first_map, first, end);
@@ -154,10 +164,8 @@ class BatchBuild {
 
     void finish(const graph::PassContext& context, const Chunk& chunk) const {
         const int first_map = maps_->first_map(batch_) + chunk.first_map;
-        bind_rasteriser(context, scene_, *maps_);
         if (maps_->options.builder == BuilderKind::compute) {
             prepare(context, "PREPARE_LARGE");
-            bind_rasteriser(context, scene_, *maps_);
             dispatch_large_triangles(context, *maps_, chunk, first_map);
             context.barrier();
         }
@@ -168,17 +176,8 @@ class BatchBuild {
 
     void prepare(const graph::PassContext& context, const char* step) const {
         gl::ProgramSource source{{"passes/ldm/prepare.comp"}, {{step, "1"}}};
-        if (maps_->inserts_directly())
-            source.defines["DIRECT"] = "1";
-        else
-            context.bind_counter(8, maps_->fragments_asked);
-        if (maps_->large.index >= 0) context.bind_counter(9, maps_->large_asked);
-        context.bind_counter(10, maps_->generated);
-        context.bind_counter(11, maps_->dropped);
-        context.bind_counter(12, maps_->kept);
-        context.bind_counter(13, bytes());
-        const auto& program = context.program(source);
-        program.use();
+        if (maps_->inserts_directly()) source.defines["DIRECT"] = "1";
+        const auto& program = context.use(source);
         if (maps_->large.index >= 0)
             program.set("large_capacity", static_cast<unsigned>(context.capacity(maps_->large)));
         program.set("fragment_bits", static_cast<unsigned>(8 * maps_->storage->fragment_bytes()));
@@ -213,6 +212,7 @@ std::shared_ptr<const Maps> declare_maps(graph::GraphBuilder& builder, const Opt
                                                   .doc = "Orthographic view of each map: texel coordinates "
                                                          "and depth of a point, one texel's steps, direction "
                                                          "and metres per quantum of depth."},
+                                         .name = "LdmFrames",
                                          .fields = frame_fields(),
                                          .elements = static_cast<std::uint64_t>(options.directions)});
     builder.pass("map frames").writes(maps->frame_buffer).execute([maps](graph::PassContext& context) {
@@ -250,13 +250,8 @@ void reads_maps(graph::PassBuilder& pass, const Maps& maps) {
     for (const auto buffer : maps.storage->buffers()) pass.reads(buffer);
 }
 
-std::map<std::string, std::string> bind_maps(const graph::PassContext& context, const Maps& maps,
-                                             int frame_binding, int storage_binding) {
-    context.bind_buffer(frame_binding, maps.frame_buffer);
-    maps.storage->bind(context, storage_binding);
-    auto defines = maps.storage->defines(context, storage_binding);
-    defines["LDM_FRAMES"] = std::to_string(frame_binding);
-    return defines;
+std::map<std::string, std::string> defines_of(const graph::PassContext& context, const Maps& maps) {
+    return maps.storage->defines(context);
 }
 
 }  // namespace ir::passes::ldm

@@ -67,9 +67,7 @@ void build_maps(graph::GraphBuilder& builder, const SceneBuffers& scene, std::sh
 /// Declares that a pass queries the maps.
 void reads_maps(graph::PassBuilder& pass, const Maps& maps);
 
-/// Binding points: frames at `frame_binding`, the storage's buffers from `storage_binding` on. Returns the
-/// defines for programs that include passes/ldm/frames.glsl and passes/ldm/storage.glsl.
-std::map<std::string, std::string> bind_maps(const graph::PassContext& context, const Maps& maps,
-                                             int frame_binding, int storage_binding);
+/// The defines for programs that include passes/ldm/storage.glsl.
+std::map<std::string, std::string> defines_of(const graph::PassContext& context, const Maps& maps);
 
 }  // namespace ir::passes::ldm

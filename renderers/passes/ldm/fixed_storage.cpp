@@ -10,6 +10,7 @@ FixedStorage::FixedStorage(graph::GraphBuilder& builder, const Layout& layout, F
                   .doc = "Sorted depths in quanta, as many for each texel; two per word, 65535 "
                          "where there is none.",
                   .semantic = Semantic::depth},
+         .name = "LdmFixedDepths",
          .fields = {{"pair", graph::FieldType::u32}},
          .elements = layout.batch_maps * layout.map_texels() * texel_words()});
     chunk_ = builder.buffer(
@@ -18,21 +19,18 @@ FixedStorage::FixedStorage(graph::GraphBuilder& builder, const Layout& layout, F
               .label = "Depths of a chunk",
               .doc =
                   "65535 - depth of the chunk that was built last, texel by texel; 0 where there is none."},
+         .name = "LdmFixedChunk",
          .fields = {{"nearness", graph::FieldType::u32}},
          .elements =
              layout.chunk_maps * layout.map_texels() * static_cast<std::uint64_t>(layout.fixed_layers)});
 }
 
-std::map<std::string, std::string> FixedStorage::defines(const graph::PassContext&, int first_binding) const {
-    return {{"LDM_FIXED", "1"},
-            {"LDM_STORAGE", std::to_string(first_binding)},
-            {"LDM_FIXED_LAYERS", std::to_string(layout_.fixed_layers) + "u"}};
+std::map<std::string, std::string> FixedStorage::defines(const graph::PassContext&) const {
+    return {{"LDM_FIXED", "1"}, {"LDM_FIXED_LAYERS", std::to_string(layout_.fixed_layers) + "u"}};
 }
 
 void FixedStorage::store(const graph::PassContext& context, const FragmentList& list,
                          const Chunk& chunk) const {
-    bind(context, 13);
-    context.bind_buffer(8, chunk_);
     context.clear(chunk_);
     gl::ProgramSource place{{"passes/ldm/fixed_place.comp"}}, pack{{"passes/ldm/fixed_pack.comp"}};
     if (order_ == FixedOrder::arrival)
@@ -40,12 +38,11 @@ void FixedStorage::store(const graph::PassContext& context, const FragmentList& 
     for (auto* source : {&place, &pack})
         source->defines["FIXED_LAYERS"] = std::to_string(layout_.fixed_layers) + "u";
     pack.defines["FIXED_NETWORK"] = layout_.fixed_layers > 16 && layout_.fixed_layers <= 32 ? "32" : "16";
-    context.program(place).use();
+    context.use(place);
     dispatch_indirect(context, list.state, fragment_groups_word);
     context.barrier();
-    const auto& packing = context.program(pack);
+    const auto& packing = context.use(pack);
     const auto texels = chunk.maps * static_cast<std::int64_t>(layout_.map_texels());
-    packing.use();
     packing.set("chunk_texels", static_cast<unsigned>(texels));
     packing.set("batch_texel", static_cast<unsigned>(chunk.first_map * layout_.map_texels()));
     packing.dispatch(texels);

@@ -17,8 +17,7 @@ class FixedStorage : public Storage {
   public:
     FixedStorage(graph::GraphBuilder& builder, const Layout& layout, FixedOrder order);
 
-    std::map<std::string, std::string> defines(const graph::PassContext& context,
-                                               int first_binding) const override;
+    std::map<std::string, std::string> defines(const graph::PassContext& context) const override;
     std::vector<graph::BufferRef> buffers() const override { return {depths_}; }
     std::vector<graph::BufferRef> scratch() const override { return {chunk_}; }
     std::vector<graph::CounterRef> counters() const override { return {}; }

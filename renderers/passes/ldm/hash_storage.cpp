@@ -15,27 +15,29 @@ HashStorage::HashStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                                      .label = "Largest ages",
                                      .doc = "Age of each texel's oldest entry; 0: the texel is empty.",
                                      .semantic = Semantic::count},
+                            .name = "LdmAges",
                             .fields = {{"age", FieldType::u32}},
                             .elements = batch_texels()});
     cells_ = builder.buffer({.text = {.key = "ldm.cells",
                                       .label = "Hash table",
                                       .doc = "Age << 16 | 65535 - depth in quanta; 0: empty."},
+                             .name = "LdmCells",
                              .fields = {{"entry", FieldType::u32}},
                              .elements = batch_texels() * expected_cells,
                              .growable = true});
     cells_asked_ = builder.counter({.key = "ldm.hash_cells",
+                                    .name = "CellsAsked",
                                     .label = "Cells of the hash table",
                                     .doc = "That the largest batch of maps needs to fill 9/10 of them.",
                                     .growth_of = cells_});
     most_age_ = builder.counter({.key = "ldm.most_age",
+                                 .name = "MostAge",
                                  .label = "Largest age",
                                  .doc = "Of all entries of the hash table: turns of the longest search."});
 }
 
-std::map<std::string, std::string> HashStorage::defines(const graph::PassContext& context,
-                                                        int first_binding) const {
-    std::map<std::string, std::string> result{{"LDM_HASH", "1"},
-                                              {"LDM_STORAGE", std::to_string(first_binding)}};
+std::map<std::string, std::string> HashStorage::defines(const graph::PassContext& context) const {
+    std::map<std::string, std::string> result{{"LDM_HASH", "1"}};
     if (is_too_small(context)) result["LDM_EMPTY"] = "1";
     return result;
 }
@@ -47,18 +49,13 @@ void HashStorage::begin_batch(const graph::PassContext& context) const {
 
 void HashStorage::store(const graph::PassContext& context, const FragmentList& list,
                         const Chunk& chunk) const {
-    bind(context, 13);
-    context.bind_counter(8, cells_asked_);
-    context.bind_counter(9, most_age_);
     if (!is_too_small(context)) {
-        const auto& insert = context.program({{"passes/ldm/hash_insert.comp"}});
-        insert.use();
+        const auto& insert = context.use({{"passes/ldm/hash_insert.comp"}});
         insert.set("batch_texel", static_cast<unsigned>(chunk.first_map * layout_.map_texels()));
         dispatch_indirect(context, list.state, fragment_groups_word);
         context.barrier();
     }
-    const auto& count = context.program({{"passes/ldm/hash_count.comp"}});
-    count.use();
+    const auto& count = context.use({{"passes/ldm/hash_count.comp"}});
     count.set("least_cells", static_cast<unsigned>(batch_texels()));
     count.dispatch(1);
     context.barrier();

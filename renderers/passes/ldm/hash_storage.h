@@ -17,8 +17,7 @@ class HashStorage : public Storage {
   public:
     HashStorage(graph::GraphBuilder& builder, const Layout& layout);
 
-    std::map<std::string, std::string> defines(const graph::PassContext& context,
-                                               int first_binding) const override;
+    std::map<std::string, std::string> defines(const graph::PassContext& context) const override;
     std::vector<graph::BufferRef> buffers() const override { return {ages_, cells_}; }
     std::vector<graph::CounterRef> counters() const override { return {cells_asked_, most_age_}; }
     void begin_batch(const graph::PassContext& context) const override;

@@ -8,22 +8,25 @@ ListStorage::ListStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                                       .label = "Heads of lists",
                                       .doc = "First node of each texel's list, counted from 1; 0: empty.",
                                       .semantic = Semantic::id},
+                             .name = "LdmHeads",
                              .fields = {{"node", graph::FieldType::u32}},
                              .elements = texels});
     nodes_ = builder.buffer({.text = {.key = "ldm.list_nodes",
                                       .label = "Nodes of lists",
                                       .doc = "Next node, counted from 1 (0: none), and depth in quanta."},
+                             .name = "LdmNodes",
                              .fields = {{"next", graph::FieldType::u32}, {"depth", graph::FieldType::u32}},
                              .elements = texels * expected_layers,
                              .growable = true});
     nodes_asked_ = builder.counter({.key = "ldm.asked_nodes",
+                                    .name = "NodesAsked",
                                     .label = "Nodes of a batch",
                                     .doc = "Of the largest batch of maps.",
                                     .growth_of = nodes_});
 }
 
-std::map<std::string, std::string> ListStorage::defines(const graph::PassContext&, int first_binding) const {
-    return {{"LDM_LINKED_LISTS", "1"}, {"LDM_STORAGE", std::to_string(first_binding)}};
+std::map<std::string, std::string> ListStorage::defines(const graph::PassContext&) const {
+    return {{"LDM_LINKED_LISTS", "1"}};
 }
 
 void ListStorage::begin_batch(const graph::PassContext& context) const {
@@ -32,17 +35,13 @@ void ListStorage::begin_batch(const graph::PassContext& context) const {
 
 void ListStorage::store(const graph::PassContext& context, const FragmentList& list,
                         const Chunk& chunk) const {
-    bind(context, 13);
     if (list.fragments.index >= 0) {
-        const auto& insert = context.program({{"passes/ldm/insert_lists.comp"}});
-        insert.use();
+        const auto& insert = context.use({{"passes/ldm/insert_lists.comp"}});
         insert.set("batch_texel", static_cast<unsigned>(chunk.first_map * layout_.map_texels()));
         dispatch_indirect(context, list.state, fragment_groups_word);
         context.barrier();
     }
-    context.bind_counter(8, nodes_asked_);
-    const auto& count = context.program({{"passes/ldm/count_nodes.comp"}});
-    count.use();
+    const auto& count = context.use({{"passes/ldm/count_nodes.comp"}});
     count.dispatch(1);
     context.barrier();
 }

@@ -9,8 +9,7 @@ class ListStorage : public Storage {
   public:
     ListStorage(graph::GraphBuilder& builder, const Layout& layout);
 
-    std::map<std::string, std::string> defines(const graph::PassContext& context,
-                                               int first_binding) const override;
+    std::map<std::string, std::string> defines(const graph::PassContext& context) const override;
     std::vector<graph::BufferRef> buffers() const override { return {heads_, nodes_}; }
     std::vector<graph::CounterRef> counters() const override { return {nodes_asked_}; }
     void begin_batch(const graph::PassContext& context) const override;

@@ -117,12 +117,10 @@ void show_layers(graph::GraphBuilder& builder, MapsPointer maps, int batch, MapR
     if (range.count == 0) return;
     auto pass = builder.pass("layers" + maps->batch_name(batch));
     reads_maps(pass, *maps);
-    pass.writes(layers).execute([=](graph::PassContext& context) {
+    pass.writes("layers", layers).execute([=](graph::PassContext& context) {
         gl::ProgramSource source{{"passes/ldm/layers.comp"}};
-        source.defines = bind_maps(context, *maps, 0, 1);
-        context.bind_storage_image(0, layers);
-        const auto& program = context.program(source);
-        program.use();
+        source.defines = defines_of(context, *maps);
+        const auto& program = context.use(source);
         program.set("resolution", maps->layout.resolution);
         for (int map = range.first; map < range.first + range.count; ++map) {
             program.set("map", static_cast<unsigned>(map - maps->first_map(batch)));

@@ -18,6 +18,7 @@ PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
     rows_ = builder.buffer({.text = {.key = "ldm.packed_rows",
                                      .label = "Rows of texels",
                                      .doc = "Number of the first depth of each row of texels."},
+                            .name = "LdmPackedRows",
                             .fields = {{"first", FieldType::u32}},
                             .elements = batch_rows()});
     groups_ = builder.buffer({.text = {.key = "ldm.packed_groups",
@@ -25,6 +26,7 @@ PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
                                        .doc = "Per eight texels of a row where their first depth is, counted "
                                               "from the row's (16 bits), and numbers of depths (6 bits "
                                               "each); at the end, nine words for each group with more."},
+                              .name = "LdmGroups",
                               .fields = {{"word", FieldType::u32}},
                               .elements = table_words() + table_words() / 64,
                               .growable = true});
@@ -33,6 +35,7 @@ PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
                                        .doc = "Sorted depths, texel by texel, 11 bits each; 32 of them fill "
                                               "11 words.",
                                        .semantic = Semantic::depth},
+                              .name = "LdmPackedDepths",
                               .fields = {{"word", FieldType::u32}},
                               .elements = texels * expected_layers * packed_bits / 32,
                               .growable = true});
@@ -40,28 +43,30 @@ PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
                                        .label = "Texels of a chunk",
                                        .doc = "Number of the first packed depth of each texel of the chunk "
                                               "that was built last."},
+                              .name = "LdmPackedTexels",
                               .fields = {{"first", FieldType::u32}},
                               .elements = layout.chunk_maps * layout.map_texels() + 1});
     depth_words_asked_ = builder.counter({.key = "ldm.packed_depth_words",
+                                          .name = "DepthWordsAsked",
                                           .label = "Words of packed depths",
                                           .doc = "Of the largest batch of maps.",
                                           .growth_of = depths_});
     group_words_asked_ = builder.counter({.key = "ldm.packed_group_words",
+                                          .name = "GroupWordsAsked",
                                           .label = "Words of groups of texels",
                                           .doc = "Of the largest batch of maps.",
                                           .growth_of = groups_});
     merged_ = builder.counter({.key = "ldm.merged",
+                               .name = "Merged",
                                .label = "Merged fragments",
                                .doc = "Whose depth equals another's of the texel once it is rounded."});
 }
 
-std::map<std::string, std::string> PackedStorage::defines(const graph::PassContext& context,
-                                                          int first_binding) const {
+std::map<std::string, std::string> PackedStorage::defines(const graph::PassContext& context) const {
     // Half of what is rounded away, and one quantum for rasterisation.
     std::map<std::string, std::string> result{
         {"LDM_PACKED_BITS", std::to_string(packed_bits)},
-        {"LDM_ROUNDING", std::to_string((1 << (15 - packed_bits)) + 1) + ".0"},
-        {"LDM_STORAGE", std::to_string(first_binding)}};
+        {"LDM_ROUNDING", std::to_string((1 << (15 - packed_bits)) + 1) + ".0"}};
     // Before it has grown the table may be too small for any query.
     if (context.capacity(groups_) < table_words()) result["LDM_EMPTY"] = "1";
     return result;
@@ -89,17 +94,10 @@ void PackedStorage::store(const graph::PassContext& context, const FragmentList&
     chunk_.store(context, list, {0, chunk.maps});
     const int rows = chunk.maps * layout_.resolution;
     const auto texels = chunk.maps * static_cast<std::int64_t>(layout_.map_texels());
-    bind(context, 13);
-    context.bind_buffer(7, chunk_.depths());
-    context.bind_buffer(8, texels_);
-    context.bind_counter(9, depth_words_asked_);
-    context.bind_counter(10, group_words_asked_);
-    context.bind_counter(11, merged_);
     const auto run = [&](const char* file, std::int64_t invocations, bool needs_table = false) {
         gl::ProgramSource source{{file}};
         source.defines["LDM_PACKED_BITS"] = std::to_string(packed_bits);
-        const auto& program = context.program(source);
-        program.use();
+        const auto& program = context.use(source);
         program.set("first_row", static_cast<unsigned>(chunk.first_map * layout_.resolution));
         program.set("row_count", static_cast<unsigned>(rows));
         program.set("resolution", static_cast<unsigned>(layout_.resolution));

@@ -15,8 +15,7 @@ class PackedStorage : public Storage {
   public:
     PackedStorage(graph::GraphBuilder& builder, const Layout& layout);
 
-    std::map<std::string, std::string> defines(const graph::PassContext& context,
-                                               int first_binding) const override;
+    std::map<std::string, std::string> defines(const graph::PassContext& context) const override;
     std::vector<graph::BufferRef> buffers() const override { return {rows_, groups_, depths_}; }
     std::vector<graph::BufferRef> scratch() const override;
     std::vector<graph::CounterRef> counters() const override;

@@ -12,12 +12,14 @@ PageStorage::PageStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                                       .label = "Heads of lists of pages",
                                       .doc = "First page of each texel's list, counted from 1; 0: empty.",
                                       .semantic = Semantic::id},
+                             .name = "LdmPageHeads",
                              .fields = {{"page", FieldType::u32}},
                              .elements = texels});
     pages_ = builder.buffer({.text = {.key = "ldm.pages",
                                       .label = "Pages",
                                       .doc = "Next page, counted from 1 (0: none), and sorted depths in "
                                              "quanta, two per word; 65535: none."},
+                             .name = "LdmPages",
                              .fields = {{"next", FieldType::u32}, {"pair", FieldType::u32, page_depths / 2}},
                              .elements = texels * (expected_layers + page_depths - 1) / page_depths,
                              .growable = true});
@@ -26,21 +28,23 @@ PageStorage::PageStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                                       .label = "Ranks of fragments",
                                       .doc = "Of the fragments of the deepest texels of the chunk that was "
                                              "built last: their place in order."},
+                             .name = "LdmRanks",
                              .fields = {{"rank", FieldType::u32}},
                              .elements = chunk_texels * expected_layers,
                              .growable = true});
     pages_asked_ = builder.counter({.key = "ldm.asked_pages",
+                                    .name = "PagesAsked",
                                     .label = "Pages of a batch",
                                     .doc = "Of the largest batch of maps.",
                                     .growth_of = pages_});
-    ranks_asked_ = builder.counter(
-        {.key = "ldm.asked_ranks", .label = "Ranks of the largest chunk", .growth_of = ranks_});
+    ranks_asked_ = builder.counter({.key = "ldm.asked_ranks",
+                                    .name = "RanksAsked",
+                                    .label = "Ranks of the largest chunk",
+                                    .growth_of = ranks_});
 }
 
-std::map<std::string, std::string> PageStorage::defines(const graph::PassContext&, int first_binding) const {
-    return {{"LDM_PAGES", "1"},
-            {"LDM_PAGE_DEPTHS", std::to_string(page_depths)},
-            {"LDM_STORAGE", std::to_string(first_binding)}};
+std::map<std::string, std::string> PageStorage::defines(const graph::PassContext&) const {
+    return {{"LDM_PAGES", "1"}, {"LDM_PAGE_DEPTHS", std::to_string(page_depths)}};
 }
 
 void PageStorage::begin_batch(const graph::PassContext& context) const {
@@ -50,16 +54,10 @@ void PageStorage::begin_batch(const graph::PassContext& context) const {
 void PageStorage::store(const graph::PassContext& context, const FragmentList& list,
                         const Chunk& chunk) const {
     const std::int64_t texels = chunk.maps * static_cast<std::int64_t>(layout_.map_texels());
-    bind(context, 13);
-    context.bind_buffer(7, deep_texels_);
-    context.bind_buffer(8, ranks_);
-    context.bind_counter(9, pages_asked_);
-    context.bind_counter(10, ranks_asked_);
     const auto use = [&](const char* file, const char* define = nullptr) -> const gl::Program& {
         gl::ProgramSource source{{file}, {{"LDM_PAGE_DEPTHS", std::to_string(page_depths)}}};
         if (define) source.defines[define] = "1";
-        const auto& program = context.program(source);
-        program.use();
+        const auto& program = context.use(source);
         program.set("batch_texel", static_cast<unsigned>(chunk.first_map * layout_.map_texels()));
         return program;
     };

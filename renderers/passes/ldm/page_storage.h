@@ -16,8 +16,7 @@ class PageStorage : public Storage {
   public:
     PageStorage(graph::GraphBuilder& builder, const Layout& layout);
 
-    std::map<std::string, std::string> defines(const graph::PassContext& context,
-                                               int first_binding) const override;
+    std::map<std::string, std::string> defines(const graph::PassContext& context) const override;
     std::vector<graph::BufferRef> buffers() const override { return {heads_, pages_}; }
     std::vector<graph::BufferRef> scratch() const override { return {deep_texels_, ranks_}; }
     std::vector<graph::CounterRef> counters() const override { return {pages_asked_, ranks_asked_}; }

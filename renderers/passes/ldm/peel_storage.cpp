@@ -14,6 +14,7 @@ PeelStorage::PeelStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                   .label = "Peeled chunks",
                   .doc = "First entry in the planes of each chunk of maps, its planes, "
                          "and the entry after its last, also beyond capacity."},
+         .name = "LdmPeeledChunks",
          .fields = {{"first", FieldType::u32}, {"planes", FieldType::u32}, {"end", FieldType::u32}},
          .elements = batch_chunks()});
     planes_ = builder.buffer(
@@ -22,6 +23,7 @@ PeelStorage::PeelStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                   .doc = "By chunk, plane and texel: 2^32 - 1 - (depth in quanta << 16 | order "
                          "of arrival), 0 where there is no further layer.",
                   .semantic = Semantic::depth},
+         .name = "LdmPlanes",
          .fields = {{"fragment", FieldType::u32}},
          .elements = batch_chunks() * plane_texels() * expected_layers,
          .growable = true});
@@ -29,22 +31,24 @@ PeelStorage::PeelStorage(graph::GraphBuilder& builder, const Layout& layout) : l
         {.text = {.key = "ldm.peeled_layers",
                   .label = "Peeled layers",
                   .doc = "Work groups that peel each plane of the chunk that was built last."},
+         .name = "LdmPeeledLayers",
          .fields = {{"groups_x", FieldType::u32}, {"groups_y", FieldType::u32}, {"groups_z", FieldType::u32}},
          .elements = expected_deepest,
          .growable = true});
     layers_asked_ = builder.counter({.key = "ldm.max_layers",
+                                     .name = "LayersAsked",
                                      .label = "Most layers",
                                      .doc = "Of the deepest texel.",
                                      .growth_of = layers_});
     planes_asked_ = builder.counter({.key = "ldm.plane_entries",
+                                     .name = "PlanesAsked",
                                      .label = "Entries of planes",
                                      .doc = "Of the largest batch of maps.",
                                      .growth_of = planes_});
 }
 
-std::map<std::string, std::string> PeelStorage::defines(const graph::PassContext&, int first_binding) const {
+std::map<std::string, std::string> PeelStorage::defines(const graph::PassContext&) const {
     return {{"LDM_PEELED", "1"},
-            {"LDM_STORAGE", std::to_string(first_binding)},
             {"LDM_CHUNK_MAPS", std::to_string(layout_.chunk_maps) + "u"},
             {"LDM_PLANE_TEXELS", std::to_string(plane_texels()) + "u"}};
 }
@@ -55,14 +59,9 @@ void PeelStorage::begin_batch(const graph::PassContext& context) const {
 }
 
 void PeelStorage::store(const graph::PassContext& context, const FragmentList&, const Chunk& chunk) const {
-    bind(context, 13);
-    context.bind_buffer(7, layers_);
-    context.bind_counter(9, layers_asked_);
-    context.bind_counter(10, planes_asked_);
     const int rows = chunk.maps * layout_.resolution;
     const auto use = [&](const char* file) -> const gl::Program& {
-        const auto& program = context.program({{file}});
-        program.use();
+        const auto& program = context.use({{file}});
         program.set("chunk", static_cast<unsigned>(chunk.first_map / layout_.chunk_maps));
         program.set("plane_texels", static_cast<unsigned>(plane_texels()));
         return program;

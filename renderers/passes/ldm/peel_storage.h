@@ -14,8 +14,7 @@ class PeelStorage : public Storage {
   public:
     PeelStorage(graph::GraphBuilder& builder, const Layout& layout);
 
-    std::map<std::string, std::string> defines(const graph::PassContext& context,
-                                               int first_binding) const override;
+    std::map<std::string, std::string> defines(const graph::PassContext& context) const override;
     std::vector<graph::BufferRef> buffers() const override { return {chunks_, planes_}; }
     std::vector<graph::BufferRef> scratch() const override { return {layers_}; }
     std::vector<graph::CounterRef> counters() const override { return {layers_asked_, planes_asked_}; }

@@ -42,12 +42,9 @@ void write_points(const graph::PassContext& context, const Maps& maps, int batch
     const auto texels = shown_texels(maps, range, points.stride);
     const auto over_texels = [&](bool count) {
         gl::ProgramSource source{{"passes/ldm/points.comp"}};
-        source.defines = bind_maps(context, maps, 0, 1);
+        source.defines = defines_of(context, maps);
         if (count) source.defines["COUNT"] = "1";
-        context.bind_buffer(5, points.texels);
-        if (!count) context.bind_buffer(6, points.points);
-        const auto& program = context.program(source);
-        program.use();
+        const auto& program = context.use(source);
         program.set("first_frame", static_cast<unsigned>(range.first));
         program.set("first_map", static_cast<unsigned>(range.first - maps.first_map(batch)));
         program.set("map_count", static_cast<unsigned>(range.count));
@@ -57,10 +54,7 @@ void write_points(const graph::PassContext& context, const Maps& maps, int batch
         context.barrier();
     };
     over_texels(true);
-    context.bind_buffer(5, points.texels);
-    context.bind_counter(6, points.count);
-    const auto& places = context.program({{"passes/ldm/point_places.comp"}});
-    places.use();
+    const auto& places = context.use({{"passes/ldm/point_places.comp"}});
     places.set("texel_count", static_cast<unsigned>(texels));
     places.dispatch(1);
     context.barrier();
@@ -110,7 +104,6 @@ class FaceSearch {
 
     void rasterise(const graph::PassContext& context, const Chunk& chunk, std::int64_t first,
                    std::int64_t end) const {
-        bind_rasteriser(context, scene_, maps_);
         const int first_map = range_.first + chunk.first_map;
         const auto faces = target(chunk);
         if (maps_.options.builder == BuilderKind::raster)
@@ -121,24 +114,18 @@ class FaceSearch {
     }
 
     void rasterise_large(const graph::PassContext& context, const Chunk& chunk) const {
-        context.bind_counter(9, points_.strips_asked);
-        const auto& prepare = context.program({{"passes/ldm/prepare.comp"}, {{"PREPARE_LARGE", "1"}}});
-        prepare.use();
+        const auto& prepare = context.use({{"passes/ldm/prepare.comp"}, {{"PREPARE_LARGE", "1"}}});
         prepare.set("large_capacity", static_cast<unsigned>(context.capacity(points_.strips)));
         prepare.dispatch(1);
         context.barrier();
-        bind_rasteriser(context, scene_, maps_);
         const auto faces = target(chunk);
         dispatch_large_triangles(context, maps_, chunk, range_.first + chunk.first_map, &faces);
         context.barrier();
     }
 
     void settle_ties(const graph::PassContext& context) const {
-        context.bind_buffer(5, points_.texels);
-        context.bind_buffer(6, points_.points);
         const auto texels = shown_texels(maps_, range_, points_.stride);
-        const auto& ties = context.program({{"passes/ldm/point_ties.comp"}});
-        ties.use();
+        const auto& ties = context.use({{"passes/ldm/point_ties.comp"}});
         ties.set("texel_count", static_cast<unsigned>(texels));
         ties.dispatch(static_cast<std::int64_t>(texels));
         context.barrier();
@@ -157,12 +144,14 @@ void declare_scratch(graph::GraphBuilder& builder, const Maps& maps, Points& poi
                                  .label = "First points of texels",
                                  .doc = "Number of the first point of each texel that is shown, and where "
                                         "the last one's end, of the batch of maps that came last."},
+                        .name = "LdmPointTexels",
                         .fields = {{"first", FieldType::u32}},
                         .elements = shown_texels(maps, largest, points.stride) + 1});
     const auto chunk_texels = texels_in(maps, {0, std::min(points.maps.count, maps.layout.chunk_maps)});
     points.state = builder.buffer({.text = {.key = "ldm.point_state",
                                             .label = "State of finding faces",
                                             .doc = "What the steps of rasterising again tell each other."},
+                                   .name = "LdmState",
                                    .fields = {{"word", FieldType::u32}},
                                    .elements = state_words});
     if (maps.options.builder != BuilderKind::compute) return;
@@ -171,10 +160,12 @@ void declare_scratch(graph::GraphBuilder& builder, const Maps& maps, Points& poi
                                  .label = "Strips of large triangles for faces",
                                  .doc = "Triangle, and map | strip << 8, of the chunk of maps that was "
                                         "rasterised last."},
+                        .name = "LdmLarge",
                         .fields = {{"triangle", FieldType::u32}, {"map_strip", FieldType::u32}},
                         .elements = std::max<std::uint64_t>(1 << 14, chunk_texels / 2),
                         .growable = true});
     points.strips_asked = builder.counter({.key = "ldm.point_strips_asked",
+                                           .name = "LargeAsked",
                                            .label = "Strips of the largest chunk for faces",
                                            .growth_of = points.strips});
 }
@@ -196,6 +187,7 @@ Points declare_points(graph::GraphBuilder& builder, const Maps& maps, MapRange s
                                              .doc = "Depths of the maps shown as points in world space.",
                                              .semantic = Semantic::position,
                                              .unit = "m"},
+                                    .name = "LdmPoints",
                                     .kind = OutputKind::point_set,
                                     .fields = {{"position", FieldType::f32, 3},
                                                {"normal", FieldType::f32, 3},
@@ -205,8 +197,10 @@ Points declare_points(graph::GraphBuilder& builder, const Maps& maps, MapRange s
                                                {"map", FieldType::u32}},
                                     .elements = shown_texels(maps, shown, points.stride) * expected_layers,
                                     .growable = true});
-    points.count =
-        builder.counter({.key = "ldm.shown_points", .label = "Points shown", .growth_of = points.points});
+    points.count = builder.counter({.key = "ldm.shown_points",
+                                    .name = "PointCount",
+                                    .label = "Points shown",
+                                    .growth_of = points.points});
     points.stride_shown = builder.counter({.key = "ldm.point_stride",
                                            .label = "Texels to one with points",
                                            .doc = "Of the maps shown, one texel in so many has points."});

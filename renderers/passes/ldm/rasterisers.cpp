@@ -47,27 +47,6 @@ void set_frame_rows(const graph::PassContext& context, const gl::Program& progra
 
 }  // namespace
 
-void bind_rasteriser(const graph::PassContext& context, const SceneBuffers& scene, const Maps& maps) {
-    context.bind_buffer(0, scene.positions);
-    context.bind_buffer(1, scene.indices);
-    context.bind_buffer(2, maps.frame_buffer);
-    context.bind_buffer(3, maps.list.state);
-    if (maps.list.fragments.index >= 0) context.bind_buffer(4, maps.list.fragments);
-    if (maps.list.counts.index >= 0) context.bind_buffer(5, maps.list.counts);
-    if (maps.finds_faces()) {
-        context.bind_buffer(4, maps.face_points);
-        context.bind_buffer(5, maps.face_texels);
-    }
-    if (maps.large.index >= 0) context.bind_buffer(6, maps.large);
-    context.bind_buffer(7, scene.triangle_materials);
-    context.bind_buffer(8, scene.uv0);
-    context.bind_buffer(9, scene.uv1);
-    context.bind_buffer(10, scene.materials);
-    context.bind_buffer(11, scene.opacity);
-    context.bind_buffer(12, scene.opacity_words);
-    if (maps.inserts_directly()) maps.storage->bind(context, 13);
-}
-
 void draw_triangles(const graph::PassContext& context, const SceneBuffers& scene, const Maps& maps,
                     const Chunk& chunk, int first_map, std::int64_t first, std::int64_t end,
                     const FaceTarget* faces) {
@@ -78,8 +57,7 @@ void draw_triangles(const graph::PassContext& context, const SceneBuffers& scene
     for_both_kinds(context, first, end, [&](std::int64_t begin, std::int64_t stop, bool masked) {
         auto source = source_for(maps, {"passes/ldm/rasterise.vert", "passes/ldm/rasterise.frag"}, masked);
         if (maps.inserts_directly()) source.defines["DIRECT"] = "1";
-        const auto& program = context.program(source);
-        program.use();
+        const auto& program = context.use(source);
         program.set("first_map", static_cast<unsigned>(first_map));
         program.set("first_instance", 0u);
         program.set("first_triangle", static_cast<unsigned>(begin));
@@ -96,8 +74,7 @@ void draw_triangles(const graph::PassContext& context, const SceneBuffers& scene
 void dispatch_triangles(const graph::PassContext& context, const Maps& maps, const Chunk& chunk,
                         int first_map, std::int64_t first, std::int64_t end, const FaceTarget* faces) {
     for_both_kinds(context, first, end, [&](std::int64_t begin, std::int64_t stop, bool masked) {
-        const auto& program = context.program(source_for(maps, {"passes/ldm/rasterise.comp"}, masked));
-        program.use();
+        const auto& program = context.use(source_for(maps, {"passes/ldm/rasterise.comp"}, masked));
         program.set("map_count", static_cast<unsigned>(chunk.maps));
         set_frame_rows(context, program, maps, first_map, chunk.maps);
         program.set("resolution", maps.layout.resolution);
@@ -117,8 +94,7 @@ void dispatch_large_triangles(const graph::PassContext& context, const Maps& map
     const auto& world = *context.inputs().world;
     for (const bool masked : {false, true}) {
         if (masked && world.opaque_triangles == world.triangles()) continue;
-        const auto& program = context.program(source_for(maps, {"passes/ldm/rasterise_large.comp"}, masked));
-        program.use();
+        const auto& program = context.use(source_for(maps, {"passes/ldm/rasterise_large.comp"}, masked));
         set_frame_rows(context, program, maps, first_map, chunk.maps);
         program.set("resolution", maps.layout.resolution);
         set_faces(program, faces);

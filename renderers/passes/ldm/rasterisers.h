@@ -10,9 +10,6 @@ struct FaceTarget {
     std::uint32_t first_texel = 0, stride = 1;
 };
 
-/// Binds what passes/ldm/builder.glsl names.
-void bind_rasteriser(const graph::PassContext& context, const SceneBuffers& scene, const Maps& maps);
-
 /// Raster builder: draws triangles first … end - 1 into all maps of a chunk at once. `first_map` counts among
 /// all frames.
 void draw_triangles(const graph::PassContext& context, const SceneBuffers& scene, const Maps& maps,

@@ -10,6 +10,7 @@ graph::BufferRef declare_deep_texels(graph::GraphBuilder& builder, const Layout&
                   .label = "Deep texels of a chunk",
                   .doc = "Texels with more than 16 layers, of the chunk that was built last.",
                   .semantic = Semantic::id},
+         .name = "LdmDeepTexels",
          .fields = {{"texel", FieldType::u32}},
          .elements = layout.chunk_maps * layout.map_texels()});
 }
@@ -20,6 +21,7 @@ SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& l
                                              .label = "Depths",
                                              .doc = "Sorted depths in quanta, texel by texel; two per word.",
                                              .semantic = Semantic::depth},
+                                    .name = "LdmDepths",
                                     .fields = {{"pair", FieldType::u32}},
                                     .elements = layout.batch_maps * layout.map_texels() * expected_layers / 2,
                                     .growable = true});
@@ -28,36 +30,32 @@ SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& l
                                  .label = "Depths of a chunk",
                                  .doc = "Depths of the chunk that was built last, texel by texel.",
                                  .semantic = Semantic::depth},
+                        .name = "LdmUnsorted",
                         .fields = {{"depth", FieldType::u32}},
                         .elements = layout.chunk_maps * layout.map_texels() * expected_layers,
                         .growable = true});
     sorted.deep_texels = declare_deep_texels(builder, layout);
     sorted.words_asked = builder.counter({.key = "ldm.depth_words",
+                                          .name = "DepthsAsked",
                                           .label = "Words of depths",
                                           .doc = "Of the largest batch of maps.",
                                           .growth_of = sorted.depths});
-    sorted.unsorted_asked = builder.counter(
-        {.key = "ldm.chunk_depths", .label = "Depths of the largest chunk", .growth_of = sorted.unsorted});
+    sorted.unsorted_asked = builder.counter({.key = "ldm.chunk_depths",
+                                             .name = "UnsortedAsked",
+                                             .label = "Depths of the largest chunk",
+                                             .growth_of = sorted.unsorted});
     sorted.most_layers = builder.counter({.key = "ldm.max_layers",
+                                          .name = "MostLayers",
                                           .label = "Most layers",
                                           .doc = "Length of the longest sequence of depths."});
     return sorted;
-}
-
-void SortedDepths::bind(const graph::PassContext& context) const {
-    context.bind_buffer(7, deep_texels);
-    context.bind_buffer(8, unsorted);
-    context.bind_counter(9, words_asked);
-    context.bind_counter(11, unsorted_asked);
-    context.bind_counter(12, most_layers);
 }
 
 void SortedDepths::scatter_and_sort(const graph::PassContext& context, const FragmentList& list,
                                     const Chunk& chunk, const Layout& layout,
                                     const std::map<std::string, std::string>& defines) const {
     const auto use = [&](const char* file) -> const gl::Program& {
-        const auto& program = context.program({{file}, defines});
-        program.use();
+        const auto& program = context.use({{file}, defines});
         program.set("row_count", static_cast<unsigned>(chunk.maps * layout.resolution));
         program.set("resolution", static_cast<unsigned>(layout.resolution));
         return program;

@@ -15,9 +15,6 @@ struct SortedDepths {
     graph::BufferRef deep_texels;
     graph::CounterRef words_asked, unsorted_asked, most_layers;
 
-    /// Binding points 7 to 9, 11 and 12, as shaders/passes/ldm/array_builder.glsl and array_bases.comp name
-    /// them.
-    void bind(const graph::PassContext& context) const;
     /// Once the chunk's "ldm.counts" say where each texel begins: puts its fragments there, and sorts them.
     void scatter_and_sort(const graph::PassContext& context, const FragmentList& list, const Chunk& chunk,
                           const Layout& layout, const std::map<std::string, std::string>& defines = {}) const;

@@ -13,10 +13,12 @@ SortedListStorage::SortedListStorage(graph::GraphBuilder& builder, const Layout&
                                            .doc = "Of the fragments of the deepest texels of the chunk that "
                                                   "was built last: the next node in order.",
                                            .semantic = Semantic::id},
+                                  .name = "LdmSuccessors",
                                   .fields = {{"node", graph::FieldType::u32}},
                                   .elements = texels,
                                   .growable = true});
     successors_asked_ = builder.counter({.key = "ldm.asked_successors",
+                                         .name = "SuccessorsAsked",
                                          .label = "Successors of the largest chunk",
                                          .growth_of = successors_});
 }
@@ -24,14 +26,8 @@ SortedListStorage::SortedListStorage(graph::GraphBuilder& builder, const Layout&
 void SortedListStorage::store(const graph::PassContext& context, const FragmentList& list,
                               const Chunk& chunk) const {
     const std::int64_t texels = chunk.maps * static_cast<std::int64_t>(layout_.map_texels());
-    bind(context, 13);
-    context.bind_buffer(7, deep_texels_);
-    context.bind_buffer(8, successors_);
-    context.bind_counter(9, nodes_asked_);
-    context.bind_counter(10, successors_asked_);
     const auto use = [&](const char* file) -> const gl::Program& {
-        const auto& program = context.program(gl::ProgramSource{{file}});
-        program.use();
+        const auto& program = context.use(gl::ProgramSource{{file}});
         program.set("batch_texel", static_cast<unsigned>(chunk.first_map * layout_.map_texels()));
         return program;
     };
@@ -45,8 +41,7 @@ void SortedListStorage::store(const graph::PassContext& context, const FragmentL
     sort.set("texel_count", static_cast<unsigned>(texels));
     sort.dispatch(texels);
     context.barrier();
-    const auto& prepare = context.program({{"passes/ldm/lists_prepare.comp"}});
-    prepare.use();
+    const auto& prepare = context.use({{"passes/ldm/lists_prepare.comp"}});
     prepare.dispatch(1);
     context.barrier();
     run_indirect("passes/ldm/lists_sort_deep.comp", deep_groups_word);

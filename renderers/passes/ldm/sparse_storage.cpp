@@ -10,6 +10,7 @@ SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout)
                   .label = "Texels with fragments",
                   .doc = "For each 32 texels: a bit for those with fragments; the first of their "
                          "offsets, those of 32 bits marked by 2^31; and the first depth."},
+         .name = "LdmTexelWords",
          .fields = {{"occupied", FieldType::u32},
                     {"first_offset", FieldType::u32},
                     {"first_depth", FieldType::u32}},
@@ -20,6 +21,7 @@ SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout)
                                  .doc = "Number of a texel's first depth, counted from that of its word, for "
                                         "all texels with fragments but the word's first; 16 bits each, or "
                                         "two halves of 32 bits."},
+                        .name = "LdmSparseOffsets",
                         .fields = {{"pair", FieldType::u32}},
                         .elements = layout_.batch_maps * layout_.map_texels() / 2 + 1,
                         .growable = true});
@@ -28,24 +30,24 @@ SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout)
                   .label = "Sums of a chunk",
                   .doc = "For each 32 texels of the chunk that was built last: bits, halves of "
                          "offsets, and depths."},
+         .name = "LdmWordSums",
          .fields = {{"occupied", FieldType::u32}, {"offsets", FieldType::u32}, {"depths", FieldType::u32}},
          .elements = layout_.chunk_maps * map_words()});
     offset_words_asked_ = builder.counter({.key = "ldm.offset_words",
+                                           .name = "OffsetsAsked",
                                            .label = "Words of offsets",
                                            .doc = "Of the largest batch of maps.",
                                            .growth_of = offsets_});
 }
 
-std::map<std::string, std::string> SparseStorage::defines(const graph::PassContext&,
-                                                          int first_binding) const {
-    return {{"LDM_SPARSE_ARRAYS", "1"}, {"LDM_STORAGE", std::to_string(first_binding)}};
+std::map<std::string, std::string> SparseStorage::defines(const graph::PassContext&) const {
+    return {{"LDM_SPARSE_ARRAYS", "1"}};
 }
 
 void SparseStorage::place(const graph::PassContext& context, const Chunk& chunk) const {
     const auto words = static_cast<std::int64_t>(chunk.maps * map_words());
     const auto use = [&](const char* file) -> const gl::Program& {
-        const auto& program = context.program({{file}});
-        program.use();
+        const auto& program = context.use({{file}});
         program.set("first_word", static_cast<unsigned>(chunk.first_map * map_words()));
         program.set("word_count", static_cast<unsigned>(words));
         program.set("map_words", static_cast<unsigned>(map_words()));
@@ -62,10 +64,6 @@ void SparseStorage::place(const graph::PassContext& context, const Chunk& chunk)
 
 void SparseStorage::store(const graph::PassContext& context, const FragmentList& list,
                           const Chunk& chunk) const {
-    bind(context, 13);
-    context.bind_buffer(6, sums_);
-    sorted_.bind(context);
-    context.bind_counter(10, offset_words_asked_);
     place(context, chunk);
     sorted_.scatter_and_sort(context, list, chunk, layout_);
 }

@@ -16,8 +16,7 @@ class SparseStorage : public Storage {
   public:
     SparseStorage(graph::GraphBuilder& builder, const Layout& layout);
 
-    std::map<std::string, std::string> defines(const graph::PassContext& context,
-                                               int first_binding) const override;
+    std::map<std::string, std::string> defines(const graph::PassContext& context) const override;
     std::vector<graph::BufferRef> buffers() const override { return {words_, offsets_, sorted_.depths}; }
     std::vector<graph::BufferRef> scratch() const override {
         return {sums_, sorted_.unsorted, sorted_.deep_texels};

@@ -14,10 +14,6 @@
 
 namespace ir::passes::ldm {
 
-void Storage::bind(const graph::PassContext& context, int first_binding) const {
-    for (const auto buffer : buffers()) context.bind_buffer(first_binding++, buffer);
-}
-
 std::shared_ptr<const Storage> make_storage(graph::GraphBuilder& builder, StorageKind kind,
                                             const Layout& layout) {
     switch (kind) {

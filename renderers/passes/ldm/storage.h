@@ -56,10 +56,9 @@ class Storage {
   public:
     virtual ~Storage() = default;
 
-    /// Chooses this storage's part of storage.glsl, which then uses binding points from `first_binding` on.
-    virtual std::map<std::string, std::string> defines(const graph::PassContext& context,
-                                                       int first_binding) const = 0;
-    /// What queries read, in the order of their binding points.
+    /// Chooses this storage's part of storage.glsl.
+    virtual std::map<std::string, std::string> defines(const graph::PassContext& context) const = 0;
+    /// What queries read.
     virtual std::vector<graph::BufferRef> buffers() const = 0;
     /// What is only used while building.
     virtual std::vector<graph::BufferRef> scratch() const { return {}; }
@@ -78,8 +77,6 @@ class Storage {
     /// Bytes that the maps of one batch take: texel tables, and per fragment.
     virtual std::uint64_t table_bytes(const graph::PassContext& context) const = 0;
     virtual double fragment_bytes() const = 0;
-
-    void bind(const graph::PassContext& context, int first_binding) const;
 };
 
 /// Declares the storage's resources.

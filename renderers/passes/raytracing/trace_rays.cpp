@@ -87,24 +87,23 @@ void trace_on_device(graph::GraphBuilder& builder, const std::string& name, cons
          .label = "Unfinished rays",
          .doc = "Rays that met more nodes than a traversal may visit; their hit may not be the first one."});
     builder.pass(name)
-        .reads(buffers.rays, bvh.nodes, bvh.triangles, bvh.masks, scene.opacity, scene.opacity_words)
-        .writes(buffers.hits)
-        .counts(unfinished)
-        .execute_sliced(static_cast<std::int64_t>(buffers.capacity), [=](graph::PassContext& context,
-                                                                         graph::Slice slice) {
-            const graph::BufferRef bound[] = {buffers.rays, buffers.hits,  bvh.nodes,          bvh.triangles,
-                                              bvh.masks,    scene.opacity, scene.opacity_words};
-            for (int i = 0; i < 7; ++i) context.bind_buffer(i, bound[i]);
-            context.bind_counter(7, unfinished);
-            const auto& program = context.program({{"passes/raytracing/trace.comp"}});
-            program.use();
-            for (auto first = slice.begin; first < slice.end; first += rays_of_dispatch) {
-                const auto end = std::min(slice.end, first + rays_of_dispatch);
-                program.set("first_ray", static_cast<unsigned>(first));
-                program.set("end_ray", static_cast<unsigned>(end));
-                program.dispatch(end - first);
-            }
-        });
+        .reads("Rays", buffers.rays)
+        .reads("BvhNodes", bvh.nodes)
+        .reads("BvhTriangles", bvh.triangles)
+        .reads("BvhMasks", bvh.masks)
+        .reads(scene.opacity, scene.opacity_words)
+        .writes("Hits", buffers.hits)
+        .counts("Unfinished", unfinished)
+        .execute_sliced(static_cast<std::int64_t>(buffers.capacity),
+                        [=](graph::PassContext& context, graph::Slice slice) {
+                            const auto& program = context.use({{"passes/raytracing/trace.comp"}});
+                            for (auto first = slice.begin; first < slice.end; first += rays_of_dispatch) {
+                                const auto end = std::min(slice.end, first + rays_of_dispatch);
+                                program.set("first_ray", static_cast<unsigned>(first));
+                                program.set("end_ray", static_cast<unsigned>(end));
+                                program.dispatch(end - first);
+                            }
+                        });
 }
 
 }  // namespace

@@ -16,9 +16,10 @@ struct Drawing {
     RsmOptions options;
 };
 
-graph::ImageRef declare(graph::GraphBuilder& builder, const Rsm& rsm, graph::ResourceText text,
-                        gl::Format format) {
+graph::ImageRef declare(graph::GraphBuilder& builder, const Rsm& rsm, const std::string& name,
+                        graph::ResourceText text, gl::Format format) {
     graph::ImageDesc desc;
+    desc.name = name;
     desc.text = std::move(text);
     desc.format = format;
     desc.extent = graph::Extent::fixed(rsm.resolution, rsm.resolution);
@@ -27,36 +28,29 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const Rsm& rsm, graph::Res
     return builder.image(std::move(desc));
 }
 
-void bind_scene(const PassContext& p, const SceneBuffers& s) {
-    const graph::BufferRef buffers[] = {s.positions, s.normals, s.tangents, s.uv0,           s.uv1,
-                                        s.colours,   s.indices, s.opacity,  s.opacity_words, s.materials};
-    int binding = 0;
-    for (const auto buffer : buffers) p.bind_buffer(binding++, buffer);
-}
-
 void reads_scene(graph::PassBuilder& pass, const SceneBuffers& s) {
     pass.reads(s.positions, s.normals, s.tangents, s.uv0, s.uv1, s.colours, s.indices, s.opacity,
                s.opacity_words, s.materials);
 }
 
-/// Binds the textures that the material has to units 0, 1, …; a bit for each.
+constexpr const char* texture_names[] = {"base_colour_texture", "metallic_roughness_texture",
+                                         "normal_texture", "transmission_texture"};
+
+/// Binds the textures that the material has; a bit for each.
 int bind_textures(const PassContext& p, const SceneBuffers& s, const scene::Material& material) {
     const scene::TextureSlot* slots[] = {&material.base_colour_texture, &material.metallic_roughness_texture,
                                          &material.normal_texture, &material.transmission_texture};
-    int unit = 0, bound = 0;
-    for (const auto* slot : slots) {
-        if (slot->texture >= 0) {
-            const auto index = static_cast<std::size_t>(slot->texture);
-            p.bind_texture(unit, s.textures.at(index), p.inputs().scene->textures.at(index).sampler);
-            bound |= 1 << unit;
-        }
-        ++unit;
+    int bound = 0;
+    for (int i = 0; i < 4; ++i) {
+        if (slots[i]->texture < 0) continue;
+        const auto index = static_cast<std::size_t>(slots[i]->texture);
+        p.bind(texture_names[i], s.textures.at(index), p.inputs().scene->textures.at(index).sampler);
+        bound |= 1 << i;
     }
     return bound;
 }
 
 void set_view(const gl::Program& program, const ShadowViewData& view, int resolution) {
-    program.use();
     program.set("clip_from_world", view.clip_from_world);
     program.set("view_origin_ws", view.origin);
     program.set("view_right_ws", view.right);
@@ -78,7 +72,6 @@ void draw_ranges(const PassContext& p, const Drawing& d, const gl::Program& prog
 }
 
 void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, Slice slice) {
-    bind_scene(p, d.scene);
     p.bind_empty_vertex_array();
     p.api().Enable(GL_DEPTH_TEST);
     for (auto layer = slice.begin; layer < slice.end; ++layer) {
@@ -87,16 +80,15 @@ void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, 
         const float far = 1;
         p.api().ClearBufferfv(GL_DEPTH, 0, &far);
         if (static_cast<std::size_t>(layer) >= d.options.views.size()) continue;
-        const auto& program = p.program({{"passes/rsm/rsm.vert", "passes/rsm/depth.frag"}});
+        const auto& program = p.use({{"passes/rsm/rsm.vert", "passes/rsm/depth.frag"}});
         set_view(program, d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
         draw_ranges(p, d, program, false);
     }
     p.api().Disable(GL_DEPTH_TEST);
 }
 
-void draw_surfaces(const PassContext& p, const Drawing& d, graph::ImageRef prepass, Slice slice) {
+void draw_surfaces(const PassContext& p, const Drawing& d, Slice slice) {
     if (slice.first) p.upload(d.rsm.views, std::as_bytes(std::span(d.options.views)));
-    bind_scene(p, d.scene);
     p.bind_empty_vertex_array();
     p.api().Enable(GL_DEPTH_TEST);
     for (auto layer = slice.begin; layer < slice.end; ++layer) {
@@ -111,12 +103,9 @@ void draw_surfaces(const PassContext& p, const Drawing& d, graph::ImageRef prepa
         p.api().ClearBufferfv(GL_DEPTH, 0, &far);
         if (static_cast<std::size_t>(layer) >= d.options.views.size()) continue;
         gl::ProgramSource source{{"passes/rsm/rsm.vert", "passes/rsm/rsm.frag"}};
-        if (d.options.depth_prepass) {
-            source.defines["DEPTH_PREPASS"] = "1";
-            p.bind_texture(4, prepass);
-        }
+        if (d.options.depth_prepass) source.defines["DEPTH_PREPASS"] = "1";
         if (d.options.geometric_normal) source.defines["GEOMETRIC_NORMAL"] = "1";
-        const auto& program = p.program(source);
+        const auto& program = p.use(source);
         set_view(program, d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
         program.set("normal_maps", d.options.normal_maps ? 1 : 0);
         program.set("opaque_only", d.options.opaque_only ? 1 : 0);
@@ -128,7 +117,7 @@ void draw_surfaces(const PassContext& p, const Drawing& d, graph::ImageRef prepa
 
 /// The option's own depth, so that the RSM's can be tested against it while it is written.
 graph::ImageRef draw_depth_first(graph::GraphBuilder& builder, const Drawing& drawing) {
-    const auto target = declare(builder, drawing.rsm,
+    const auto target = declare(builder, drawing.rsm, "depth_drawn_first",
                                 {.key = "rsm.depth_prepass",
                                  .label = "RSM: depth drawn first",
                                  .doc = "The shadow map at the RSM's resolution; what lies behind it is not "
@@ -155,14 +144,17 @@ Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmO
         rsm.fingerprint = world + " at " + std::to_string(rsm.resolution) +
                           (options.opaque_only ? " opaque" : "") + (options.normal_maps ? " mapped" : "");
     const auto text = [](const char* key) { return graph::text_of(rsm_outputs({}, true), key); };
-    rsm.albedo_roughness = declare(builder, rsm, text("rsm.albedo_roughness"),
+    rsm.albedo_roughness = declare(builder, rsm, "rsm_albedo_roughness", text("rsm.albedo_roughness"),
                                    options.exact_albedo ? gl::Format::rgba16f : gl::Format::rgba8);
-    rsm.normal_metalness = declare(builder, rsm, text("rsm.normal_metalness"), gl::Format::rgba16f);
+    rsm.normal_metalness =
+        declare(builder, rsm, "rsm_normal_metalness", text("rsm.normal_metalness"), gl::Format::rgba16f);
     if (options.geometric_normal)
-        rsm.geometric_normal = declare(builder, rsm, text("rsm.geometric_normal"), gl::Format::rgba32f);
-    rsm.depth = declare(builder, rsm, text("rsm.depth"), gl::Format::depth32f);
+        rsm.geometric_normal =
+            declare(builder, rsm, "rsm_geometric_normal", text("rsm.geometric_normal"), gl::Format::rgba32f);
+    rsm.depth = declare(builder, rsm, "shadow_maps", text("rsm.depth"), gl::Format::depth32f);
     graph::BufferDesc views;
     views.text = {"rsm.views", "Views of the RSM"};
+    views.name = "ShadowViews";
     views.fields = shadow_view_fields();
     views.elements = static_cast<std::uint64_t>(rsm.layers);
     views.fingerprint = rsm.fingerprint;
@@ -174,24 +166,17 @@ Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmO
     auto pass = builder.pass("RSM");
     reads_scene(pass, scene);
     for (const auto texture : scene.textures) pass.reads(texture);
+    for (const auto* name : texture_names) pass.reads(name, graph::ImageRef{});
     if (options.depth_prepass) pass.reads(prepass);
     if (options.geometric_normal) pass.writes(rsm.geometric_normal);
     pass.writes(rsm.albedo_roughness, rsm.normal_metalness, rsm.depth, rsm.views)
         .execute_sliced(
-            rsm.layers, [=](PassContext& p, Slice slice) { draw_surfaces(p, drawing, prepass, slice); }, 1);
+            rsm.layers, [=](PassContext& p, Slice slice) { draw_surfaces(p, drawing, slice); }, 1);
     return rsm;
 }
 
 void reads_rsm(graph::PassBuilder& pass, const Rsm& rsm, const SceneBuffers& scene) {
     pass.reads(rsm.views, scene.lights, rsm.albedo_roughness, rsm.normal_metalness, rsm.depth);
-}
-
-void bind_rsm(const PassContext& context, const Rsm& rsm, const SceneBuffers& scene) {
-    context.bind_buffer(0, rsm.views);
-    context.bind_buffer(1, scene.lights);
-    context.bind_texture(0, rsm.albedo_roughness);
-    context.bind_texture(1, rsm.normal_metalness);
-    context.bind_texture(2, rsm.depth);
 }
 
 std::vector<OutputDescription> rsm_outputs(const Condition& active_when, bool geometric_normal) {

@@ -40,10 +40,8 @@ struct Rsm {
 /// Declares the pass "RSM" (and "RSM depth"), which draw only when world, resolution or materials change.
 Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmOptions& options);
 
-/// Binds views to buffer 0, lights to buffer 1, albedo, normal and depth to textures 0 to 2. Passes that do
-/// must read all five.
+/// For shaders that include passes/rsm/texel.glsl.
 void reads_rsm(graph::PassBuilder& pass, const Rsm& rsm, const SceneBuffers& scene);
-void bind_rsm(const graph::PassContext& context, const Rsm& rsm, const SceneBuffers& scene);
 
 std::vector<OutputDescription> rsm_outputs(const Condition& active_when = {}, bool geometric_normal = false);
 

@@ -42,10 +42,7 @@ struct Scan {
     }
 
     const gl::Program& use(const graph::PassContext& context, const char* file) const {
-        context.bind_buffer(0, counts);
-        context.bind_buffer(1, bases);
-        const auto& program = context.program({{file}});
-        program.use();
+        const auto& program = context.use({{file}});
         // a growable buffer may still be too small for all items
         program.set("counted", static_cast<unsigned>(std::min(items_of(context), context.capacity(counts))));
         return program;
@@ -57,16 +54,12 @@ struct Scan {
 
     void place(const graph::PassContext& context, graph::Slice slice) const {
         const auto& program = use(context, "passes/scan/places.comp");
-        context.bind_buffer(2, places);
         program.set("item_count", static_cast<unsigned>(items_of(context)));
         dispatch(context, program, slice);
     }
 
-    void add_up(const graph::PassContext& context, graph::CounterRef total) const {
-        context.bind_buffer(1, bases);
-        context.bind_counter(2, total);
-        const auto& program = context.program({{"passes/scan/bases.comp"}});
-        program.use();
+    void add_up(const graph::PassContext& context) const {
+        const auto& program = context.use({{"passes/scan/bases.comp"}});
         program.set("tile_count", static_cast<unsigned>(tiles_of(items_of(context))));
         program.dispatch(1);
     }
@@ -90,20 +83,21 @@ graph::BufferRef declare_bases(graph::GraphBuilder& builder, const std::string& 
 void declare_passes(graph::GraphBuilder& builder, const Scan& scan, graph::CounterRef total) {
     const auto tiles = tiles_of(scan.items);
     builder.pass(scan.key + " sums")
-        .reads(scan.counts)
-        .writes(scan.bases)
+        .reads("Counts", scan.counts)
+        .writes("Bases", scan.bases)
         .execute_sliced(
             tiles, [=](graph::PassContext& context, graph::Slice slice) { scan.sum(context, slice); },
             first_slice);
     builder.pass(scan.key + " bases")
         .reads(scan.counts)
-        .writes(scan.bases)
-        .counts(total)
-        .execute([=](graph::PassContext& context) { scan.add_up(context, total); });
+        .writes("Bases", scan.bases)
+        .counts("Total", total)
+        .execute([=](graph::PassContext& context) { scan.add_up(context); });
     // In place, each work group has read its tile before it writes it.
     builder.pass(scan.key + " places")
-        .reads(scan.counts, scan.bases)
-        .writes(scan.places)
+        .reads("Counts", scan.counts)
+        .reads("Bases", scan.bases)
+        .writes("Places", scan.places)
         .execute_sliced(
             tiles, [=](graph::PassContext& context, graph::Slice slice) { scan.place(context, slice); },
             first_slice);

@@ -37,11 +37,6 @@ graph::BufferRef declared(const graph::GraphBuilder& builder, const std::string&
 
 }  // namespace
 
-void HitSurfaces::bind(const graph::PassContext& context, int first) const {
-    for (const auto buffer : {vertices, texels, indices, triangle_materials, materials})
-        context.bind_buffer(first++, buffer);
-}
-
 HitSurfaces hit_surfaces(graph::GraphBuilder& builder, const SceneBuffers& scene) {
     const auto known = declared(builder, "scene.hit_vertices");
     if (known.index >= 0)
@@ -49,6 +44,7 @@ HitSurfaces hit_surfaces(graph::GraphBuilder& builder, const SceneBuffers& scene
                 scene.materials};
     graph::BufferDesc desc;
     desc.text = {.key = "scene.hit_vertices", .label = "Vertices, each in one piece"};
+    desc.name = "HitVertices";
     desc.fields = {{"position", FieldType::f32, 3}, {"colour", FieldType::u32},
                    {"normal", FieldType::f32, 3},   {"unused"},
                    {"tangent", FieldType::f32, 4},  {"uv0", FieldType::f32, 2},

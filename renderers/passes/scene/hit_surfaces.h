@@ -11,14 +11,12 @@ struct HitSurfaces {
     graph::BufferRef texels;    ///< texel_buffer
     graph::BufferRef indices, triangle_materials, materials;  ///< the scene's
 
-    static constexpr int bindings = 5;
-
     void read_by(graph::PassBuilder& pass) const {
-        pass.reads(vertices, texels, indices, triangle_materials, materials);
+        pass.reads(vertices, texels)
+            .reads("HitIndices", indices)
+            .reads("HitTriangleMaterials", triangle_materials)
+            .reads("HitMaterials", materials);
     }
-    /// Binds to `first` and the four after it; a program that includes the file must define
-    /// HIT_SURFACE_BINDING as `first`.
-    void bind(const graph::PassContext& context, int first) const;
 };
 
 /// Declares "scene.hit_vertices" and "scene.texels" with the passes that upload them, once per

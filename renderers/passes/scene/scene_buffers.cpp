@@ -28,10 +28,12 @@ std::span<const std::byte> bytes_of(const std::vector<T>& data) {
     return std::as_bytes(std::span(data));
 }
 
-BufferRef declare(GraphBuilder& builder, const std::string& part, const std::string& label,
-                  std::vector<Field> fields, std::size_t elements, const std::string& unit = {}) {
+BufferRef declare(GraphBuilder& builder, const std::string& part, const std::string& name,
+                  const std::string& label, std::vector<Field> fields, std::size_t elements,
+                  const std::string& unit = {}) {
     BufferDesc desc;
     desc.text = {.key = "scene." + part, .label = label, .unit = unit};
+    desc.name = name;
     desc.fields = std::move(fields);
     desc.elements = elements;
     desc.fingerprint = builder.inputs().world_fingerprint;
@@ -44,24 +46,32 @@ SceneBuffers declare_buffers(GraphBuilder& builder) {
     const auto vertices = world.positions.size();
     const Field number{"index", FieldType::u32};
     SceneBuffers b;
-    b.positions =
-        declare(builder, "positions", "Vertex positions", {{"position", FieldType::f32, 3}}, vertices, "m");
-    b.normals = declare(builder, "normals", "Vertex normals", {{"normal", FieldType::f32, 3}}, vertices);
-    b.tangents = declare(builder, "tangents", "Vertex tangents", {{"tangent", FieldType::f32, 4}}, vertices);
-    b.uv0 = declare(builder, "uv0", "Texture coordinates 0", {{"uv", FieldType::f32, 2}}, vertices);
-    b.uv1 = declare(builder, "uv1", "Texture coordinates 1", {{"uv", FieldType::f32, 2}}, vertices);
-    b.colours = declare(builder, "colours", "Vertex colours", {{"rgba8", FieldType::u32}}, vertices);
-    b.instances = declare(builder, "instances", "Instance of each vertex", {number}, vertices);
-    b.indices = declare(builder, "indices", "Triangles", {{"vertex", FieldType::u32, 3}}, world.triangles());
-    b.triangle_materials =
-        declare(builder, "triangle_materials", "Material of each triangle", {number}, world.triangles());
-    b.motion = declare(builder, "motion", "Previous from current position of each instance",
+    b.positions = declare(builder, "positions", "ScenePositions", "Vertex positions",
+                          {{"position", FieldType::f32, 3}}, vertices, "m");
+    b.normals = declare(builder, "normals", "SceneNormals", "Vertex normals", {{"normal", FieldType::f32, 3}},
+                        vertices);
+    b.tangents = declare(builder, "tangents", "SceneTangents", "Vertex tangents",
+                         {{"tangent", FieldType::f32, 4}}, vertices);
+    b.uv0 =
+        declare(builder, "uv0", "SceneUv0", "Texture coordinates 0", {{"uv", FieldType::f32, 2}}, vertices);
+    b.uv1 =
+        declare(builder, "uv1", "SceneUv1", "Texture coordinates 1", {{"uv", FieldType::f32, 2}}, vertices);
+    b.colours =
+        declare(builder, "colours", "SceneColours", "Vertex colours", {{"rgba8", FieldType::u32}}, vertices);
+    b.instances =
+        declare(builder, "instances", "SceneInstances", "Instance of each vertex", {number}, vertices);
+    b.indices = declare(builder, "indices", "SceneIndices", "Triangles", {{"vertex", FieldType::u32, 3}},
+                        world.triangles());
+    b.triangle_materials = declare(builder, "triangle_materials", "SceneTriangleMaterials",
+                                   "Material of each triangle", {number}, world.triangles());
+    b.motion = declare(builder, "motion", "SceneMotion", "Previous from current position of each instance",
                        {{"matrix", FieldType::f32, 16}}, world.motion.size());
-    b.materials = declare(builder, "materials", "Materials", material_fields(), scene.materials.size());
-    b.lights = declare(builder, "lights", "Lights", light_fields(), world.lights.size());
-    b.opacity =
-        declare(builder, "opacity", "Alpha mask of each material", opacity_fields(), scene.materials.size());
-    b.opacity_words = declare(builder, "opacity_words", "Alpha masks, one bit a texel",
+    b.materials =
+        declare(builder, "materials", "Materials", "Materials", material_fields(), scene.materials.size());
+    b.lights = declare(builder, "lights", "Lights", "Lights", light_fields(), world.lights.size());
+    b.opacity = declare(builder, "opacity", "Opacity", "Alpha mask of each material", opacity_fields(),
+                        scene.materials.size());
+    b.opacity_words = declare(builder, "opacity_words", "OpacityWords", "Alpha masks, one bit a texel",
                               {{"bits", FieldType::u32}}, world.opacity_words.size());
     return b;
 }

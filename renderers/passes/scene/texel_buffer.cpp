@@ -139,6 +139,7 @@ graph::BufferRef texel_buffer(graph::GraphBuilder& builder) {
                  .doc =
                      "What rays that hit anything look up: base colours, metallic and roughness, normals, "
                      "transmission."};
+    desc.name = "Texels";
     desc.fields = {{"word", graph::FieldType::u32}};
     desc.elements = layout.words;
     // the textures of an animated scene stay while its world changes

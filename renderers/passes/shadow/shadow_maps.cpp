@@ -13,35 +13,22 @@ using graph::GraphBuilder;
 using graph::PassContext;
 using graph::Slice;
 
-void bind_scene(const PassContext& p, const SceneBuffers& s) {
-    p.bind_buffer(0, s.positions);
-    p.bind_buffer(1, s.indices);
-    p.bind_buffer(2, s.uv0);
-    p.bind_buffer(3, s.uv1);
-    p.bind_buffer(4, s.triangle_materials);
-    p.bind_buffer(5, s.materials);
-    p.bind_buffer(6, s.opacity);
-    p.bind_buffer(7, s.opacity_words);
-}
-
 void draw_triangles(const PassContext& p, const ShadowViewData& view, bool masked) {
     const auto opaque = static_cast<GLint>(3 * p.inputs().world->opaque_triangles);
     const auto all = static_cast<GLint>(p.inputs().world->indices.size());
     const int first = masked ? opaque : 0, end = masked ? all : opaque;
     if (first == end) return;
-    const auto& program = p.program(
-        {{"passes/shadow/shadow.vert", "passes/shadow/shadow.frag"}, {{"MASKED", masked ? "1" : "0"}}});
-    program.use();
+    const auto& program =
+        p.use({{"passes/shadow/shadow.vert", "passes/shadow/shadow.frag"}, {{"MASKED", masked ? "1" : "0"}}});
     program.set("clip_from_world", view.clip_from_world);
     program.set("origin_ws", view.origin);
     program.set("depth_axis_ws", view.forward / view.far);
     p.api().DrawArrays(GL_TRIANGLES, first, end - first);
 }
 
-void draw_layers(const PassContext& p, const SceneBuffers& s, const ShadowMaps& shadow, Slice slice) {
+void draw_layers(const PassContext& p, const ShadowMaps& shadow, Slice slice) {
     const auto views = shadow_views(*p.inputs().world, p.shape(shadow.maps).width);
     if (slice.first) p.upload(shadow.views, std::as_bytes(std::span(views)));
-    bind_scene(p, s);
     p.bind_empty_vertex_array();
     p.api().Enable(GL_DEPTH_TEST);
     for (auto layer = slice.begin; layer < slice.end; ++layer) {
@@ -68,12 +55,14 @@ ShadowMaps shadow_maps(GraphBuilder& builder, const SceneBuffers& scene, int res
     graph::ImageDesc maps;
     maps.text = {"shadow.maps", "Shadow maps", "Depth along each map's axis over its far distance",
                  Semantic::depth};
+    maps.name = "shadow_maps";
     maps.format = gl::Format::depth32f;
     maps.extent = graph::Extent::fixed(resolution, resolution);
     maps.layers = std::max(1, layers);
     maps.fingerprint = fingerprint;
     graph::BufferDesc views;
     views.text = {"shadow.views", "Views of the shadow maps"};
+    views.name = "ShadowViews";
     views.fields = shadow_view_fields();
     views.elements = static_cast<std::uint64_t>(layers);
     views.fingerprint = fingerprint;
@@ -84,7 +73,7 @@ ShadowMaps shadow_maps(GraphBuilder& builder, const SceneBuffers& scene, int res
                scene.materials, scene.opacity, scene.opacity_words)
         .writes(shadow.maps, shadow.views)
         .execute_sliced(
-            maps.layers, [=](PassContext& p, Slice slice) { draw_layers(p, scene, shadow, slice); }, 1);
+            maps.layers, [=](PassContext& p, Slice slice) { draw_layers(p, shadow, slice); }, 1);
     return shadow;
 }
 

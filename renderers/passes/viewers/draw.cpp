@@ -49,8 +49,6 @@ void reset_state(const gl::Api& gl) {
 void unbind_all(const gl::Api& gl) {
     gl.UseProgram(0);
     gl.BindVertexArray(0);
-    for (const GLuint binding : {0u, 1u, 2u}) gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, 0);
-    for (const GLuint unit : {0u, 1u}) gl.BindTextureUnit(unit, 0);
 }
 
 bool has_primitive(const std::vector<LayerPlan>& plans, bool sphere) {

@@ -10,8 +10,6 @@
 namespace ir::passes::viewers {
 namespace {
 
-constexpr GLuint elements_binding = 0, block_binding = 1, keys_binding = 2, nearest_binding = 3;
-constexpr int map_unit = 0, regions_unit = 1, depth_unit = 1;
 /// Software drivers end loops silently after 65,535 iterations, one for each sample of a point's square.
 constexpr float most_point_samples = 200;
 constexpr int corners = 6;  ///< vertices of a quad
@@ -46,11 +44,6 @@ LayerPainter::~LayerPainter() {
     for (const auto& [name, texture] : maps_) tools_.device.destroy_image(texture);
 }
 
-void LayerPainter::bind_texture(GLuint unit, gl::Name texture) const {
-    tools_.api.BindTextureUnit(unit, texture);
-    tools_.api.BindSampler(unit, 0);
-}
-
 gl::Name LayerPainter::map_texture(const std::string& name) {
     const auto known = maps_.find(name);
     if (known != maps_.end()) return known->second;
@@ -66,8 +59,6 @@ gl::Name LayerPainter::map_texture(const std::string& name) {
 void LayerPainter::write_block(const LayerPlan& plan, std::size_t index) {
     while (blocks_.size() <= index) blocks_.push_back(std::make_unique<DeviceStore>(tools_.device));
     blocks_[index]->write(std::as_bytes(std::span(&plan.block, 1)), "3D view, layer");
-    tools_.api.BindBufferBase(GL_SHADER_STORAGE_BUFFER, elements_binding, plan.buffer);
-    tools_.api.BindBufferBase(GL_SHADER_STORAGE_BUFFER, block_binding, blocks_[index]->name());
 }
 
 const gl::Program& LayerPainter::begin(const LayerPlan& plan, std::size_t index, const Sight& sight,
@@ -75,6 +66,8 @@ const gl::Program& LayerPainter::begin(const LayerPlan& plan, std::size_t index,
     write_block(plan, index);
     const auto& program = tools_.programs.get({std::move(files)});
     program.use();
+    program.bind_buffer("Elements", plan.buffer);
+    program.bind_buffer("LayerBlock", blocks_[index]->name());
     set_eye(program, sight);
     tools_.api.BindVertexArray(vertex_array_);
     return program;
@@ -88,8 +81,7 @@ void LayerPainter::draw(const LayerPlan& plan, std::size_t index, const Sight& s
     const auto& program = begin(plan, index, sight, shaders_of(plan.primitive));
     set_projection(program, sight);
     program.set("layer_number", plan.block.number);
-    bind_texture(map_unit, map_texture(plan.wanted.colour_map));
-    program.set("colour_map", map_unit);
+    program.bind_texture("colour_map", map_texture(plan.wanted.colour_map));
     const auto count = static_cast<GLsizei>(plan.block.drawn);
     const auto samples = static_cast<float>(sight.pixel_samples);
     if (plan.primitive == Primitive::lines) {
@@ -116,15 +108,13 @@ void LayerPainter::draw_points(const LayerPlan& plan, std::size_t index, const S
     const auto bind = [&](const gl::Program& program) {
         set_projection(program, sight);
         program.set("point_px", point_px);
-        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, keys_binding, nearest_keys_.name());
-        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, nearest_binding, nearest_elements_.name());
+        program.bind_buffer("NearestKeys", nearest_keys_.name());
+        program.bind_buffer("NearestElements", nearest_elements_.name());
     };
     const auto& first = begin(plan, index, sight, {"passes/viewers/points_begin.comp"});
     bind(first);
-    bind_texture(depth_unit, target.depth());
-    first.set("depth_behind", depth_unit);
+    first.bind_texture("depth_behind", target.depth());
     first.dispatch(sight.view.width, sight.view.height);
-    gl.BindTextureUnit(depth_unit, 0);
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 
     const auto& compete = begin(plan, index, sight, {"passes/viewers/points.comp"});
@@ -138,14 +128,11 @@ void LayerPainter::draw_points(const LayerPlan& plan, std::size_t index, const S
 
     const auto& program = begin(plan, index, sight, {"lib/full_screen.vert", "passes/viewers/points.frag"});
     bind(program);
-    bind_texture(map_unit, map_texture(plan.wanted.colour_map));
-    program.set("colour_map", map_unit);
+    program.bind_texture("colour_map", map_texture(plan.wanted.colour_map));
     program.set("pixel_samples", samples);
     gl.DepthFunc(GL_ALWAYS);  // they have competed with what is there already
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     gl.DepthFunc(GL_LEQUAL);
-    for (const GLuint binding : {keys_binding, nearest_binding})
-        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, 0);
 }
 
 void LayerPainter::draw_sphere(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,
@@ -156,19 +143,16 @@ void LayerPainter::draw_sphere(const LayerPlan& plan, std::size_t index, const S
     const auto& find = begin(plan, index, sight, {"passes/viewers/sphere.comp"});
     set_pixel_rays(find, sight.view);
     find.set("picture_size", glm::ivec2(width, height));
-    gl.BindImageTexture(0, regions, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32UI);
+    find.bind_image("regions", regions, gl::Format::r32ui);
     find.dispatch(width, height);
-    gl.BindImageTexture(0, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32UI);
     gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 
     const auto& program = begin(plan, index, sight, {"lib/full_screen.vert", "passes/viewers/sphere.frag"});
     set_pixel_rays(program, sight.view);
     set_projection(program, sight);
     set_shade(program, sight);
-    bind_texture(map_unit, map_texture(plan.wanted.colour_map));
-    bind_texture(regions_unit, regions);
-    program.set("colour_map", map_unit);
-    program.set("regions", regions_unit);
+    program.bind_texture("colour_map", map_texture(plan.wanted.colour_map));
+    program.bind_texture("regions", regions);
     program.set("selected", static_cast<int>(std::clamp<std::int64_t>(plan.wanted.selected, -1, INT32_MAX)));
     program.set("show_centres", show_centres ? 1 : 0);
     program.set("pixel_samples", sight.pixel_samples);
@@ -180,7 +164,6 @@ void LayerPainter::draw_sphere(const LayerPlan& plan, std::size_t index, const S
     program.set("mean_region_px", 2 * std::numbers::pi_v<float> * radius_px * radius_px /
                                       static_cast<float>(std::max<std::uint32_t>(1, plan.block.drawn)));
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl.BindTextureUnit(regions_unit, 0);
 }
 
 void LayerPainter::mark(const LayerPlan& plan, std::size_t index, const Sight& sight) {
@@ -198,8 +181,7 @@ void LayerPainter::mark(const LayerPlan& plan, std::size_t index, const Sight& s
     const auto samples = static_cast<float>(sight.pixel_samples);
     program.set("ring_px", samples * (0.5f * plan.block.size_px + 5));
     const bool is_line = plan.primitive == Primitive::lines;
-    if (is_line) bind_texture(map_unit, map_texture(plan.wanted.colour_map));
-    program.set("colour_map", map_unit);
+    if (is_line) program.bind_texture("colour_map", map_texture(plan.wanted.colour_map));
     const auto band = [&](float width_px, glm::vec3 colour, bool own_colour) {
         program.set("band_px", samples * width_px);
         program.set("mark_colour", colour);

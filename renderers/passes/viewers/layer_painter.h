@@ -31,7 +31,6 @@ class LayerPainter {
 
   private:
     gl::Name map_texture(const std::string& name);
-    void bind_texture(GLuint unit, gl::Name texture) const;
     const gl::Program& begin(const LayerPlan& plan, std::size_t index, const Sight& sight,
                              std::vector<std::string> files);
     void draw_points(const LayerPlan& plan, std::size_t index, const Sight& sight, const Target& target);

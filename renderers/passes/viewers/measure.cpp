@@ -71,8 +71,7 @@ void LayerPainter::measure(std::vector<LayerPlan>& plans, const Sight& eye, scen
     for (std::size_t i = 0; i < plans.size(); ++i) {
         if (!plans[i].drawable) continue;
         const auto& program = begin(plans[i], i, eye, {"passes/viewers/measure.comp"});
-        gl.BindBufferRange(GL_SHADER_STORAGE_BUFFER, 2, measures_.name(),
-                           static_cast<GLintptr>(i * sizeof(Measure)), sizeof(Measure));
+        program.bind_buffer("Measure", measures_.name(), i * sizeof(Measure), sizeof(Measure));
         program.set("elements_per_invocation", elements_per_invocation);
         program.dispatch((plans[i].block.drawn + elements_per_invocation - 1) / elements_per_invocation);
     }

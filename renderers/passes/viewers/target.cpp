@@ -84,19 +84,12 @@ void Target::average() {
     }
     const auto& program = programs_.get({{"passes/viewers/average.comp"}});
     program.use();
-    for (const GLuint unit : {0u, 1u}) {
-        api_.BindTextureUnit(unit, unit == 0 ? colour_ : ids_);
-        api_.BindSampler(unit, 0);
-    }
-    program.set("colour_samples", 0);
-    program.set("id_samples", 1);
+    program.bind_texture("colour_samples", colour_);
+    program.bind_texture("id_samples", ids_);
+    program.bind_image("colours", mean_colour_, gl::Format::rgba32f);
+    program.bind_image("ids", mean_ids_, gl::Format::rg32ui);
     program.set("oversampling", oversampling_);
-    api_.BindImageTexture(0, mean_colour_, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-    api_.BindImageTexture(1, mean_ids_, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32UI);
     program.dispatch(width_, height_);
-    api_.BindImageTexture(0, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-    api_.BindImageTexture(1, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32UI);
-    for (const GLuint unit : {0u, 1u}) api_.BindTextureUnit(unit, 0);
     api_.UseProgram(0);
     api_.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
 }

@@ -1,11 +1,10 @@
 // Cosine-weighted form factor of the triangle times its fall-off, to be summed over all triangles. [McGuire10]
-#define TRIANGLE_BINDING 0
 #define LIGHT 0
 #include "methods/ambient-occlusion-volumes/triangle.glsl"
 #include "methods/ambient-occlusion-volumes/occlusion.glsl"
 #include "passes/bounce/receiver.glsl"
 
-layout(std430, binding = 8) readonly buffer Occluders { Occluder occluders[]; };
+layout(std430) readonly buffer Occluders { Occluder occluders[]; };
 
 layout(location = 0) flat in uint occluder;
 layout(location = 0) out float occlusion;

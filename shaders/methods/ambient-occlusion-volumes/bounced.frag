@@ -1,12 +1,11 @@
 // The pixel's own ray against the triangle; what is nearest along the ray wins the depth test. [Nalbach15 §3.2]
-#define TRIANGLE_BINDING 0
 #define LIGHT 0
 #include "methods/ambient-occlusion-volumes/triangle.glsl"
 #include "methods/ambient-occlusion-volumes/ray.glsl"
 #include "methods/ambient-occlusion-volumes/origin.glsl"
 #include "passes/bounce/receiver.glsl"
 
-layout(binding = 5) uniform sampler2DArray directions;
+uniform sampler2DArray directions;
 uniform int layer;
 uniform float reach;
 

@@ -1,8 +1,8 @@
 // From the sum over all triangles to accessibility.
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform sampler2D sums;
-layout(binding = 0, r32f) uniform writeonly image2D raw;
+uniform sampler2D sums;
+layout(r32f) uniform writeonly image2D raw;
 
 /// independent: what is left of the hemisphere where many small occluders lie anywhere, e^−Σ, as if none knew of the
 /// others.

@@ -1,5 +1,4 @@
 // Counts the volumes that cover a pixel, and those that its point lies in.
-#define TRIANGLE_BINDING 0
 #define LIGHT 0
 #include "methods/ambient-occlusion-volumes/triangle.glsl"
 #include "methods/ambient-occlusion-volumes/volume.glsl"

@@ -1,16 +1,15 @@
 // Which triangles' volumes are drawn, and how much of each triangle its mask covers.
 layout(local_size_x = 64) in;
-#define TRIANGLE_BINDING 0
 #include "methods/ambient-occlusion-volumes/triangle.glsl"
 #include "methods/ambient-occlusion-volumes/hull.glsl"
 
-layout(std430, binding = 8) writeonly buffer Occluders { Occluder occluders[]; };
-layout(std430, binding = 9) buffer Drawn { uint drawn_count; };
-layout(std430, binding = 10) buffer Culled { uint culled_count; };
+layout(std430) writeonly buffer Occluders { Occluder occluders[]; };
+layout(std430) buffer Drawn { uint drawn_count; };
+layout(std430) buffer Culled { uint culled_count; };
 
 // Without CULLING only triangles without area are left out.
-layout(binding = 0) uniform sampler2D tile_low;
-layout(binding = 1) uniform sampler2D tile_high;
+uniform sampler2D tile_low;
+uniform sampler2D tile_high;
 
 uniform uint first_triangle, end_triangle;
 uniform int side;  // of a tile, pixels

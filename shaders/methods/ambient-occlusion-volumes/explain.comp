@@ -1,27 +1,28 @@
 // The triangles in whose volumes the picked pixel's point lies: first which, then what each of them does.
 layout(local_size_x = 64) in;
-#define TRIANGLE_BINDING 0
 #define LIGHT 0
 #include "methods/ambient-occlusion-volumes/triangle.glsl"
 #include "methods/ambient-occlusion-volumes/occlusion.glsl"
 #include "methods/ambient-occlusion-volumes/ray.glsl"
 #include "passes/bounce/receiver.glsl"
 
-layout(std430, binding = 8) readonly buffer Occluders { Occluder occluders[]; };
-layout(std430, binding = 9) buffer Concerned { uint concerned[]; };
+layout(std430) readonly buffer Occluders { Occluder occluders[]; };
 
 uniform ivec2 picked;  // negative: none
 uniform uint triangle_count;
 uniform int both_sides;
 
-#if WRITE
-layout(std430, binding = 10) readonly buffer Places { uint places[]; };
-layout(std430, binding = 11) writeonly buffer Explained { uint explained[]; };
+#if !WRITE
+layout(std430) writeonly buffer Found { uint concerned[]; };
+#else
+layout(std430) readonly buffer Concerned { uint concerned[]; };
+layout(std430) readonly buffer Places { uint places[]; };
+layout(std430) writeonly buffer Explained { uint explained[]; };
 const uint WORDS = 14u;
 
 #if BOUNCED
-layout(binding = 5) uniform sampler2DArray directions;
-layout(binding = 6) uniform usampler2DArray winners;
+uniform sampler2DArray directions;
+uniform usampler2DArray winners;
 #endif
 
 struct Rays {

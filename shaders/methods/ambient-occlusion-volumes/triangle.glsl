@@ -1,18 +1,14 @@
-// A triangle of the world as an occluder: its corners, and whether it is there where a ray meets it. Before
-// including, choose TRIANGLE_BINDING: this and the next seven binding points are taken
-// (renderers/methods/ambient-occlusion-volumes/volumes.h binds them).
-#define SCENE_POSITIONS TRIANGLE_BINDING
-#define SCENE_INDICES (TRIANGLE_BINDING + 1)
-#define SCENE_UV0 (TRIANGLE_BINDING + 2)
-#define SCENE_UV1 (TRIANGLE_BINDING + 3)
-#define SCENE_TRIANGLE_MATERIALS (TRIANGLE_BINDING + 4)
-#define COVERAGE_OPACITY (TRIANGLE_BINDING + 6)
-#define COVERAGE_OPACITY_WORDS (TRIANGLE_BINDING + 7)
+// A triangle of the world as an occluder: its corners, and whether it is there where a ray meets it.
+#define SCENE_POSITIONS
+#define SCENE_INDICES
+#define SCENE_UV0
+#define SCENE_UV1
+#define SCENE_TRIANGLE_MATERIALS
 #include "passes/scene/scene.glsl"
 #include "lib/coverage.glsl"
 #include "lib/material.glsl"
 
-layout(std430, binding = TRIANGLE_BINDING + 5) readonly buffer Materials { Material materials[]; };
+layout(std430) readonly buffer Materials { Material materials[]; };
 
 uniform uint opaque_triangles;  // those before have no mask
 

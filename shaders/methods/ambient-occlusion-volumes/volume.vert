@@ -1,8 +1,7 @@
 // A triangle is a point here; its volume is made of it.
-#define TRIANGLE_BINDING 0
 #include "methods/ambient-occlusion-volumes/triangle.glsl"
 
-layout(std430, binding = 8) readonly buffer Occluders { Occluder occluders[]; };
+layout(std430) readonly buffer Occluders { Occluder occluders[]; };
 
 layout(location = 0) flat out uint triangle;
 layout(location = 1) flat out uint drawn;

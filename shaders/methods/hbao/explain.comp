@@ -4,14 +4,14 @@ layout(local_size_x = 64) in;
 #include "methods/hbao/march.glsl"
 
 /// centre 3, horizon, tangent, contribution, distance, direction
-layout(std430, binding = 3) writeonly buffer Horizons { uint horizons[]; };
+layout(std430) writeonly buffer Horizons { uint horizons[]; };
 /// start 3, end 3, found, distance, contribution, direction
-layout(std430, binding = 4) writeonly buffer Lines { uint lines[]; };
+layout(std430) writeonly buffer Lines { uint lines[]; };
 /// position 3, role, distance, elevation, taken, direction, step
-layout(std430, binding = 5) writeonly buffer Samples { uint samples[]; };
-layout(std430, binding = 6) buffer HorizonCount { uint horizon_count; };
-layout(std430, binding = 7) buffer LineCount { uint line_count; };
-layout(std430, binding = 8) buffer SampleCount { uint sample_count; };
+layout(std430) writeonly buffer Samples { uint samples[]; };
+layout(std430) buffer HorizonCount { uint horizon_count; };
+layout(std430) buffer LineCount { uint line_count; };
+layout(std430) buffer SampleCount { uint sample_count; };
 
 uniform ivec2 picked;  // negative: none
 
@@ -105,7 +105,7 @@ void explain(Point x, uint direction, float all_weight) {
     bool found = false;
     for (int step = 0; step < slice.steps; ++step) {
         Sample s = sample_of(x, slice, step);
-        bool surface = texelFetch(position_texture, s.pixel, 0).w > 0.0;
+        bool surface = texelFetch(gbuffer_position, s.pixel, 0).w > 0.0;
         uint role = !surface ? NO_SURFACE : !s.counts ? OUT_OF_RANGE : s.angle >= horizon ? BELOW : RAISES;
         float taken = 0.0;
         if (role == RAISES) {

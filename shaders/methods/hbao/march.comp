@@ -2,7 +2,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "methods/hbao/march.glsl"
 
-layout(binding = 0, rgba32f) uniform image2D sums;  // open weight, all weight, directions cut off, samples
+layout(rgba32f) uniform image2D sums;  // open weight, all weight, directions cut off, samples
 
 uniform int first_direction, end_direction;
 

@@ -10,9 +10,9 @@
 #include "lib/pixel_rays.glsl"
 #include "lib/random.glsl"
 
-layout(binding = 0) uniform sampler2D position_texture;
-layout(binding = 1) uniform sampler2D normal_texture;
-layout(binding = 2) uniform sampler2D geometric_normal_texture;
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_normal;
+uniform sampler2D gbuffer_geometric_normal;
 
 uniform mat4 pixel_from_world;  // homogeneous; pixels from the upper left corner
 
@@ -60,11 +60,11 @@ bool is_perspective() {
 Point point_at(ivec2 pixel) {
     Point x;
     x.pixel = pixel;
-    x.geometric_normal = texelFetch(geometric_normal_texture, pixel, 0).xyz;
+    x.geometric_normal = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
     x.exists = x.geometric_normal != vec3(0.0);
     if (!x.exists) return x;
-    x.position = texelFetch(position_texture, pixel, 0).xyz;
-    x.normal = normalize(texelFetch(normal_texture, pixel, 0).xyz);
+    x.position = texelFetch(gbuffer_position, pixel, 0).xyz;
+    x.normal = normalize(texelFetch(gbuffer_normal, pixel, 0).xyz);
     // Half floats: what differs by their rounding is the same, so that an open plane is exactly 1.
     if (dot(x.normal, x.geometric_normal) > 1.0 - 1e-6) x.normal = x.geometric_normal;
     vec2 middle = vec2(pixel) + 0.5;
@@ -123,7 +123,7 @@ float reach_px(Point x, vec3 direction, vec2 start_px, vec4 step) {
 
 /// Pixels along `direction` until the last pixel's middle.
 float picture_px(vec2 start, vec2 direction) {
-    vec2 last = vec2(textureSize(position_texture, 0)) - 0.5;
+    vec2 last = vec2(textureSize(gbuffer_position, 0)) - 0.5;
     float most = 1.0 / 0.0;
     for (int i = 0; i < 2; ++i)
         if (direction[i] != 0.0)
@@ -170,8 +170,8 @@ Sample sample_of(Point x, Slice slice, int step) {
     float t = (float(step) + x.shift.y) / float(slice.steps) * slice.length_px;
     Sample s;
     s.pixel = ivec2(floor(slice.start_px + max(t, 1.0) * slice.direction_px));
-    s.pixel = clamp(s.pixel, ivec2(0), textureSize(position_texture, 0) - 1);
-    vec4 position = texelFetch(position_texture, s.pixel, 0);
+    s.pixel = clamp(s.pixel, ivec2(0), textureSize(gbuffer_position, 0) - 1);
+    vec4 position = texelFetch(gbuffer_position, s.pixel, 0);
     s.position = position.xyz;
     vec3 way = s.position - x.position;
     s.distance = length(way);

@@ -1,9 +1,9 @@
 // From sums over directions to accessibility: divided by all weight, so that an open plane has exactly 1.
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform sampler2D sums;
-layout(binding = 0, r32f) uniform writeonly image2D raw;
-layout(binding = 1, r32f) uniform writeonly image2D cut;
+uniform sampler2D sums;
+layout(r32f) uniform writeonly image2D raw;
+layout(r32f) uniform writeonly image2D cut;
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

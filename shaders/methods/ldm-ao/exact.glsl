@@ -1,6 +1,5 @@
 // First hits of exact rays by pixel and map, four to a word: 0 is none, 1 … 255 the distance from 0 to the reach.
-// Before including, choose the binding point EXACT_HITS.
-layout(std430, binding = EXACT_HITS) readonly buffer ExactHits { uint exact_hits[]; };
+layout(std430) readonly buffer ExactHits { uint exact_hits[]; };
 
 uniform uint exact_words;   // of a pixel
 uniform float exact_texels;  // reach; negative: all hits

@@ -5,14 +5,14 @@ layout(local_size_x = 1) in;
 #include "passes/ldm/band.glsl"
 
 /// position 3, depth, layer, role, map
-layout(std430, binding = 4) writeonly buffer Entries { uint entries[]; };
+layout(std430) writeonly buffer Entries { uint entries[]; };
 /// start 3, end 3, role, step, hit, above, map
-layout(std430, binding = 5) writeonly buffer Walk { uint walk[]; };
+layout(std430) writeonly buffer Walk { uint walk[]; };
 /// centre 3, axis_u 3, axis_v 3, map
-layout(std430, binding = 6) writeonly buffer Texels { uint texels[]; };
-layout(std430, binding = 7) buffer EntryCount { uint entry_count; };
-layout(std430, binding = 8) buffer WalkCount { uint walk_count; };
-layout(std430, binding = 9) buffer TexelCount { uint texel_count; };
+layout(std430) writeonly buffer Texels { uint texels[]; };
+layout(std430) buffer EntryCount { uint entry_count; };
+layout(std430) buffer WalkCount { uint walk_count; };
+layout(std430) buffer TexelCount { uint texel_count; };
 
 uniform uint frame_index, map;  // among all maps; in the batch
 

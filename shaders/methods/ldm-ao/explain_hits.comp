@@ -5,13 +5,13 @@ layout(local_size_x = 64) in;
 #include "methods/ldm-ao/visibility.glsl"
 
 /// Of "ldm.directions": v and -v of each map in turn, REGION_WORDS each.
-layout(std430, binding = 4) readonly buffer Regions { uint regions[]; };
+layout(std430) readonly buffer Regions { uint regions[]; };
 /// The same, each with hit, distance, contribution and own_found behind.
-layout(std430, binding = 5) writeonly buffer Hits { uint hits[]; };
+layout(std430) writeonly buffer Hits { uint hits[]; };
 /// start 3, end 3, hit, distance, contribution, map, side
-layout(std430, binding = 6) writeonly buffer Rays { uint rays[]; };
-layout(std430, binding = 7) buffer HitCount { uint hit_count; };
-layout(std430, binding = 8) buffer RayCount { uint ray_count; };
+layout(std430) writeonly buffer Rays { uint rays[]; };
+layout(std430) buffer HitCount { uint hit_count; };
+layout(std430) buffer RayCount { uint ray_count; };
 
 uniform uint first_frame, map_count, all_maps;  // of the batch; among all
 

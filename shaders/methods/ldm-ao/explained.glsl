@@ -5,9 +5,9 @@
 #include "passes/ldm/trace.glsl"
 #include "passes/ldm/self_hit.glsl"
 
-layout(binding = 0) uniform sampler2D position_texture;
-layout(binding = 1) uniform sampler2D normal_texture;
-layout(binding = 2) uniform sampler2D geometric_normal_texture;
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_normal;
+uniform sampler2D gbuffer_geometric_normal;
 
 uniform ivec2 pixel;  // negative: none
 uniform vec3 scene_min, scene_max;
@@ -19,9 +19,9 @@ struct Surface {
 
 Surface explained_surface() {
     if (pixel.x < 0) return Surface(false, vec3(0.0), vec3(0.0), vec3(0.0));
-    vec3 geometric_normal = texelFetch(geometric_normal_texture, pixel, 0).xyz;
-    return Surface(geometric_normal != vec3(0.0), texelFetch(position_texture, pixel, 0).xyz,
-                   normalize(texelFetch(normal_texture, pixel, 0).xyz), geometric_normal);
+    vec3 geometric_normal = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
+    return Surface(geometric_normal != vec3(0.0), texelFetch(gbuffer_position, pixel, 0).xyz,
+                   normalize(texelFetch(gbuffer_normal, pixel, 0).xyz), geometric_normal);
 }
 
 float reach_quanta(MapFrame frame) {

@@ -2,11 +2,11 @@
 // exactly 1], and with PROGRESSIVE the mean over frames.
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform sampler2D sums;
-layout(binding = 1) uniform sampler2D previous;  // mean, frames
-layout(binding = 0, r32f) uniform writeonly image2D accessibility;
+uniform sampler2D sums;
+uniform sampler2D previous;  // mean, frames
+layout(r32f) uniform writeonly image2D accessibility;
 #ifdef PROGRESSIVE
-layout(binding = 1, rg32f) uniform writeonly image2D average;
+layout(rg32f) uniform writeonly image2D average;
 uniform bool continues;
 #endif
 

@@ -1,10 +1,10 @@
 // From counts of directions to parts of the directions that were asked.
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform sampler2D counts;  // own entry found, asked, missing, perhaps another's
-layout(binding = 0, r32f) uniform writeonly image2D found;
-layout(binding = 1, r32f) uniform writeonly image2D missing;
-layout(binding = 2, r32f) uniform writeonly image2D suspect;
+uniform sampler2D counts;  // own entry found, asked, missing, perhaps another's
+layout(r32f) uniform writeonly image2D found;
+layout(r32f) uniform writeonly image2D missing;
+layout(r32f) uniform writeonly image2D suspect;
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

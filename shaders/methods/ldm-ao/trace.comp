@@ -11,13 +11,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "methods/ldm-ao/exact.glsl"
 #endif
 
-layout(binding = 0) uniform sampler2D position_texture;
-layout(binding = 1) uniform sampler2D normal_texture;
-layout(binding = 2) uniform sampler2D geometric_normal_texture;
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_normal;
+uniform sampler2D gbuffer_geometric_normal;
 #ifdef LDM_VIEWS
-layout(binding = 0, rgba32f) uniform image2D sums;
+layout(rgba32f) uniform image2D sums;
 #else
-layout(binding = 0, rg32f) uniform image2D sums;
+layout(rg32f) uniform image2D sums;
 #endif
 
 /// Of the dispatch's maps. Uniforms cost software drivers one load for all invocations, buffers one for each.
@@ -27,14 +27,14 @@ uniform uint first_frame, first_map, map_count;  // among all maps; in the batch
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(sums)))) return;
-    vec3 geometric_normal = texelFetch(geometric_normal_texture, pixel, 0).xyz;
+    vec3 geometric_normal = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
     vec4 sum = first_frame == 0u ? vec4(0.0) : imageLoad(sums, pixel);
     if (geometric_normal == vec3(0.0)) {
         imageStore(sums, pixel, sum);
         return;
     }
-    vec3 position_ws = texelFetch(position_texture, pixel, 0).xyz;
-    vec3 normal = normalize(texelFetch(normal_texture, pixel, 0).xyz);
+    vec3 position_ws = texelFetch(gbuffer_position, pixel, 0).xyz;
+    vec3 normal = normalize(texelFetch(gbuffer_normal, pixel, 0).xyz);
     const float unlimited = 1.0 / 0.0;
     for (uint i = 0u; i < map_count; ++i) {
         uint row = 6u * i;

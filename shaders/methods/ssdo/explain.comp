@@ -3,11 +3,11 @@ layout(local_size_x = 64) in;
 #include "methods/ssdo/samples.glsl"
 
 /// position 3, role, step, sent 3, sky 3, sample
-layout(std430, binding = 1) writeonly buffer Ends { uint ends[]; };
+layout(std430) writeonly buffer Ends { uint ends[]; };
 /// start 3, end 3, role, distance, sent 3, pixel 2, sample
-layout(std430, binding = 2) writeonly buffer Lines { uint lines[]; };
-layout(std430, binding = 3) buffer EndCount { uint end_count; };
-layout(std430, binding = 4) buffer LineCount { uint line_count; };
+layout(std430) writeonly buffer Lines { uint lines[]; };
+layout(std430) buffer EndCount { uint end_count; };
+layout(std430) buffer LineCount { uint line_count; };
 
 uniform ivec2 picked;  // negative: none
 

@@ -4,10 +4,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "lib/scattering.glsl"
 
-layout(binding = 0) uniform sampler2D from_image;
-layout(binding = 1) uniform sampler2D albedo_image;
-layout(binding = 2) uniform sampler2D material_image;
-layout(binding = 0, rgba32f) uniform writeonly image2D to_image;
+uniform sampler2D from_image;
+uniform sampler2D gbuffer_albedo;
+uniform sampler2D gbuffer_material;
+layout(rgba32f) uniform writeonly image2D to_image;
 
 /// Of the Lambert part and of the microfacets at normal incidence; never 0.
 vec3 reflectance(vec3 base_colour, float metallic) {
@@ -20,7 +20,7 @@ void main() {
     if (any(greaterThanEqual(pixel, imageSize(to_image)))) return;
     vec4 value = texelFetch(from_image, pixel, 0);
     vec3 factor =
-        reflectance(texelFetch(albedo_image, pixel, 0).rgb, texelFetch(material_image, pixel, 0).x);
+        reflectance(texelFetch(gbuffer_albedo, pixel, 0).rgb, texelFetch(gbuffer_material, pixel, 0).x);
 #ifdef REMOVE
     value.rgb /= factor;
 #else

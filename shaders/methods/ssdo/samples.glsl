@@ -11,8 +11,8 @@
 #include "lib/random.glsl"
 #include "passes/bounce/receiver.glsl"
 
-layout(binding = 5) uniform sampler2D environment_texture;  // equirectangular
-layout(binding = 6) uniform sampler2D senders_texture;
+uniform sampler2D environment_texture;  // equirectangular
+uniform sampler2D senders_texture;
 
 uniform mat4 pixel_from_world;  // homogeneous; pixels from the upper left corner
 uniform float reach;            // r, m
@@ -69,9 +69,9 @@ Point point_at(ivec2 pixel) {
     x.geometric_normal = receiver.geometric_normal;
     x.frame = frame_of(x.geometric_normal);
     x.shift = shift_of(pixel);
-    vec4 material = texelFetch(material_texture, pixel, 0);
+    vec4 material = texelFetch(gbuffer_material, pixel, 0);
     x.is_lit = !is_unlit(material);
-    x.scatterer = scatterer_of(receiver, texelFetch(albedo_texture, pixel, 0).rgb, material);
+    x.scatterer = scatterer_of(receiver, texelFetch(gbuffer_albedo, pixel, 0).rgb, material);
     x.seen = seen_from(x.scatterer, viewer_of(receiver));
     return x;
 }
@@ -117,13 +117,13 @@ Sample sample_of(Point x, int i, bool mixed) {
     vec4 projected = pixel_from_world * vec4(s.end, 1.0);
     if (projected.w <= 0.0) return s;
     vec2 place = projected.xy / projected.w;
-    ivec2 size = textureSize(position_texture, 0);
+    ivec2 size = textureSize(gbuffer_position, 0);
     if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, vec2(size)))) return s;
     s.pixel = ivec2(place);
     s.role = OPEN;
-    vec4 surface = texelFetch(position_texture, s.pixel, 0);
+    vec4 surface = texelFetch(gbuffer_position, s.pixel, 0);
     if (surface.w <= 0.0) return s;
-    vec3 normal = texelFetch(geometric_normal_texture, s.pixel, 0).xyz;
+    vec3 normal = texelFetch(gbuffer_geometric_normal, s.pixel, 0).xyz;
     float rounding = 2e-6 * (length(x.position) + way.w);
     if (dot(s.end - surface.xyz, normal) >= -rounding) return s;
     s.occluder = surface.xyz;
@@ -208,7 +208,7 @@ float density_of(Point x, Sample s) {
     if (falling > 0.0) p.t1 = min(p.t1, p.t0 - dot(x.geometric_normal, from_occluder) / falling);
     float seen_at = distance(s.occluder, pixel_ray_origin(place));
     p.c = seen_at - p.t0;
-    float cosine = max(-dot(v, texelFetch(geometric_normal_texture, s.pixel, 0).xyz), 0.0);
+    float cosine = max(-dot(v, texelFetch(gbuffer_geometric_normal, s.pixel, 0).xyz), 0.0);
     float uniform_lengths = inverse_squares(p, seen_at) / reach;
     float logarithmic = inverse_cubes(p, seen_at) / -log(LEAST_LENGTH);
     return cosine * 0.5 * (uniform_lengths + logarithmic) / (2.0 * PI);

@@ -2,7 +2,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "methods/ssdo/samples.glsl"
 
-layout(binding = 0, rgba32f) uniform image2D indirect;  // A: how many occluders sent
+layout(rgba32f) uniform image2D indirect;  // A: how many occluders sent
 
 uniform int first_sample, end_sample;
 

@@ -2,9 +2,9 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "methods/ssdo/samples.glsl"
 
-layout(binding = 0, rgba32f) uniform image2D sky;
-layout(binding = 1, r32f) uniform image2D accessibility;
-layout(binding = 2, r32f) uniform image2D cut;
+layout(rgba32f) uniform image2D sky;
+layout(r32f) uniform image2D accessibility;
+layout(r32f) uniform image2D cut;
 
 uniform int first_sample, end_sample;
 

@@ -1,6 +1,6 @@
 // Turns world-space normals into the camera's frame. `params` is generated from the method's parameters.
 
-layout(binding = 0) uniform sampler2D normal_image;  // world space
+uniform sampler2D normal_image;  // world space
 
 uniform mat4 view_from_world;
 

@@ -4,11 +4,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "passes/blur/weights.glsl"
 
-layout(binding = 0) uniform sampler2D image;
-layout(binding = 1) uniform sampler2D position_texture;
-layout(binding = 2) uniform sampler2D normal_texture;
-layout(binding = 3) uniform sampler2D geometric_normal_texture;
-layout(binding = 0) uniform writeonly image2D result;
+uniform sampler2D image;
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_normal;
+uniform sampler2D gbuffer_geometric_normal;
+uniform writeonly image2D result;
 
 uniform ivec2 axis;
 
@@ -18,10 +18,10 @@ struct Surface {
 };
 
 Surface surface_at(ivec2 pixel) {
-    vec3 geometric_normal = texelFetch(geometric_normal_texture, pixel, 0).xyz;
+    vec3 geometric_normal = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
     return Surface(geometric_normal != vec3(0.0),
-                   BlurSurface(texelFetch(position_texture, pixel, 0).xyz,
-                               texelFetch(normal_texture, pixel, 0).xyz, geometric_normal));
+                   BlurSurface(texelFetch(gbuffer_position, pixel, 0).xyz,
+                               texelFetch(gbuffer_normal, pixel, 0).xyz, geometric_normal));
 }
 
 bool is_finite(vec4 v) {

@@ -8,7 +8,7 @@
 #define PI 3.14159265358979323846
 #endif
 
-layout(binding = 0, rgba32f) uniform writeonly image2DArray directions;
+layout(rgba32f) uniform writeonly image2DArray directions;
 
 uniform uint seed_low, seed_high, frame;
 
@@ -38,9 +38,9 @@ const float LEAST_COLOUR = 0.05;
 
 /// As often as the surface scatters from there to the viewer: by BRDF times cosine, lobe by lobe.
 vec4 chosen(Receiver receiver, ivec2 pixel, uvec3 words) {
-    vec4 material = texelFetch(material_texture, pixel, 0);
+    vec4 material = texelFetch(gbuffer_material, pixel, 0);
     if (is_unlit(material)) return vec4(0.0);
-    vec3 colour = max(texelFetch(albedo_texture, pixel, 0).rgb, LEAST_COLOUR), v = viewer_of(receiver);
+    vec3 colour = max(texelFetch(gbuffer_albedo, pixel, 0).rgb, LEAST_COLOUR), v = viewer_of(receiver);
     Scatterer s = scatterer_of(receiver, colour, material);
     Scattered scattered =
         scatter(s, v, unit_float(words.x), unit_float(words.yz), MICROFACETS_VISIBLE_NORMALS);

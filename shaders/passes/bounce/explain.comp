@@ -10,7 +10,7 @@ layout(local_size_x = 256) in;
 #define CHANNELS 1
 #endif
 
-layout(binding = 7) uniform sampler2DArray distances;
+uniform sampler2DArray distances;
 
 struct Line {
     float start[3], end[3];
@@ -19,10 +19,10 @@ struct Line {
     float weight, apart;
     uint hit, sample_number;
 };
-layout(std430, binding = 1) writeonly buffer OwnLines { Line own_lines[]; };
-layout(std430, binding = 2) buffer OwnCount { uint own_count; };
-layout(std430, binding = 3) writeonly buffer OtherLines { Line other_lines[]; };
-layout(std430, binding = 4) buffer OtherCount { uint other_count; };
+layout(std430) writeonly buffer OwnLines { Line own_lines[]; };
+layout(std430) buffer OwnCount { uint own_count; };
+layout(std430) writeonly buffer OtherLines { Line other_lines[]; };
+layout(std430) buffer OtherCount { uint other_count; };
 
 uniform ivec2 picked;       // outside: none
 uniform float miss_length;  // m

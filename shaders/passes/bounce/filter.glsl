@@ -7,8 +7,8 @@
 #define PI 3.14159265358979323846
 #endif
 
-layout(binding = 5) uniform sampler2DArray directions;
-layout(binding = 6) uniform sampler2DArray incoming;
+uniform sampler2DArray directions;
+uniform sampler2DArray incoming;
 
 uniform int samples;
 
@@ -39,8 +39,8 @@ struct Part {
 
 /// As the blur sees it.
 BlurSurface surface_at(ivec2 pixel) {
-    return BlurSurface(texelFetch(position_texture, pixel, 0).xyz, texelFetch(normal_texture, pixel, 0).xyz,
-                       texelFetch(geometric_normal_texture, pixel, 0).xyz);
+    return BlurSurface(texelFetch(gbuffer_position, pixel, 0).xyz, texelFetch(gbuffer_normal, pixel, 0).xyz,
+                       texelFetch(gbuffer_geometric_normal, pixel, 0).xyz);
 }
 
 #if LIGHT
@@ -53,16 +53,16 @@ bool target_at(ivec2 pixel, out Target target) {
     target.receiver = receiver_at(pixel);
     target.surface = surface_at(pixel);
     if (!target.receiver.exists) return false;
-    vec4 material = texelFetch(material_texture, pixel, 0);
+    vec4 material = texelFetch(gbuffer_material, pixel, 0);
     target.material = filtered_material(material);
-    target.scatterer = scatterer_of(target.receiver, texelFetch(albedo_texture, pixel, 0).rgb, material);
+    target.scatterer = scatterer_of(target.receiver, texelFetch(gbuffer_albedo, pixel, 0).rgb, material);
     target.seen = seen_from(target.scatterer, viewer_of(target.receiver));
     return !is_unlit(material);
 }
 
 /// 0: the pixel has no samples.
 float material_weight(Target target, ivec2 pixel) {
-    vec4 material = texelFetch(material_texture, pixel, 0);
+    vec4 material = texelFetch(gbuffer_material, pixel, 0);
     if (is_unlit(material)) return 0.0;
 #if MATERIALS == 2  // SCATTERING_LAMBERT
     return 1.0;
@@ -145,5 +145,5 @@ ivec2 neighbour(Target target, int index) {
 }
 
 bool is_inside(ivec2 pixel) {
-    return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(position_texture, 0)));
+    return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(gbuffer_position, 0)));
 }

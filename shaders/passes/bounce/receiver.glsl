@@ -1,9 +1,9 @@
 // What a pixel shows, as a receiver of light. With LIGHT 1 also how it scatters: MATERIALS as
-// Transport::Materials counts; renderers/passes/bounce/receiver.h binds.
+// Transport::Materials counts; see renderers/passes/bounce/receiver.h.
 
-layout(binding = 0) uniform sampler2D position_texture;
-layout(binding = 1) uniform sampler2D normal_texture;
-layout(binding = 2) uniform sampler2D geometric_normal_texture;
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_normal;
+uniform sampler2D gbuffer_geometric_normal;
 
 struct Receiver {
     bool exists;
@@ -20,18 +20,18 @@ vec3 shading_normal(vec3 stored, vec3 geometric_normal) {
 }
 
 Receiver receiver_at(ivec2 pixel) {
-    vec3 geometric_normal = texelFetch(geometric_normal_texture, pixel, 0).xyz;
-    return Receiver(geometric_normal != vec3(0.0), texelFetch(position_texture, pixel, 0).xyz,
-                    shading_normal(texelFetch(normal_texture, pixel, 0).xyz, geometric_normal), geometric_normal);
+    vec3 geometric_normal = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
+    return Receiver(geometric_normal != vec3(0.0), texelFetch(gbuffer_position, pixel, 0).xyz,
+                    shading_normal(texelFetch(gbuffer_normal, pixel, 0).xyz, geometric_normal), geometric_normal);
 }
 
 #if LIGHT
 #include "lib/material.glsl"
 #include "lib/scattering.glsl"
 
-layout(binding = 3) uniform sampler2D albedo_texture;
-layout(binding = 4) uniform sampler2D material_texture;
-layout(std430, binding = 0) readonly buffer Materials { Material materials[]; };
+uniform sampler2D gbuffer_albedo;
+uniform sampler2D gbuffer_material;
+layout(std430) readonly buffer Materials { Material materials[]; };
 
 uniform vec3 eye_ws;
 uniform vec3 view_axis_ws;  // of an orthographic view; 0 for a perspective one

@@ -5,10 +5,10 @@
 #include "passes/bounce/filter.glsl"
 
 #if LIGHT
-layout(binding = 0, rgba32f) uniform writeonly image2D result;
+layout(rgba32f) uniform writeonly image2D result;
 const vec4 EMPTY = vec4(0.0);
 #else
-layout(binding = 0, r32f) uniform writeonly image2D result;
+layout(r32f) uniform writeonly image2D result;
 const vec4 EMPTY = vec4(1.0);
 #endif
 

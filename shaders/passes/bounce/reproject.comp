@@ -3,16 +3,16 @@
 #include "lib/spaces.glsl"
 #include "passes/bounce/tiles.glsl"
 
-layout(binding = 0) uniform sampler2D now;
-layout(binding = 1) uniform sampler2D position_texture;
-layout(binding = 2) uniform sampler2D geometric_normal_texture;  // w: depth in the previous view
-layout(binding = 3) uniform sampler2D velocity_texture;
-layout(binding = 4) uniform sampler2D previous_average;
-layout(binding = 5) uniform usampler2D previous_surfaces;
-layout(binding = 6) uniform sampler2D previous_frames;
-layout(binding = 0) uniform writeonly image2D average;
-layout(binding = 1, rg32ui) uniform writeonly uimage2D surfaces;
-layout(binding = 2, r32f) uniform writeonly image2D frames;
+uniform sampler2D now;
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_geometric_normal;  // w: depth in the previous view
+uniform sampler2D gbuffer_velocity;
+uniform sampler2D previous_average;
+uniform usampler2D previous_surfaces;
+uniform sampler2D previous_frames;
+uniform writeonly image2D average;
+layout(rg32ui) uniform writeonly uimage2D surfaces;
+layout(r32f) uniform writeonly image2D frames;
 
 uniform bool has_history;
 uniform float history;
@@ -49,7 +49,7 @@ History history_of(ivec2 pixel, vec4 geometric_normal) {
     History found = History(vec4(0.0), 0.0);
     float depth = geometric_normal.w;
     if (!has_history || !(depth > 0.0)) return found;
-    vec2 q = vec2(pixel) + 0.5 - texelFetch(velocity_texture, pixel, 0).xy;
+    vec2 q = vec2(pixel) + 0.5 - texelFetch(gbuffer_velocity, pixel, 0).xy;
     // Rounded to 1/256, as texture filters do it, so that a velocity's rounding does not blur what stands.
     vec2 place = round((q - 0.5) * 256.0) / 256.0, base = floor(place), f = place - base;
     vec3 point = point_at(q, depth);
@@ -76,11 +76,11 @@ void main() {
     ivec2 pixel = tile_pixel();
     if (any(greaterThanEqual(pixel, imageSize(average)))) return;
     vec4 value = texelFetch(now, pixel, 0);
-    vec4 geometric_normal = texelFetch(geometric_normal_texture, pixel, 0);
+    vec4 geometric_normal = texelFetch(gbuffer_geometric_normal, pixel, 0);
     bool exists = geometric_normal.xyz != vec3(0.0);
     float count = exists ? 1.0 : 0.0, depth = NO_SURFACE;
     if (exists) {
-        depth = dot(depth_row, vec4(texelFetch(position_texture, pixel, 0).xyz, 1.0));
+        depth = dot(depth_row, vec4(texelFetch(gbuffer_position, pixel, 0).xyz, 1.0));
         History before = history_of(pixel, geometric_normal);
         if (before.frames > 0.0) {
             // n frames' mean keeps (n - 1) / n of that before, an exponential average never more than `history`.

@@ -3,9 +3,9 @@
 #include "passes/bounce/receiver.glsl"
 #include "passes/bounce/tiles.glsl"
 
-layout(binding = 5) uniform sampler2DArray directions;
-layout(binding = 6) uniform sampler2DArray distances;
-layout(binding = 0, r32f) uniform writeonly image2DArray incoming;
+uniform sampler2DArray directions;
+uniform sampler2DArray distances;
+layout(r32f) uniform writeonly image2DArray incoming;
 
 uniform float max_distance;  // m; 0: no limit
 
@@ -26,7 +26,7 @@ void main() {
     ivec2 pixel = tile_pixel();
     ivec3 size = imageSize(incoming);
     if (any(greaterThanEqual(pixel, size.xy))) return;
-    vec3 geometric_normal = texelFetch(geometric_normal_texture, pixel, 0).xyz;
+    vec3 geometric_normal = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
     for (int i = 0; i < size.z; ++i) {
         vec4 direction = texelFetch(directions, ivec3(pixel, i), 0);
         float v = visibility(texelFetch(distances, ivec3(pixel, i), 0).x);

@@ -2,11 +2,11 @@
 // environment where there is no surface.
 layout(local_size_x = 16, local_size_y = 16) in;
 
-layout(binding = 0) uniform sampler2D geometric_normal_image;
-layout(binding = 1) uniform sampler2D indirect_image;
-layout(binding = 2) uniform sampler2D direct_image;
-layout(binding = 3) uniform sampler2D emission_image;
-layout(binding = 0, rgba32f) uniform writeonly image2D radiance_image;
+uniform sampler2D gbuffer_geometric_normal;
+uniform sampler2D indirect_image;
+uniform sampler2D direct_image;
+uniform sampler2D gbuffer_emission;
+layout(rgba32f) uniform writeonly image2D radiance_image;
 
 uniform vec3 background;  // W/(m² sr)
 
@@ -14,7 +14,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(radiance_image)))) return;
     vec3 radiance = background;
-    if (texelFetch(geometric_normal_image, pixel, 0).xyz != vec3(0)) {
+    if (texelFetch(gbuffer_geometric_normal, pixel, 0).xyz != vec3(0)) {
         radiance = vec3(0);
 #ifdef INDIRECT
         radiance += texelFetch(indirect_image, pixel, 0).rgb;
@@ -23,7 +23,7 @@ void main() {
         radiance += texelFetch(direct_image, pixel, 0).rgb;
 #endif
 #ifdef EMISSION
-        radiance += texelFetch(emission_image, pixel, 0).rgb;
+        radiance += texelFetch(gbuffer_emission, pixel, 0).rgb;
 #endif
     }
     imageStore(radiance_image, pixel, vec4(radiance, 1));

@@ -4,21 +4,18 @@
 #ifndef MATERIALS
 #define MATERIALS 0
 #endif
-
-#define SHADOW_VIEWS 2
-#define SHADOW_MAPS 5
 #include "lib/brdf.glsl"
 #include "lib/material.glsl"
 #include "passes/shadow/shadow.glsl"
 
-layout(std430, binding = 0) readonly buffer Materials { Material materials[]; };
-layout(std430, binding = 1) readonly buffer Lights { Light lights[]; };
+layout(std430) readonly buffer Materials { Material materials[]; };
+layout(std430) readonly buffer Lights { Light lights[]; };
 
-layout(binding = 0) uniform sampler2D position_image;
-layout(binding = 1) uniform sampler2D normal_image;
-layout(binding = 2) uniform sampler2D geometric_normal_image;
-layout(binding = 3) uniform sampler2D albedo_image;
-layout(binding = 4) uniform sampler2D material_image;
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_normal;
+uniform sampler2D gbuffer_geometric_normal;
+uniform sampler2D gbuffer_albedo;
+uniform sampler2D gbuffer_material;
 
 uniform int light_count, shadow_filter_radius;
 uniform vec3 eye_ws;
@@ -48,17 +45,17 @@ vec3 reflected(Light light, Surface surface, vec3 position_ws, vec3 n, vec3 geom
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 position = texelFetch(position_image, pixel, 0);
+    vec4 position = texelFetch(gbuffer_position, pixel, 0);
     radiance = vec4(0);
     if (position.w == 0.0) return;
-    vec4 albedo = texelFetch(albedo_image, pixel, 0);
-    vec4 material = texelFetch(material_image, pixel, 0);
+    vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0);
+    vec4 material = texelFetch(gbuffer_material, pixel, 0);
     if (material.z > 0.5) {  // an unlit material is its colour  [glTF2 KHR_materials_unlit]
         radiance = vec4(albedo.rgb, 0);
         return;
     }
-    vec3 n = normalize(texelFetch(normal_image, pixel, 0).xyz);
-    vec3 geometric_n = texelFetch(geometric_normal_image, pixel, 0).xyz;
+    vec3 n = normalize(texelFetch(gbuffer_normal, pixel, 0).xyz);
+    vec3 geometric_n = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
     vec3 v = view_axis_ws == vec3(0) ? (eye_ws - position.xyz) / position.w : -view_axis_ws;
     int index = int(clamp(material.w + 0.5, 0.0, float(materials.length() - 1)));  // a half float: rounded above 2048
     Surface surface = Surface(albedo.rgb, material.x, material.y, materials[index].ior);

@@ -1,6 +1,6 @@
 // Writes what is visible at the pixel's centre.
 
-#define SCENE_MOTION 8
+#define SCENE_MOTION
 #include "passes/gbuffer/surface.glsl"
 
 uniform int see_through;  // 1: glass is left out

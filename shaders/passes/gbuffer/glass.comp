@@ -1,8 +1,8 @@
 // From the sums of logarithms to transmittance, and counts the pixels with glass.
 layout(local_size_x = 16, local_size_y = 16) in;
 
-layout(binding = 0, rgba32f) uniform image2D glass;
-layout(std430, binding = 0) buffer Pixels { uint pixels; };
+layout(rgba32f) uniform image2D glass;
+layout(std430) buffer Pixels { uint pixels; };
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

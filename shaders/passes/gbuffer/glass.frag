@@ -4,7 +4,7 @@
 #include "passes/gbuffer/surface.glsl"
 #include "lib/brdf.glsl"
 
-layout(binding = 5) uniform sampler2D position_image;
+uniform sampler2D gbuffer_position;
 
 layout(location = 0) out vec4 out_glass;  // a: 1, which counts
 layout(location = 1) out float out_valid;
@@ -18,7 +18,7 @@ float distance_to(vec3 point_ws, vec3 direction) { return dot(point_ws - eye_ws,
 /// [glTF2 KHR_materials_volume]
 vec3 log_attenuation(Material material, vec3 position_ws, vec3 direction, bool is_front) {
     if (material.thickness <= 0.0 || material.attenuation_distance <= 0.0) return vec3(0);
-    vec4 behind = texelFetch(position_image, ivec2(gl_FragCoord.xy), 0);
+    vec4 behind = texelFetch(gbuffer_position, ivec2(gl_FragCoord.xy), 0);
     float end = behind.w > 0.0 ? distance_to(behind.xyz, direction) : 0.0;
     float way = end - distance_to(position_ws, direction);
     return log(max(material.attenuation_colour, LEAST)) * ((is_front ? way : -way) / material.attenuation_distance);

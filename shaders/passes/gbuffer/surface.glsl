@@ -1,20 +1,17 @@
-// The surface at a fragment of passes/gbuffer/gbuffer.vert; renderers/passes/gbuffer/draw_scene.h binds. Includers
+// The surface at a fragment of passes/gbuffer/gbuffer.vert; renderers/passes/gbuffer/draw_scene.h draws. Includers
 // may define SCENE_MOTION.
-
-#define COVERAGE_OPACITY 9
-#define COVERAGE_OPACITY_WORDS 10
 #include "passes/scene/scene.glsl"
 #include "lib/coverage.glsl"
 #include "lib/material.glsl"
 #include "lib/pixel_rays.glsl"
 
-layout(std430, binding = 11) readonly buffer Materials { Material materials[]; };
+layout(std430) readonly buffer Materials { Material materials[]; };
 
-layout(binding = 0) uniform sampler2D base_colour_texture;
-layout(binding = 1) uniform sampler2D metallic_roughness_texture;
-layout(binding = 2) uniform sampler2D normal_texture;
-layout(binding = 3) uniform sampler2D emission_texture;
-layout(binding = 4) uniform sampler2D transmission_texture;
+uniform sampler2D base_colour_texture;
+uniform sampler2D metallic_roughness_texture;
+uniform sampler2D normal_texture;
+uniform sampler2D emission_texture;
+uniform sampler2D transmission_texture;
 
 uniform int material_index;
 uniform int normal_maps;  // 0: interpolated vertex normals only

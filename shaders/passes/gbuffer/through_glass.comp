@@ -1,8 +1,8 @@
 // Light that comes through glass.
 layout(local_size_x = 16, local_size_y = 16) in;
 
-layout(binding = 0) uniform sampler2D glass;
-layout(binding = 0, rgba32f) uniform image2D radiance;
+uniform sampler2D glass;
+layout(rgba32f) uniform image2D radiance;
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

@@ -1,12 +1,12 @@
 // Arrays, second step: where each row begins. One work group scans the sums of all rows of the chunk.
 layout(local_size_x = 256) in;
-#include "passes/ldm/array_builder.glsl"
+#include "passes/ldm/array_table.glsl"
 #include "passes/ldm/groups.glsl"
 
-layout(std430, binding = 9) buffer DepthsAsked { uint depth_words_asked; };
-layout(std430, binding = 10) buffer OffsetsAsked { uint offset_words_asked; };
-layout(std430, binding = 11) buffer UnsortedAsked { uint unsorted_asked; };
-layout(std430, binding = 12) buffer MostLayers { uint all_most_layers; };
+layout(std430) buffer DepthsAsked { uint depth_words_asked; };
+layout(std430) buffer OffsetsAsked { uint offset_words_asked; };
+layout(std430) buffer UnsortedAsked { uint unsorted_asked; };
+layout(std430) buffer MostLayers { uint all_most_layers; };
 
 uniform uint packed_words, wide_words;  // size of the batch's offsets in 16 and in 32 bits
 

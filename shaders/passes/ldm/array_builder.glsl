@@ -1,17 +1,14 @@
 // What the steps of building arrays share. A chunk's texels count from 0; its rows lie from first_row on in the
 // batch.
-#include "passes/ldm/builder.glsl"
 #define LDM_ARRIVALS
 #include "passes/ldm/fragments.glsl"
 
-layout(std430, binding = 13) buffer LdmRows { uint rows[]; };
-layout(std430, binding = 14) buffer LdmOffsets { uint offsets[]; };
-layout(std430, binding = 15) coherent buffer LdmDepths { uint depths[]; };
+layout(std430) coherent buffer LdmDepths { uint depths[]; };
 /// The chunk's depths, texel by texel.
-layout(std430, binding = 8) buffer LdmUnsorted { uint unsorted[]; };
+layout(std430) buffer LdmUnsorted { uint unsorted[]; };
 
 /// Texels of the chunk with more than FEW_LAYERS.
-layout(std430, binding = 7) buffer LdmDeepTexels { uint deep_list[]; };
+layout(std430) buffer LdmDeepTexels { uint deep_list[]; };
 
 const uint FEW_LAYERS = 16u;
 /// Insertion takes up to n²/2 turns, and drivers may stop loops after 65,535.

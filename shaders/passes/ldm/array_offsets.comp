@@ -1,6 +1,6 @@
 // Arrays, third step: where each texel begins. One invocation: one row. A row's offsets fill whole words.
 layout(local_size_x = 64) in;
-#include "passes/ldm/array_builder.glsl"
+#include "passes/ldm/array_table.glsl"
 
 void write_offset_pair(uint word, uint low, uint high) {
 #ifdef LDM_WIDE

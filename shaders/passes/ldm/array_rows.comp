@@ -1,6 +1,6 @@
 // Arrays, first step: one invocation counts the fragments of one row of texels.
 layout(local_size_x = 64) in;
-#include "passes/ldm/array_builder.glsl"
+#include "passes/ldm/array_table.glsl"
 
 void main() {
     uint row = gl_GlobalInvocationID.x;

@@ -1,8 +1,8 @@
 // Contiguous sorted arrays. rows: first depth of each row of texels; offsets: of each texel of a row, and of
 // the row's end, from there (16 bits, two per word, or 32 bits where LDM_WIDE); depths: 16 bits, two per word.
-layout(std430, binding = LDM_STORAGE) readonly buffer LdmRows { uint rows[]; };
-layout(std430, binding = LDM_STORAGE + 1) readonly buffer LdmOffsets { uint offsets[]; };
-layout(std430, binding = LDM_STORAGE + 2) readonly buffer LdmDepths { uint depths[]; };
+layout(std430) readonly buffer LdmRows { uint rows[]; };
+layout(std430) readonly buffer LdmOffsets { uint offsets[]; };
+layout(std430) readonly buffer LdmDepths { uint depths[]; };
 
 int depth_at(uint index) {
     return int(bitfieldExtract(depths[index >> 1], int(index & 1u) << 4, 16));

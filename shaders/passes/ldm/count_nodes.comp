@@ -1,9 +1,8 @@
 // Linked lists: how many nodes the batch asks for, up to this chunk.
 layout(local_size_x = 1) in;
-#include "passes/ldm/builder.glsl"
 #include "passes/ldm/state.glsl"
 
-layout(std430, binding = 8) buffer NodesAsked { uint nodes_asked; };
+layout(std430) buffer NodesAsked { uint nodes_asked; };
 
 void main() {
     atomicMax(nodes_asked, asked + fragment_count);

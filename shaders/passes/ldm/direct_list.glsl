@@ -1,7 +1,5 @@
 // Fragments go into their texels' lists at once, without a list of fragments in between. [Aalund15 §3]
-#define LDM_WRITES
-#define LDM_STORAGE 13
-#include "passes/ldm/lists.glsl"
+#include "passes/ldm/lists_insert.glsl"
 
 uniform uint batch_texel;  // first texel of the chunk, in the batch
 

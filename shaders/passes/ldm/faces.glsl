@@ -6,9 +6,9 @@
 #include "passes/ldm/packed_depth.glsl"
 #endif
 
-layout(std430, binding = LDM_FRAGMENTS) coherent buffer LdmPoints { uint face_points[]; };
+layout(std430) coherent buffer LdmPoints { uint face_points[]; };
 /// First point of each texel that has points, and where the last one's end.
-layout(std430, binding = LDM_COUNTS) readonly buffer LdmPointTexels { uint first_points[]; };
+layout(std430) readonly buffer LdmPointTexels { uint first_points[]; };
 
 uniform uint face_texel;   // first texel of the dispatch's maps, counted through the maps shown in the batch
 uniform uint face_stride;  // every so many texels have points

@@ -1,5 +1,5 @@
 // Sorted arrays of LDM_FIXED_LAYERS depths per texel, of 16 bits, two per word; 65535 where there is none.
-layout(std430, binding = LDM_STORAGE) readonly buffer LdmFixedDepths { uint fixed_depths[]; };
+layout(std430) readonly buffer LdmFixedDepths { uint fixed_depths[]; };
 
 const int FIXED_NONE = 65535;
 

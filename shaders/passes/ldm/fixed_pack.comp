@@ -3,8 +3,8 @@
 layout(local_size_x = 128) in;
 #include "passes/ldm/networks.glsl"
 
-layout(std430, binding = 8) buffer LdmFixedChunk { uint nearness_of[]; };
-layout(std430, binding = 13) writeonly buffer LdmFixedDepths { uint packed_depths[]; };
+layout(std430) buffer LdmFixedChunk { uint nearness_of[]; };
+layout(std430) writeonly buffer LdmFixedDepths { uint packed_depths[]; };
 
 uniform uint chunk_texels;
 uniform uint batch_texel;  // first texel of the chunk, in the batch

@@ -1,12 +1,11 @@
 // Fixed arrays, first step: one invocation puts one fragment into its texel's array, in order of arrival, or where
 // FIXED_PRESORTED is defined, in order of depth.
 layout(local_size_x = 64) in;
-#include "passes/ldm/builder.glsl"
 #include "passes/ldm/fragments.glsl"
 #include "passes/ldm/list_index.glsl"
 
 /// 65535 - depth, so that an array of zeros is empty.
-layout(std430, binding = 8) coherent buffer LdmFixedChunk { uint nearness_of[]; };
+layout(std430) coherent buffer LdmFixedChunk { uint nearness_of[]; };
 
 void drop() {
     atomicAdd(dropped, 1u);

@@ -1,16 +1,17 @@
 // The list that both builders append fragments to: what is known of a fragment is its texel (counted through
-// the chunk's maps) and its depth in quanta. Before including, choose the binding points LDM_STATE,
-// LDM_FRAGMENTS and LDM_COUNTS. With LDM_FACES, which needs triangle.glsl first, fragments are not listed: they tell
-// points which way their surface looks.
+// the chunk's maps) and its depth in quanta. With LDM_FACES, which needs triangle.glsl first, fragments are not
+// listed: they tell points which way their surface looks. With DIRECT they go into the storage at once.
 #include "passes/ldm/state.glsl"
 
 #ifdef LDM_FACES
 #include "passes/ldm/faces.glsl"
 #else
+#ifndef DIRECT
 /// x: texel, y: order of arrival at the texel (where LDM_ARRIVALS is defined) << 16 | depth.
-layout(std430, binding = LDM_FRAGMENTS) buffer LdmFragments { uvec2 fragments[]; };
+layout(std430) buffer LdmFragments { uvec2 fragments[]; };
+#endif
 #ifdef LDM_ARRIVALS
-layout(std430, binding = LDM_COUNTS) coherent buffer LdmCounts { uint counts[]; };
+layout(std430) coherent buffer LdmCounts { uint counts[]; };
 #endif
 
 /// Takes the next `count` places; those beyond the capacity are only counted.
@@ -18,6 +19,7 @@ uint reserve_fragments(uint count) {
     return atomicAdd(fragment_count, count);
 }
 
+#ifndef DIRECT
 void put_fragment(uint place, uint texel, uint depth) {
     uint arrival = 0u;
 #ifdef LDM_ARRIVALS
@@ -26,6 +28,7 @@ void put_fragment(uint place, uint texel, uint depth) {
 #endif
     if (place < uint(fragments.length())) fragments[place] = uvec2(texel, arrival << 16 | depth);
 }
+#endif
 #endif
 
 /// Depths are rounded here and nowhere else, so that all storages hold the same numbers.

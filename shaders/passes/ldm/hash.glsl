@@ -2,8 +2,8 @@
 // is none. An older entry in a cell belongs to another texel, and a younger one ends the search: an entry that is older
 // still would have taken the cell.
 #include "passes/ldm/hash_cells.glsl"
-layout(std430, binding = LDM_STORAGE) readonly buffer LdmAges { uint hash_ages[]; };
-layout(std430, binding = LDM_STORAGE + 1) readonly buffer LdmCells { uint hash_cells[]; };
+layout(std430) readonly buffer LdmAges { uint hash_ages[]; };
+layout(std430) readonly buffer LdmCells { uint hash_cells[]; };
 
 const int HASH_OTHER = -1, HASH_END = LDM_NONE_BEHIND;
 

@@ -1,9 +1,8 @@
 // Hash table: how many cells the batch asks for, up to this chunk, so that nine in ten are filled.
 layout(local_size_x = 1) in;
-#include "passes/ldm/builder.glsl"
 #include "passes/ldm/state.glsl"
 
-layout(std430, binding = 8) buffer CellsAsked { uint cells_asked; };
+layout(std430) buffer CellsAsked { uint cells_asked; };
 
 uniform uint least_cells;
 

@@ -1,13 +1,12 @@
 // Hash table: one invocation puts one fragment in, and in its place what it displaces.
 layout(local_size_x = 64) in;
-#include "passes/ldm/builder.glsl"
 #include "passes/ldm/fragments.glsl"
 #include "passes/ldm/hash_cells.glsl"
 #include "passes/ldm/list_index.glsl"
 
-layout(std430, binding = 9) buffer MostAge { uint most_age; };
-layout(std430, binding = 13) coherent buffer LdmAges { uint ages[]; };
-layout(std430, binding = 14) coherent buffer LdmCells { uint cells[]; };
+layout(std430) buffer MostAge { uint most_age; };
+layout(std430) coherent buffer LdmAges { uint ages[]; };
+layout(std430) coherent buffer LdmCells { uint cells[]; };
 
 uniform uint batch_texel;  // first texel of the chunk, in the batch
 

@@ -1,11 +1,8 @@
 // Linked lists: one invocation inserts one fragment of the chunk.
 layout(local_size_x = 64) in;
-#include "passes/ldm/builder.glsl"
 #include "passes/ldm/fragments.glsl"
 #include "passes/ldm/list_index.glsl"
-#define LDM_WRITES
-#define LDM_STORAGE 13
-#include "passes/ldm/lists.glsl"
+#include "passes/ldm/lists_insert.glsl"
 
 uniform uint batch_texel;  // first texel of the chunk, in the batch
 

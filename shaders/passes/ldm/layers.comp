@@ -3,7 +3,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/ldm/frames.glsl"
 #include "passes/ldm/storage.glsl"
 
-layout(binding = 0, r32ui) uniform uimage2D layers;
+layout(r32ui) uniform uimage2D layers;
 uniform uint map;  // in the batch
 uniform bool first;
 uniform int resolution;

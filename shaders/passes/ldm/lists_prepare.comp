@@ -1,10 +1,9 @@
 // Lists that are sorted after, third step: how many deep texels there are, and how many nodes the batch asks for.
 layout(local_size_x = 1) in;
-#include "passes/ldm/builder.glsl"
 #include "passes/ldm/groups.glsl"
 #include "passes/ldm/state.glsl"
 
-layout(std430, binding = 9) buffer NodesAsked { uint nodes_asked; };
+layout(std430) buffer NodesAsked { uint nodes_asked; };
 
 void main() {
     uvec2 groups = groups_for(deep_listed);

@@ -1,9 +1,8 @@
-// Alpha masks in maps. Before including, choose the binding points of the scene's uv0, uv1 and triangle
-// materials, LDM_MATERIALS, COVERAGE_OPACITY and COVERAGE_OPACITY_WORDS.
+// Alpha masks in maps. Include triangle.glsl first.
 #include "lib/coverage.glsl"
 #include "lib/material.glsl"
 
-layout(std430, binding = LDM_MATERIALS) readonly buffer LdmMaterials { Material ldm_materials[]; };
+layout(std430) readonly buffer Materials { Material ldm_materials[]; };
 
 bool is_covered(uint triangle, uvec3 corners, vec3 weights) {
     uint material = scene_triangle_materials[triangle];

@@ -1,8 +1,8 @@
 // Contiguous sorted arrays of depths of LDM_PACKED_BITS bits, without gaps. rows: first depth of each row of texels;
 // groups: packed_groups.glsl.
-layout(std430, binding = LDM_STORAGE) readonly buffer LdmPackedRows { uint rows[]; };
-layout(std430, binding = LDM_STORAGE + 1) readonly buffer LdmGroups { uint groups[]; };
-layout(std430, binding = LDM_STORAGE + 2) readonly buffer LdmPackedDepths { uint depths[]; };
+layout(std430) readonly buffer LdmPackedRows { uint rows[]; };
+layout(std430) readonly buffer LdmGroups { uint groups[]; };
+layout(std430) readonly buffer LdmPackedDepths { uint depths[]; };
 #include "passes/ldm/packed_depth.glsl"
 #include "passes/ldm/packed_groups.glsl"
 

@@ -2,7 +2,7 @@
 layout(local_size_x = 256) in;
 #include "passes/ldm/packed_builder.glsl"
 
-layout(std430, binding = 9) buffer DepthWordsAsked { uint depth_words_asked; };
+layout(std430) buffer DepthWordsAsked { uint depth_words_asked; };
 
 shared uint sums[256];
 

@@ -1,17 +1,16 @@
 // What the steps of packing a chunk share, whose sorted depths are in arrays (array_builder.glsl with ONE_CHUNK).
-#include "passes/ldm/builder.glsl"
 #include "passes/ldm/packed_depth.glsl"
 #define LDM_ARRIVALS
 #include "passes/ldm/fragments.glsl"
 #include "passes/ldm/packed_groups.glsl"
 
 /// The chunk's sorted depths of 16 bits; a texel's begin at counts[texel].
-layout(std430, binding = 7) readonly buffer LdmDepths { uint sorted_depths[]; };
+layout(std430) readonly buffer LdmDepths { uint sorted_depths[]; };
 /// Per texel of the chunk: first the number of its packed depths, then where they begin, in the batch.
-layout(std430, binding = 8) buffer LdmPackedTexels { uint packed_texels[]; };
-layout(std430, binding = 13) buffer LdmPackedRows { uint rows[]; };
-layout(std430, binding = 14) buffer LdmGroups { uint groups[]; };
-layout(std430, binding = 15) coherent buffer LdmPackedDepths { uint depths[]; };
+layout(std430) buffer LdmPackedTexels { uint packed_texels[]; };
+layout(std430) buffer LdmPackedRows { uint rows[]; };
+layout(std430) buffer LdmGroups { uint groups[]; };
+layout(std430) coherent buffer LdmPackedDepths { uint depths[]; };
 
 uniform uint first_row, row_count;
 uniform uint resolution;

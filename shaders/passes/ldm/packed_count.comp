@@ -3,7 +3,7 @@
 layout(local_size_x = 128) in;
 #include "passes/ldm/packed_builder.glsl"
 
-layout(std430, binding = 11) buffer Merged { uint merged; };
+layout(std430) buffer Merged { uint merged; };
 
 void main() {
     uint texel = gl_GlobalInvocationID.x;

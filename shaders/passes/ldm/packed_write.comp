@@ -3,7 +3,7 @@
 layout(local_size_x = 128) in;
 #include "passes/ldm/packed_builder.glsl"
 
-layout(std430, binding = 10) buffer GroupWordsAsked { uint group_words_asked; };
+layout(std430) buffer GroupWordsAsked { uint group_words_asked; };
 
 uniform uint table_words;
 

@@ -1,7 +1,7 @@
 // Paged per-pixel linked lists. [Crassin10] heads: first page of each texel; pages: the next one, and LDM_PAGE_DEPTHS
 // sorted depths, two per word; behind the last one of all 65535. Pages count from 1; 0 ends a list.
-layout(std430, binding = LDM_STORAGE) readonly buffer LdmPageHeads { uint heads[]; };
-layout(std430, binding = LDM_STORAGE + 1) readonly buffer LdmPages { uint pages[]; };
+layout(std430) readonly buffer LdmPageHeads { uint heads[]; };
+layout(std430) readonly buffer LdmPages { uint pages[]; };
 
 const uint PAGE_DEPTHS = uint(LDM_PAGE_DEPTHS), PAGE_WORDS = 1u + PAGE_DEPTHS / 2u;
 const uint NO_DEPTH = 65535u;

@@ -1,16 +1,15 @@
 // What the steps of building pages share. A page: the next one, counted from 1 (0: none), and LDM_PAGE_DEPTHS depths of
 // 16 bits, two per word; NO_DEPTH where there is none.
-#include "passes/ldm/builder.glsl"
 #define LDM_ARRIVALS
 #include "passes/ldm/fragments.glsl"
 
 /// First page of each texel of the batch, from 1 on; 0: empty.
-layout(std430, binding = 13) buffer LdmPageHeads { uint heads[]; };
-layout(std430, binding = 14) buffer LdmPages { uint pages[]; };
+layout(std430) buffer LdmPageHeads { uint heads[]; };
+layout(std430) buffer LdmPages { uint pages[]; };
 /// Texels of the chunk with more than FEW_LAYERS.
-layout(std430, binding = 7) buffer LdmDeepTexels { uint deep_list[]; };
+layout(std430) buffer LdmDeepTexels { uint deep_list[]; };
 /// Places in order of the fragments of the chunk's deepest texels.
-layout(std430, binding = 8) buffer LdmRanks { uint ranks[]; };
+layout(std430) buffer LdmRanks { uint ranks[]; };
 
 const uint PAGE_DEPTHS = uint(LDM_PAGE_DEPTHS), PAGE_WORDS = 1u + PAGE_DEPTHS / 2u;
 const uint NO_DEPTH = 65535u;

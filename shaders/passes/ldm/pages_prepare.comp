@@ -3,7 +3,7 @@ layout(local_size_x = 1) in;
 #include "passes/ldm/pages_builder.glsl"
 #include "passes/ldm/groups.glsl"
 
-layout(std430, binding = 9) buffer PagesAsked { uint pages_asked; };
+layout(std430) buffer PagesAsked { uint pages_asked; };
 
 void main() {
     uvec2 groups = groups_for(deep_listed);

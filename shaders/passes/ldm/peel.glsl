@@ -3,8 +3,8 @@
 struct LdmPeeledChunk {
     uint first, planes, end;
 };
-layout(std430, binding = LDM_STORAGE) readonly buffer LdmPeeledChunks { LdmPeeledChunk peeled_chunks[]; };
-layout(std430, binding = LDM_STORAGE + 1) readonly buffer LdmPlanes { uint peeled_planes[]; };
+layout(std430) readonly buffer LdmPeeledChunks { LdmPeeledChunk peeled_chunks[]; };
+layout(std430) readonly buffer LdmPlanes { uint peeled_planes[]; };
 
 /// Entries of the texel in the first plane and in the one after the last.
 uvec2 peeled_range(uint map, ivec2 texel, int resolution) {

@@ -2,8 +2,8 @@
 // scans all texels.
 layout(local_size_x = 256) in;
 
-layout(std430, binding = 5) buffer PointTexels { uint first_points[]; };
-layout(std430, binding = 6) buffer PointCount { uint point_count; };
+layout(std430) buffer LdmPointTexels { uint first_points[]; };
+layout(std430) buffer PointCount { uint point_count; };
 
 uniform uint texel_count;
 

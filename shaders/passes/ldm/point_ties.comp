@@ -4,8 +4,8 @@
 layout(local_size_x = 64) in;
 #include "passes/ldm/point.glsl"
 
-layout(std430, binding = 5) readonly buffer PointTexels { uint first_points[]; };
-layout(std430, binding = 6) buffer Points { uint points[]; };
+layout(std430) readonly buffer LdmPointTexels { uint first_points[]; };
+layout(std430) buffer LdmPoints { uint points[]; };
 
 uniform uint texel_count;
 

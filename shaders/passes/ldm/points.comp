@@ -5,8 +5,8 @@ layout(local_size_x = 64) in;
 #include "passes/ldm/storage.glsl"
 #include "passes/ldm/point.glsl"
 
-layout(std430, binding = 5) buffer PointTexels { uint first_points[]; };
-layout(std430, binding = 6) writeonly buffer Points { uint points[]; };
+layout(std430) buffer LdmPointTexels { uint first_points[]; };
+layout(std430) writeonly buffer LdmPoints { uint points[]; };
 
 uniform uint first_frame, first_map, map_count;  // of those shown in the batch: among all maps; in the batch
 uniform uint stride;                             // every so many texels are shown

@@ -1,19 +1,22 @@
 // After the first step of rasterising (PREPARE_LARGE), after the second, and when a chunk is stored (FINISH):
 // the sizes of the indirect dispatches that follow, and what the report and the growth of buffers need.
 layout(local_size_x = 1) in;
-#include "passes/ldm/builder.glsl"
-#include "passes/ldm/fragments.glsl"
+#include "passes/ldm/state.glsl"
 #include "passes/ldm/groups.glsl"
 
-layout(std430, binding = 8) buffer FragmentsAsked { uint fragments_asked; };
-layout(std430, binding = 9) buffer LargeAsked { uint large_asked; };
-layout(std430, binding = 10) buffer Generated { uint generated; };
-layout(std430, binding = 11) buffer Dropped { uint all_dropped; };
-layout(std430, binding = 12) buffer Kept { uint kept; };
-layout(std430, binding = 13) buffer Bytes { uint bytes; };
-
+#if defined(PREPARE_LARGE)
+layout(std430) buffer LargeAsked { uint large_asked; };
 uniform uint large_capacity;
+#elif defined(FINISH)
+layout(std430) buffer Generated { uint generated; };
+layout(std430) buffer Dropped { uint all_dropped; };
+layout(std430) buffer Kept { uint kept; };
+layout(std430) buffer Bytes { uint bytes; };
 uniform uint fragment_bits;  // that the maps take for each
+#elif !defined(DIRECT)
+#include "passes/ldm/fragments.glsl"
+layout(std430) buffer FragmentsAsked { uint fragments_asked; };
+#endif
 
 void main() {
 #if defined(PREPARE_LARGE)

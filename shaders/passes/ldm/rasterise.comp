@@ -3,7 +3,6 @@
 // invocations work on their next map at the same time. Triangles whose box has more than 32 texel centres
 // are cut into strips of rows for the next step.
 layout(local_size_x = 64) in;
-#include "passes/ldm/builder.glsl"
 #include "passes/ldm/triangle_rows.glsl"
 #include "passes/ldm/fragments.glsl"
 #ifdef MASKED
@@ -11,7 +10,7 @@ layout(local_size_x = 64) in;
 #endif
 
 /// x: triangle, y: map of the chunk | strip << 8.
-layout(std430, binding = LDM_LARGE) writeonly buffer LdmLarge { uvec2 large[]; };
+layout(std430) writeonly buffer LdmLarge { uvec2 large[]; };
 
 uniform uint first_triangle, end_triangle;
 uniform uint map_count;  // at most 32

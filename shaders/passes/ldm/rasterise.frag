@@ -1,5 +1,4 @@
 // Raster builder: every fragment is kept.
-#include "passes/ldm/builder.glsl"
 #include "passes/ldm/triangle.glsl"
 #include "passes/ldm/fragments.glsl"
 #ifdef MASKED

@@ -1,6 +1,5 @@
 // Raster builder: one instance of all triangles per map, drawn onto one another; only the buffers tell the
 // maps apart.
-#include "passes/ldm/builder.glsl"
 #include "passes/ldm/triangle.glsl"
 #ifdef MASKED
 #include "passes/ldm/mask.glsl"

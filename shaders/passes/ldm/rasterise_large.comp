@@ -1,7 +1,6 @@
 // Compute rasteriser, second step. One invocation: one strip of eight rows of a large triangle in one map.
 // Edge functions are whole numbers below 2^53, exact in double.
 layout(local_size_x = 64) in;
-#include "passes/ldm/builder.glsl"
 #include "passes/ldm/triangle_rows.glsl"
 #include "passes/ldm/fragments.glsl"
 #include "passes/ldm/list_index.glsl"
@@ -9,7 +8,7 @@ layout(local_size_x = 64) in;
 #include "passes/ldm/mask.glsl"
 #endif
 
-layout(std430, binding = LDM_LARGE) readonly buffer LdmLarge { uvec2 large[]; };
+layout(std430) readonly buffer LdmLarge { uvec2 large[]; };
 
 uniform int resolution;
 uniform uint opaque_triangles;  // triangles from here on have alpha masks

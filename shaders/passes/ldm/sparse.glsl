@@ -4,9 +4,9 @@
 struct LdmTexelWord {
     uint occupied, offsets, depths;
 };
-layout(std430, binding = LDM_STORAGE) readonly buffer LdmTexelWords { LdmTexelWord texel_words[]; };
-layout(std430, binding = LDM_STORAGE + 1) readonly buffer LdmSparseOffsets { uint sparse_offsets[]; };
-layout(std430, binding = LDM_STORAGE + 2) readonly buffer LdmDepths { uint depths[]; };
+layout(std430) readonly buffer LdmTexelWords { LdmTexelWord texel_words[]; };
+layout(std430) readonly buffer LdmSparseOffsets { uint sparse_offsets[]; };
+layout(std430) readonly buffer LdmDepths { uint depths[]; };
 
 int depth_at(uint index) {
     return int(bitfieldExtract(depths[index >> 1], int(index & 1u) << 4, 16));

@@ -4,10 +4,10 @@ layout(local_size_x = 256) in;
 #include "passes/ldm/sparse_builder.glsl"
 #include "passes/ldm/groups.glsl"
 
-layout(std430, binding = 9) buffer DepthsAsked { uint depth_words_asked; };
-layout(std430, binding = 10) buffer OffsetsAsked { uint offset_words_asked; };
-layout(std430, binding = 11) buffer UnsortedAsked { uint unsorted_asked; };
-layout(std430, binding = 12) buffer MostLayers { uint all_most_layers; };
+layout(std430) buffer DepthsAsked { uint depth_words_asked; };
+layout(std430) buffer OffsetsAsked { uint offset_words_asked; };
+layout(std430) buffer UnsortedAsked { uint unsorted_asked; };
+layout(std430) buffer MostLayers { uint all_most_layers; };
 
 shared uvec2 totals[256];  // halves of offsets, depths
 

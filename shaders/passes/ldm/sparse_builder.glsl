@@ -1,18 +1,17 @@
 // What the steps share that find out where texels' depths lie in sparse arrays. A chunk's words, of 32 texels each,
 // lie from first_word on in the batch.
-#include "passes/ldm/builder.glsl"
 #include "passes/ldm/state.glsl"
 
-layout(std430, binding = LDM_COUNTS) coherent buffer LdmCounts { uint counts[]; };
+layout(std430) coherent buffer LdmCounts { uint counts[]; };
 /// A word's texels with fragments, halves of words that their offsets take, and their depths. The highest bit of the
 /// halves says that offsets take two each.
 struct LdmWord {
     uint occupied, offsets, depths;
 };
-layout(std430, binding = 6) coherent buffer LdmWordSums { LdmWord sums[]; };
-layout(std430, binding = 13) coherent buffer LdmTexelWords { LdmWord words[]; };
-layout(std430, binding = 14) coherent buffer LdmSparseOffsets { uint offsets[]; };
-layout(std430, binding = 15) buffer LdmDepths { uint depths[]; };
+layout(std430) coherent buffer LdmWordSums { LdmWord sums[]; };
+layout(std430) coherent buffer LdmTexelWords { LdmWord words[]; };
+layout(std430) coherent buffer LdmSparseOffsets { uint offsets[]; };
+layout(std430) buffer LdmDepths { uint depths[]; };
 
 const uint FEW_LAYERS = 16u;  // of array_builder.glsl
 const uint WIDE = 0x80000000u;

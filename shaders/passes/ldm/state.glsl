@@ -1,6 +1,5 @@
-// What the steps of building one chunk of maps tell each other. Before including, choose the binding point
-// LDM_STATE.
-layout(std430, binding = LDM_STATE) coherent buffer LdmState {
+// What the steps of building one chunk of maps tell each other.
+layout(std430) coherent buffer LdmState {
     uint fragment_count;      // fragments of the chunk, also those beyond the list's capacity
     uint large_count;         // strips of large triangles, also those beyond capacity
     uint stored;              // fragments that the batch's earlier chunks keep

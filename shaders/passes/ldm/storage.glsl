@@ -1,6 +1,5 @@
 // Questions to the maps, the same for every storage. Each texel holds a sorted sequence of depths in quanta.
-// Before including, define LDM_STORAGE, the first of its binding points, and what the storage's `defines` says
-// (renderers/passes/ldm/storage.h).
+// Before including, define what the storage's `defines` says (renderers/passes/ldm/storage.h).
 
 #include "lib/random.glsl"
 

@@ -1,7 +1,12 @@
-// Triangles in maps: projection, snapping and the rule that says which texel centres a triangle covers. Before
-// including, define SCENE_POSITIONS and SCENE_INDICES, LDM_FRAMES, and for MASKED programs the bindings
-// that mask.glsl asks for.
+// Triangles in maps: projection, snapping and the rule that says which texel centres a triangle covers.
 #include "passes/ldm/frames.glsl"
+#define SCENE_POSITIONS
+#define SCENE_INDICES
+#ifdef MASKED
+#define SCENE_TRIANGLE_MATERIALS
+#define SCENE_UV0
+#define SCENE_UV1
+#endif
 #include "passes/scene/scene.glsl"
 
 const float SUBTEXELS = 256.0;

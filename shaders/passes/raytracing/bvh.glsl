@@ -1,13 +1,12 @@
-// First hits by the BVH that renderers/passes/raytracing/device_bvh.h describes. Before including, choose the
-// binding points BVH_NODES, BVH_TRIANGLES, BVH_MASKS, COVERAGE_OPACITY and COVERAGE_OPACITY_WORDS.
+// First hits by the BVH that renderers/passes/raytracing/device_bvh.h describes.
 #include "passes/raytracing/rays.glsl"
 #include "passes/raytracing/triangle_hit.glsl"
 #include "lib/coverage.glsl"
 
 // Whole lines of 16 bytes, as words: no bits are lost, and each is one load.
-layout(std430, binding = BVH_NODES) readonly buffer BvhNodes { uvec4 bvh_nodes[]; };
-layout(std430, binding = BVH_TRIANGLES) readonly buffer BvhTriangles { uvec4 bvh_triangles[]; };
-layout(std430, binding = BVH_MASKS) readonly buffer BvhMasks { uvec4 bvh_masks[]; };
+layout(std430) readonly buffer BvhNodes { uvec4 bvh_nodes[]; };
+layout(std430) readonly buffer BvhTriangles { uvec4 bvh_triangles[]; };
+layout(std430) readonly buffer BvhMasks { uvec4 bvh_masks[]; };
 
 const uint BVH_LEAF = 0x80000000u, BVH_NO_CHILD = BVH_LEAF;
 const int BVH_STACK = 64;  // bvh_most_depth: a node pushes at most one child

@@ -1,7 +1,7 @@
 // Rays and their first hits, as renderers/passes/raytracing/trace_rays.h describes them. Every ray of the
 // buffer is traced that has far > 0. Declare the buffers where they are used:
 //
-//   layout(std430, binding = N) buffer Rays { Ray rays[]; };
+//   layout(std430) buffer Rays { Ray rays[]; };
 
 struct Ray {
     vec3 origin_ws;

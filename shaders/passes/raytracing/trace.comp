@@ -1,15 +1,10 @@
 // The first hits of the rays of a buffer. One invocation: one ray.
 layout(local_size_x = 64) in;
-#define BVH_NODES 2
-#define BVH_TRIANGLES 3
-#define BVH_MASKS 4
-#define COVERAGE_OPACITY 5
-#define COVERAGE_OPACITY_WORDS 6
 #include "passes/raytracing/bvh.glsl"
 
-layout(std430, binding = 0) readonly buffer Rays { Ray rays[]; };
-layout(std430, binding = 1) writeonly buffer Hits { RayHit hits[]; };
-layout(std430, binding = 7) buffer Unfinished { uint unfinished; };
+layout(std430) readonly buffer Rays { Ray rays[]; };
+layout(std430) writeonly buffer Hits { RayHit hits[]; };
+layout(std430) buffer Unfinished { uint unfinished; };
 
 uniform uint first_ray, end_ray;
 

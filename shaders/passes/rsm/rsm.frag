@@ -2,12 +2,12 @@
 
 #include "passes/rsm/texel.glsl"
 
-layout(binding = 0) uniform sampler2D base_colour_texture;
-layout(binding = 1) uniform sampler2D metallic_roughness_texture;
-layout(binding = 2) uniform sampler2D normal_texture;
-layout(binding = 3) uniform sampler2D transmission_texture;
+uniform sampler2D base_colour_texture;
+uniform sampler2D metallic_roughness_texture;
+uniform sampler2D normal_texture;
+uniform sampler2D transmission_texture;
 #ifdef DEPTH_PREPASS
-layout(binding = 4) uniform sampler2DArray depth_drawn_first;
+uniform sampler2DArray depth_drawn_first;
 uniform int layer;
 
 /// Two programs may round one depth to different floats. What lies behind by less is left to the depth test.

@@ -1,17 +1,17 @@
 // Fetches one corner of a triangle for a light's view; every corner also brings the triangle's plane.
 
-#define SCENE_POSITIONS 0
-#define SCENE_NORMALS 1
-#define SCENE_TANGENTS 2
-#define SCENE_UV0 3
-#define SCENE_UV1 4
-#define SCENE_COLOURS 5
-#define SCENE_INDICES 6
+#define SCENE_POSITIONS
+#define SCENE_NORMALS
+#define SCENE_TANGENTS
+#define SCENE_UV0
+#define SCENE_UV1
+#define SCENE_COLOURS
+#define SCENE_INDICES
 #include "passes/scene/scene.glsl"
 #include "lib/material.glsl"
 #include "lib/triangle_plane.glsl"
 
-layout(std430, binding = 9) readonly buffer Materials { Material materials[]; };
+layout(std430) readonly buffer Materials { Material materials[]; };
 
 uniform int material_index;
 uniform mat4 clip_from_world;

@@ -1,11 +1,8 @@
 // What both draws of an RSM share: where the texel's ray meets the triangle, and whether it is there.
-
-#define COVERAGE_OPACITY 7
-#define COVERAGE_OPACITY_WORDS 8
 #include "lib/coverage.glsl"
 #include "lib/material.glsl"
 
-layout(std430, binding = 9) readonly buffer Materials { Material materials[]; };
+layout(std430) readonly buffer Materials { Material materials[]; };
 
 uniform int material_index;
 uniform vec3 view_origin_ws, view_right_ws, view_up_ws, view_forward_ws;

@@ -2,8 +2,8 @@
 layout(local_size_x = 256) in;
 #include "passes/scan/tile.glsl"
 
-layout(std430, binding = 1) buffer Bases { uint bases[]; };
-layout(std430, binding = 2) buffer Total { uint total; };
+layout(std430) buffer Bases { uint bases[]; };
+layout(std430) buffer Total { uint total; };
 
 uniform uint tile_count;
 

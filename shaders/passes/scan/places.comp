@@ -2,9 +2,9 @@
 layout(local_size_x = 256) in;
 #include "passes/scan/tile.glsl"
 
-layout(std430, binding = 0) readonly buffer Counts { uint counts[]; };
-layout(std430, binding = 1) readonly buffer Bases { uint bases[]; };
-layout(std430, binding = 2) writeonly buffer Places { uint places[]; };
+layout(std430) readonly buffer Counts { uint counts[]; };
+layout(std430) readonly buffer Bases { uint bases[]; };
+layout(std430) writeonly buffer Places { uint places[]; };
 
 uniform uint first_tile;
 uniform uint item_count, counted;  // items beyond `counted` have no words and count 0

@@ -2,8 +2,8 @@
 layout(local_size_x = 256) in;
 #include "passes/scan/tile.glsl"
 
-layout(std430, binding = 0) readonly buffer Counts { uint counts[]; };
-layout(std430, binding = 1) writeonly buffer Bases { uint bases[]; };
+layout(std430) readonly buffer Counts { uint counts[]; };
+layout(std430) writeonly buffer Bases { uint bases[]; };
 
 uniform uint first_tile, counted;
 

@@ -1,19 +1,16 @@
 // The surface that a ray hit, as passes::SurfaceLookup finds it on the host: the same quantities as the
-// G-buffer's, from textures at their finest level. Before including, define HIT_SURFACE_BINDING: this and the
-// next four binding points are taken (renderers/passes/scene/hit_surfaces.h binds them).
-
-#define TEXELS_BINDING (HIT_SURFACE_BINDING + 1)
+// G-buffer's, from textures at their finest level (renderers/passes/scene/hit_surfaces.h).
 #include "lib/material.glsl"
 #include "lib/triangle_plane.glsl"
 #include "passes/scene/texels.glsl"
 
 /// Four vec4 a vertex: position and colour (RGBA8); normal; tangent; both texture coordinates.
-layout(std430, binding = HIT_SURFACE_BINDING) readonly buffer HitVertices { vec4 hit_vertices[]; };
-layout(std430, binding = HIT_SURFACE_BINDING + 2) readonly buffer HitIndices { uint hit_indices[]; };
-layout(std430, binding = HIT_SURFACE_BINDING + 3) readonly buffer HitTriangleMaterials {
+layout(std430) readonly buffer HitVertices { vec4 hit_vertices[]; };
+layout(std430) readonly buffer HitIndices { uint hit_indices[]; };
+layout(std430) readonly buffer HitTriangleMaterials {
     uint hit_triangle_materials[];
 };
-layout(std430, binding = HIT_SURFACE_BINDING + 4) readonly buffer HitMaterials { Material hit_materials[]; };
+layout(std430) readonly buffer HitMaterials { Material hit_materials[]; };
 
 struct HitSurface {
     vec3 position_ws;

@@ -1,14 +1,14 @@
 // The world's vertices and triangles, as scene::World holds them. Each array is declared only where the
-// including file first chooses its binding point:
+// including file asks for it:
 //
-//   #define SCENE_POSITIONS 0
-//   #define SCENE_INDICES 1
+//   #define SCENE_POSITIONS
+//   #define SCENE_INDICES
 //   #include "passes/scene/scene.glsl"
 //
 // Arrays of vectors are packed floats: element i of a vec3 starts at 3 i.
 
 #ifdef SCENE_POSITIONS
-layout(std430, binding = SCENE_POSITIONS) readonly buffer ScenePositions { float scene_positions[]; };
+layout(std430) readonly buffer ScenePositions { float scene_positions[]; };
 vec3 scene_position_ws(uint vertex) {
     return vec3(scene_positions[3u * vertex], scene_positions[3u * vertex + 1u],
                 scene_positions[3u * vertex + 2u]);
@@ -16,41 +16,41 @@ vec3 scene_position_ws(uint vertex) {
 #endif
 
 #ifdef SCENE_NORMALS
-layout(std430, binding = SCENE_NORMALS) readonly buffer SceneNormals { float scene_normals[]; };
+layout(std430) readonly buffer SceneNormals { float scene_normals[]; };
 vec3 scene_normal_ws(uint vertex) {
     return vec3(scene_normals[3u * vertex], scene_normals[3u * vertex + 1u], scene_normals[3u * vertex + 2u]);
 }
 #endif
 
 #ifdef SCENE_TANGENTS
-layout(std430, binding = SCENE_TANGENTS) readonly buffer SceneTangents { vec4 scene_tangents[]; };
+layout(std430) readonly buffer SceneTangents { vec4 scene_tangents[]; };
 #endif
 
 #ifdef SCENE_UV0
-layout(std430, binding = SCENE_UV0) readonly buffer SceneUv0 { vec2 scene_uv0[]; };
+layout(std430) readonly buffer SceneUv0 { vec2 scene_uv0[]; };
 #endif
 
 #ifdef SCENE_UV1
-layout(std430, binding = SCENE_UV1) readonly buffer SceneUv1 { vec2 scene_uv1[]; };
+layout(std430) readonly buffer SceneUv1 { vec2 scene_uv1[]; };
 #endif
 
 #ifdef SCENE_COLOURS
-layout(std430, binding = SCENE_COLOURS) readonly buffer SceneColours { uint scene_colours[]; };
+layout(std430) readonly buffer SceneColours { uint scene_colours[]; };
 vec4 scene_colour(uint vertex) {
     return unpackUnorm4x8(scene_colours[vertex]);
 }
 #endif
 
 #ifdef SCENE_INSTANCES
-layout(std430, binding = SCENE_INSTANCES) readonly buffer SceneInstances { uint scene_instances[]; };
+layout(std430) readonly buffer SceneInstances { uint scene_instances[]; };
 #endif
 
 #ifdef SCENE_MOTION
-layout(std430, binding = SCENE_MOTION) readonly buffer SceneMotion { mat4 scene_motion[]; };
+layout(std430) readonly buffer SceneMotion { mat4 scene_motion[]; };
 #endif
 
 #ifdef SCENE_INDICES
-layout(std430, binding = SCENE_INDICES) readonly buffer SceneIndices { uint scene_indices[]; };
+layout(std430) readonly buffer SceneIndices { uint scene_indices[]; };
 uvec3 scene_triangle(uint triangle) {
     return uvec3(scene_indices[3u * triangle], scene_indices[3u * triangle + 1u],
                  scene_indices[3u * triangle + 2u]);
@@ -58,7 +58,7 @@ uvec3 scene_triangle(uint triangle) {
 #endif
 
 #ifdef SCENE_TRIANGLE_MATERIALS
-layout(std430, binding = SCENE_TRIANGLE_MATERIALS) readonly buffer SceneTriangleMaterials {
+layout(std430) readonly buffer SceneTriangleMaterials {
     uint scene_triangle_materials[];
 };
 #endif

@@ -1,9 +1,8 @@
 // Textures in one array (renderers/passes/scene/texel_buffer.h), looked up as passes::HostTexture does:
-// bilinear at the finest level where the sampler says linear, sRGB decoded before filtering. Declare
-// TEXELS_BINDING before including.
+// bilinear at the finest level where the sampler says linear, sRGB decoded before filtering.
 // [OpenGL 4.5 core §8.14.2, §8.24]
 
-layout(std430, binding = TEXELS_BINDING) readonly buffer Texels { uint texel_words[]; };
+layout(std430) readonly buffer Texels { uint texel_words[]; };
 
 const uint TEXELS_MIRRORED = 1u, TEXELS_CLAMPED = 2u;
 

@@ -1,8 +1,6 @@
 // Stores linear depth: a perspective map's own depth would spend nearly all of its values beside the light.
 
 #if MASKED
-#define COVERAGE_OPACITY 6
-#define COVERAGE_OPACITY_WORDS 7
 #include "lib/coverage.glsl"
 #endif
 

@@ -1,5 +1,4 @@
-// Looking up "shadow.maps". Before including it, choose the binding point SHADOW_VIEWS
-// and the texture unit SHADOW_MAPS.
+// Looking up "shadow.maps".
 
 #include "lib/light.glsl"
 
@@ -15,8 +14,8 @@ struct ShadowView {
     vec3 forward_ws;
     float near;
 };
-layout(std430, binding = SHADOW_VIEWS) readonly buffer ShadowViews { ShadowView shadow_views[]; };
-layout(binding = SHADOW_MAPS) uniform sampler2DArray shadow_maps;
+layout(std430) readonly buffer ShadowViews { ShadowView shadow_views[]; };
+uniform sampler2DArray shadow_maps;
 
 /// The receiver is lifted along its normal by this many texels times the sine of the light's angle, which
 /// covers what its tangent plane misses of curved and folded surfaces.  [Holbert11, normal offset]

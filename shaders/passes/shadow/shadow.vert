@@ -1,12 +1,12 @@
-#define SCENE_POSITIONS 0
-#define SCENE_INDICES 1
-#define SCENE_UV0 2
-#define SCENE_UV1 3
-#define SCENE_TRIANGLE_MATERIALS 4
+#define SCENE_POSITIONS
+#define SCENE_INDICES
+#define SCENE_UV0
+#define SCENE_UV1
+#define SCENE_TRIANGLE_MATERIALS
 #include "passes/scene/scene.glsl"
 #include "lib/material.glsl"
 
-layout(std430, binding = 5) readonly buffer Materials { Material materials[]; };
+layout(std430) readonly buffer Materials { Material materials[]; };
 
 uniform mat4 clip_from_world;
 uniform vec3 origin_ws, depth_axis_ws;

@@ -1,8 +1,8 @@
 // Each pixel as the mean of oversampling² samples; layer and element are those of the sample in its middle.
 
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(binding = 0, rgba32f) writeonly uniform image2D colours;
-layout(binding = 1, rg32ui) writeonly uniform uimage2D ids;
+layout(rgba32f) writeonly uniform image2D colours;
+layout(rg32ui) writeonly uniform uimage2D ids;
 
 uniform sampler2D colour_samples;
 uniform usampler2D id_samples;

@@ -3,8 +3,8 @@
 
 struct Filter { int offset, type; uint low, high; };
 
-layout(std430, binding = 0) readonly buffer Elements { uint element_words[]; };
-layout(std430, binding = 1) readonly buffer LayerBlock {
+layout(std430) readonly buffer Elements { uint element_words[]; };
+layout(std430) readonly buffer LayerBlock {
     uint words, step, drawn, number;
     int place_0, place_1, place_2, place_3;
     int normal, colatitude, longitude;

@@ -4,7 +4,7 @@
 layout(local_size_x = 256) in;
 
 // Least and most as keys: unsigned numbers in the order of what they stand for.
-layout(std430, binding = 2) buffer Measure {
+layout(std430) buffer Measure {
     uint least, most, count, unused;
     uint lowest[3], highest[3];
 } measure;

@@ -4,8 +4,8 @@ uniform float point_px;  // diameter, in samples of the picture
 
 // At each sample: the nearest depth as a key that grows towards the viewer, and the element plus 1 of the
 // point that has it; 0: none.
-layout(std430, binding = 2) buffer NearestKeys { uint nearest_keys[]; };
-layout(std430, binding = 3) buffer NearestElements { uint nearest_elements[]; };
+layout(std430) buffer NearestKeys { uint nearest_keys[]; };
+layout(std430) buffer NearestElements { uint nearest_elements[]; };
 
 // Centre in samples from the upper left corner, and depth; false where the point is not drawn.
 bool point_place(vec3 position_ws, out vec2 centre_px, out float depth) {

@@ -5,7 +5,7 @@
 #include "passes/viewers/sphere.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(binding = 0, r32ui) writeonly uniform uimage2D regions;
+layout(r32ui) writeonly uniform uimage2D regions;
 
 uniform ivec2 picture_size;
 

@@ -1,6 +1,5 @@
 // Looks surfaces up at hits, for the tests of hit_surface.glsl.
 layout(local_size_x = 64) in;
-#define HIT_SURFACE_BINDING 0
 #include "passes/scene/hit_surface.glsl"
 
 struct Question {
@@ -12,8 +11,8 @@ struct Answer {
     float metallic, roughness, transmission, ior;
     uint material, is_front, is_unlit;
 };
-layout(std430, binding = 5) readonly buffer Questions { Question questions[]; };
-layout(std430, binding = 6) buffer Answers { Answer answers[]; };
+layout(std430) readonly buffer Questions { Question questions[]; };
+layout(std430) buffer Answers { Answer answers[]; };
 uniform uint questions_asked;
 uniform bool normal_maps;
 

@@ -4,10 +4,10 @@ layout(local_size_x = 64) in;
 #include "passes/ldm/storage.glsl"
 
 /// First depth and number of depths of each texel of all maps.
-layout(std430, binding = 9) buffer Texels { uvec2 out_texels[]; };
-layout(std430, binding = 10) buffer Out { uint out_depths[]; };
-layout(std430, binding = 11) buffer Copied { uint copied; };
-layout(std430, binding = 12) buffer Wrong { uint wrong_answers; };
+layout(std430) buffer Texels { uvec2 out_texels[]; };
+layout(std430) buffer Out { uint out_depths[]; };
+layout(std430) buffer Copied { uint copied; };
+layout(std430) buffer Wrong { uint wrong_answers; };
 
 uniform uint first_map;  // of the batch
 uniform int resolution;

@@ -12,7 +12,7 @@ struct Trip {
     vec3 direction_out;
     uint unused;
 };
-layout(std430, binding = 0) buffer Trips { Trip trips[]; };
+layout(std430) buffer Trips { Trip trips[]; };
 
 uniform uint first, end;
 

@@ -7,7 +7,7 @@ struct Draw {
     float direction[3], weight[3];
     uint is_specular, unused;
 };
-layout(std430, binding = 0) buffer Draws { Draw draws[]; };
+layout(std430) buffer Draws { Draw draws[]; };
 
 uniform uint first, end;
 uniform int model, sampling;

@@ -256,7 +256,7 @@ TEST_P(EveryMethod, EveryCostParameterChangesOnlyCosts) {
 /// GLSL that writes each parameter, as the generated block and defines give it, into a buffer.
 std::string reading_program(const std::vector<ParameterDescription>& parameters) {
     std::string text =
-        "layout(local_size_x = 1) in;\nlayout(std430, binding = 0) buffer Out { float seen[]; };\n"
+        "layout(local_size_x = 1) in;\nlayout(std430) buffer Out { float seen[]; };\n"
         "void main() {\n";
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         auto name = parameters[i].key;
@@ -294,10 +294,9 @@ TEST_P(EveryMethod, ShadersSeeEveryParameter) {
         for (const auto& p : parameters)
             settings[p.key] = last ? tried_values(p).back() : tried_values(p).front();
         gl::ProgramSource source{{"read.comp"}};
-        source.preamble = gl::parameter_glsl(parameters, settings, gl::parameter_binding);
+        source.preamble = gl::parameter_glsl(parameters, settings);
         const auto& program = programs.get(source);
-        const auto& api = machine().context().api();
-        EXPECT_NO_THROW(gl::check_parameter_block(api, program.name(), parameters));
+        EXPECT_NO_THROW(gl::check_parameter_block(machine().context().api(), program.name(), parameters));
         auto words = gl::parameter_block(parameters, settings);
         words.push_back(0);
         std::vector<float> seen(parameters.size(), -12345);
@@ -305,8 +304,8 @@ TEST_P(EveryMethod, ShadersSeeEveryParameter) {
         const auto out = device.create_buffer(4 * seen.size(), "seen");
         device.write_buffer(block, 0, std::as_bytes(std::span(words)));
         program.use();
-        api.BindBufferBase(GL_SHADER_STORAGE_BUFFER, gl::parameter_binding, block);
-        api.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, out);
+        program.bind_buffer(gl::parameter_block_name, block);
+        program.bind_buffer("Out", out);
         program.dispatch(1);
         device.barrier();
         device.read_buffer(out, 0, std::as_writable_bytes(std::span(seen)));

@@ -47,6 +47,12 @@ bool names(const SourceFile& code, const std::string& shader) {
                                                code.text.find('/' + file + '"') != std::string::npos));
 }
 
+TEST(Shaders, BlocksSamplersAndImagesHaveNoNumbers) {
+    for (const auto& file : source_files({"shaders", "tests/data/shaders"}, shader_endings))
+        EXPECT_FALSE(std::regex_search(without_comments(file.text), std::regex(R"(\bbinding\s*=)")))
+            << file.path << " has a binding; passes bind by name";
+}
+
 TEST(Shaders, EveryEntryPointIsUsed) {
     const auto code = source_files({"renderers", "app"}, {".cpp", ".h"});
     for (const auto& file : source_files({"shaders"}, shader_endings)) {

@@ -31,8 +31,8 @@ class ShaderLibTest : public ContextTest {
     std::vector<To> map(const std::vector<From>& given, const std::string& file, const std::string& from,
                         const std::string& to, const std::string& body) {
         folder.write("map.comp", "#include \"lib/" + file + "\"\nlayout(local_size_x = 64) in;\n" +
-                                     "layout(std430, binding = 0) readonly buffer Given { " + from +
-                                     " given[]; };\nlayout(std430, binding = 1) buffer Result { " + to +
+                                     "layout(std430) readonly buffer Given { " + from +
+                                     " given[]; };\nlayout(std430) buffer Result { " + to +
                                      " result[]; };\nvoid main() {\n    uint i = gl_GlobalInvocationID.x;\n" +
                                      "    if (i >= uint(given.length())) return;\n    " + body + "\n}\n");
         ProgramLibrary library(*context, folder.path());
@@ -42,8 +42,8 @@ class ShaderLibTest : public ContextTest {
         const Name out = device->create_buffer(given.size() * sizeof(To), "result");
         device->write_buffer(in, 0, std::as_bytes(std::span(given)));
         program.use();
-        api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, in);
-        api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, out);
+        program.bind_buffer("Given", in);
+        program.bind_buffer("Result", out);
         program.dispatch(static_cast<std::int64_t>(given.size()));
         device->barrier();
         device->read_buffer(out, 0, std::as_writable_bytes(std::span(result)));

@@ -162,7 +162,7 @@ TEST_P(GlDeviceTest, ComputeWritesStorageBuffers) {
     ShaderFolder folder;
     folder.write("square.comp",
                  "layout(local_size_x = 64) in;\n"
-                 "layout(std430, binding = 3) buffer Values { uint values[]; };\n"
+                 "layout(std430) buffer Values { uint values[]; };\n"
                  "uniform int count;\n"
                  "void main() {\n"
                  "    uint i = gl_GlobalInvocationID.x;\n"
@@ -177,7 +177,7 @@ TEST_P(GlDeviceTest, ComputeWritesStorageBuffers) {
     EXPECT_EQ(program.work_group_size(), glm::ivec3(64, 1, 1));
     program.set("count", 999);
     program.use();
-    api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, buffer);
+    program.bind_buffer("Values", buffer);
     program.dispatch(1000);
     program.dispatch(0);
     device->barrier();

@@ -42,13 +42,13 @@ std::vector<ParameterDescription> descriptions() {
 
 TEST(ParameterGlsl, WritesConstantsDefinesAndBlock) {
     const auto parameters = descriptions();
-    EXPECT_EQ(parameter_glsl(parameters, defaults(parameters), 15),
+    EXPECT_EQ(parameter_glsl(parameters, defaults(parameters)),
               "const int STORAGE_LINKED_LISTS = 0;\n"
               "const int STORAGE_ARRAYS = 1;\n"
               "#define SAMPLE_COUNT 16\n"
               "#define BIAS 1.0\n"
               "#define FAST 0\n"
-              "layout(std430, binding = 15) readonly buffer Parameters {\n"
+              "layout(std430) readonly buffer Parameters {\n"
               "    uint flag;\n"
               "    int n;\n"
               "    float x;\n"
@@ -58,10 +58,10 @@ TEST(ParameterGlsl, WritesConstantsDefinesAndBlock) {
 }
 
 TEST(ParameterGlsl, WritesNoEmptyBlock) {
-    EXPECT_EQ(parameter_glsl({}, {}, 15), "");
+    EXPECT_EQ(parameter_glsl({}, {}), "");
     EXPECT_TRUE(parameter_block({}, {}).empty());
     const std::vector only_defines{descriptions()[2]};
-    EXPECT_EQ(parameter_glsl(only_defines, defaults(only_defines), 15), "#define SAMPLE_COUNT 16\n");
+    EXPECT_EQ(parameter_glsl(only_defines, defaults(only_defines)), "#define SAMPLE_COUNT 16\n");
 }
 
 TEST(ParameterGlsl, RefusesWhatDoesNotFit) {
@@ -75,7 +75,7 @@ TEST(ParameterGlsl, RefusesWhatDoesNotFit) {
 
 constexpr const char* reads_parameters = R"(
 layout(local_size_x = 1) in;
-layout(std430, binding = 0) buffer Result { float result[]; };
+layout(std430) buffer Result { float result[]; };
 void main() {
     result[0] = bool(params.flag) ? 1.0 : 0.0;
     result[1] = float(params.n);
@@ -97,8 +97,7 @@ TEST_P(ParameterBlockTest, ReachesTheShader) {
     folder.write("main.comp", reads_parameters);
     const auto device = make_gl_device(*context);
     ProgramLibrary library(*context, folder.path());
-    const auto& program =
-        library.get({{"main.comp"}, {}, parameter_glsl(parameters, settings, parameter_binding)});
+    const auto& program = library.get({{"main.comp"}, {}, parameter_glsl(parameters, settings)});
     EXPECT_NO_THROW(check_parameter_block(api(), program.name(), parameters));
 
     const auto words = parameter_block(parameters, settings);
@@ -106,8 +105,8 @@ TEST_P(ParameterBlockTest, ReachesTheShader) {
     device->write_buffer(block, 0, std::as_bytes(std::span(words)));
     const Name result = device->create_buffer(6 * 4, "result");
     program.use();
-    api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, parameter_binding, block);
-    api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, result);
+    program.bind_buffer(parameter_block_name, block);
+    program.bind_buffer("Result", result);
     program.dispatch(1);
     device->barrier();
     std::vector<float> values(6);
@@ -130,8 +129,7 @@ TEST_P(ParameterBlockTest, NoticesAnotherLayout) {
     ShaderFolder folder;
     folder.write("main.comp", reads_parameters);
     ProgramLibrary library(*context, folder.path());
-    const auto& program =
-        library.get({{"main.comp"}, {}, parameter_glsl(parameters, defaults(parameters), parameter_binding)});
+    const auto& program = library.get({{"main.comp"}, {}, parameter_glsl(parameters, defaults(parameters))});
 
     auto swapped = parameters;
     std::swap(swapped[0], swapped[1]);
@@ -151,8 +149,7 @@ TEST_P(ParameterBlockTest, MayBeUnusedByAProgram) {
     ShaderFolder folder;
     folder.write("main.comp", "layout(local_size_x = 1) in;\nvoid main() {}\n");
     ProgramLibrary library(*context, folder.path());
-    const auto& program =
-        library.get({{"main.comp"}, {}, parameter_glsl(parameters, defaults(parameters), parameter_binding)});
+    const auto& program = library.get({{"main.comp"}, {}, parameter_glsl(parameters, defaults(parameters))});
     EXPECT_NO_THROW(check_parameter_block(api(), program.name(), parameters));
 }
 
@@ -161,11 +158,10 @@ TEST_P(ParameterBlockTest, MayBeReadInPart) {
     const auto parameters = descriptions();
     ShaderFolder folder;
     folder.write("main.comp",
-                 "layout(local_size_x = 1) in;\nlayout(std430, binding = 0) buffer R { float result; };\n"
+                 "layout(local_size_x = 1) in;\nlayout(std430) buffer R { float result; };\n"
                  "void main() { result = params.last; }\n");
     ProgramLibrary library(*context, folder.path());
-    const auto& program =
-        library.get({{"main.comp"}, {}, parameter_glsl(parameters, defaults(parameters), parameter_binding)});
+    const auto& program = library.get({{"main.comp"}, {}, parameter_glsl(parameters, defaults(parameters))});
     EXPECT_EQ(difference(api(), program, parameters), "no difference");
 }
 

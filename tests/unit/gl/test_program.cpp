@@ -9,7 +9,7 @@ namespace {
 constexpr const char* writes_answer =
     "#include \"lib/answer.glsl\"\n"
     "layout(local_size_x = 1) in;\n"
-    "layout(std430, binding = 0) buffer Result { float result[]; };\n"
+    "layout(std430) buffer Result { float result[]; };\n"
     "void main() { result[0] = answer(); }\n";
 
 class ProgramTest : public ContextTest {
@@ -25,12 +25,12 @@ class ProgramTest : public ContextTest {
         ContextTest::TearDown();
     }
 
-    /// The first float that a compute program writes to binding 0.
+    /// The first float that a compute program writes to "Result".
     float run(const Program& program) {
         const Name buffer = device->create_buffer(16, "result");
         device->clear_buffer(buffer, 0, 16);
         program.use();
-        api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer);
+        program.bind_buffer("Result", buffer);
         program.dispatch(1);
         device->barrier();
         float result = 0;
@@ -209,7 +209,7 @@ TEST_P(ProgramTest, RecoversFromAMissingInclude) {
 TEST_P(ProgramTest, SetsUniformsOfEveryType) {
     folder.write("main.comp", R"(
 layout(local_size_x = 1) in;
-layout(std430, binding = 0) buffer Result { float result[]; };
+layout(std430) buffer Result { float result[]; };
 uniform int i; uniform uint u; uniform float f; uniform bool b;
 uniform vec2 v2; uniform vec3 v3; uniform vec4 v4; uniform ivec2 i2; uniform mat4 m; uniform float list[3];
 void main() {

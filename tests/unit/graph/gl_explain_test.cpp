@@ -7,8 +7,8 @@ namespace {
 
 const char* const paint_program = R"(
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(r32f, binding = 0) uniform image2D before;
-layout(r32f, binding = 1) uniform image2D picture;
+layout(r32f) readonly uniform image2D before;
+layout(r32f) uniform image2D picture;
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(p, imageSize(picture)))) return;
@@ -19,9 +19,9 @@ void main() {
 
 const char* const explain_program = R"(
 layout(local_size_x = 1) in;
-layout(r32f, binding = 0) uniform image2D picture;
-layout(r32f, binding = 1) uniform image2D before;
-layout(std430, binding = 0) buffer Why { float why[]; };
+layout(r32f) readonly uniform image2D picture;
+layout(r32f) readonly uniform image2D before;
+layout(std430) buffer Why { float why[]; };
 uniform ivec2 pixel;
 void main() {
     why[0] = imageLoad(picture, pixel).x;
@@ -63,19 +63,14 @@ class GlExplainTest : public gl::ContextTest {
             p.api().CopyImageSubData(p.previous(picture), GL_TEXTURE_2D, 0, 0, 0, 0, p.image(before),
                                      GL_TEXTURE_2D, 0, 0, 0, 0, size.width, size.height, 1);
         });
-        builder.pass("paint").reads(before).writes(picture).execute([=](PassContext& p) {
-            p.bind_storage_image(0, before);
-            p.bind_storage_image(1, picture);
-            const auto& program = p.program({{"paint.comp"}});
-            program.use();
+        builder.pass("paint").reads("before", before).writes("picture", picture).execute([=](PassContext& p) {
+            const auto& program = p.use({{"paint.comp"}});
             program.dispatch(p.shape(picture).width, p.shape(picture).height);
         });
-        builder.pass("explain").reads(picture, before).writes(why).execute([=](PassContext& p) {
-            p.bind_storage_image(0, picture);
-            p.bind_storage_image(1, before);
-            p.bind_buffer(0, why);
-            const auto& program = p.program({{"explain.comp"}});
-            program.use();
+        auto explain = builder.pass("explain");
+        explain.reads("picture", picture).reads("before", before).writes("Why", why);
+        explain.execute([](PassContext& p) {
+            const auto& program = p.use({{"explain.comp"}});
             program.set("pixel", glm::ivec2(p.inputs().inspection.x, p.inputs().inspection.y));
             program.dispatch(1);
         });

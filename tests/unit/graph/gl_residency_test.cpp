@@ -7,9 +7,9 @@ namespace {
 
 const char* const double_program = R"(
 layout(local_size_x = 8) in;
-layout(std430, binding = 0) buffer Numbers { uint numbers[]; };
-layout(std430, binding = 1) buffer Count { uint count; };
-layout(r32f, binding = 0) uniform image2D picture;
+layout(std430) buffer Numbers { uint numbers[]; };
+layout(std430) buffer Count { uint count; };
+layout(r32f) uniform image2D picture;
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= uint(numbers.length())) return;
@@ -46,12 +46,8 @@ class GlGraphTest : public gl::ContextTest {
         method.setup = [&](GraphBuilder& builder, const Settings&) { declare(builder); };
         return graph->run(method, {}, inputs, options);
     }
-    static void run_double(PassContext& p, BufferRef numbers, ImageRef picture, CounterRef count) {
-        p.bind_buffer(0, numbers);
-        p.bind_counter(1, count);
-        p.bind_storage_image(0, picture);
-        const auto& program = p.program({{"double.comp"}});
-        program.use();
+    static void run_double(const PassContext& p, BufferRef numbers) {
+        const auto& program = p.use({{"double.comp"}});
         program.dispatch(static_cast<std::int64_t>(p.capacity(numbers)));
     }
 
@@ -78,9 +74,11 @@ TEST_P(GlGraphTest, ContentsGoFromHostToDeviceAndBack) {
             p.add(count, 100);
         });
         for (const char* name : {"device", "device again"})
-            builder.pass(name).writes(numbers, picture).counts(count).execute([=](PassContext& p) {
-                run_double(p, numbers, picture, count);
-            });
+            builder.pass(name)
+                .writes("Numbers", numbers)
+                .writes("picture", picture)
+                .counts("Count", count)
+                .execute([=](PassContext& p) { run_double(p, numbers); });
         builder.pass("host again", Queue::cpu)
             .reads(numbers, picture)
             .writes(end)

@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t odd_bits[] = {0x7fc12345u, 0x80000000u, 0x00000001u, 0xffffffffu};
 
 /// Adds 1 to a stack of floats, doubles a buffer of words and keeps odd bits in an integer image.
-struct Accumulation {
+struct Restored {
     std::vector<bool> had_previous;
     std::vector<int> frames;
     std::vector<std::uint64_t> limits;
@@ -66,14 +66,14 @@ class RestoreTest : public GraphTest {
         graph = std::make_unique<Graph>(*device, nullptr, nullptr);
         frame = 0;
     }
-    History after_frames(int count, Accumulation& sum) {
+    History after_frames(int count, Restored& sum) {
         for (int i = 0; i < count; ++i) run(sum.declare());
         return graph->history().value();
     }
 };
 
 TEST_F(RestoreTest, AnotherGraphGoesOnBitByBit) {
-    Accumulation sum;
+    Restored sum;
     const auto middle = after_frames(2, sum);
     ASSERT_EQ(middle.entries.size(), 3u);
     const auto whole = after_frames(3, sum);
@@ -91,7 +91,7 @@ TEST_F(RestoreTest, AnotherGraphGoesOnBitByBit) {
 
 TEST_F(RestoreTest, ThereIsNoneBeforeAFrameAfterAResetAndWithoutAHistory) {
     EXPECT_FALSE(graph->history());
-    Accumulation sum;
+    Restored sum;
     after_frames(1, sum);
     graph->reset_history();
     EXPECT_FALSE(graph->history());
@@ -103,7 +103,7 @@ TEST_F(RestoreTest, ThereIsNoneBeforeAFrameAfterAResetAndWithoutAHistory) {
 }
 
 TEST_F(RestoreTest, ACancelledFrameKeepsWhatWasRestored) {
-    Accumulation sum;
+    Restored sum;
     const auto middle = after_frames(2, sum);
     make_another_graph();
     graph->restore(middle);
@@ -122,7 +122,7 @@ TEST_F(RestoreTest, ACancelledFrameKeepsWhatWasRestored) {
 
 /// All or nothing, and the frame is one without a past.
 TEST_F(RestoreTest, WhatDoesNotFitIsDroppedWithAWarning) {
-    const std::vector<std::function<void(Accumulation&, FrameInputs&, History&)>> misfits{
+    const std::vector<std::function<void(Restored&, FrameInputs&, History&)>> misfits{
         [](auto&, auto& inputs, auto&) { inputs.view.width = 9; },
         [](auto& sum, auto&, auto&) { sum.words = 6; },
         [](auto& sum, auto&, auto&) { sum.more = true; },
@@ -130,7 +130,7 @@ TEST_F(RestoreTest, WhatDoesNotFitIsDroppedWithAWarning) {
         [](auto&, auto&, auto& history) { history.entries.front().shape.format = gl::Format::r32f; },
     };
     for (const auto& misfit : misfits) {
-        Accumulation sum;
+        Restored sum;
         make_another_graph();
         inputs.view.width = 4;
         auto history = after_frames(2, sum);
@@ -154,7 +154,7 @@ TEST_F(RestoreTest, WhatDoesNotFitIsDroppedWithAWarning) {
 }
 
 TEST_F(RestoreTest, WhatIsNotReadIsDroppedAndTheRestGoesOn) {
-    Accumulation sum;
+    Restored sum;
     sum.more = true;
     const auto history = after_frames(2, sum);
     make_another_graph();

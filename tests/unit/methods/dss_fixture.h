@@ -70,15 +70,12 @@ class DeepScreenSpaceTest : public PassTest {
         surfels.count = builder.counter({.key = "surfels.count", .label = "Surfels"});
         builder.pass("upload surfels")
             .writes(surfels.records)
-            .counts(surfels.count)
+            .counts("Counter", surfels.count)
             .execute([=](graph::PassContext& p) {
                 const auto there = std::min<std::size_t>(records.size(), p.capacity(surfels.records));
                 p.upload(surfels.records, std::as_bytes(std::span(records).first(there)));
                 const auto count = static_cast<std::uint32_t>(records.size()) + uncounted;
-                p.bind_counter(0, surfels.count);
-                GLint64 start = 0;
-                p.api().GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, 0, &start);
-                p.api().BufferSubData(GL_SHADER_STORAGE_BUFFER, start, sizeof count, &count);
+                add_to_counter(p, count);
             });
         return surfels;
     }

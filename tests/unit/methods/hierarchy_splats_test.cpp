@@ -65,10 +65,9 @@ class SplatsTest : public DeepScreenSpaceTest {
                 [=](const graph::PassContext& p, const dss::SplatLayer& layer) -> const gl::Program& {
                     if (layer.is_first && layer.level == 0) p.clear(drawn);
                     p.bind_framebuffer({{drawn}});
-                    const auto& program = p.program({{"methods/deep-screen-space/splatting/splat.vert",
-                                                      "methods/deep-screen-space/splatting/cover.frag"}});
-                    program.use();
-                    dss::bind_receivers(p, program, splats, layer);
+                    const auto& program = p.use({{"methods/deep-screen-space/splatting/splat.vert",
+                                                  "methods/deep-screen-space/splatting/cover.frag"}});
+                    dss::set_receivers(program, splats, layer);
                     p.api().Enable(GL_BLEND);
                     p.api().BlendFunc(GL_ONE, GL_ONE);
                     return program;

@@ -114,14 +114,11 @@ class IndirectSplatTest : public PassTest {
         photons.count = builder.counter({.key = "indirect.photon_count", .label = "Photons"});
         builder.pass("upload photons")
             .writes(photons.records)
-            .counts(photons.count)
+            .counts("Counter", photons.count)
             .execute([=](graph::PassContext& p) {
                 p.upload(photons.records, std::as_bytes(std::span(records)));
                 const auto count = static_cast<std::uint32_t>(records.size());
-                p.bind_counter(0, photons.count);
-                GLint64 start = 0;
-                p.api().GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, 0, &start);
-                p.api().BufferSubData(GL_SHADER_STORAGE_BUFFER, start, sizeof count, &count);
+                add_to_counter(p, count);
             });
         return photons;
     }

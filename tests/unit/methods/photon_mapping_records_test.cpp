@@ -80,13 +80,11 @@ class PhotonRecords : public PassTest {
                 context.upload(buffer, std::as_bytes(std::span(trips)));
             });
             builder.pass("round trip")
-                .writes(buffer)
+                .writes("Trips", buffer)
                 .execute_sliced(static_cast<std::int64_t>(trips.size()), [=](graph::PassContext& context,
                                                                              graph::Slice slice) {
-                    context.bind_buffer(0, buffer);
                     const auto& program =
-                        context.program({{SOURCE_ROOT "/tests/data/shaders/photon_round_trip.comp"}});
-                    program.use();
+                        context.use({{SOURCE_ROOT "/tests/data/shaders/photon_round_trip.comp"}});
                     program.set("first", static_cast<unsigned>(slice.begin));
                     program.set("end", static_cast<unsigned>(slice.end));
                     program.dispatch(slice.end - slice.begin);

@@ -80,15 +80,12 @@ class SplatTest : public PassTest {
         photons.count = builder.counter({.key = "photons.count", .label = "Photons"});
         builder.pass("upload photons")
             .writes(photons.records)
-            .counts(photons.count)
+            .counts("Counter", photons.count)
             .execute([=, uncounted = run.uncounted](graph::PassContext& p) {
                 const auto there = std::min<std::size_t>(records.size(), p.capacity(photons.records));
                 p.upload(photons.records, std::as_bytes(std::span(records).first(there)));
                 const auto count = static_cast<std::uint32_t>(records.size()) + uncounted;
-                p.bind_counter(0, photons.count);
-                GLint64 start = 0;
-                p.api().GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, 0, &start);
-                p.api().BufferSubData(GL_SHADER_STORAGE_BUFFER, start, sizeof count, &count);
+                add_to_counter(p, count);
             });
         return photons;
     }

@@ -175,15 +175,11 @@ class TracingTest : public PassTest {
         samples.paths = points.size() * static_cast<std::uint64_t>(parameters.photons_per_point);
         builder.pass("upload samples")
             .writes(samples.points, samples.sources)
-            .counts(samples.count)
+            .counts("Counter", samples.count)
             .execute([=](graph::PassContext& context) {
                 context.upload(samples.points, std::as_bytes(std::span(points)));
                 context.upload(samples.sources, std::as_bytes(std::span(&source, 1)));
-                context.bind_counter(0, samples.count);
-                const auto& program = context.program({{SOURCE_ROOT "/tests/data/shaders/set_count.comp"}});
-                program.use();
-                program.set("amount", static_cast<unsigned>(points.size()));
-                program.dispatch(1);
+                add_to_counter(context, static_cast<std::uint32_t>(points.size()));
             });
         return samples;
     }

@@ -53,12 +53,10 @@ class ScatteringOnDevice : public PassTest {
             desc.fields = {{"word", graph::FieldType::u32, 8}};
             desc.elements = draws;
             const auto buffer = builder.buffer(std::move(desc));
-            builder.pass("scatter").writes(buffer).execute([=](graph::PassContext& context) {
-                context.bind_buffer(0, buffer);
+            builder.pass("scatter").writes("Draws", buffer).execute([=](graph::PassContext& context) {
                 gl::ProgramSource source{{SOURCE_ROOT "/tests/data/shaders/scatter.comp"}};
                 source.defines = defines;
-                const auto& program = context.program(source);
-                program.use();
+                const auto& program = context.use(source);
                 program.set("first", 0u);
                 program.set("end", static_cast<unsigned>(draws));
                 program.set("model", static_cast<int>(patch.model));

@@ -172,16 +172,12 @@ class LdmBuild {
             build_maps(builder, scene, maps, batch);
             auto pass = builder.pass("read" + maps->batch_name(batch));
             reads_maps(pass, *maps);
-            pass.writes(texels, depths).counts(copied).counts(wrong);
+            pass.writes("Texels", texels).writes("Out", depths);
+            pass.counts("Copied", copied).counts("Wrong", wrong);
             pass.execute([=](graph::PassContext& context) {
                 gl::ProgramSource source{{SOURCE_ROOT "/tests/data/shaders/ldm_lists.comp"}};
-                source.defines = bind_maps(context, *maps, 0, 1);
-                context.bind_buffer(9, texels);
-                context.bind_buffer(10, depths);
-                context.bind_counter(11, copied);
-                context.bind_counter(12, wrong);
-                const auto& program = context.program(source);
-                program.use();
+                source.defines = defines_of(context, *maps);
+                const auto& program = context.use(source);
                 program.set("first_map", static_cast<unsigned>(maps->first_map(batch)));
                 program.set("resolution", maps->layout.resolution);
                 program.dispatch(static_cast<std::int64_t>(maps->layout.map_texels()),

@@ -10,6 +10,7 @@
 
 #include "renderers/core/resources_path.h"
 #include "renderers/graph/graph.h"
+#include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 #include "renderers/passes/scene/scene_buffers.h"
 
@@ -51,6 +52,13 @@ inline scene::Camera looking(glm::vec3 eye, glm::vec3 target, glm::vec3 up = {0,
     camera.target = target;
     camera.up = up;
     return camera;
+}
+
+/// For a pass that `.counts("Counter", …)`.
+inline void add_to_counter(const graph::PassContext& context, std::uint32_t amount) {
+    const auto& program = context.use({{SOURCE_ROOT "/tests/data/shaders/set_count.comp"}});
+    program.set("amount", amount);
+    program.dispatch(1);
 }
 
 /// Runs passes on the best device; any error that OpenGL reports fails the test.

@@ -93,12 +93,8 @@ class HitSurfaceTest : public PassTest {
             auto pass = builder.pass("answer");
             surfaces.read_by(pass);
             const auto count = questions.size();
-            pass.reads(given).writes(found).execute([=](graph::PassContext& context) {
-                const auto& program = context.program({{SOURCE_ROOT "/tests/data/shaders/hit_surface.comp"}});
-                program.use();
-                surfaces.bind(context, 0);
-                context.bind_buffer(5, given);
-                context.bind_buffer(6, found);
+            pass.reads("Questions", given).writes("Answers", found).execute([=](graph::PassContext& context) {
+                const auto& program = context.use({{SOURCE_ROOT "/tests/data/shaders/hit_surface.comp"}});
                 program.set("questions_asked", static_cast<unsigned>(count));
                 program.set("normal_maps", normal_maps);
                 program.dispatch(static_cast<std::int64_t>(count));

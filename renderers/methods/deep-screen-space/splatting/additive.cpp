@@ -61,11 +61,10 @@ const gl::Program& bind_layer(const PassContext& p, const Additive& additive, co
     if (layer.is_first) clear_layer(gl, additive);
     gl::ProgramSource source{{folder + "splat.vert", folder + "additive.frag"}, additive.mutation};
     additive.receivers.define(source);
-    const auto& program = p.program(source);
-    program.use();
-    bind_receivers(p, program, additive.splats, layer);
+    const auto& program = p.use(source);
+    set_receivers(program, additive.splats, layer);
     if (additive.is_light()) {
-        additive.receivers.bind(p, program);
+        additive.receivers.set(p, program);
         program.set("black_backs", additive.parameters().backs == Backs::black ? 1 : 0);
     } else {
         const auto& transport = additive.parameters().transport;
@@ -92,9 +91,9 @@ void splat(graph::GraphBuilder& builder, Additive& additive) {
                 });
 }
 
-void bind_levels(const PassContext& p, int first_unit, const LevelSums& sums) {
+void read_levels(graph::PassBuilder& pass, const std::string& name, const LevelSums& sums) {
     for (std::size_t level = 0; level < sums.levels.size(); ++level)
-        p.bind_texture(first_unit + static_cast<int>(level), sums.levels[level]);
+        pass.reads(name + "[" + std::to_string(level) + "]", sums.levels[level]);
 }
 
 ImageRef resolve(graph::GraphBuilder& builder, const Additive& additive, const LevelSums& sums,
@@ -104,25 +103,16 @@ ImageRef resolve(graph::GraphBuilder& builder, const Additive& additive, const L
     const auto sum = builder.image({.text = additive_text("additive.sum"), .format = format});
     const auto result = builder.image({.text = std::move(text), .format = format});
     auto pass = builder.pass("add levels");
-    for (const auto image : sums.levels) pass.reads(image);
-    for (const auto image : glossy.levels) pass.reads(image);
-    pass.reads(gbuffer.albedo, gbuffer.material, gbuffer.position).writes(sum, result);
+    read_levels(pass, "levels_texture", sums);
+    read_levels(pass, "glossy_texture", glossy);
+    pass.reads(gbuffer.albedo, gbuffer.material, gbuffer.position)
+        .writes("sum_image", sum)
+        .writes("result_image", result);
     pass.execute([=](PassContext& p) {
         gl::ProgramSource source{{folder + "additive_resolve.comp"}};
         source.defines["LEVELS"] = std::to_string(sums.levels.size());
         additive.receivers.define(source);
-        const auto& program = p.program(source);
-        program.use();
-        bind_levels(p, 0, sums);
-        bind_levels(p, 6, glossy);
-        if (additive.is_light()) {
-            p.bind_texture(12, gbuffer.albedo);
-            p.bind_texture(13, gbuffer.material);
-        } else {
-            p.bind_texture(13, gbuffer.position);
-        }
-        p.bind_storage_image(0, sum);
-        p.bind_storage_image(1, result);
+        const auto& program = p.use(source);
         const auto shape = p.shape(result);
         program.dispatch(shape.width, shape.height);
     });

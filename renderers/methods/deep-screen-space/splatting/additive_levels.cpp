@@ -15,14 +15,10 @@ gl::Format format_of(const graph::GraphBuilder& builder, ImageRef image) {
     return builder.images().at(static_cast<std::size_t>(image.index)).format;
 }
 
-void unshuffle(const PassContext& p, const Hierarchy& hierarchy, ImageRef stack, ImageRef result, int level) {
+void unshuffle(const PassContext& p, ImageRef result, int level) {
     gl::ProgramSource source{{"methods/deep-screen-space/splatting/unshuffle.comp"}};
     if (p.shape(result).layers > 0) source.defines["TO_STACK"] = "1";
-    const auto& program = p.program(source);
-    program.use();
-    p.bind_texture(0, hierarchy.places);
-    p.bind_texture(1, stack);
-    p.bind_storage_image(0, result);
+    const auto& program = p.use(source);
     program.set("level", level);
     const auto shape = p.shape(result);
     program.dispatch(shape.width, shape.height);
@@ -35,9 +31,10 @@ ImageRef unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, Im
     desc.format = format_of(builder, stack);
     const auto image = builder.image(std::move(desc));
     builder.pass("unshuffle: " + key)
-        .reads(hierarchy.places, stack)
-        .writes(image)
-        .execute([=](PassContext& p) { unshuffle(p, hierarchy, stack, image, level); });
+        .reads("places_texture", hierarchy.places)
+        .reads("stack", stack)
+        .writes("result", image)
+        .execute([=](PassContext& p) { unshuffle(p, image, level); });
     return image;
 }
 
@@ -69,11 +66,11 @@ void show_unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, I
     desc.layers = hierarchy.levels;
     const auto levels = builder.image(std::move(desc));
     builder.pass("unshuffle levels")
-        .reads(hierarchy.places, stack)
-        .writes(levels)
+        .reads("places_texture", hierarchy.places)
+        .reads("stack", stack)
+        .writes("result", levels)
         .execute([=](PassContext& p) {
-            for (int level = 0; level < hierarchy.levels; ++level)
-                unshuffle(p, hierarchy, stack, levels, level);
+            for (int level = 0; level < hierarchy.levels; ++level) unshuffle(p, levels, level);
         });
 }
 

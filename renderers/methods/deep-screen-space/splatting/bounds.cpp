@@ -16,20 +16,14 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, in
     return builder.image(std::move(desc));
 }
 
-void reduce(const graph::PassContext& p, const passes::GBuffer& gbuffer, const Hierarchy& hierarchy,
-            int level) {
+void reduce(const graph::PassContext& p, const Hierarchy& hierarchy, int level) {
     gl::ProgramSource source{{"methods/deep-screen-space/splatting/bounds.comp"}};
     if (level == 0) source.defines["FIRST"] = "1";
-    const auto& program = p.program(source);
-    program.use();
-    p.bind_storage_image(0, hierarchy.least, level);
-    p.bind_storage_image(1, hierarchy.most, level);
-    if (level == 0) {
-        p.bind_texture(0, gbuffer.position);
-    } else {
-        p.bind_storage_image(2, hierarchy.least, level - 1);
-        p.bind_storage_image(3, hierarchy.most, level - 1);
-    }
+    p.bind("least_image", hierarchy.least, level);
+    p.bind("most_image", hierarchy.most, level);
+    p.bind("finer_least", hierarchy.least, level - 1);
+    p.bind("finer_most", hierarchy.most, level - 1);
+    const auto& program = p.use(source);
     const auto shape = p.shape(hierarchy.least);
     program.dispatch(shape.level_width(level), shape.level_height(level));
     p.barrier();
@@ -46,7 +40,7 @@ void bound_positions(graph::GraphBuilder& builder, const passes::GBuffer& gbuffe
         .reads(gbuffer.position)
         .writes(hierarchy.least, hierarchy.most)
         .execute([=](graph::PassContext& p) {
-            for (int level = 0; level < levels; ++level) reduce(p, gbuffer, hierarchy, level);
+            for (int level = 0; level < levels; ++level) reduce(p, hierarchy, level);
         });
 }
 

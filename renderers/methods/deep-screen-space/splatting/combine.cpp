@@ -13,18 +13,8 @@ graph::ImageRef declare_of_samples(graph::GraphBuilder& builder, const std::stri
     return builder.image(std::move(desc));
 }
 
-const gl::Program& bind(const graph::PassContext& p, const VisibleSplats& visible, graph::ImageRef distance) {
-    const auto& program = p.program({{"methods/deep-screen-space/splatting/combine.comp"}});
-    program.use();
-    p.bind_buffer(0, visible.splats.surfels);
-    p.bind_texture(0, visible.splats.hierarchy.places);
-    p.bind_texture(1, visible.winner);
-    p.bind_texture(2, visible.gbuffer.position);
-    p.bind_texture(3, visible.directions.directions);
-    p.bind_texture(4, visible.depth);
-    p.bind_storage_image(0, distance);
-    p.bind_storage_image(1, visible.nearest);
-    p.bind_storage_image(2, visible.hit_level);
+const gl::Program& use(const graph::PassContext& p, const VisibleSplats& visible) {
+    const auto& program = p.use({{"methods/deep-screen-space/splatting/combine.comp"}});
     program.set("levels", visible.splats.hierarchy.levels);
     program.set("samples", visible.splats.samples);
     program.set("nearest_decides", nearest_decides(visible.splats) ? 1 : 0);
@@ -39,12 +29,17 @@ graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visi
     visible.nearest = declare_of_samples(builder, "splats.nearest", gl::Format::r32ui, samples);
     visible.hit_level = declare_of_samples(builder, "splats.hit_level", gl::Format::r16f, samples);
     auto pass = builder.pass("combine levels");
-    pass.reads(visible.splats.surfels, visible.splats.hierarchy.places, visible.winner, visible.depth,
-               visible.gbuffer.position, visible.directions.directions)
-        .writes(distance, visible.nearest, visible.hit_level);
-    passes::bounce::execute_by_tiles(pass, builder, [=](graph::PassContext& p) -> const gl::Program& {
-        return bind(p, visible, distance);
-    });
+    pass.reads("Surfels", visible.splats.surfels)
+        .reads("places", visible.splats.hierarchy.places)
+        .reads("winners", visible.winner)
+        .reads("depths", visible.depth)
+        .reads(visible.gbuffer.position)
+        .reads("directions", visible.directions.directions)
+        .writes("distance_image", distance)
+        .writes("nearest_image", visible.nearest)
+        .writes("level_image", visible.hit_level);
+    passes::bounce::execute_by_tiles(
+        pass, builder, [=](graph::PassContext& p) -> const gl::Program& { return use(p, visible); });
     return distance;
 }
 

@@ -22,9 +22,8 @@ graph::ImageRef count_cover(graph::GraphBuilder& builder, const Splats& splats, 
                     const int index = layer.sample * splats.hierarchy.levels + layer.level;
                     if (layer.is_first && index == 0) p.clear(cover);
                     p.bind_framebuffer({{cover, index}});
-                    const auto& program = p.program(source);
-                    program.use();
-                    bind_receivers(p, program, splats, layer);
+                    const auto& program = p.use(source);
+                    set_receivers(program, splats, layer);
                     p.api().Enable(GL_BLEND);
                     p.api().BlendEquation(GL_FUNC_ADD);
                     p.api().BlendFunc(GL_ONE, GL_ONE);

@@ -53,16 +53,9 @@ void dispatch_surfels(const graph::PassContext& p, const gl::Program& program, c
     gl::dispatch_items(program, capacity * slice.begin / parts, capacity * slice.end / parts);
 }
 
-/// What explain_splat.glsl declares.
-void bind_splats(const graph::PassContext& p, const gl::Program& program, const VisibleSplats& visible) {
+/// The uniforms of explain_splat.glsl.
+void set_splats(const graph::PassContext& p, const gl::Program& program, const VisibleSplats& visible) {
     const auto& splats = visible.splats;
-    p.bind_buffer(0, splats.surfels);
-    p.bind_buffer(1, splats.stored);
-    p.bind_texture(0, splats.hierarchy.places);
-    p.bind_texture(1, visible.gbuffer.position);
-    p.bind_texture(2, visible.directions.directions);
-    p.bind_texture(3, visible.gbuffer.geometric_normal);
-    p.bind_texture(4, visible.winner);
     set_splat_level(program, splats);
     set_sphere_bounds(program, p.inputs().view);
     program.set("seed", random_seed(p.inputs(), splats.parameters));
@@ -72,21 +65,18 @@ void bind_splats(const graph::PassContext& p, const gl::Program& program, const 
 }
 
 void read_splats(graph::PassBuilder& pass, const VisibleSplats& visible) {
-    pass.reads(visible.splats.surfels, visible.splats.stored, visible.splats.hierarchy.places,
-               visible.gbuffer.position, visible.directions.directions, visible.gbuffer.geometric_normal,
-               visible.winner);
+    pass.reads("Surfels", visible.splats.surfels)
+        .reads("Stored", visible.splats.stored)
+        .reads("places", visible.splats.hierarchy.places)
+        .reads(visible.gbuffer.position)
+        .reads("directions", visible.directions.directions)
+        .reads(visible.gbuffer.geometric_normal)
+        .reads("winners", visible.winner);
 }
 
-void search(const graph::PassContext& p, graph::Slice slice, const VisibleSplats& visible,
-            const Explained& candidates, const Explained& levels) {
-    const auto& program = p.program({{folder + "explain_pixel.comp"}});
-    program.use();
-    bind_splats(p, program, visible);
-    p.bind_texture(5, visible.depth);
-    p.bind_buffer(2, candidates.elements);
-    p.bind_buffer(3, levels.elements);
-    p.bind_counter(4, candidates.count);
-    p.bind_counter(5, levels.count);
+void search(const graph::PassContext& p, graph::Slice slice, const VisibleSplats& visible) {
+    const auto& program = p.use({{folder + "explain_pixel.comp"}});
+    set_splats(p, program, visible);
     program.set("picked", picked_pixel(p.inputs()));
     dispatch_surfels(p, program, visible.splats, slice);
 }
@@ -113,13 +103,12 @@ void explain_pixel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
                               static_cast<std::uint64_t>(visible.splats.samples * levels));
     auto pass = builder.pass("explain splats onto the pixel");
     read_splats(pass, visible);
-    pass.reads(visible.depth)
-        .writes(candidates.elements, sums.elements)
-        .counts(candidates.count)
-        .counts(sums.count)
-        .execute_sliced(parts, [=](graph::PassContext& p, graph::Slice slice) {
-            search(p, slice, visible, candidates, sums);
-        });
+    pass.reads("depths", visible.depth)
+        .writes("Candidates", candidates.elements)
+        .writes("Sums", sums.elements)
+        .counts("CandidateCount", candidates.count)
+        .counts("SumCount", sums.count)
+        .execute_sliced(parts, [=](graph::PassContext& p, graph::Slice slice) { search(p, slice, visible); });
     builder.pass("judge splats onto the pixel", graph::Queue::cpu)
         .reads(candidates.elements, sums.elements)
         .writes(candidates.elements, sums.elements)
@@ -134,17 +123,14 @@ graph::BufferRef choose_surfel(graph::GraphBuilder& builder, const VisibleSplats
                         .cleared = true});
     for (const char* find : {"1", "2"})
         builder.pass(std::string("choose the surfel, step ") + find)
-            .reads(visible.splats.surfels, visible.splats.stored, visible.gbuffer.position)
-            .writes(choice)
+            .reads("Surfels", visible.splats.surfels)
+            .reads("Stored", visible.splats.stored)
+            .reads(visible.gbuffer.position)
+            .writes("Choice", choice)
             .execute_sliced(parts, [=](graph::PassContext& p, graph::Slice slice) {
                 gl::ProgramSource source{{folder + "explain_choice.comp"}};
                 source.defines["FIND"] = find;
-                const auto& program = p.program(source);
-                program.use();
-                p.bind_buffer(0, visible.splats.surfels);
-                p.bind_buffer(1, visible.splats.stored);
-                p.bind_buffer(2, choice);
-                p.bind_texture(0, visible.gbuffer.position);
+                const auto& program = p.use(source);
                 program.set("picked", picked_pixel(p.inputs()));
                 program.set("chosen",
                             static_cast<unsigned>(std::max(0, p.inputs().inspection.item("surfel"))));
@@ -165,16 +151,14 @@ void explain_surfel(graph::GraphBuilder& builder, const VisibleSplats& visible) 
     const auto cover = builder.image(std::move(desc));
     auto pass = builder.pass("explain splats of the surfel");
     read_splats(pass, visible);
-    pass.reads(choice, visible.hit_level).writes(sums.elements, cover).counts(sums.count);
+    pass.reads("Choice", choice)
+        .reads("hit_levels", visible.hit_level)
+        .writes("Sums", sums.elements)
+        .writes("cover_image", cover)
+        .counts("SumCount", sums.count);
     passes::bounce::execute_by_tiles(pass, builder, [=](graph::PassContext& p) -> const gl::Program& {
-        const auto& program = p.program({{folder + "explain_surfel.comp"}});
-        program.use();
-        bind_splats(p, program, visible);
-        p.bind_buffer(2, choice);
-        p.bind_buffer(3, sums.elements);
-        p.bind_counter(4, sums.count);
-        p.bind_texture(5, visible.hit_level);
-        p.bind_storage_image(0, cover);
+        const auto& program = p.use({{folder + "explain_surfel.comp"}});
+        set_splats(p, program, visible);
         return program;
     });
 }

@@ -14,8 +14,10 @@ int padded(int size, int levels) {
 }
 
 graph::ImageRef declare(graph::GraphBuilder& builder, const Hierarchy& hierarchy, const std::string& key,
-                        gl::Format format, const std::string& fingerprint = {}) {
+                        gl::Format format, const std::string& name = {},
+                        const std::string& fingerprint = {}) {
     graph::ImageDesc desc;
+    desc.name = name;
     desc.text = hierarchy_text(key);
     desc.format = format;
     desc.extent = graph::Extent::fixed(hierarchy.width, hierarchy.height);
@@ -30,37 +32,28 @@ void lay_out(graph::GraphBuilder& builder, Hierarchy& hierarchy, unsigned seed) 
     const auto fingerprint = std::to_string(view.x) + " x " + std::to_string(view.y) + ", " +
                              std::to_string(hierarchy.levels) + " levels, seed " + std::to_string(seed);
     const auto layout = hierarchy.layout =
-        declare(builder, hierarchy, "hierarchy.layout", gl::Format::r32ui, fingerprint);
+        declare(builder, hierarchy, "hierarchy.layout", gl::Format::r32ui, "layout_texture", fingerprint);
     const auto places = hierarchy.places =
-        declare(builder, hierarchy, "hierarchy.places", gl::Format::r32ui, fingerprint);
-    builder.pass("framebuffer layout").writes(layout, places).execute([=](graph::PassContext& p) {
-        const auto& program = p.program({{folder + "layout.comp"}});
-        program.use();
-        p.bind_storage_image(0, layout);
-        p.bind_storage_image(1, places);
-        program.set("seed", seed);
-        program.set("view_size", view);
-        const auto shape = p.shape(places);
-        program.dispatch(shape.width, shape.height, shape.layers);
-    });
+        declare(builder, hierarchy, "hierarchy.places", gl::Format::r32ui, "", fingerprint);
+    builder.pass("framebuffer layout")
+        .writes("layout_image", layout)
+        .writes("places_image", places)
+        .compute({{folder + "layout.comp"}}, places,
+                 [=](const graph::PassContext&, const gl::Program& program) {
+                     program.set("seed", seed);
+                     program.set("view_size", view);
+                 });
 }
 
 void shuffle_surfaces(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, Hierarchy& hierarchy) {
-    hierarchy.positions = declare(builder, hierarchy, "hierarchy.positions", gl::Format::rgba32f);
-    hierarchy.normals = declare(builder, hierarchy, "hierarchy.normals", gl::Format::rgba32f);
+    hierarchy.positions =
+        declare(builder, hierarchy, "hierarchy.positions", gl::Format::rgba32f, "shuffled_positions");
+    hierarchy.normals =
+        declare(builder, hierarchy, "hierarchy.normals", gl::Format::rgba32f, "shuffled_normals");
     builder.pass("shuffle")
         .reads(hierarchy.layout, gbuffer.position, gbuffer.normal)
         .writes(hierarchy.positions, hierarchy.normals)
-        .execute([=](graph::PassContext& p) {
-            const auto& program = p.program({{folder + "shuffle.comp"}});
-            program.use();
-            p.bind_texture(0, hierarchy.layout);
-            p.bind_texture(1, gbuffer.position);
-            p.bind_texture(2, gbuffer.normal);
-            p.bind_storage_image(0, hierarchy.positions);
-            p.bind_storage_image(1, hierarchy.normals);
-            program.dispatch(hierarchy.width, hierarchy.height, hierarchy.levels);
-        });
+        .compute({{folder + "shuffle.comp"}}, hierarchy.positions);
 }
 
 /// Only for people: the colours of the picture, shuffled.
@@ -69,15 +62,8 @@ void shuffle_colours(graph::GraphBuilder& builder, const passes::GBuffer& gbuffe
     const auto colours = declare(builder, hierarchy, "hierarchy.colours", gl::Format::rgba16f);
     builder.pass("shuffle colours")
         .reads(hierarchy.layout, gbuffer.albedo)
-        .writes(colours)
-        .execute([=](graph::PassContext& p) {
-            const auto& program = p.program({{folder + "shuffle_colours.comp"}});
-            program.use();
-            p.bind_texture(0, hierarchy.layout);
-            p.bind_texture(1, gbuffer.albedo);
-            p.bind_storage_image(0, colours);
-            program.dispatch(hierarchy.width, hierarchy.height, hierarchy.levels);
-        });
+        .writes("colours", colours)
+        .compute({{folder + "shuffle_colours.comp"}}, colours);
 }
 
 }  // namespace

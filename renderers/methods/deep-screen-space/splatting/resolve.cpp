@@ -21,19 +21,9 @@ gl::ProgramSource source_of(const VisibleSplats& visible, const Senders& senders
     return source;
 }
 
-const gl::Program& bind(const graph::PassContext& p, const VisibleSplats& visible, const Senders& senders,
-                        graph::ImageRef incoming) {
-    const auto& program = p.program(source_of(visible, senders));
-    program.use();
-    p.bind_buffer(0, visible.splats.surfels);
-    p.bind_texture(0, visible.nearest);
-    p.bind_texture(1, visible.directions.directions);
-    p.bind_storage_image(0, incoming);
+const gl::Program& use(const graph::PassContext& p, const VisibleSplats& visible, const Senders& senders) {
+    const auto& program = p.use(source_of(visible, senders));
     if (!senders.glossy) return program;
-    p.bind_buffer(1, senders.scene.lights);
-    p.bind_buffer(2, senders.shadow.views);
-    p.bind_texture(2, senders.shadow.maps);
-    senders.surfaces.bind(p, 3);
     program.set("light_count", static_cast<int>(p.inputs().world->lights.size()));
     program.set("normal_maps", visible.splats.parameters.transport.normal_maps ? 1 : 0);
     return program;
@@ -50,14 +40,16 @@ graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneB
     if (glossy) senders.surfaces = passes::hit_surfaces(builder, scene);
     const auto incoming = passes::bounce::declare_incoming_light(builder, visible.splats.samples);
     auto pass = builder.pass("light of the winners");
-    pass.reads(visible.splats.surfels, visible.nearest, visible.directions.directions).writes(incoming);
+    pass.reads("Surfels", visible.splats.surfels)
+        .reads("nearest", visible.nearest)
+        .reads("directions", visible.directions.directions)
+        .writes("incoming", incoming);
     if (glossy) {
         pass.reads(scene.lights, shadow.views, shadow.maps);
         senders.surfaces.read_by(pass);
     }
-    passes::bounce::execute_by_tiles(pass, builder, [=](graph::PassContext& p) -> const gl::Program& {
-        return bind(p, visible, senders, incoming);
-    });
+    passes::bounce::execute_by_tiles(
+        pass, builder, [=](graph::PassContext& p) -> const gl::Program& { return use(p, visible, senders); });
     return incoming;
 }
 

@@ -29,15 +29,10 @@ bool is_counted(const Splats& splats) {
 void count_surfels(graph::GraphBuilder& builder, const Surfels& surfels, graph::BufferRef stored) {
     builder.pass("count surfels to splat")
         .reads(surfels.records)
-        .writes(stored)
-        .counts(surfels.count)
-        .execute([=](PassContext& p) {
-            const auto& program = p.program({{folder + "stored.comp"}});
-            program.use();
-            p.bind_buffer(0, stored);
-            p.bind_counter(1, surfels.count);
+        .writes("Stored", stored)
+        .counts("Count", surfels.count)
+        .compute({{folder + "stored.comp"}}, 1, [=](const PassContext& p, const gl::Program& program) {
             program.set("capacity", static_cast<unsigned>(p.capacity(surfels.records)));
-            program.dispatch(1);
         });
 }
 
@@ -69,18 +64,7 @@ void find_rectangles(const PassContext& p, const Splats& splats, const SplatLaye
     p.barrier();  // the draw before may still read what is written here
     gl::ProgramSource source{{folder + "rectangles.comp"}};
     if (is_counted(splats)) source.defines["COUNTS"] = "1";
-    const auto& program = p.program(source);
-    program.use();
-    p.bind_buffer(9, splats.stored);
-    p.bind_buffer(10, splats.surfels);
-    p.bind_buffer(11, splats.rectangles);
-    p.bind_buffer(12, splats.command);
-    if (is_counted(splats)) {
-        p.bind_counter(13, splats.drawn);
-        p.bind_counter(14, splats.culled);
-    }
-    p.bind_texture(14, splats.hierarchy.least, all_levels);
-    p.bind_texture(15, splats.hierarchy.most, all_levels);
+    const auto& program = p.use(source);
     set_layer(p, program, splats, layer);
     program.set("first", static_cast<unsigned>(first));
     program.set("end", static_cast<unsigned>(end));
@@ -93,7 +77,7 @@ void draw_layer(const PassContext& p, const Splats& splats, const SplatLayer& la
     for (auto first = layer.first; first < layer.end; first += most_at_once) {
         const auto end = std::min(layer.end, first + most_at_once);
         find_rectangles(p, splats, layer, first, end);
-        program.use();
+        p.use(program);
         program.set("first_surfel", static_cast<unsigned>(first));
         program.set("framebuffer_size", glm::vec2(splats.hierarchy.width, splats.hierarchy.height));
         p.bind_empty_vertex_array();
@@ -186,20 +170,19 @@ Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, 
 }
 
 void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer& bind) {
-    pass.reads(splats.surfels, splats.stored, splats.hierarchy.layout, splats.hierarchy.positions,
-               splats.hierarchy.normals, splats.hierarchy.least, splats.hierarchy.most)
-        .writes(splats.rectangles, splats.command);
-    if (is_counted(splats)) pass.counts(splats.drawn).counts(splats.culled);
+    pass.reads("Surfels", splats.surfels)
+        .reads("Stored", splats.stored)
+        .reads(splats.hierarchy.layout, splats.hierarchy.positions, splats.hierarchy.normals)
+        .reads("least_texture", splats.hierarchy.least, all_levels)
+        .reads("most_texture", splats.hierarchy.most, all_levels)
+        .writes("Rectangles", splats.rectangles)
+        .writes("Draw", splats.command);
+    if (is_counted(splats)) pass.counts("Drawn", splats.drawn).counts("Culled", splats.culled);
     pass.execute_sliced(splats.samples * splats.hierarchy.levels * parts,
                         [=](PassContext& p, graph::Slice slice) { draw_slice(p, slice, splats, bind); });
 }
 
-void bind_receivers(const PassContext& context, const gl::Program& program, const Splats& splats,
-                    const SplatLayer& layer) {
-    context.bind_texture(5, splats.hierarchy.layout);
-    context.bind_texture(6, splats.hierarchy.positions);
-    context.bind_texture(7, splats.hierarchy.normals);
-    context.bind_buffer(10, splats.surfels);
+void set_receivers(const gl::Program& program, const Splats& splats, const SplatLayer& layer) {
     set_influence(program, splats);
     program.set("level", layer.level);
     program.set("sample_index", layer.sample);

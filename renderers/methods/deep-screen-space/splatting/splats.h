@@ -41,13 +41,10 @@ using BindLayer = std::function<const gl::Program&(const graph::PassContext&, co
 ///
 /// Before each draw a compute pass finds the rectangle of places that a surfel can affect: of the sphere of
 /// radius d · 2^l around its centre, in one sub-image that is chosen at random. [Nalbach15 §4.1]
-/// The draws use buffers 9 … 14 and texture units 14 and 15; units below stay as `bind` left them.
 void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer& bind);
 
-/// Sets the uniforms of splat_common.glsl for a program in use, and binds what it reads: the hierarchy's
-/// layout, positions and normals as texture units 5 … 7, and the surfels as buffer 10.
-void bind_receivers(const graph::PassContext& context, const gl::Program& program, const Splats& splats,
-                    const SplatLayer& layer);
+/// Sets the uniforms of splat_common.glsl.
+void set_receivers(const gl::Program& program, const Splats& splats, const SplatLayer& layer);
 
 /// Sets the uniforms of influence.glsl. Estimated, d is a surfel's r / √ε where that is more than the
 /// constant one. DEVIATION [Nalbach15 §4.2]: "d_max is a constant": where that is only a few radii, enlarged

@@ -35,15 +35,9 @@ const gl::Program& bind_layer(const graph::PassContext& p, const VisibleSplats& 
     gl.DepthFunc(GL_LESS);
     gl.DepthMask(GL_TRUE);
     if (layer.is_first) clear_layer(gl);
-    const auto& program = p.program({{"methods/deep-screen-space/splatting/splat.vert",
-                                      "methods/deep-screen-space/splatting/visible.frag"},
-                                     visible.mutation});
-    program.use();
-    p.bind_texture(0, visible.splats.hierarchy.layout);
-    p.bind_texture(1, visible.splats.hierarchy.positions);
-    p.bind_texture(2, visible.directions.directions);
-    p.bind_texture(3, visible.gbuffer.geometric_normal);
-    p.bind_buffer(10, visible.splats.surfels);
+    const auto& program = p.use({{"methods/deep-screen-space/splatting/splat.vert",
+                                  "methods/deep-screen-space/splatting/visible.frag"},
+                                 visible.mutation});
     set_splat_level(program, visible.splats);
     program.set("level", layer.level);
     program.set("sample_index", layer.sample);
@@ -84,7 +78,9 @@ passes::bounce::Samples splat_visible_mutated(graph::GraphBuilder& builder, cons
     visible.depth = declare_layers(builder, visible.splats, "splats.depth", gl::Format::depth32f);
     visible.winner = declare_layers(builder, visible.splats, "splats.winner", gl::Format::r32ui);
     auto pass = builder.pass("splat");
-    pass.reads(directions.directions, gbuffer.geometric_normal).writes(visible.depth, visible.winner);
+    pass.reads("directions", directions.directions)
+        .reads(gbuffer.geometric_normal)
+        .writes(visible.depth, visible.winner);
     draw_splats(pass, visible.splats,
                 [=](const graph::PassContext& p, const SplatLayer& layer) -> const gl::Program& {
                     return bind_layer(p, visible, layer);

@@ -10,7 +10,9 @@ struct LayersView {
     gl::ProgramSource source;
     gl::Format format;
     bool unshuffled;
-    std::vector<graph::ImageRef> textures;  ///< for units 0, 1, …
+    const char* result;
+    std::vector<std::pair<const char*, graph::ImageRef>> textures;
+    bool reads_surfels;
 };
 
 /// An image with a layer per sample and level, an invocation each texel.
@@ -23,18 +25,13 @@ void show_layers(graph::GraphBuilder& builder, const VisibleSplats& visible, con
     if (!view.unshuffled) desc.extent = graph::Extent::fixed(splats.hierarchy.width, splats.hierarchy.height);
     const auto image = builder.image(std::move(desc));
     auto pass = builder.pass(view.pass);
-    for (const auto texture : view.textures) pass.reads(texture);
-    pass.reads(splats.surfels).writes(image).execute([=](graph::PassContext& p) {
-        const auto& program = p.program(view.source);
-        program.use();
-        p.bind_buffer(0, splats.surfels);
-        int unit = 0;
-        for (const auto texture : view.textures) p.bind_texture(unit++, texture);
-        p.bind_storage_image(0, image);
-        program.set("levels", splats.hierarchy.levels);
-        const auto shape = p.shape(image);
-        program.dispatch(shape.width, shape.height, shape.layers);
-    });
+    for (const auto& [name, texture] : view.textures) pass.reads(name, texture);
+    if (view.reads_surfels) pass.reads("Surfels", splats.surfels);
+    pass.writes(view.result, image)
+        .compute(view.source, image,
+                 [levels = splats.hierarchy.levels](const graph::PassContext&, const gl::Program& program) {
+                     program.set("levels", levels);
+                 });
 }
 
 void show_epsilon(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ImageRef distance) {
@@ -43,18 +40,15 @@ void show_epsilon(graph::GraphBuilder& builder, const VisibleSplats& visible, gr
     desc.format = gl::Format::r32f;
     desc.layers = visible.splats.samples;
     const auto image = builder.image(std::move(desc));
-    const std::vector<graph::ImageRef> textures{visible.nearest, visible.hit_level, distance,
-                                                visible.gbuffer.position};
     auto pass = builder.pass("implied epsilon");
-    for (const auto texture : textures) pass.reads(texture);
-    pass.reads(visible.splats.surfels).writes(image);
+    pass.reads("nearest", visible.nearest)
+        .reads("levels", visible.hit_level)
+        .reads("distances", distance)
+        .reads(visible.gbuffer.position)
+        .reads("Surfels", visible.splats.surfels)
+        .writes("epsilon_image", image);
     passes::bounce::execute_by_tiles(pass, builder, [=](graph::PassContext& p) -> const gl::Program& {
-        const auto& program = p.program({{folder + "visible_epsilon.comp"}});
-        program.use();
-        p.bind_buffer(0, visible.splats.surfels);
-        int unit = 0;
-        for (const auto texture : textures) p.bind_texture(unit++, texture);
-        p.bind_storage_image(0, image);
+        const auto& program = p.use({{folder + "visible_epsilon.comp"}});
         set_splat_level(program, visible.splats);
         return program;
     });
@@ -73,21 +67,28 @@ void show_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, gra
                  {{folder + "visible_depth.comp"}},
                  gl::Format::r32f,
                  true,
-                 {hierarchy.places, visible.depth}});
-    show_layers(builder, visible,
-                {"radiance in sub-images",
-                 "splats.radiance",
-                 radiance,
-                 gl::Format::rgba32f,
-                 false,
-                 {hierarchy.layout, visible.winner, directions}});
+                 "depth_image",
+                 {{"places", hierarchy.places}, {"depths", visible.depth}},
+                 false});
+    show_layers(
+        builder, visible,
+        {"radiance in sub-images",
+         "splats.radiance",
+         radiance,
+         gl::Format::rgba32f,
+         false,
+         "radiance_image",
+         {{"layout_texture", hierarchy.layout}, {"winners", visible.winner}, {"directions", directions}},
+         true});
     show_layers(builder, visible,
                 {"radiance by level",
                  "splats.level_radiance",
                  unshuffled,
                  gl::Format::rgba32f,
                  true,
-                 {hierarchy.places, visible.winner, directions}});
+                 "radiance_image",
+                 {{"places", hierarchy.places}, {"winners", visible.winner}, {"directions", directions}},
+                 true});
     show_epsilon(builder, visible, distance);
 }
 

@@ -19,20 +19,14 @@ graph::BufferRef add_up(graph::GraphBuilder& builder, const std::string& what, b
                                       .fields = {{"area"}, {"part"}},
                                       .elements = groups});
     builder.pass("add up surfels, " + what)
-        .reads(records)
-        .writes(sums)
-        .counts(count)
-        .execute([=](PassContext& context) {
-            const auto& program = context.program(
-                {{"methods/deep-screen-space/surfels/sums.comp"}, {{"FINE", is_fine ? "1" : "0"}}});
-            program.use();
-            context.bind_buffer(0, records);
-            context.bind_counter(1, count);
-            context.bind_buffer(2, sums);
-            set_ideal(program, context.inputs(), parameters);
-            program.set("capacity", static_cast<unsigned>(context.capacity(records)));
-            program.dispatch(groups * group_size);
-        });
+        .reads(is_fine ? "FineSurfels" : "Surfels", records)
+        .writes("Sums", sums)
+        .counts("Count", count)
+        .compute({{"methods/deep-screen-space/surfels/sums.comp"}, {{"FINE", is_fine ? "1" : "0"}}},
+                 groups * group_size, [=](const PassContext& context, const gl::Program& program) {
+                     set_ideal(program, context.inputs(), parameters);
+                     program.set("capacity", static_cast<unsigned>(context.capacity(records)));
+                 });
     return sums;
 }
 
@@ -54,25 +48,19 @@ void count_surfels(graph::GraphBuilder& builder, const Patches& patches, const G
                                                 {"kept_part"}},
                                      .elements = 1});
     builder.pass("count surfels")
-        .reads(of_fine, of_kept)
-        .writes(row)
-        .counts(patches.triangles)
-        .counts(patches.list.count)
-        .counts(fine.count)
-        .counts(surfels.count)
-        .execute([=](PassContext& context) {
-            const auto& program = context.program({{"methods/deep-screen-space/surfels/counts.comp"}});
-            program.use();
-            context.bind_buffer(0, of_fine);
-            context.bind_buffer(1, of_kept);
-            int binding = 2;
-            for (const auto counter : {patches.triangles, patches.list.count, fine.count, surfels.count})
-                context.bind_counter(binding++, counter);
-            context.bind_buffer(6, row);
-            program.set("groups", static_cast<unsigned>(groups));
-            program.set("world_triangles", static_cast<unsigned>(context.inputs().world->triangles()));
-            program.dispatch(1);
-        });
+        .reads("FineSums", of_fine)
+        .reads("KeptSums", of_kept)
+        .writes("Row", row)
+        .counts("TriangleCount", patches.triangles)
+        .counts("PatchCount", patches.list.count)
+        .counts("FineCount", fine.count)
+        .counts("KeptCount", surfels.count)
+        .compute({{"methods/deep-screen-space/surfels/counts.comp"}}, 1,
+                 [](const PassContext& context, const gl::Program& program) {
+                     program.set("groups", static_cast<unsigned>(groups));
+                     program.set("world_triangles",
+                                 static_cast<unsigned>(context.inputs().world->triangles()));
+                 });
 }
 
 }  // namespace ir::methods::deep_screen_space

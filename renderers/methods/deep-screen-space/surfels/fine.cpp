@@ -38,15 +38,8 @@ std::int64_t draws_of_part(const PassContext& context, graph::BufferRef fine) {
     return (std::min(most_draws, draws) + packing_parts - 1) / packing_parts;
 }
 
-void write_commands(const PassContext& context, const Patches& patches, const Growing& fine,
-                    graph::BufferRef commands) {
-    const auto& program = context.program({{"methods/deep-screen-space/surfels/commands.comp"}});
-    program.use();
-    context.bind_buffer(0, patches.points.buffer);
-    context.bind_counter(1, patches.list.count);
-    context.bind_buffer(2, commands);
-    context.bind_counter(3, patches.points.count);
-    context.bind_counter(4, fine.count);
+void write_commands(const PassContext& context, const Patches& patches, const Growing& fine) {
+    const auto& program = context.use({{"methods/deep-screen-space/surfels/commands.comp"}});
     const auto capacity =
         std::min(context.capacity(patches.list.buffer), context.capacity(patches.points.buffer));
     program.set("capacity", static_cast<unsigned>(capacity));
@@ -104,22 +97,21 @@ void tessellate(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                         .elements = most_draws});
     const auto capture = std::make_shared<std::unique_ptr<Capture>>();
     builder.pass("fine surfels")
-        .reads(scene.positions, scene.indices, patches.list.buffer, patches.points.buffer)
-        .writes(fine.buffer, commands)
-        .counts(patches.list.count)
-        .counts(patches.points.count)
-        .counts(fine.count)
+        .reads(scene.positions, scene.indices)
+        .reads("Patches", patches.list.buffer)
+        .reads("Points", patches.points.buffer)
+        .writes(fine.buffer)
+        .writes("Commands", commands)
+        .counts("PatchCount", patches.list.count)
+        .counts("WordCount", patches.points.count)
+        .counts("FineCount", fine.count)
         .execute_sliced(
             packing_parts,
             [=](PassContext& context, Slice slice) {
-                if (slice.first) write_commands(context, patches, fine, commands);
-                const auto& program = context.program(source_of(parameters));
-                program.use();
+                if (slice.first) write_commands(context, patches, fine);
+                const auto& program = context.use(source_of(parameters));
                 set_ideal(program, context.inputs(), parameters);
                 program.set("seed", random_seed(context.inputs(), parameters));
-                context.bind_buffer(0, scene.positions);
-                context.bind_buffer(1, scene.indices);
-                context.bind_buffer(2, patches.list.buffer);
                 if (slice.first)
                     *capture = std::make_unique<Capture>(
                         context.api(), context.buffer(fine.buffer),

@@ -35,15 +35,12 @@ struct Splitting {
 };
 
 const gl::Program& use(const PassContext& context, const Splitting& s, int round, bool packs) {
-    const auto& program = context.program({{"methods/deep-screen-space/surfels/split.comp"},
-                                           {{"ROUND", std::to_string(round)}, {"PACKS", packs ? "1" : "0"}}});
-    program.use();
+    const auto& program = context.use({{"methods/deep-screen-space/surfels/split.comp"},
+                                       {{"ROUND", std::to_string(round)}, {"PACKS", packs ? "1" : "0"}}});
     set_ideal(program, context.inputs(), s.parameters);
     set_frustum(program, context.inputs(), s.reach, s.parameters);
     // the published pattern of 2014 has no smaller surfels to choose from
     program.set("fine_part", s.parameters.placement == Placement::random ? s.parameters.fine_area : 1.0f);
-    context.bind_buffer(0, s.scene.positions);
-    context.bind_buffer(1, s.scene.indices);
     return program;
 }
 
@@ -58,12 +55,11 @@ void first_round(GraphBuilder& builder, const Splitting& s) {
                         .cleared = true});
     builder.pass("cull triangles")
         .reads(s.scene.positions, s.scene.indices)
-        .writes(counts)
+        .writes("Counts", counts)
         .execute_sliced(
             triangles,
             [=](PassContext& context, Slice slice) {
                 const auto& program = use(context, s, 1, false);
-                context.bind_buffer(4, counts);
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
             first_slice);
@@ -71,16 +67,14 @@ void first_round(GraphBuilder& builder, const Splitting& s) {
         builder, "surfels.parts", counts, static_cast<std::uint64_t>(std::max<std::int64_t>(1, triangles)),
         s.parts.count);
     builder.pass("split triangles")
-        .reads(s.scene.positions, s.scene.indices, places)
-        .writes(s.parts.buffer)
-        .counts(s.triangles)
+        .reads(s.scene.positions, s.scene.indices)
+        .reads("Places", places)
+        .writes("Patches", s.parts.buffer)
+        .counts("TriangleCount", s.triangles)
         .execute_sliced(
             triangles,
             [=](PassContext& context, Slice slice) {
                 const auto& program = use(context, s, 1, true);
-                context.bind_buffer(4, places);
-                context.bind_buffer(5, s.parts.buffer);
-                context.bind_counter(6, s.triangles);
                 program.set("capacity", static_cast<unsigned>(context.capacity(s.parts.buffer)));
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
@@ -92,47 +86,43 @@ std::uint64_t capacity_of(const PassContext& context, const Splitting& s) {
     return std::min(context.capacity(s.parts.buffer), context.capacity(s.words.buffer));
 }
 
-void dispatch_splitting(const PassContext& context, const gl::Program& program, const Splitting& s,
-                        std::uint64_t items, Slice slice) {
-    context.bind_buffer(2, s.parts.buffer);
-    context.bind_counter(3, s.parts.count);
-    context.bind_buffer(4, s.words.buffer);
+void dispatch_splitting(const gl::Program& program, std::uint64_t items, Slice slice) {
     program.set("item_end", static_cast<unsigned>(items));
     dispatch_parts(program, items, slice);
 }
 
 void second_round(GraphBuilder& builder, const Splitting& s) {
     builder.pass("cull parts of triangles")
-        .reads(s.scene.positions, s.scene.indices, s.parts.buffer)
-        .writes(s.words.buffer)
-        .counts(s.parts.count)
-        .counts(s.words.count)
+        .reads(s.scene.positions, s.scene.indices)
+        .reads("Parts", s.parts.buffer)
+        .writes("Counts", s.words.buffer)
+        .counts("PartCount", s.parts.count)
+        .counts("WordCount", s.words.count)
         .execute_sliced(
             packing_parts,
             [=](PassContext& context, Slice slice) {
                 const auto& program = use(context, s, 2, false);
-                context.bind_counter(8, s.words.count);
                 program.set("part_capacity", static_cast<unsigned>(context.capacity(s.parts.buffer)));
-                dispatch_splitting(context, program, s, context.capacity(s.words.buffer), slice);
+                dispatch_splitting(program, context.capacity(s.words.buffer), slice);
             },
             1);
     passes::scan_in_place(builder, "surfels.patches", s.words.buffer, s.patches.count);
     builder.pass("split parts of triangles")
-        .reads(s.scene.positions, s.scene.indices, s.parts.buffer, s.words.buffer)
-        .writes(s.patches.buffer, s.points.buffer)
-        .counts(s.parts.count)
-        .counts(s.coarse)
+        .reads(s.scene.positions, s.scene.indices)
+        .reads("Parts", s.parts.buffer)
+        .reads("Places", s.words.buffer)
+        .writes("Patches", s.patches.buffer)
+        .writes("Points", s.points.buffer)
+        .counts("PartCount", s.parts.count)
+        .counts("CoarseCount", s.coarse)
         .execute_sliced(
             packing_parts,
             [=](PassContext& context, Slice slice) {
                 const auto& program = use(context, s, 2, true);
-                context.bind_buffer(5, s.patches.buffer);
-                context.bind_buffer(6, s.points.buffer);
-                context.bind_counter(7, s.coarse);
                 program.set("capacity", static_cast<unsigned>(context.capacity(s.patches.buffer)));
                 program.set("point_capacity", static_cast<unsigned>(context.capacity(s.points.buffer)));
                 program.set("part_capacity", static_cast<unsigned>(capacity_of(context, s)));
-                dispatch_splitting(context, program, s, capacity_of(context, s), slice);
+                dispatch_splitting(program, capacity_of(context, s), slice);
             },
             1);
 }

@@ -16,19 +16,12 @@ void shade(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, cons
     auto pass = builder.pass("shade surfels");
     surfaces.read_by(pass);
     pass.reads(scene.lights, shadow.views, shadow.maps)
-        .writes(surfels.records)
-        .counts(surfels.count)
+        .writes("Surfels", surfels.records)
+        .counts("SurfelCount", surfels.count)
         .execute_sliced(
             packing_parts,
             [=, normal_maps = transport.normal_maps](graph::PassContext& context, graph::Slice slice) {
-                const auto& program = context.program(source);
-                program.use();
-                surfaces.bind(context, 0);
-                context.bind_buffer(5, scene.lights);
-                context.bind_buffer(6, shadow.views);
-                context.bind_buffer(7, surfels.records);
-                context.bind_counter(8, surfels.count);
-                context.bind_texture(0, shadow.maps);
+                const auto& program = context.use(source);
                 program.set("light_count", static_cast<int>(context.inputs().world->lights.size()));
                 program.set("normal_maps", normal_maps ? 1 : 0);
                 program.set("capacity", static_cast<unsigned>(context.capacity(surfels.records)));

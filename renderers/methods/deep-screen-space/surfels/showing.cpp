@@ -25,20 +25,15 @@ void show_surfels(graph::GraphBuilder& builder, const Surfels& surfels, std::uin
                                            {"part"}}},
                                {.key = "surfels.shown", .label = "Surfels shown"}, reserve);
     builder.pass("show surfels")
-        .reads(surfels.records)
-        .writes(shown.buffer)
-        .counts(surfels.count)
-        .counts(shown.count)
+        .reads("Surfels", surfels.records)
+        .writes("Shown", shown.buffer)
+        .counts("SurfelCount", surfels.count)
+        .counts("ShownCount", shown.count)
         .execute_sliced(
             packing_parts,
             [=](graph::PassContext& context, graph::Slice slice) {
-                const auto& program = context.program({{"methods/deep-screen-space/surfels/show.comp"}});
-                program.use();
+                const auto& program = context.use({{"methods/deep-screen-space/surfels/show.comp"}});
                 set_ideal(program, context.inputs(), parameters);
-                context.bind_buffer(0, surfels.records);
-                context.bind_counter(1, surfels.count);
-                context.bind_buffer(2, shown.buffer);
-                context.bind_counter(3, shown.count);
                 const auto capacity =
                     std::min(context.capacity(surfels.records), context.capacity(shown.buffer));
                 program.set("capacity", static_cast<unsigned>(capacity));

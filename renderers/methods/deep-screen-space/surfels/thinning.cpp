@@ -24,16 +24,8 @@ struct Thinning {
 
 const gl::Program& use(const PassContext& context, const Thinning& t, const char* file) {
     const auto& program =
-        context.program({{std::string("methods/deep-screen-space/surfels/") + file},
-                         {{"THINNING", thinning_of(t.parameters)}, {"RUN", std::to_string(run) + "u"}}});
-    program.use();
-    context.bind_buffer(0, t.fine.buffer);
-    context.bind_counter(1, t.fine.count);
-    context.bind_buffer(2, t.words.buffer);
-    int binding = 4;
-    for (const auto buffer : {t.scene.opacity, t.scene.opacity_words, t.scene.uv0, t.scene.uv1,
-                              t.scene.indices, t.scene.triangle_materials, t.scene.materials})
-        context.bind_buffer(binding++, buffer);
+        context.use({{std::string("methods/deep-screen-space/surfels/") + file},
+                     {{"THINNING", thinning_of(t.parameters)}, {"RUN", std::to_string(run) + "u"}}});
     program.set("capacity", static_cast<unsigned>(context.capacity(t.fine.buffer)));
     program.set("word_capacity", static_cast<unsigned>(context.capacity(t.words.buffer)));
     return program;
@@ -45,9 +37,10 @@ void dispatch_thinning(const PassContext& context, const gl::Program& program, c
 }
 
 graph::PassBuilder reads(graph::PassBuilder pass, const Thinning& t) {
-    pass.reads(t.fine.buffer, t.scene.opacity, t.scene.opacity_words, t.scene.uv0, t.scene.uv1,
-               t.scene.indices, t.scene.triangle_materials, t.scene.materials)
-        .counts(t.fine.count);
+    pass.reads("FineSurfels", t.fine.buffer)
+        .reads(t.scene.opacity, t.scene.opacity_words, t.scene.uv0, t.scene.uv1, t.scene.indices,
+               t.scene.triangle_materials, t.scene.materials)
+        .counts("FineCount", t.fine.count);
     return pass;
 }
 
@@ -75,25 +68,23 @@ Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
                 {.key = "surfels.kept", .label = "Surfels", .doc = "That are left by thinning."}, reserve);
     const Thinning t{scene, fine, words, parameters};
     reads(builder.pass("thin surfels"), t)
-        .writes(words.buffer)
-        .counts(words.count)
+        .writes("Words", words.buffer)
+        .counts("WordCount", words.count)
         .execute_sliced(
             packing_parts,
             [=](PassContext& context, Slice slice) {
                 const auto& program = use(context, t, "keep.comp");
-                context.bind_counter(3, words.count);
                 dispatch_thinning(context, program, t, slice);
             },
             1);
     passes::scan_in_place(builder, "surfels", words.buffer, kept.count);
     reads(builder.pass("pack surfels"), t)
-        .reads(words.buffer)
-        .writes(kept.buffer)
+        .reads("Places", words.buffer)
+        .writes("Surfels", kept.buffer)
         .execute_sliced(
             packing_parts,
             [=](PassContext& context, Slice slice) {
                 const auto& program = use(context, t, "thin.comp");
-                context.bind_buffer(3, kept.buffer);
                 program.set("surfel_capacity", static_cast<unsigned>(context.capacity(kept.buffer)));
                 dispatch_thinning(context, program, t, slice);
             },

@@ -38,18 +38,8 @@ std::map<std::string, std::string> defines_of(const Parts& parts) {
     return defines;
 }
 
-void add_up(const graph::PassContext& p, const Parts& parts, graph::ImageRef radiance,
-            graph::ImageRef indirect) {
-    const auto& program = p.program({{"methods/ldm-indirect/splatting/compose.comp"}, defines_of(parts)});
-    program.use();
-    p.bind_texture(0, parts.irradiance);
-    p.bind_texture(1, parts.gbuffer.geometric_normal);
-    p.bind_texture(2, parts.gbuffer.albedo);
-    p.bind_texture(3, parts.gbuffer.material);
-    p.bind_texture(4, parts.gbuffer.emission);
-    if (parts.direct) p.bind_texture(5, parts.direct->radiance);
-    p.bind_storage_image(0, radiance);
-    p.bind_storage_image(1, indirect);
+void add_up(const graph::PassContext& p, const Parts& parts) {
+    const auto& program = p.use({{"methods/ldm-indirect/splatting/compose.comp"}, defines_of(parts)});
     program.set("background", parts.background);
     program.dispatch(p.inputs().view.width, p.inputs().view.height);
 }
@@ -71,12 +61,12 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
     const auto radiance = output_image(builder, "radiance"),
                indirect = output_image(builder, "indirect.radiance");
     auto pass = builder.pass("compose");
-    pass.reads(splat.irradiance, gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material,
-               gbuffer.emission);
-    if (parts.direct) pass.reads(parts.direct->radiance);
-    pass.writes(radiance, indirect).execute([=](graph::PassContext& p) {
-        add_up(p, parts, radiance, indirect);
-    });
+    pass.reads("irradiance_image", splat.irradiance)
+        .reads(gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material, gbuffer.emission);
+    if (parts.direct) pass.reads("direct_image", parts.direct->radiance);
+    pass.writes("radiance_image", radiance)
+        .writes("indirect_image", indirect)
+        .execute([=](graph::PassContext& p) { add_up(p, parts); });
     passes::see_through_glass(builder, gbuffer, radiance);
 }
 

@@ -59,18 +59,9 @@ glm::ivec2 picked_pixel(const graph::FrameInputs& inputs) {
     return inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1);
 }
 
-void gather(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons,
-            const passes::GBuffer& gbuffer, const Splat& splat, const Explanation& e) {
-    const auto& program = p.program({{"methods/ldm-indirect/splatting/explain.comp"}});
-    program.use();
-    bind_footprints(p, program, photons);
-    p.bind_buffer(3, e.photons);
-    p.bind_buffer(4, e.sum);
-    p.bind_counter(5, e.photon_count);
-    p.bind_counter(6, e.sum_count);
-    p.bind_texture(0, gbuffer.position);
-    p.bind_texture(1, gbuffer.geometric_normal);
-    p.bind_texture(2, splat.irradiance);
+void gather(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons) {
+    const auto& program = p.use({{"methods/ldm-indirect/splatting/explain.comp"}});
+    set_footprints(p, program, photons);
     program.set("picked_pixel", picked_pixel(p.inputs()));
     const auto range = photons_of(p, photons, slice);
     gl::dispatch_items(program, range.first, range.end, "first", "end");
@@ -120,13 +111,14 @@ void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const
     const StoredPhotons stored{photons.records, splat.stored, splat.arrivals, parameters};
     auto pass = builder.pass("explain photons of the pixel");
     reads_footprints(pass, stored);
-    pass.reads(gbuffer.position, gbuffer.geometric_normal, splat.irradiance)
-        .writes(e.photons, e.sum)
-        .counts(e.photon_count)
-        .counts(e.sum_count)
-        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
-            gather(p, slice, stored, gbuffer, splat, e);
-        });
+    pass.reads(gbuffer.position, gbuffer.geometric_normal)
+        .reads("irradiance_image", splat.irradiance)
+        .writes("FoundPhotons", e.photons)
+        .writes("PixelSum", e.sum)
+        .counts("PhotonCount", e.photon_count)
+        .counts("SumCount", e.sum_count)
+        .execute_sliced(photon_parts,
+                        [=](graph::PassContext& p, graph::Slice slice) { gather(p, slice, stored); });
     builder.pass("sort photons of the pixel", graph::Queue::cpu)
         .reads(e.photons, e.sum)
         .writes(e.photons, e.sum)

@@ -28,13 +28,10 @@ void splat_atomically(const graph::PassContext& p, graph::Slice slice, const Spl
         source.preamble = "#extension GL_NV_shader_atomic_float : require\n";
         source.defines["FLOAT_ATOMICS"] = "1";
     }
-    const auto& program = p.program(source);
-    program.use();
-    bind_footprints(p, program, task.photons);
+    if (has_floats) p.bind_as("sums", sums, gl::Format::r32f);
+    const auto& program = p.use(source);
+    set_footprints(p, program, task.photons);
     set_outlines(program, p.inputs().view);
-    p.bind_texture(0, task.position);
-    p.bind_texture(1, task.normal);
-    p.api().BindImageTexture(0, p.image(sums), 0, GL_TRUE, 0, GL_READ_WRITE, has_floats ? GL_R32F : GL_R32UI);
     const auto& view = p.inputs().view;
     const auto pixels = std::int64_t{view.width} * view.height;
     const auto range = photons_of(p, task.photons, slice);
@@ -56,16 +53,13 @@ void splat_image_atomics(graph::GraphBuilder& builder, const SplatTask& task) {
     const auto sums = declare_sums(builder);
     auto pass = builder.pass("splat photons atomically");
     reads_task(pass, task);
-    pass.writes(sums).execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+    pass.writes("sums", sums).execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
         splat_atomically(p, slice, task, sums);
     });
-    builder.pass("atomic sums").reads(sums).writes(task.irradiance).execute([=](graph::PassContext& p) {
-        const auto& program = p.program({{folder + "atomic_sums.comp"}});
-        program.use();
-        p.bind_texture(0, sums);
-        p.bind_storage_image(0, task.irradiance);
-        program.dispatch(p.inputs().view.width, p.inputs().view.height);
-    });
+    builder.pass("atomic sums")
+        .reads("sums", sums)
+        .writes("irradiance", task.irradiance)
+        .compute({{folder + "atomic_sums.comp"}}, task.irradiance);
 }
 
 }  // namespace ir::methods::ldm_indirect

@@ -17,12 +17,8 @@ graph::BufferRef declare_command(graph::GraphBuilder& builder) {
     return builder.buffer(desc);
 }
 
-void write_command(const graph::PassContext& p, const SplatTask& task, graph::BufferRef command,
-                   PhotonRange range) {
-    const auto& program = p.program({{folder + "draw.comp"}});
-    program.use();
-    p.bind_buffer(1, task.photons.stored);
-    p.bind_buffer(3, command);
+void write_command(const graph::PassContext& p, PhotonRange range) {
+    const auto& program = p.use({{folder + "draw.comp"}});
     program.set("first", static_cast<unsigned>(range.first));
     program.set("end", static_cast<unsigned>(range.end));
     program.dispatch(1);
@@ -34,14 +30,11 @@ void splat_quads(const graph::PassContext& p, graph::Slice slice, const SplatTas
     if (slice.first) p.clear(task.irradiance);
     const auto range = photons_of(p, task.photons, slice);
     if (range.first == range.end) return;
-    write_command(p, task, command, range);
+    write_command(p, range);
     p.bind_framebuffer({{task.irradiance}});
-    const auto& program = p.program({{folder + "quads.vert", folder + "quads.geom", folder + "quads.frag"}});
-    program.use();
-    bind_footprints(p, program, task.photons);
+    const auto& program = p.use({{folder + "quads.vert", folder + "quads.geom", folder + "quads.frag"}});
+    set_footprints(p, program, task.photons);
     set_outlines(program, p.inputs().view);
-    p.bind_texture(0, task.position);
-    p.bind_texture(1, task.normal);
     p.bind_empty_vertex_array();
     const auto& gl = p.api();
     gl.Enable(GL_BLEND);
@@ -59,7 +52,7 @@ void splat_quads(graph::GraphBuilder& builder, const SplatTask& task) {
     const auto command = declare_command(builder);
     auto pass = builder.pass("splat photons");
     reads_task(pass, task);
-    pass.writes(command, task.irradiance);
+    pass.writes("Draw", command).writes(task.irradiance);
     pass.execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
         splat_quads(p, slice, task, command);
     });

@@ -63,25 +63,16 @@ Mended declare_counters(graph::GraphBuilder& builder) {
                              .doc = "Photons whose place or flux is no finite number: they add nothing."})};
 }
 
-void count_stored(const graph::PassContext& p, const StoredPhotons& photons, graph::CounterRef count) {
-    const auto& program = p.program({{folder + "stored.comp"}});
-    program.use();
-    p.bind_buffer(1, photons.stored);
-    p.bind_counter(3, count);
+void count_stored(const graph::PassContext& p, const StoredPhotons& photons) {
+    const auto& program = p.use({{folder + "stored.comp"}});
     program.set("capacity", static_cast<unsigned>(p.capacity(photons.records)));
     program.dispatch(1);
     p.barrier();
 }
 
-void measure(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons,
-             const Mended& mended) {
-    const auto& program = p.program({{folder + "measure.comp"}});
-    program.use();
-    bind_footprints(p, program, photons);
-    p.bind_counter(3, mended.axes_short);
-    p.bind_counter(4, mended.axes_long);
-    p.bind_counter(5, mended.degenerate);
-    p.bind_counter(6, mended.broken);
+void measure(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons) {
+    const auto& program = p.use({{folder + "measure.comp"}});
+    set_footprints(p, program, photons);
     const auto range = photons_of(p, photons, slice);
     gl::dispatch_items(program, range.first, range.end, "first", "end");
 }
@@ -102,16 +93,17 @@ StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photon
     result.stored = builder.buffer(std::move(desc));
     const auto mended = declare_counters(builder);
     builder.pass("measure footprints")
-        .reads(photons.records, result.arrivals)
-        .writes(result.stored)
-        .counts(photons.count)
-        .counts(mended.axes_short)
-        .counts(mended.axes_long)
-        .counts(mended.degenerate)
-        .counts(mended.broken)
+        .reads("Photons", photons.records)
+        .reads("Arrivals", result.arrivals)
+        .writes("Stored", result.stored)
+        .counts("Count", photons.count)
+        .counts("Short", mended.axes_short)
+        .counts("Long", mended.axes_long)
+        .counts("Degenerate", mended.degenerate)
+        .counts("Broken", mended.broken)
         .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
-            if (slice.first) count_stored(p, result, photons.count);
-            measure(p, slice, result, mended);
+            if (slice.first) count_stored(p, result);
+            measure(p, slice, result);
         });
     return result;
 }
@@ -122,14 +114,13 @@ PhotonRange photons_of(const graph::PassContext& context, const StoredPhotons& p
 }
 
 void reads_footprints(graph::PassBuilder& pass, const StoredPhotons& photons) {
-    pass.reads(photons.records, photons.stored, photons.arrivals);
+    pass.reads("Photons", photons.records)
+        .reads("Stored", photons.stored)
+        .reads("Arrivals", photons.arrivals);
 }
 
-void bind_footprints(const graph::PassContext& context, const gl::Program& program,
-                     const StoredPhotons& photons) {
-    context.bind_buffer(0, photons.records);
-    context.bind_buffer(1, photons.stored);
-    context.bind_buffer(2, photons.arrivals);
+void set_footprints(const graph::PassContext& context, const gl::Program& program,
+                    const StoredPhotons& photons) {
     const auto& parameters = photons.parameters;
     const auto& inputs = context.inputs();
     const auto& view = inputs.view;

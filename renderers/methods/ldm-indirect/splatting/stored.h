@@ -29,12 +29,12 @@ struct PhotonRange {
 };
 PhotonRange photons_of(const graph::PassContext& context, const StoredPhotons& photons, graph::Slice slice);
 
-/// Declares what bind_footprints binds.
+/// Declares what splatting/footprint.glsl reads.
 void reads_footprints(graph::PassBuilder& pass, const StoredPhotons& photons);
 
 /// Buffers 0 to 2 and the uniforms of shaders/methods/ldm-indirect/splatting/footprint.glsl.
-void bind_footprints(const graph::PassContext& context, const gl::Program& program,
-                     const StoredPhotons& photons);
+void set_footprints(const graph::PassContext& context, const gl::Program& program,
+                    const StoredPhotons& photons);
 /// Those of outline.glsl.
 void set_outlines(const gl::Program& program, const scene::View& view);
 

@@ -42,9 +42,8 @@ std::map<std::string, std::string> defines_of(const Bins& bins) {
 /// Runs a program of bins.glsl for the slice's photons of each column.
 void bin(const graph::PassContext& p, graph::Slice slice, const SplatTask& task, const Lists& lists,
          const std::string& file) {
-    const auto& program = p.program({{folder + file}, defines_of(lists.bins)});
-    program.use();
-    bind_footprints(p, program, task.photons);
+    const auto& program = p.use({{folder + file}, defines_of(lists.bins)});
+    set_footprints(p, program, task.photons);
     set_outlines(program, p.inputs().view);
     program.set("bins_across", static_cast<unsigned>(lists.bins.across));
     const auto capacity = static_cast<std::int64_t>(p.capacity(task.photons.records));
@@ -74,14 +73,10 @@ graph::BufferRef make_kernels(graph::GraphBuilder& builder, const StoredPhotons&
                                         .growth_of = kernels});
     auto pass = builder.pass("make kernels");
     reads_footprints(pass, photons);
-    pass.counts(photons.count).counts(count).writes(kernels);
+    pass.counts("Count", photons.count).counts("KernelCount", count).writes("Kernels", kernels);
     pass.execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
-        const auto& program = p.program({{folder + "make_kernels.comp"}});
-        program.use();
-        bind_footprints(p, program, photons);
-        p.bind_buffer(3, kernels);
-        p.bind_counter(4, photons.count);
-        p.bind_counter(5, count);
+        const auto& program = p.use({{folder + "make_kernels.comp"}});
+        set_footprints(p, program, photons);
         program.set("capacity", static_cast<unsigned>(p.capacity(kernels)));
         const auto range = photons_of(p, photons, slice);
         gl::dispatch_items(program, range.first, range.end, "first", "end");
@@ -103,10 +98,10 @@ Lists sort_into_bins(graph::GraphBuilder& builder, const SplatTask& task) {
                                    .cleared = true});
     auto count = builder.pass("count photons of tiles");
     reads_footprints(count, task.photons);
-    count.writes(lists.counts).execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
-        p.bind_buffer(3, lists.counts);
-        bin(p, slice, task, lists, "count_bins.comp");
-    });
+    count.writes("Counts", lists.counts)
+        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+            bin(p, slice, task, lists, "count_bins.comp");
+        });
     lists.entries = builder.buffer({.text = {.key = "splat.bin_lists",
                                              .label = "Photons of the tiles",
                                              .doc = "Numbers of photons, tile after tile, each in order."},
@@ -120,10 +115,9 @@ Lists sort_into_bins(graph::GraphBuilder& builder, const SplatTask& task) {
     lists.places = passes::exclusive_scan(builder, "splat.bins", lists.counts, slots, total);
     auto fill = builder.pass("list photons of tiles");
     reads_footprints(fill, task.photons);
-    fill.writes(lists.places, lists.entries)
+    fill.writes("Places", lists.places)
+        .writes("Lists", lists.entries)
         .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
-            p.bind_buffer(3, lists.places);
-            p.bind_buffer(4, lists.entries);
             bin(p, slice, task, lists, "fill_bins.comp");
         });
     return lists;
@@ -134,14 +128,7 @@ void gather(const graph::PassContext& p, graph::Slice slice, const SplatTask& ta
     if (slice.first) p.clear(task.irradiance);
     auto defines = defines_of(lists.bins);
     defines["ROWS"] = std::to_string(rows);
-    const auto& program = p.program({{folder + "gather_bins.comp"}, defines});
-    program.use();
-    p.bind_buffer(0, lists.kernels);
-    p.bind_buffer(3, lists.places);
-    p.bind_buffer(4, lists.entries);
-    p.bind_texture(0, task.position);
-    p.bind_texture(1, task.normal);
-    p.bind_storage_image(0, task.irradiance);
+    const auto& program = p.use({{folder + "gather_bins.comp"}, defines});
     program.set("tiles_across", static_cast<unsigned>(tiles_across));
     program.set("bins_across", static_cast<unsigned>(lists.bins.across));
     program.set("first_tile", static_cast<unsigned>(slice.begin));
@@ -163,8 +150,13 @@ void splat_tiles(graph::GraphBuilder& builder, const SplatTask& task) {
     const auto& view = builder.inputs().view;
     const int across = (view.width + tile - 1) / tile, down = (view.height + tile - 1) / tile;
     auto pass = builder.pass("gather photons of tiles");
-    reads_task(pass, task);
-    pass.reads(lists.places, lists.entries, lists.kernels).writes(task.irradiance);
+    pass.reads(task.photons.records, task.position, task.normal)
+        .reads("Stored", task.photons.stored)
+        .reads("Arrivals", task.photons.arrivals)
+        .reads("Places", lists.places)
+        .reads("Lists", lists.entries)
+        .reads("Kernels", lists.kernels)
+        .writes("sums", task.irradiance);
     pass.execute_sliced(std::int64_t{across} * down, [=](graph::PassContext& p, graph::Slice slice) {
         gather(p, slice, task, lists, across);
     });

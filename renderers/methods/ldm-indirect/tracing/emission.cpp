@@ -50,17 +50,12 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
     auto pass = builder.pass("emit photons");
     passes::reads_rsm(pass, images, scene);
     pass.reads(images.geometric_normal, maps.frame_buffer)
-        .writes(primaries.records, primaries.shares)
+        .writes("Primaries", primaries.records)
+        .writes(primaries.shares)
         .execute_sliced(
             static_cast<std::int64_t>(primaries.count),
-            [=, frames = maps.frame_buffer, map_count = maps.layout.maps](graph::PassContext& context,
-                                                                          graph::Slice slice) {
-                const auto& program = context.method_program({{"methods/ldm-indirect/tracing/emit.comp"}});
-                program.use();
-                passes::bind_rsm(context, images, scene);
-                context.bind_texture(3, images.geometric_normal);
-                context.bind_buffer(2, frames);
-                context.bind_buffer(3, primaries.records);
+            [=, map_count = maps.layout.maps](graph::PassContext& context, graph::Slice slice) {
+                const auto& program = context.use({{"methods/ldm-indirect/tracing/emit.comp"}});
                 program.set("views_drawn", static_cast<unsigned>(images.views_drawn));
                 program.set("map_count", static_cast<unsigned>(map_count));
                 gl::dispatch_items(program, slice.begin, slice.end);

@@ -16,22 +16,22 @@ std::vector<graph::Field> row_fields() {
             {"flux", FieldType::f32, 3}};
 }
 
-std::vector<graph::CounterRef> declare_counters(graph::GraphBuilder& builder) {
-    std::vector<graph::CounterRef> counters;
-    for (const auto& [key, label, doc] :
-         {std::tuple{"emitted", "Primary photons", "Pixels of the lights' images into which light shines."},
-          std::tuple{"below", "Photons below the surface",
+void count_causes(graph::GraphBuilder& builder, graph::PassBuilder& pass) {
+    for (const auto& [key, name, label, doc] :
+         {std::tuple{"emitted", "EmittedCounter", "Primary photons",
+                     "Pixels of the lights' images into which light shines."},
+          std::tuple{"below", "BelowCounter", "Photons below the surface",
                      "Their direction is above the shading normal's plane, but below the triangle's."},
-          std::tuple{"left", "Photons that left the scene", ""},
-          std::tuple{"outside", "Photons outside the view",
+          std::tuple{"left", "LeftCounter", "Photons that left the scene", ""},
+          std::tuple{"outside", "OutsideCounter", "Photons outside the view",
                      "They arrive behind or beside the view, and their footprints do not reach it."},
-          std::tuple{"hidden", "Photons hidden", "They arrive behind what the camera sees."},
-          std::tuple{"back", "Photons on backs", "They arrive on sides that face away from the viewer."},
-          std::tuple{"degenerate", "Photons without a footprint",
+          std::tuple{"hidden", "HiddenCounter", "Photons hidden", "They arrive behind what the camera sees."},
+          std::tuple{"back", "BackCounter", "Photons on backs",
+                     "They arrive on sides that face away from the viewer."},
+          std::tuple{"degenerate", "DegenerateCounter", "Photons without a footprint",
                      "They graze the surface, so that their footprint has no size."}})
-        counters.push_back(
-            builder.counter({.key = std::string("indirect.") + key, .label = label, .doc = doc}));
-    return counters;
+        pass.counts(builder.counter(
+            {.key = std::string("indirect.") + key, .name = name, .label = label, .doc = doc}));
 }
 
 }  // namespace
@@ -50,39 +50,27 @@ void sum_energy(graph::GraphBuilder& builder, const Primaries& primaries, bool s
                                        .fields = row_fields(),
                                        .elements = energy_rows});
     auto sum = builder.pass("sum energy");
-    sum.reads(primaries.records, primaries.shares).writes(blocks);
-    if (direct_fates) sum.reads(*direct_fates);
+    sum.reads("Primaries", primaries.records).reads("AllShares", primaries.shares).writes("Blocks", blocks);
+    if (direct_fates) sum.reads("Fates", *direct_fates);
     sum.execute_sliced(
         static_cast<std::int64_t>(block_count * energy_rows),
         [=, count = primaries.count](PassContext& context, graph::Slice slice) {
             gl::ProgramSource source{{"methods/ldm-indirect/tracing/energy.comp"}};
             if (direct_fates) source.defines["DIRECT"] = "1";
-            const auto& program = context.program(source);
-            program.use();
-            context.bind_buffer(0, primaries.records);
-            context.bind_buffer(1, primaries.shares);
-            context.bind_buffer(2, blocks);
-            if (direct_fates) context.bind_buffer(3, *direct_fates);
+            const auto& program = context.use(source);
             program.set("primary_count", static_cast<unsigned>(count));
             program.set("block_size", static_cast<unsigned>(block_photons));
             program.set("splits", splits ? 1 : 0);
             gl::dispatch_items(program, slice.begin, slice.end);
         },
         4096);
-    const auto counters = declare_counters(builder);
     auto pass = builder.pass("energy table");
-    pass.reads(blocks).writes(table);
-    for (const auto counter : counters) pass.counts(counter);
-    pass.execute([=](PassContext& context) {
-        const auto& program = context.program({{"methods/ldm-indirect/tracing/energy_table.comp"}});
-        program.use();
-        context.bind_buffer(0, blocks);
-        context.bind_buffer(1, table);
-        for (int i = 0; i < static_cast<int>(counters.size()); ++i)
-            context.bind_counter(2 + i, counters[static_cast<std::size_t>(i)]);
-        program.set("block_count", static_cast<unsigned>(block_count));
-        program.dispatch(energy_rows);
-    });
+    pass.reads("Blocks", blocks).writes("Table", table);
+    count_causes(builder, pass);
+    pass.compute({{"methods/ldm-indirect/tracing/energy_table.comp"}}, energy_rows,
+                 [=](const PassContext&, const gl::Program& program) {
+                     program.set("block_count", static_cast<unsigned>(block_count));
+                 });
 }
 
 std::vector<OutputDescription> energy_outputs() {

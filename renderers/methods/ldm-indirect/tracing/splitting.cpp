@@ -19,7 +19,6 @@ constexpr std::int64_t group_maps = 16;
 /// Photons whose hits are kept at once, 8 bytes each.
 constexpr std::int64_t part_slots = std::int64_t{1} << 22;
 /// Behind those of the maps' frames and storage.
-constexpr int first_binding = 8;
 
 graph::BufferRef scratch(GraphBuilder& builder, const std::string& key, const std::string& label,
                          std::vector<graph::Field> fields, std::int64_t elements) {
@@ -97,21 +96,17 @@ void Splitter::split(GraphBuilder& builder, int batch) const {
 void Splitter::trace(GraphBuilder& builder, const Part& part) const {
     auto pass = builder.pass("trace photons" + part.name);
     passes::ldm::reads_maps(pass, *maps_);
-    pass.reads(gbuffer_.position, gbuffer_.geometric_normal, primaries_.records)
-        .writes(hits_, counts_, bases_, primaries_.shares)
-        .counts(photons_.count);
+    pass.reads(gbuffer_.position, gbuffer_.geometric_normal)
+        .reads("Primaries", primaries_.records)
+        .writes("Hits", hits_)
+        .writes("Counts", counts_)
+        .writes("Bases", bases_)
+        .writes("AllShares", primaries_.shares)
+        .counts("StoredCount", photons_.count);
     const auto run = [self = *this, part](PassContext& context, Slice slice) {
         gl::ProgramSource source{{"methods/ldm-indirect/tracing/trace.comp"}};
-        source.defines = passes::ldm::bind_maps(context, *self.maps_, 0, 1);
-        const auto& program = context.method_program(source);
-        program.use();
-        context.bind_texture(0, self.gbuffer_.position);
-        context.bind_texture(1, self.gbuffer_.geometric_normal);
-        int binding = first_binding;
-        for (const auto buffer :
-             {self.primaries_.records, self.hits_, self.counts_, self.primaries_.shares, self.bases_})
-            context.bind_buffer(binding++, buffer);
-        context.bind_counter(binding, self.photons_.count);
+        source.defines = passes::ldm::defines_of(context, *self.maps_);
+        const auto& program = context.use(source);
         set_landing(program, context.inputs(), self.parameters_);
         program.set("batch_maps", static_cast<unsigned>(part.batch_maps));
         program.set("group_count", static_cast<unsigned>(part.groups));
@@ -136,17 +131,16 @@ void Splitter::trace(GraphBuilder& builder, const Part& part) const {
 
 void Splitter::store(GraphBuilder& builder, const Part& part, graph::BufferRef places) const {
     builder.pass("store photons" + part.name)
-        .reads(maps_->frame_buffer, primaries_.records, hits_, places, bases_)
-        .writes(photons_.records)
+        .reads(maps_->frame_buffer)
+        .reads("Primaries", primaries_.records)
+        .reads("Hits", hits_)
+        .reads("Places", places)
+        .reads("Bases", bases_)
+        .writes("Photons", photons_.records)
         .execute_sliced(
             (part.end - part.first) * part.groups,
-            [self = *this, part, places](PassContext& context, Slice slice) {
-                const auto& program = context.method_program({{"methods/ldm-indirect/tracing/store.comp"}});
-                program.use();
-                int binding = 0;
-                for (const auto buffer : {self.maps_->frame_buffer, self.primaries_.records, self.hits_,
-                                          places, self.bases_, self.photons_.records})
-                    context.bind_buffer(binding++, buffer);
+            [self = *this, part](PassContext& context, Slice slice) {
+                const auto& program = context.use({{"methods/ldm-indirect/tracing/store.comp"}});
                 program.set("first_primary", static_cast<unsigned>(part.first));
                 program.set("first_frame", static_cast<unsigned>(self.maps_->first_map(part.batch)));
                 program.set("batch_maps", static_cast<unsigned>(part.batch_maps));
@@ -170,18 +164,15 @@ graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gb
     const auto fates =
         scratch(builder, "direct_fates", "Fates of primary photons", {{"cause", FieldType::u32}}, count);
     builder.pass("see primary photons")
-        .reads(gbuffer.position, gbuffer.geometric_normal, primaries.records)
-        .writes(hits, counts, fates)
+        .reads(gbuffer.position, gbuffer.geometric_normal)
+        .reads("Primaries", primaries.records)
+        .writes("Hits", hits)
+        .writes("Counts", counts)
+        .writes("Fates", fates)
         .execute_sliced(
             count,
             [=](PassContext& context, Slice slice) {
-                const auto& program = context.method_program({{"methods/ldm-indirect/tracing/direct.comp"}});
-                program.use();
-                context.bind_texture(0, gbuffer.position);
-                context.bind_texture(1, gbuffer.geometric_normal);
-                int binding = 0;
-                for (const auto buffer : {primaries.records, hits, counts, fates})
-                    context.bind_buffer(binding++, buffer);
+                const auto& program = context.use({{"methods/ldm-indirect/tracing/direct.comp"}});
                 set_landing(program, context.inputs(), parameters);
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
@@ -189,16 +180,15 @@ graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gb
     const auto places =
         passes::exclusive_scan(builder, "indirect.direct", counts, primaries.count, photons.count);
     builder.pass("store primary photons")
-        .reads(primaries.records, hits, counts, places)
-        .writes(photons.records)
+        .reads("Primaries", primaries.records)
+        .reads("Hits", hits)
+        .reads("Counts", counts)
+        .reads("Places", places)
+        .writes("Photons", photons.records)
         .execute_sliced(
             count,
             [=](PassContext& context, Slice slice) {
-                const auto& program = context.program({{"methods/ldm-indirect/tracing/store_direct.comp"}});
-                program.use();
-                int binding = 0;
-                for (const auto buffer : {primaries.records, hits, counts, places, photons.records})
-                    context.bind_buffer(binding++, buffer);
+                const auto& program = context.use({{"methods/ldm-indirect/tracing/store_direct.comp"}});
                 program.set("capacity", static_cast<unsigned>(context.capacity(photons.records)));
                 gl::dispatch_items(program, slice.begin, slice.end);
             },

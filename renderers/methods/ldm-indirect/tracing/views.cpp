@@ -49,33 +49,27 @@ void show_primaries(graph::GraphBuilder& builder, const Primaries& primaries) {
     flagged.elements = primaries.count;
     const auto flags = builder.buffer(std::move(flagged));
     builder.pass("find primary photons")
-        .reads(primaries.records)
-        .writes(flags)
+        .reads("Primaries", primaries.records)
+        .writes("Counts", flags)
         .execute_sliced(
             static_cast<std::int64_t>(primaries.count),
             [=](PassContext& context, Slice slice) {
-                const auto& program = context.program({{primary_shader}});
-                program.use();
-                context.bind_buffer(0, primaries.records);
-                context.bind_buffer(2, flags);
+                const auto& program = context.use({{primary_shader}});
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
             first_slice);
     const auto places =
         passes::exclusive_scan(builder, "indirect.primary_scan", flags, primaries.count, count);
     builder.pass("show primary photons")
-        .reads(primaries.records, places)
-        .writes(shown)
+        .reads("Primaries", primaries.records)
+        .reads("Places", places)
+        .writes("AllShown", shown)
         .execute_sliced(
             static_cast<std::int64_t>(primaries.count),
             [=](PassContext& context, Slice slice) {
                 gl::ProgramSource source{{primary_shader}};
                 source.defines["PACK"] = "1";
-                const auto& program = context.program(source);
-                program.use();
-                context.bind_buffer(0, primaries.records);
-                context.bind_buffer(1, shown);
-                context.bind_buffer(2, places);
+                const auto& program = context.use(source);
                 program.set("capacity", static_cast<unsigned>(context.capacity(shown)));
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
@@ -101,19 +95,14 @@ void show_photons(graph::GraphBuilder& builder, const Photons& photons, std::uin
     const auto count = builder.counter(
         {.key = "indirect.footprints_shown", .label = "Footprints shown", .growth_of = shown});
     builder.pass("show footprints")
-        .reads(photons.records)
-        .writes(shown)
-        .counts(photons.count)
-        .counts(count)
+        .reads("Photons", photons.records)
+        .writes("AllShown", shown)
+        .counts("StoredCount", photons.count)
+        .counts("ShownCount", count)
         .execute_sliced(
             static_cast<std::int64_t>(most),
             [=](PassContext& context, Slice slice) {
-                const auto& program = context.program({{"methods/ldm-indirect/tracing/show_photons.comp"}});
-                program.use();
-                context.bind_buffer(0, photons.records);
-                context.bind_counter(1, photons.count);
-                context.bind_buffer(2, shown);
-                context.bind_counter(3, count);
+                const auto& program = context.use({{"methods/ldm-indirect/tracing/show_photons.comp"}});
                 program.set("capacity", static_cast<unsigned>(context.capacity(photons.records)));
                 program.set("shown_capacity", static_cast<unsigned>(context.capacity(shown)));
                 gl::dispatch_items(program, slice.begin, slice.end);

@@ -26,39 +26,26 @@ graph::BufferRef words(graph::GraphBuilder& builder, graph::ResourceText text, c
 }
 
 void divide(const PassContext& p, const Sources& sources, const EmissionPoints& points,
-            const EmissionMaps* maps, graph::CounterRef without) {
+            const EmissionMaps* maps) {
     p.upload(points.samples.sources, std::as_bytes(std::span(sources.elements)));
     p.barrier();
     gl::ProgramSource source{{"methods/photon-mapping/emission/budget.comp"},
                              {{"BY_PROBABILITY", maps ? "1" : "0"}}};
-    const auto& program = p.program(source);
-    program.use();
-    p.bind_buffer(0, points.samples.sources);
-    p.bind_counter(1, without);
-    if (maps) {
-        p.bind_texture(0, maps->haar);
-        program.set("levels", maps->levels);
-    }
+    const auto& program = p.use(source);
+    if (maps) program.set("levels", maps->levels);
     program.set("points", static_cast<unsigned>(points.count));
     program.set("source_count", static_cast<unsigned>(sources.elements.size()));
     program.dispatch(1);
 }
 
-/// What both steps over the points of an RSM bind.
-const gl::Program& use_maps(const PassContext& p, const char* file, const passes::SceneBuffers& scene,
-                            const passes::Rsm& rsm, const EmissionMaps& maps, const Parameters& parameters,
+/// For both steps over the points of an RSM.
+const gl::Program& use_maps(const PassContext& p, const char* file, const Parameters& parameters,
                             const Sources& sources, const EmissionPoints& points) {
     gl::ProgramSource source{{file}};
     const bool warps = parameters.emission == Emission::importance;
     source.defines["WARPS"] = warps ? "1" : "0";
     source.defines["PRINTED_POWER"] = warps && parameters.power_scaling == PowerScaling::printed ? "1" : "0";
-    const auto& program = p.program(source);
-    program.use();
-    passes::bind_rsm(p, rsm, scene);
-    p.bind_buffer(2, points.samples.sources);
-    p.bind_buffer(3, points.candidates);
-    p.bind_texture(3, maps.probability);
-    p.bind_texture(4, maps.haar);
+    const auto& program = p.use(source);
     set_surface_rules(program, parameters);
     set_emission_set(program, p.inputs(), sources, points, parameters);
     return program;
@@ -113,10 +100,10 @@ void divide_points(graph::GraphBuilder& builder, const Sources& sources, const E
                                                  "half a photon: their light is missing."});
     const bool by_probability = maps && parameters.budget == Budget::probability;
     auto pass = builder.pass("photon budget");
-    if (by_probability) pass.reads(maps->haar);
-    pass.writes(points.samples.sources).counts(without);
+    if (by_probability) pass.reads("haar_pyramid", maps->haar);
+    pass.writes("Sources", points.samples.sources).counts("WithoutPoints", without);
     const auto used = by_probability ? std::optional(*maps) : std::nullopt;
-    pass.execute([=](PassContext& p) { divide(p, sources, points, used ? &*used : nullptr, without); });
+    pass.execute([=](PassContext& p) { divide(p, sources, points, used ? &*used : nullptr); });
 }
 
 void find_places(graph::GraphBuilder& builder, EmissionPoints& points) {
@@ -129,33 +116,34 @@ void find_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene
                  const Parameters& parameters) {
     const auto reads = [&](graph::PassBuilder& pass) {
         passes::reads_rsm(pass, rsm, scene);
-        pass.reads(maps.probability, maps.haar, points.samples.sources);
+        pass.reads("probability_map", maps.probability)
+            .reads("haar_pyramid", maps.haar)
+            .reads("Sources", points.samples.sources);
     };
     const auto items = static_cast<std::int64_t>(points.count);
     auto warp = builder.pass("emission points");
     reads(warp);
-    warp.writes(points.candidates, points.survivors)
+    warp.writes("Candidates", points.candidates)
+        .writes("Survivors", points.survivors)
         .execute_sliced(
             items,
             [=](PassContext& p, graph::Slice slice) {
-                const auto& program = use_maps(p, "methods/photon-mapping/emission/points.comp", scene, rsm,
-                                               maps, parameters, sources, points);
-                p.bind_buffer(4, points.survivors);
+                const auto& program =
+                    use_maps(p, "methods/photon-mapping/emission/points.comp", parameters, sources, points);
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
             first_slice);
     find_places(builder, points);
     auto pack = builder.pass("sample points");
     reads(pack);
-    pack.reads(points.candidates, points.places)
-        .writes(points.samples.points)
+    pack.reads("Candidates", points.candidates)
+        .reads("Places", points.places)
+        .writes("Samples", points.samples.points)
         .execute_sliced(
             items,
             [=](PassContext& p, graph::Slice slice) {
-                const auto& program = use_maps(p, "methods/photon-mapping/emission/samples.comp", scene, rsm,
-                                               maps, parameters, sources, points);
-                p.bind_buffer(4, points.places);
-                p.bind_buffer(5, points.samples.points);
+                const auto& program =
+                    use_maps(p, "methods/photon-mapping/emission/samples.comp", parameters, sources, points);
                 program.set("capacity", static_cast<unsigned>(p.capacity(points.samples.points)));
                 program.set("power_unit", points.samples.power_unit);
                 program.set("photons_per_point", static_cast<float>(points.samples.photons_per_point));

@@ -14,12 +14,9 @@ using graph::PassContext;
 constexpr int small_size = 32;
 constexpr int small_levels = 5;  ///< 2^5 = small_size
 
-void find_probabilities(const PassContext& p, const passes::SceneBuffers& scene, const passes::Rsm& rsm,
-                        graph::ImageRef map, const Parameters& parameters, graph::Slice slice) {
-    const auto& program = p.program({{"methods/photon-mapping/emission/probability.comp"}});
-    program.use();
-    passes::bind_rsm(p, rsm, scene);
-    p.bind_storage_image(0, map);
+void find_probabilities(const PassContext& p, const passes::Rsm& rsm, const Parameters& parameters,
+                        graph::Slice slice) {
+    const auto& program = p.use({{"methods/photon-mapping/emission/probability.comp"}});
     set_surface_rules(program, parameters);
     program.set("first_layer", static_cast<int>(slice.begin));
     program.set("layers_drawn", rsm.views_drawn);
@@ -28,11 +25,10 @@ void find_probabilities(const PassContext& p, const passes::SceneBuffers& scene,
 
 /// Level 0 comes from the map, each other one from the level below.
 void make_large_levels(const PassContext& p, const EmissionMaps& maps) {
-    const auto& program = p.program({{"methods/photon-mapping/emission/haar.comp"}});
-    program.use();
     for (int level = 0; maps.resolution >> level > small_size; ++level) {
-        p.bind_texture(0, level == 0 ? maps.probability : maps.haar);
-        p.bind_storage_image(0, maps.haar, level);
+        p.bind("below", level == 0 ? maps.probability : maps.haar);
+        p.bind("level", maps.haar, level);
+        const auto& program = p.use({{"methods/photon-mapping/emission/haar.comp"}});
         program.set("level_below", std::max(0, level - 1));
         program.set("size", maps.resolution >> (level + 1));
         program.dispatch(maps.resolution >> (level + 1), maps.resolution >> (level + 1), maps.layers);
@@ -42,11 +38,10 @@ void make_large_levels(const PassContext& p, const EmissionMaps& maps) {
 
 void make_small_levels(const PassContext& p, const EmissionMaps& maps) {
     const int first = std::max(0, maps.levels - small_levels);
-    const auto& program = p.program({{"methods/photon-mapping/emission/haar_small.comp"}});
-    program.use();
-    p.bind_texture(0, first == 0 ? maps.probability : maps.haar);
+    p.bind("below", first == 0 ? maps.probability : maps.haar);
     for (int i = 0; i < small_levels; ++i)
-        p.bind_storage_image(i, maps.haar, std::min(first + i, maps.levels - 1));
+        p.bind("level" + std::to_string(i), maps.haar, std::min(first + i, maps.levels - 1));
+    const auto& program = p.use({{"methods/photon-mapping/emission/haar_small.comp"}});
     program.set("level_below", std::max(0, first - 1));
     program.set("size_below", maps.resolution >> first);
     const auto group = program.work_group_size();
@@ -96,12 +91,10 @@ EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuff
     const auto map = builder.image(std::move(desc));
     auto pass = builder.pass("emission probability");
     passes::reads_rsm(pass, rsm, scene);
-    pass.writes(map).execute_sliced(
-        rsm.layers,
-        [=](PassContext& p, graph::Slice slice) {
-            find_probabilities(p, scene, rsm, map, parameters, slice);
-        },
-        1);
+    pass.writes("probability", map)
+        .execute_sliced(
+            rsm.layers,
+            [=](PassContext& p, graph::Slice slice) { find_probabilities(p, rsm, parameters, slice); }, 1);
     return haar_pyramid(builder, map, rsm.resolution, rsm.layers, fingerprint.str());
 }
 

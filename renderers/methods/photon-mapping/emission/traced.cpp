@@ -11,7 +11,6 @@ namespace {
 using graph::PassContext;
 
 constexpr std::int64_t first_slice = 1 << 14;
-constexpr int surface_binding = 6;
 
 /// What the passes over the points share.
 struct Emitter {
@@ -23,11 +22,7 @@ struct Emitter {
     Parameters parameters;
 
     const gl::Program& use(const PassContext& p, gl::ProgramSource source) const {
-        const auto& program = p.program(source);
-        program.use();
-        p.bind_buffer(0, points.samples.sources);
-        p.bind_buffer(1, scene.lights);
-        p.bind_buffer(2, rays.rays);
+        const auto& program = p.use(source);
         set_emission_set(program, p.inputs(), sources, points, parameters);
         return program;
     }
@@ -41,10 +36,7 @@ struct Emitter {
     const gl::Program& use_hits(const PassContext& p, bool packs) const {
         gl::ProgramSource source{{"methods/photon-mapping/emission/hits.comp"}};
         source.defines["PACKS"] = packs ? "1" : "0";
-        source.defines["HIT_SURFACE_BINDING"] = std::to_string(surface_binding);
         const auto& program = use(p, source);
-        p.bind_buffer(3, rays.hits);
-        surfaces.bind(p, surface_binding);
         set_surface_rules(program, parameters);
         program.set("normal_maps", parameters.transport.normal_maps ? 1 : 0);
         return program;
@@ -52,14 +44,11 @@ struct Emitter {
 
     void find_survivors(const PassContext& p, graph::Slice slice) const {
         const auto& program = use_hits(p, false);
-        p.bind_buffer(4, points.survivors);
         gl::dispatch_items(program, slice.begin, slice.end);
     }
 
     void pack(const PassContext& p, graph::Slice slice) const {
         const auto& program = use_hits(p, true);
-        p.bind_buffer(4, points.places);
-        p.bind_buffer(5, points.samples.points);
         program.set("capacity", static_cast<unsigned>(p.capacity(points.samples.points)));
         program.set("power_unit", points.samples.power_unit);
         program.set("photons_per_point", static_cast<float>(points.samples.photons_per_point));
@@ -81,8 +70,9 @@ SamplePoints emit_traced(graph::GraphBuilder& builder, const passes::SceneBuffer
     const auto items = static_cast<std::int64_t>(points.count);
 
     builder.pass("emission rays")
-        .reads(points.samples.sources, scene.lights)
-        .writes(emitter.rays.rays)
+        .reads("Sources", points.samples.sources)
+        .reads(scene.lights)
+        .writes("Rays", emitter.rays.rays)
         .execute_sliced(
             items, [=](PassContext& p, graph::Slice slice) { emitter.make_rays(p, slice); }, first_slice);
     passes::trace_rays(builder, "trace emission", scene, parameters.tracer, emitter.rays);
@@ -90,11 +80,14 @@ SamplePoints emit_traced(graph::GraphBuilder& builder, const passes::SceneBuffer
 
     const auto reads = [&](graph::PassBuilder& pass) {
         emitter.surfaces.read_by(pass);
-        pass.reads(points.samples.sources, scene.lights, emitter.rays.rays, emitter.rays.hits);
+        pass.reads("Sources", points.samples.sources)
+            .reads(scene.lights)
+            .reads("Rays", emitter.rays.rays)
+            .reads("Hits", emitter.rays.hits);
     };
     auto survive = builder.pass("emission points");
     reads(survive);
-    survive.writes(points.survivors)
+    survive.writes("Survivors", points.survivors)
         .execute_sliced(
             items, [=](PassContext& p, graph::Slice slice) { emitter.find_survivors(p, slice); },
             first_slice);
@@ -102,8 +95,8 @@ SamplePoints emit_traced(graph::GraphBuilder& builder, const passes::SceneBuffer
     emitter.points = points;
     auto pack = builder.pass("sample points");
     reads(pack);
-    pack.reads(points.places)
-        .writes(points.samples.points)
+    pack.reads("Places", points.places)
+        .writes("Samples", points.samples.points)
         .execute_sliced(
             items, [=](PassContext& p, graph::Slice slice) { emitter.pack(p, slice); }, first_slice);
     return points.samples;

@@ -45,16 +45,10 @@ Shown shown_points(const Inspection& inspection, const Sources& sources, const E
 }
 
 const gl::Program& use(const PassContext& p, const char* file, const Sources& sources,
-                       const EmissionMaps& maps, const EmissionPoints& points, const Parameters& parameters,
-                       const Shown& shown) {
+                       const EmissionPoints& points, const Parameters& parameters, const Shown& shown) {
     gl::ProgramSource source{{file}};
     source.defines["WARPS"] = parameters.emission == Emission::importance ? "1" : "0";
-    const auto& program = p.program(source);
-    program.use();
-    p.bind_buffer(0, points.samples.sources);
-    p.bind_buffer(1, points.candidates);
-    p.bind_texture(0, maps.probability);
-    p.bind_texture(1, maps.haar);
+    const auto& program = p.use(source);
     set_emission_set(program, p.inputs(), sources, points, parameters);
     program.set("shown_source", shown.source);
     program.set("first_step", shown.first_step);
@@ -81,17 +75,18 @@ void show_samples(graph::GraphBuilder& builder, const Sources& sources, const Em
     const auto count = builder.counter(
         {.key = "emission.samples_shown", .label = "Emission points shown", .growth_of = buffer});
     builder.pass("show emission points")
-        .reads(points.samples.sources, points.candidates, maps.probability, maps.haar)
-        .writes(buffer)
-        .counts(count)
+        .reads("Sources", points.samples.sources)
+        .reads("Candidates", points.candidates)
+        .reads("probability_map", maps.probability)
+        .reads("haar_pyramid", maps.haar)
+        .writes("Shown", buffer)
+        .counts("ShownCount", count)
         .execute([=](PassContext& p) {
             if (shown.stride > 1)  // said by the pass: it runs where points are wanted
                 p.warn("of the emission points shown, one in " + std::to_string(shown.stride) +
                        " is, so that at most a million result");
-            const auto& program = use(p, "methods/photon-mapping/emission/show_samples.comp", sources, maps,
-                                      points, parameters, shown);
-            p.bind_buffer(2, buffer);
-            p.bind_counter(3, count);
+            const auto& program = use(p, "methods/photon-mapping/emission/show_samples.comp", sources, points,
+                                      parameters, shown);
             program.set("stride", static_cast<unsigned>(shown.stride));
             program.set("capacity", static_cast<unsigned>(p.capacity(buffer)));
             gl::dispatch_items(program, 0, static_cast<std::int64_t>(shown.points), "first_shown",
@@ -111,17 +106,18 @@ void show_picture(graph::GraphBuilder& builder, const Sources& sources, const Em
     desc.layers = shown.steps;
     const auto image = builder.image(std::move(desc));
     builder.pass("draw emission points")
-        .reads(points.samples.sources, points.candidates, maps.probability, maps.haar)
-        .writes(image)
+        .reads("Sources", points.samples.sources)
+        .reads("Candidates", points.candidates)
+        .reads("probability_map", maps.probability)
+        .reads("haar_pyramid", maps.haar)
+        .writes("picture", image)
         .execute([=](PassContext& p) {
-            const auto& map = use(p, "methods/photon-mapping/emission/show_map.comp", sources, maps, points,
-                                  parameters, shown);
-            p.bind_storage_image(0, image);
+            const auto& map =
+                use(p, "methods/photon-mapping/emission/show_map.comp", sources, points, parameters, shown);
             map.dispatch(size, size, shown.steps);
             p.barrier();
-            const auto& dots = use(p, "methods/photon-mapping/emission/show_points.comp", sources, maps,
-                                   points, parameters, shown);
-            p.bind_storage_image(0, image);
+            const auto& dots = use(p, "methods/photon-mapping/emission/show_points.comp", sources, points,
+                                   parameters, shown);
             gl::dispatch_items(dots, 0, static_cast<std::int64_t>(shown.points), "first_shown", "end_shown");
         });
 }

@@ -27,13 +27,12 @@ graph::ImageRef declare_image(graph::GraphBuilder& builder, graph::ResourceText 
 }
 
 void declare_irradiance_reads(graph::PassBuilder& pass, const ComposeInputs& in) {
-    pass.reads(in.filtered.irradiance, in.filtered.direction, in.gbuffer.normal, in.gbuffer.geometric_normal);
+    pass.reads("value_image", in.filtered.irradiance)
+        .reads("direction_image", in.filtered.direction)
+        .reads(in.gbuffer.normal, in.gbuffer.geometric_normal);
 }
 
-void bind_irradiance(const graph::PassContext& context, const gl::Program& program, const ComposeInputs& in) {
-    context.bind_texture(0, in.filtered.irradiance);
-    context.bind_texture(1, in.filtered.direction);
-    context.bind_texture(2, in.gbuffer.normal);
+void set_irradiance(const gl::Program& program, const ComposeInputs& in) {
     program.set("stretch_max", in.parameters.stretch_max);
     program.set("directional", in.parameters.directional ? 1 : 0);
 }
@@ -43,15 +42,12 @@ void show(graph::GraphBuilder& builder, const ComposeInputs& in, graph::ImageRef
           const std::string& name, const std::string& define) {
     auto pass = builder.pass(name);
     declare_irradiance_reads(pass, in);
-    pass.writes(result);
+    pass.writes("result", result);
     execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
         gl::ProgramSource source{{folder + "irradiance.comp"}};
         if (!define.empty()) source.defines[define] = "1";
-        const auto& program = context.program(source);
-        program.use();
-        bind_irradiance(context, program, in);
-        context.bind_texture(3, in.gbuffer.geometric_normal);
-        context.bind_storage_image(0, result);
+        const auto& program = context.use(source);
+        set_irradiance(program, in);
         dispatch_rows(context, program, slice);
     });
 }
@@ -80,21 +76,12 @@ void reflect(graph::GraphBuilder& builder, const ComposeInputs& in) {
     pass.reads(in.gbuffer.geometric_normal, in.gbuffer.albedo, in.gbuffer.material, in.gbuffer.position,
                in.scene.materials);
     if (in.has_indirect) declare_irradiance_reads(pass, in);
-    if (in.direct) pass.reads(in.direct->radiance);
+    if (in.direct) pass.reads("direct_image", in.direct->radiance);
     if (in.has_emission) pass.reads(in.gbuffer.emission);
-    pass.writes(result);
+    pass.writes("result", result);
     execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
-        const auto& program = context.program(radiance_source(in));
-        program.use();
-        if (in.has_indirect) bind_irradiance(context, program, in);
-        context.bind_texture(3, in.gbuffer.geometric_normal);
-        context.bind_texture(4, in.gbuffer.albedo);
-        context.bind_texture(5, in.gbuffer.material);
-        context.bind_texture(6, in.gbuffer.position);
-        if (in.direct) context.bind_texture(7, in.direct->radiance);
-        if (in.has_emission) context.bind_texture(8, in.gbuffer.emission);
-        context.bind_buffer(0, in.scene.materials);
-        context.bind_storage_image(0, result);
+        const auto& program = context.use(radiance_source(in));
+        if (in.has_indirect) set_irradiance(program, in);
         set_view(program, context.inputs().view);
         program.set("background", in.background);
         dispatch_rows(context, program, slice);

@@ -34,56 +34,50 @@ std::int64_t covering_groups(int pixels, int stride) {
 }
 
 void run(const graph::PassContext& context, const Step& step, const Parameters& parameters,
-         gl::ProgramSource source, graph::Slice slice, const std::function<void(const gl::Program&)>& bind) {
+         gl::ProgramSource source, graph::Slice slice, const std::function<void(const gl::Program&)>& set) {
     const int stride = 1 << step.index;
     source.files = {"methods/photon-mapping/filtering/a_trous.comp"};
     if (parameters.filter_kernel == FilterKernel::b3_spline) source.defines["B3_SPLINE"] = "1";
-    const auto& program = context.program(source);
-    program.use();
+    const auto& program = context.use(source);
     set_edges(context, program, parameters);
     program.set("pixel_stride", stride);
     program.set("detail_clip", parameters.detail_clip);
     program.set("first_row", static_cast<int>(slice.begin));
-    context.bind_texture(0, step.from.value);
-    context.bind_texture(1, step.from.direction);
-    context.bind_texture(2, step.surfaces);
-    bind(program);
+    set(program);
     program.dispatch(covering_groups(context.inputs().view.width, stride) * group_size,
                      (slice.end - slice.begin) * group_size);
 }
 
 void declare_step(graph::GraphBuilder& builder, const Step& step, const Parameters& parameters) {
     auto pass = builder.pass("à-trous " + std::to_string(step.index + 1));
-    pass.reads(step.from.value, step.from.direction, step.surfaces)
-        .writes(step.sum.value, step.sum.direction);
-    if (!step.is_last) pass.writes(step.to.value, step.to.direction);
+    pass.reads("value_image", step.from.value)
+        .reads("direction_image", step.from.direction)
+        .reads("surfaces", step.surfaces)
+        .writes("value_sum", step.sum.value)
+        .writes("direction_sum", step.sum.direction);
+    if (!step.is_last) pass.writes("next_value", step.to.value).writes("next_direction", step.to.direction);
     gl::ProgramSource source;
     if (step.is_first) source.defines["FIRST"] = "1";
     if (step.is_last) source.defines["LAST"] = "1";
     const auto rows = covering_groups(builder.inputs().view.height, 1 << step.index);
     execute_by_rows(pass, rows, [=](graph::PassContext& context, graph::Slice slice) {
-        run(context, step, parameters, source, slice, [&](const gl::Program&) {
-            context.bind_storage_image(0, step.sum.value);
-            context.bind_storage_image(1, step.sum.direction);
-            if (step.is_last) return;
-            context.bind_storage_image(2, step.to.value);
-            context.bind_storage_image(3, step.to.direction);
-        });
+        run(context, step, parameters, source, slice, [](const gl::Program&) {});
     });
 }
 
 void declare_view(graph::GraphBuilder& builder, const Step& step, const Parameters& parameters,
                   const std::string& name, graph::ImageRef stack, int layer, const std::string& shown) {
     auto pass = builder.pass(name + ' ' + std::to_string(layer));
-    pass.reads(step.from.value, step.from.direction, step.surfaces).writes(stack);
+    pass.reads("value_image", step.from.value)
+        .reads("direction_image", step.from.direction)
+        .reads("surfaces", step.surfaces)
+        .writes("view", stack);
     const auto rows = covering_groups(builder.inputs().view.height, 1 << step.index);
     execute_by_rows(pass, rows, [=](graph::PassContext& context, graph::Slice slice) {
         gl::ProgramSource source;
         source.defines["VIEW"] = shown;
-        run(context, step, parameters, source, slice, [&](const gl::Program& program) {
-            context.bind_storage_image(0, stack);
-            program.set("layer", layer);
-        });
+        run(context, step, parameters, source, slice,
+            [&](const gl::Program& program) { program.set("layer", layer); });
     });
 }
 

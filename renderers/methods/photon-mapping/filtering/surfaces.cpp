@@ -37,13 +37,9 @@ graph::ImageRef pack_surfaces(graph::GraphBuilder& builder, const passes::GBuffe
     desc.format = gl::Format::rg32ui;
     const auto result = builder.image(desc);
     auto pass = builder.pass("filter surfaces");
-    pass.reads(gbuffer.position, gbuffer.geometric_normal).writes(result);
+    pass.reads(gbuffer.position, gbuffer.geometric_normal).writes("surfaces", result);
     execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
-        const auto& program = context.program({{"methods/photon-mapping/filtering/surfaces.comp"}});
-        program.use();
-        context.bind_texture(0, gbuffer.position);
-        context.bind_texture(1, gbuffer.geometric_normal);
-        context.bind_storage_image(0, result);
+        const auto& program = context.use({{"methods/photon-mapping/filtering/surfaces.comp"}});
         program.set("depth_row", -glm::vec4(glm::transpose(context.inputs().view.view_from_world)[2]));
         dispatch_rows(context, program, slice);
     });

@@ -14,11 +14,15 @@ struct TemporalInputs {
 
 /// Accesses of filtering/unfiltered.glsl and, where history counts, filtering/history.glsl.
 void declare_reads(graph::PassBuilder& pass, const TemporalInputs& in) {
-    pass.reads(in.splat.irradiance, in.splat.direction, in.surfaces);
-    if (in.splat.divisor > 1) pass.reads(in.splat.depth);
+    pass.reads("splat_irradiance", in.splat.irradiance)
+        .reads("splat_direction", in.splat.direction)
+        .reads("surfaces", in.surfaces);
+    if (in.splat.divisor > 1) pass.reads("splat_depth", in.splat.depth);
     if (!in.parameters.temporal) return;
     pass.reads(in.gbuffer.velocity, in.gbuffer.geometric_normal)
-        .reads_previous(in.history.value, in.history.direction, in.surfaces);
+        .reads_previous("previous_value", in.history.value)
+        .reads_previous("previous_direction", in.history.direction)
+        .reads_previous("previous_surfaces", in.surfaces);
 }
 
 void set_previous_rays(const gl::Program& program, const scene::View& view) {
@@ -30,12 +34,7 @@ void set_previous_rays(const gl::Program& program, const scene::View& view) {
     program.set("previous_direction_dy", rays.direction_dy);
 }
 
-void bind_history(const graph::PassContext& context, const gl::Program& program, const TemporalInputs& in) {
-    context.bind_texture(4, in.gbuffer.velocity);
-    context.bind_texture(5, in.gbuffer.geometric_normal);
-    context.bind_previous_texture(6, in.history.value);
-    context.bind_previous_texture(7, in.history.direction);
-    context.bind_previous_texture(8, in.surfaces);
+void set_history(const graph::PassContext& context, const gl::Program& program, const TemporalInputs& in) {
     program.set("temporal_weight", in.parameters.temporal_weight);
     program.set("has_history", context.has_previous() ? 1 : 0);
     set_previous_rays(program, context.inputs().previous_view);
@@ -45,14 +44,9 @@ const gl::Program& use(const graph::PassContext& context, const TemporalInputs& 
                        gl::ProgramSource source) {
     source.defines["DIVISOR"] = std::to_string(in.splat.divisor);
     if (in.parameters.temporal) source.defines["HISTORY"] = "1";
-    const auto& program = context.program(source);
-    program.use();
+    const auto& program = context.use(source);
     set_edges(context, program, in.parameters);
-    context.bind_texture(0, in.splat.irradiance);
-    context.bind_texture(1, in.splat.direction);
-    context.bind_texture(2, in.surfaces);
-    if (in.splat.divisor > 1) context.bind_texture(3, in.splat.depth);
-    if (in.parameters.temporal) bind_history(context, program, in);
+    if (in.parameters.temporal) set_history(context, program, in);
     return program;
 }
 
@@ -63,12 +57,11 @@ void show(graph::GraphBuilder& builder, const TemporalInputs& in, graph::Resourc
     const auto view = builder.image(desc);
     auto pass = builder.pass(desc.text.label);
     declare_reads(pass, in);
-    pass.writes(view);
+    pass.writes("view", view);
     execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
         gl::ProgramSource source{{folder + "history_view.comp"}};
         if (is_weight) source.defines["VIEW_WEIGHT"] = "1";
         const auto& program = use(context, in, source);
-        context.bind_storage_image(0, view);
         dispatch_rows(context, program, slice);
     });
 }
@@ -87,15 +80,12 @@ Signal accumulate(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, 
                                 "65,504, or 0 where the direction is lost. Choose single floats."});
     auto pass = builder.pass("temporal filter");
     declare_reads(pass, in);
-    pass.counts(overflow);
-    pass.writes(result.value, result.direction);
+    pass.counts("Overflow", overflow);
+    pass.writes("value_image", result.value).writes("direction_image", result.direction);
     execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
         gl::ProgramSource source{{folder + "temporal.comp"}};
         if (in.parameters.sum_precision == Precision::half_float) source.defines["HALF_SUMS"] = "1";
         const auto& program = use(context, in, source);
-        context.bind_storage_image(0, result.value);
-        context.bind_storage_image(1, result.direction);
-        context.bind_counter(0, overflow);
         dispatch_rows(context, program, slice);
     });
     if (!parameters.temporal) return result;

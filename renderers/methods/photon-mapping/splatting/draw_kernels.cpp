@@ -29,12 +29,8 @@ graph::BufferRef declare_command(graph::GraphBuilder& builder, const std::string
                            .elements = 1});
 }
 
-void write_command(const graph::PassContext& p, const Kernels& kernels, graph::BufferRef command,
-                   PhotonRange range) {
-    const auto& program = p.program({{"methods/photon-mapping/splatting/draw.comp"}});
-    program.use();
-    p.bind_buffer(1, kernels.photons.stored);
-    p.bind_buffer(2, command);
+void write_command(const graph::PassContext& p, const Kernels& kernels, PhotonRange range) {
+    const auto& program = p.use({{"methods/photon-mapping/splatting/draw.comp"}});
     program.set("first", static_cast<unsigned>(range.first));
     program.set("end", static_cast<unsigned>(range.end));
     program.set("vertices_of_kernel", is_flat(kernels) ? corners_of_square : corners_of_icosahedron);
@@ -85,16 +81,14 @@ void run(const graph::PassContext& p, graph::Slice slice, const Kernels& kernels
         for (const auto target : pass.targets) p.clear(target);
     const auto range = photons_of(p, kernels.photons, slice);
     if (range.first == range.end) return;
-    write_command(p, kernels, command, range);
+    write_command(p, kernels, range);
     bind_targets(p, kernels, pass);
     gl::ProgramSource source{
         {"methods/photon-mapping/splatting/splat.vert", "methods/photon-mapping/splatting/splat.frag"}};
     source.defines = kernel_defines(kernels);
     source.defines.insert(pass.defines.begin(), pass.defines.end());
-    const auto& program = p.program(source);
-    program.use();
-    bind_kernels(p, program, kernels);
-    p.bind_buffer(2, kernels.vertices);
+    const auto& program = p.use(source);
+    set_kernels(p, program, kernels);
     program.set("first", static_cast<unsigned>(range.first));
     set_state(p.api(), kernels, pass);
     draw(p, kernels, command);
@@ -136,22 +130,21 @@ std::map<std::string, std::string> kernel_defines(const Kernels& kernels) {
     return defines;
 }
 
-void bind_kernels(const graph::PassContext& context, const gl::Program& program, const Kernels& kernels) {
+void set_kernels(const graph::PassContext& context, const gl::Program& program, const Kernels& kernels) {
     set_kernel(program, context.inputs(), kernels.parameters, kernels.photons.power_unit);
     passes::set_pixel_rays(program, context.inputs().view);
-    context.bind_buffer(0, kernels.photons.records);
-    context.bind_buffer(1, kernels.photons.stored);
-    context.bind_texture(0, kernels.tiles);
-    context.bind_texture(1, kernels.surfaces.surfaces);
 }
 
 void draw_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass) {
     const auto command = declare_command(builder, pass.command_key);
     auto declared = builder.pass(pass.name);
-    declared
-        .reads(kernels.photons.records, kernels.photons.stored, kernels.tiles, kernels.vertices,
-               kernels.corners, kernels.surfaces.surfaces)
-        .writes(command);
+    declared.reads("Photons", kernels.photons.records)
+        .reads("Stored", kernels.photons.stored)
+        .reads("tiles", kernels.tiles)
+        .reads("Icosahedron", kernels.vertices)
+        .reads(kernels.corners)
+        .reads("surfaces", kernels.surfaces.surfaces)
+        .writes("Draw", command);
     for (const auto target : pass.targets) declared.writes(target);
     if (pass.depth_test) declared.writes(kernels.surfaces.stencil);
     declared.execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {

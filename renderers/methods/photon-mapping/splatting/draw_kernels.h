@@ -20,9 +20,8 @@ struct Kernels {
 Kernels declare_kernels(graph::GraphBuilder& builder, const StoredPhotons& photons, graph::ImageRef tiles,
                         const SplatSurfaces& surfaces, const Parameters& parameters);
 
-/// Binds what shaders/methods/photon-mapping/splatting/photon_kernel.glsl and inside.glsl read, and sets
-/// their uniforms.
-void bind_kernels(const graph::PassContext& context, const gl::Program& program, const Kernels& kernels);
+/// Sets the uniforms of shaders/methods/photon-mapping/splatting/photon_kernel.glsl and inside.glsl.
+void set_kernels(const graph::PassContext& context, const gl::Program& program, const Kernels& kernels);
 /// The defines of inside.glsl.
 std::map<std::string, std::string> kernel_defines(const Kernels& kernels);
 

@@ -79,18 +79,11 @@ glm::ivec2 picked_texel(const graph::FrameInputs& inputs, int divisor) {
     return inside ? glm::ivec2(picked.x, picked.y) / divisor : glm::ivec2(-1);
 }
 
-void gather(const graph::PassContext& p, graph::Slice slice, const Kernels& kernels,
-            graph::ImageRef irradiance, const Explanation& e) {
+void gather(const graph::PassContext& p, graph::Slice slice, const Kernels& kernels) {
     gl::ProgramSource source{{"methods/photon-mapping/splatting/explain.comp"}};
     source.defines = kernel_defines(kernels);
-    const auto& program = p.program(source);
-    program.use();
-    bind_kernels(p, program, kernels);
-    p.bind_texture(2, irradiance);
-    p.bind_buffer(2, e.photons);
-    p.bind_buffer(3, e.sum);
-    p.bind_counter(4, e.photon_count);
-    p.bind_counter(5, e.sum_count);
+    const auto& program = p.use(source);
+    set_kernels(p, program, kernels);
     program.set("picked_texel", picked_texel(p.inputs(), kernels.surfaces.divisor));
     dispatch_photons(p, program, kernels.photons, slice);
 }
@@ -129,14 +122,17 @@ void sort_and_add_up(const graph::PassContext& p, const Kernels& kernels, const 
 void explain_pixel(graph::GraphBuilder& builder, const Kernels& kernels, graph::ImageRef irradiance) {
     const auto e = declare(builder);
     builder.pass("explain photons of the pixel")
-        .reads(kernels.photons.records, kernels.photons.stored, kernels.tiles, kernels.surfaces.surfaces,
-               irradiance)
-        .writes(e.photons, e.sum)
-        .counts(e.photon_count)
-        .counts(e.sum_count)
-        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
-            gather(p, slice, kernels, irradiance, e);
-        });
+        .reads("Photons", kernels.photons.records)
+        .reads("Stored", kernels.photons.stored)
+        .reads("tiles", kernels.tiles)
+        .reads("surfaces", kernels.surfaces.surfaces)
+        .reads("irradiance", irradiance)
+        .writes("FoundPhotons", e.photons)
+        .writes("PixelSum", e.sum)
+        .counts("PhotonCount", e.photon_count)
+        .counts("SumCount", e.sum_count)
+        .execute_sliced(photon_parts,
+                        [=](graph::PassContext& p, graph::Slice slice) { gather(p, slice, kernels); });
     builder.pass("sort photons of the pixel", graph::Queue::cpu)
         .reads(e.photons, e.sum)
         .writes(e.photons, e.sum)

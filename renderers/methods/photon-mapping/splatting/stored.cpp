@@ -17,16 +17,12 @@ StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photon
     result.stored = builder.buffer(std::move(desc));
     builder.pass("count photons")
         .reads(photons.records)
-        .writes(result.stored)
-        .counts(photons.count)
-        .execute([=](graph::PassContext& p) {
-            const auto& program = p.program({{"methods/photon-mapping/splatting/stored.comp"}});
-            program.use();
-            p.bind_buffer(1, result.stored);
-            p.bind_counter(2, photons.count);
-            program.set("capacity", static_cast<unsigned>(p.capacity(photons.records)));
-            program.dispatch(1);
-        });
+        .writes("Stored", result.stored)
+        .counts("Count", photons.count)
+        .compute({{"methods/photon-mapping/splatting/stored.comp"}}, 1,
+                 [=](const graph::PassContext& p, const gl::Program& program) {
+                     program.set("capacity", static_cast<unsigned>(p.capacity(photons.records)));
+                 });
     return result;
 }
 
@@ -42,7 +38,7 @@ void dispatch_photons(const graph::PassContext& context, const gl::Program& prog
                       const StoredPhotons& photons, graph::Slice slice) {
     const auto range = photons_of(context, photons, slice);
     gl::dispatch_items(program, static_cast<std::int64_t>(range.first), static_cast<std::int64_t>(range.end),
-                   "first", "end");
+                       "first", "end");
 }
 
 }  // namespace ir::methods::photon_mapping

@@ -17,7 +17,7 @@ graph::ImageRef declare(graph::GraphBuilder& builder, gl::Format format, int div
     return builder.image(std::move(desc));
 }
 
-void draw(const graph::PassContext& p, const passes::GBuffer& gbuffer, const SplatSurfaces& s) {
+void draw(const graph::PassContext& p, const SplatSurfaces& s) {
     const bool low = s.divisor > 1;
     const graph::PassContext::Attachment stencil{s.stencil};
     p.bind_framebuffer(low ? std::vector<graph::PassContext::Attachment>{{s.depth}, {s.surfaces}}
@@ -25,12 +25,9 @@ void draw(const graph::PassContext& p, const passes::GBuffer& gbuffer, const Spl
                        &stencil);
     gl::ProgramSource source{{"lib/full_screen.vert", "methods/photon-mapping/splatting/surfaces.frag"}};
     if (low) source.defines["LOW_RESOLUTION"] = "1";
-    const auto& program = p.program(source);
-    program.use();
+    const auto& program = p.use(source);
     set_splat_view(program, p.inputs(), s.divisor);
     passes::set_pixel_rays(program, p.inputs().view);
-    p.bind_texture(0, gbuffer.position);
-    p.bind_texture(1, gbuffer.geometric_normal);
     p.api().Enable(GL_DEPTH_TEST);
     p.api().DepthFunc(GL_ALWAYS);
     p.draw_full_screen();
@@ -57,7 +54,7 @@ SplatSurfaces splat_surfaces(graph::GraphBuilder& builder, const passes::GBuffer
     auto pass = builder.pass("surfaces to splat on");
     pass.reads(gbuffer.position, gbuffer.geometric_normal).writes(s.depth, s.stencil);
     if (divisor > 1) pass.writes(s.surfaces);
-    pass.execute([=](graph::PassContext& p) { draw(p, gbuffer, s); });
+    pass.execute([=](graph::PassContext& p) { draw(p, s); });
     return s;
 }
 

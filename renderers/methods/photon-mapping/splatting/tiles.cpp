@@ -17,17 +17,14 @@ graph::ImageRef count_tiles(graph::GraphBuilder& builder, const StoredPhotons& p
     desc.extent = graph::Extent::fixed(tiles.x, tiles.y);
     const auto image = builder.image(desc);
     builder.pass("count photons of tiles")
-        .reads(photons.records, photons.stored)
-        .writes(image)
+        .reads("Photons", photons.records)
+        .reads("Stored", photons.stored)
+        .writes("tiles", image)
         .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
             if (slice.first) p.clear(image);
-            const auto& program = p.program({{"methods/photon-mapping/splatting/tiles.comp"}});
-            program.use();
+            const auto& program = p.use({{"methods/photon-mapping/splatting/tiles.comp"}});
             set_splat_view(program, p.inputs(), divisor);
             program.set("tile_size", parameters.tile_size);
-            p.bind_buffer(0, photons.records);
-            p.bind_buffer(1, photons.stored);
-            p.bind_storage_image(0, image);
             dispatch_photons(p, program, photons, slice);
         });
     return image;

@@ -66,39 +66,27 @@ void declare_tally(GraphBuilder& builder, const Wavefront& wavefront, float powe
     desc.fields = tally_fields;
     desc.elements = static_cast<std::uint64_t>(wavefront.rows());
     const auto table = builder.buffer(std::move(desc));
-    const std::vector<graph::CounterRef> counters{
-        builder.counter({.key = "photons.rays", .label = "Rays of photons"}),
-        builder.counter({.key = "photons.missed", .label = "Photons that left the scene"}),
-        builder.counter({.key = "photons.culled", .label = "Photons culled"}),
-        builder.counter({.key = "photons.absorbed", .label = "Photons absorbed"}),
-        builder.counter({.key = "photons.cut",
-                         .label = "Photons cut",
-                         .doc = "Their paths met more mirrors than are followed."})};
     auto pass = builder.pass("tally photons");
-    pass.reads(wavefront.sums()).writes(table);
-    for (const auto counter : counters) pass.counts(counter);
-    pass.execute([=, sums = wavefront.sums(), rows = wavefront.rows()](PassContext& context) {
-        const auto& program = context.program({{"methods/photon-mapping/tracing/tally.comp"}});
-        program.use();
-        context.bind_buffer(0, sums);
-        context.bind_buffer(1, table);
-        for (int i = 0; i < static_cast<int>(counters.size()); ++i)
-            context.bind_counter(2 + i, counters[static_cast<std::size_t>(i)]);
-        program.set("rows", static_cast<unsigned>(rows));
-        program.set("power_unit", power_unit);
-        program.dispatch(rows);
-    });
+    pass.reads("Sums", wavefront.sums()).writes("Table", table);
+    pass.counts("RayCounter", builder.counter({.key = "photons.rays", .label = "Rays of photons"}))
+        .counts("MissedCounter",
+                builder.counter({.key = "photons.missed", .label = "Photons that left the scene"}))
+        .counts("CulledCounter", builder.counter({.key = "photons.culled", .label = "Photons culled"}))
+        .counts("AbsorbedCounter", builder.counter({.key = "photons.absorbed", .label = "Photons absorbed"}))
+        .counts("CutCounter", builder.counter({.key = "photons.cut",
+                                               .label = "Photons cut",
+                                               .doc = "Their paths met more mirrors than are followed."}));
+    const auto rows = wavefront.rows();
+    pass.compute({{"methods/photon-mapping/tracing/tally.comp"}}, rows,
+                 [=](const PassContext&, const gl::Program& program) {
+                     program.set("rows", static_cast<unsigned>(rows));
+                     program.set("power_unit", power_unit);
+                 });
 }
 
-void locate(const PassContext& context, const Photons& photons, graph::BufferRef locations,
-            graph::CounterRef located, Slice slice) {
+void locate(const PassContext& context, const Photons& photons, graph::BufferRef locations, Slice slice) {
     constexpr std::int64_t most_at_once = std::int64_t{1} << 21;
-    const auto& program = context.program({{"methods/photon-mapping/tracing/locations.comp"}});
-    program.use();
-    context.bind_buffer(0, photons.records);
-    context.bind_counter(1, photons.count);
-    context.bind_buffer(2, locations);
-    context.bind_counter(3, located);
+    const auto& program = context.use({{"methods/photon-mapping/tracing/locations.comp"}});
     program.set("capacity", static_cast<unsigned>(
                                 std::min(context.capacity(locations), context.capacity(photons.records))));
     program.set("power_unit", photons.power_unit);
@@ -120,14 +108,13 @@ void declare_locations(GraphBuilder& builder, const Photons& photons, std::uint6
     const auto located = builder.counter(
         {.key = "photons.located", .label = "Photons shown in space", .growth_of = locations});
     builder.pass("photon locations")
-        .reads(photons.records)
-        .writes(locations)
-        .counts(photons.count)
-        .counts(located)
+        .reads("Records", photons.records)
+        .writes("Locations", locations)
+        .counts("RecordCount", photons.count)
+        .counts("LocationCount", located)
         .execute_sliced(
             static_cast<std::int64_t>(most),
-            [=](PassContext& context, Slice slice) { locate(context, photons, locations, located, slice); },
-            4096);
+            [=](PassContext& context, Slice slice) { locate(context, photons, locations, slice); }, 4096);
 }
 
 }  // namespace

@@ -125,20 +125,17 @@ void Wavefront::over_paths(const gl::Program& program, Slice slice) const {
 void Wavefront::leave(GraphBuilder& builder, const Photons& photons) const {
     // where no bounce is stored the list of photons is empty, and still there
     builder.pass("leave sample points")
-        .reads(samples_.points, samples_.sources)
-        .writes(rays_.rays, paths_, sums_, photons.records)
-        .counts(samples_.count)
+        .reads("Samples", samples_.points)
+        .reads("Sources", samples_.sources)
+        .writes("Rays", rays_.rays)
+        .writes("Paths", paths_)
+        .writes("Tally", sums_)
+        .writes(photons.records)
+        .counts("SampleCount", samples_.count)
         .execute_sliced(
             static_cast<std::int64_t>(samples_.paths),
             [self = *this](PassContext& context, Slice slice) {
-                const auto& program = context.program({{"methods/photon-mapping/tracing/leave.comp"}});
-                program.use();
-                context.bind_buffer(0, self.rays_.rays);
-                context.bind_buffer(1, self.paths_);
-                context.bind_buffer(2, self.sums_);
-                context.bind_buffer(3, self.samples_.points);
-                context.bind_buffer(4, self.samples_.sources);
-                context.bind_counter(5, self.samples_.count);
+                const auto& program = context.use({{"methods/photon-mapping/tracing/leave.comp"}});
                 self.set_path_rules(context, program);
                 program.set("repeats", static_cast<unsigned>(self.samples_.photons_per_point));
                 program.set("sample_capacity", static_cast<unsigned>(context.capacity(self.samples_.points)));
@@ -160,23 +157,20 @@ void Wavefront::advance(GraphBuilder& builder, int number, const Photons& photon
 void Wavefront::land(GraphBuilder& builder, int number, const Photons& photons) const {
     auto pass = builder.pass("land " + std::to_string(number));
     surfaces_.read_by(pass);
-    pass.reads(rays_.hits).writes(rays_.rays, paths_, sums_, landed_, flags_, bases_).counts(photons.count);
+    pass.reads("Hits", rays_.hits)
+        .writes("Rays", rays_.rays)
+        .writes("Paths", paths_)
+        .writes("Tally", sums_)
+        .writes("Landed", landed_)
+        .writes("Flags", flags_)
+        .writes("Bases", bases_)
+        .counts("StoredCount", photons.count);
     pass.execute_sliced(
         static_cast<std::int64_t>(samples_.paths),
-        [self = *this, number, photons](PassContext& context, Slice slice) {
-            const auto& program = context.program({{"methods/photon-mapping/tracing/land.comp"}});
+        [self = *this, number](PassContext& context, Slice slice) {
+            const auto& program = context.use({{"methods/photon-mapping/tracing/land.comp"}});
             const auto& parameters = self.parameters_;
             const auto& inputs = context.inputs();
-            program.use();
-            context.bind_buffer(0, self.rays_.rays);
-            context.bind_buffer(1, self.paths_);
-            context.bind_buffer(2, self.sums_);
-            self.surfaces_.bind(context, 3);
-            context.bind_buffer(8, self.rays_.hits);
-            context.bind_buffer(9, self.landed_);
-            context.bind_buffer(10, self.flags_);
-            context.bind_buffer(11, self.bases_);
-            context.bind_counter(12, photons.count);
             self.set_path_rules(context, program);
             program.set("surface_number", static_cast<unsigned>(number));
             program.set("last_surface", static_cast<unsigned>(self.surfaces()));
@@ -198,18 +192,15 @@ void Wavefront::land(GraphBuilder& builder, int number, const Photons& photons) 
 void Wavefront::store(GraphBuilder& builder, int number, graph::BufferRef places,
                       const Photons& photons) const {
     builder.pass("store photons " + std::to_string(number))
-        .reads(landed_, flags_, places, bases_)
-        .writes(photons.records)
+        .reads("Landed", landed_)
+        .reads("Flags", flags_)
+        .reads("Places", places)
+        .reads("Bases", bases_)
+        .writes("Records", photons.records)
         .execute_sliced(
             static_cast<std::int64_t>(samples_.paths),
-            [self = *this, number, places, photons](PassContext& context, Slice slice) {
-                const auto& program = context.program({{"methods/photon-mapping/tracing/store.comp"}});
-                program.use();
-                context.bind_buffer(0, self.landed_);
-                context.bind_buffer(1, self.flags_);
-                context.bind_buffer(2, places);
-                context.bind_buffer(3, self.bases_);
-                context.bind_buffer(4, photons.records);
+            [self = *this, number, photons](PassContext& context, Slice slice) {
+                const auto& program = context.use({{"methods/photon-mapping/tracing/store.comp"}});
                 program.set("surface_number", static_cast<unsigned>(number));
                 program.set("capacity", static_cast<unsigned>(context.capacity(photons.records)));
                 self.over_paths(program, slice);

@@ -40,10 +40,10 @@ float surfels_stood_for() {
 #if LIGHT
 void add_light(Surfel surfel, vec3 l, float omega) {
     ivec2 pixel = own_pixel();
-    vec4 material = texelFetch(material_texture, pixel, 0);
+    vec4 material = texelFetch(gbuffer_material, pixel, 0);
     if (is_unlit(material)) discard;
     Receiver receiver = receiver_at(pixel);
-    Scatterer s = scatterer_of(receiver, texelFetch(albedo_texture, pixel, 0).rgb, material);
+    Scatterer s = scatterer_of(receiver, texelFetch(gbuffer_albedo, pixel, 0).rgb, material);
     if (!is_above(s, l)) discard;
     bool is_front = dot(surfel.normal_ws, l) < 0.0;
     vec3 sent = is_front ? surfel.radiance_front : black_backs ? vec3(0) : surfel.radiance_back;

@@ -1,16 +1,16 @@
 // Adds up the levels and makes the result of the sum.  [Nalbach14]
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform sampler2D levels_texture[LEVELS];
+uniform sampler2D levels_texture[LEVELS];
 #if LIGHT
-layout(binding = 6) uniform sampler2D glossy_texture[LEVELS];
-layout(binding = 12) uniform sampler2D albedo_texture;
-layout(binding = 13) uniform sampler2D material_texture;
+uniform sampler2D glossy_texture[LEVELS];
+uniform sampler2D gbuffer_albedo;
+uniform sampler2D gbuffer_material;
 #else
-layout(binding = 13) uniform sampler2D position_texture;
+uniform sampler2D gbuffer_position;
 #endif
-layout(binding = 0) uniform writeonly image2D sum_image;
-layout(binding = 1) uniform writeonly image2D result_image;
+uniform writeonly image2D sum_image;
+uniform writeonly image2D result_image;
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -19,19 +19,19 @@ void main() {
     for (int level = 0; level < LEVELS; ++level) sum += texelFetch(levels_texture[level], pixel, 0);
     imageStore(sum_image, pixel, sum);
 #if LIGHT
-    vec4 material = texelFetch(material_texture, pixel, 0);
+    vec4 material = texelFetch(gbuffer_material, pixel, 0);
 #if MATERIALS == 2  // SCATTERING_LAMBERT
     float diffuse = 1.0;
 #else
     float diffuse = 1.0 - material.x;
 #endif
-    vec3 radiance = sum.rgb * diffuse * texelFetch(albedo_texture, pixel, 0).rgb;
+    vec3 radiance = sum.rgb * diffuse * texelFetch(gbuffer_albedo, pixel, 0).rgb;
 #if MATERIALS != 2
     for (int level = 0; level < LEVELS; ++level) radiance += texelFetch(glossy_texture[level], pixel, 0).rgb;
 #endif
     imageStore(result_image, pixel, vec4(radiance, 1));
 #else
-    bool exists = texelFetch(position_texture, pixel, 0).w > 0.0;
+    bool exists = texelFetch(gbuffer_position, pixel, 0).w > 0.0;
     imageStore(result_image, pixel, vec4(exists ? clamp(1.0 - sum.x, 0.0, 1.0) : 1.0));
 #endif
 }

@@ -3,13 +3,13 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #ifdef FIRST
-layout(binding = 0) uniform sampler2D position_texture;
+uniform sampler2D gbuffer_position;
 #else
-layout(binding = 2, rgba32f) uniform readonly image2D finer_least;
-layout(binding = 3, rgba32f) uniform readonly image2D finer_most;
+layout(rgba32f) uniform readonly image2D finer_least;
+layout(rgba32f) uniform readonly image2D finer_most;
 #endif
-layout(binding = 0) uniform writeonly image2D least_image;
-layout(binding = 1) uniform writeonly image2D most_image;
+uniform writeonly image2D least_image;
+uniform writeonly image2D most_image;
 
 const vec4 NOTHING = vec4(3e38);
 
@@ -18,7 +18,7 @@ void main() {
     if (any(greaterThanEqual(texel, size))) return;
     vec4 least = NOTHING, most = -NOTHING;
 #ifdef FIRST
-    vec4 position = texelFetch(position_texture, texel, 0);
+    vec4 position = texelFetch(gbuffer_position, texel, 0);
     if (position.w > 0.0) least = most = vec4(position.xyz, 1);
 #else
     ivec2 finer_size = imageSize(finer_least);

@@ -7,16 +7,16 @@
 #include "methods/deep-screen-space/splatting/visible_hit.glsl"
 #include "passes/bounce/tiles.glsl"
 
-layout(std430, binding = 0) readonly buffer Surfels { Surfel surfels[]; };
+layout(std430) readonly buffer Surfels { Surfel surfels[]; };
 
-layout(binding = 0) uniform usampler2DArray places;
-layout(binding = 1) uniform usampler2DArray winners;  // a layer per sample and level
-layout(binding = 2) uniform sampler2D positions;
-layout(binding = 3) uniform sampler2DArray directions;
-layout(binding = 4) uniform sampler2DArray depths;  // as winners
-layout(binding = 0, r32f) uniform writeonly image2DArray distance_image;
-layout(binding = 1, r32ui) uniform writeonly uimage2DArray nearest_image;
-layout(binding = 2, r16f) uniform writeonly image2DArray level_image;
+uniform usampler2DArray places;
+uniform usampler2DArray winners;  // a layer per sample and level
+uniform sampler2D gbuffer_position;
+uniform sampler2DArray directions;
+uniform sampler2DArray depths;  // as winners
+layout(r32f) uniform writeonly image2DArray distance_image;
+layout(r32ui) uniform writeonly uimage2DArray nearest_image;
+layout(r16f) uniform writeonly image2DArray level_image;
 
 uniform int levels, samples;
 uniform bool nearest_decides;
@@ -46,7 +46,7 @@ Winner winner_of(ivec2 pixel, int sample_index) {
 float distance_of(Winner winner, ivec2 pixel, int sample_index) {
     if (winner.surfel == 0u) return -1.0;
     Surfel s = surfels[winner.surfel - 1u];
-    return splat_plane_distance(texelFetch(positions, pixel, 0).xyz,
+    return splat_plane_distance(texelFetch(gbuffer_position, pixel, 0).xyz,
                                 texelFetch(directions, ivec3(pixel, sample_index), 0).xyz, s.centre_ws, s.normal_ws);
 }
 

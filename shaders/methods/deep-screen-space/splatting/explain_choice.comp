@@ -4,12 +4,12 @@ layout(local_size_x = 64) in;
 
 #include "methods/deep-screen-space/records.glsl"
 
-layout(std430, binding = 0) readonly buffer Surfels { Surfel surfels[]; };
-layout(std430, binding = 1) readonly buffer Stored { uint stored; };
+layout(std430) readonly buffer Surfels { Surfel surfels[]; };
+layout(std430) readonly buffer Stored { uint stored; };
 /// Bits of the greatest 1 / distance², and of those as near the last one's 1 + index; zeros: none.
-layout(std430, binding = 2) buffer Choice { uint closeness, surfel; };
+layout(std430) buffer Choice { uint closeness, surfel; };
 
-layout(binding = 0) uniform sampler2D positions;
+uniform sampler2D gbuffer_position;
 
 uniform uint first_item, end_item;
 uniform ivec2 picked;  // negative: none
@@ -22,7 +22,7 @@ void main() {
     if (chosen == i + 1u) surfel = chosen;
 #endif
     if (chosen != 0u || picked.x < 0) return;
-    vec4 x = texelFetch(positions, picked, 0);
+    vec4 x = texelFetch(gbuffer_position, picked, 0);
     if (x.w == 0.0) return;
     vec3 offset = surfels[i].centre_ws - x.xyz;
     precise float squared = dot(offset, offset), inverse = 1.0 / max(squared, 1e-30);

@@ -9,17 +9,17 @@ struct Candidate {
     uint surfel, sample_index, level, shell, outcome;
     float distance_m, z;
 };
-layout(std430, binding = 2) writeonly buffer Candidates { Candidate candidates[]; };
+layout(std430) writeonly buffer Candidates { Candidate candidates[]; };
 /// As fields of "splats.explain.levels"; the host fills in what was found.
 struct LevelSum {
     uint sample_index, level, splats, outcomes[5], found, kept, is_nearest;
     float found_z, kept_z;
 };
-layout(std430, binding = 3) buffer Sums { LevelSum sums[]; };
-layout(std430, binding = 4) buffer CandidateCount { uint candidate_count; };
-layout(std430, binding = 5) buffer SumCount { uint sum_count; };
+layout(std430) buffer Sums { LevelSum sums[]; };
+layout(std430) buffer CandidateCount { uint candidate_count; };
+layout(std430) buffer SumCount { uint sum_count; };
 
-layout(binding = 5) uniform sampler2DArray depths;
+uniform sampler2DArray depths;
 
 uniform uint first_item, end_item;
 uniform ivec2 picked;  // negative: none
@@ -59,13 +59,13 @@ void begin_sums() {
 
 void main() {
     if (picked.x < 0) return;
-    vec3 normal_ws = texelFetch(geometric_normals, picked, 0).xyz;
+    vec3 normal_ws = texelFetch(gbuffer_geometric_normal, picked, 0).xyz;
     if (normal_ws == vec3(0)) return;
     uint i = first_item + gl_GlobalInvocationID.x;
     if (i == 0u) begin_sums();
     if (i >= min(end_item, stored) || sums.length() < samples * levels) return;
     Surfel s = surfels[i];
-    vec3 x_ws = texelFetch(positions, picked, 0).xyz;
+    vec3 x_ws = texelFetch(gbuffer_position, picked, 0).xyz;
     for (int level = 0; level < levels; ++level) {
         if (!is_in_range(splat_range(s, level), picked, level)) continue;
         ivec2 place = place_of(picked, level);

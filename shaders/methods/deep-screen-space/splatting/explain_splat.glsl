@@ -5,14 +5,14 @@
 #include "methods/deep-screen-space/splatting/sub_image.glsl"
 #include "methods/deep-screen-space/splatting/visible_level.glsl"
 
-layout(std430, binding = 0) readonly buffer Surfels { Surfel surfels[]; };
-layout(std430, binding = 1) readonly buffer Stored { uint stored; };
+layout(std430) readonly buffer Surfels { Surfel surfels[]; };
+layout(std430) readonly buffer Stored { uint stored; };
 
-layout(binding = 0) uniform usampler2DArray places;
-layout(binding = 1) uniform sampler2D positions;
-layout(binding = 2) uniform sampler2DArray directions;
-layout(binding = 3) uniform sampler2D geometric_normals;
-layout(binding = 4) uniform usampler2DArray winners;
+uniform usampler2DArray places;
+uniform sampler2D gbuffer_position;
+uniform sampler2DArray directions;
+uniform sampler2D gbuffer_geometric_normal;
+uniform usampler2DArray winners;
 
 uniform uint seed;
 uniform int levels, samples;

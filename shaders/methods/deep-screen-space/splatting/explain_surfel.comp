@@ -2,17 +2,17 @@
 #include "methods/deep-screen-space/splatting/explain_splat.glsl"
 #include "passes/bounce/tiles.glsl"
 
-layout(std430, binding = 2) readonly buffer Choice { uint closeness, surfel; };
+layout(std430) readonly buffer Choice { uint closeness, surfel; };
 /// As fields of "splats.explain.surfel".
 struct SurfelSum {
     float centre[3], normal[3], radius;
     uint surfel, level, splats, hits, level_wins, wins;
 };
-layout(std430, binding = 3) buffer Sums { SurfelSum sums[]; };
-layout(std430, binding = 4) buffer SumCount { uint sum_count; };
+layout(std430) buffer Sums { SurfelSum sums[]; };
+layout(std430) buffer SumCount { uint sum_count; };
 
-layout(binding = 5) uniform sampler2DArray hit_levels;
-layout(binding = 0, r16f) uniform writeonly image2DArray cover_image;
+uniform sampler2DArray hit_levels;
+layout(r16f) uniform writeonly image2DArray cover_image;
 
 int cover_of(Surfel s, uint index, int level, int j, ivec2 pixel, vec3 x_ws, vec3 normal_ws) {
     ivec2 place = place_of(pixel, level);
@@ -34,9 +34,9 @@ void count(int level, int cover) {
 
 /// Of all samples the one that went farthest.
 int cover_of_level(Surfel s, uint index, int level, ivec2 pixel) {
-    vec3 normal_ws = texelFetch(geometric_normals, pixel, 0).xyz;
+    vec3 normal_ws = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
     if (normal_ws == vec3(0) || !is_in_range(splat_range(s, level), pixel, level)) return SPLAT_NONE;
-    vec3 x_ws = texelFetch(positions, pixel, 0).xyz;
+    vec3 x_ws = texelFetch(gbuffer_position, pixel, 0).xyz;
     int most = SPLAT_NONE;
     for (int j = 0; j < samples; ++j) {
         int cover = cover_of(s, index, level, j, pixel, x_ws, normal_ws);

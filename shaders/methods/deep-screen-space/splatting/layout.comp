@@ -2,8 +2,8 @@
 // back.  [Nalbach15 fig. 5]
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform writeonly uimage2DArray layout_image;
-layout(binding = 1) uniform writeonly uimage2DArray places_image;
+uniform writeonly uimage2DArray layout_image;
+uniform writeonly uimage2DArray places_image;
 
 #include "methods/deep-screen-space/splatting/permutation.glsl"
 #include "methods/deep-screen-space/splatting/places.glsl"

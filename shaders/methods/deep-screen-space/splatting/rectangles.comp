@@ -8,13 +8,13 @@ layout(local_size_x = 64) in;
 #include "methods/deep-screen-space/splatting/splat_culling.glsl"
 #include "methods/deep-screen-space/splatting/sub_image.glsl"
 
-layout(std430, binding = 9) readonly buffer Stored { uint stored; };
-layout(std430, binding = 10) readonly buffer Surfels { Surfel surfels[]; };
-layout(std430, binding = 11) writeonly buffer Rectangles { uvec2 rectangles[]; };
-layout(std430, binding = 12) writeonly buffer Draw { uint vertices, instances, first_vertex, base_instance; };
+layout(std430) readonly buffer Stored { uint stored; };
+layout(std430) readonly buffer Surfels { Surfel surfels[]; };
+layout(std430) writeonly buffer Rectangles { uvec2 rectangles[]; };
+layout(std430) writeonly buffer Draw { uint vertices, instances, first_vertex, base_instance; };
 #ifdef COUNTS
-layout(std430, binding = 13) buffer Drawn { uint drawn; };
-layout(std430, binding = 14) buffer Culled { uint culled; };
+layout(std430) buffer Drawn { uint drawn; };
+layout(std430) buffer Culled { uint culled; };
 #endif
 
 uniform uint first, end;  // surfels

@@ -3,11 +3,11 @@
 #include "methods/deep-screen-space/records.glsl"
 #include "passes/bounce/tiles.glsl"
 
-layout(std430, binding = 0) readonly buffer Surfels { Surfel surfels[]; };
+layout(std430) readonly buffer Surfels { Surfel surfels[]; };
 
-layout(binding = 0) uniform usampler2DArray nearest;
-layout(binding = 1) uniform sampler2DArray directions;
-layout(binding = 0, rgba32f) uniform writeonly image2DArray incoming;
+uniform usampler2DArray nearest;
+uniform sampler2DArray directions;
+layout(rgba32f) uniform writeonly image2DArray incoming;
 
 #if GLOSSY_SENDERS
 #include "methods/deep-screen-space/splatting/resolve_glossy.glsl"

@@ -1,14 +1,11 @@
 // What glossy surfels send to one side more, or less, than they store for all: with the whole BRDF, for lights
 // without extent. [Nalbach15 §3.2: "radiance from either a Lambertian or glossy sender"]
-#define HIT_SURFACE_BINDING 3
 #include "passes/scene/hit_surface.glsl"
 #include "lib/brdf.glsl"
-#define SHADOW_VIEWS 2
-#define SHADOW_MAPS 2
 #include "passes/shadow/shadow.glsl"
 #include "methods/deep-screen-space/surfels/diffuse.glsl"
 
-layout(std430, binding = 1) readonly buffer Lights { Light lights[]; };
+layout(std430) readonly buffer Lights { Light lights[]; };
 
 uniform int light_count, normal_maps;
 

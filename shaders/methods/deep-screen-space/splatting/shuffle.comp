@@ -3,11 +3,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "methods/deep-screen-space/splatting/places.glsl"
 
-layout(binding = 0) uniform usampler2DArray layout_texture;
-layout(binding = 1) uniform sampler2D position_texture;
-layout(binding = 2) uniform sampler2D normal_texture;
-layout(binding = 0) uniform writeonly image2DArray positions;
-layout(binding = 1) uniform writeonly image2DArray normals;
+uniform usampler2DArray layout_texture;
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_normal;
+uniform writeonly image2DArray shuffled_positions;
+uniform writeonly image2DArray shuffled_normals;
 
 void main() {
     ivec3 place = ivec3(gl_GlobalInvocationID);
@@ -15,12 +15,12 @@ void main() {
     uint word = texelFetch(layout_texture, place, 0).x;
     vec4 position = vec4(0), normal = vec4(0);
     if (word != PADDING) {
-        position = texelFetch(position_texture, unpacked_place(word), 0);
+        position = texelFetch(gbuffer_position, unpacked_place(word), 0);
         position.w = position.w > 0.0 ? 1.0 : 0.0;
         // Half floats are not quite of unit length.
-        normal = vec4(texelFetch(normal_texture, unpacked_place(word), 0).xyz, 0);
+        normal = vec4(texelFetch(gbuffer_normal, unpacked_place(word), 0).xyz, 0);
         if (dot(normal, normal) > 0.0) normal = normalize(normal);
     }
-    imageStore(positions, place, position);
-    imageStore(normals, place, normal);
+    imageStore(shuffled_positions, place, position);
+    imageStore(shuffled_normals, place, normal);
 }

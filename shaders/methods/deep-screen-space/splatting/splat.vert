@@ -1,6 +1,6 @@
 // Two triangles a surfel that cover its rectangle of places. Their edges lie between places, so that exactly
 // those inside are covered.
-layout(std430, binding = 11) readonly buffer Rectangles { uvec2 rectangles[]; };
+layout(std430) readonly buffer Rectangles { uvec2 rectangles[]; };
 
 uniform uint first_surfel;  // whose rectangle is the first
 uniform vec2 framebuffer_size;

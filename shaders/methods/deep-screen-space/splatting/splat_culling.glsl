@@ -1,8 +1,8 @@
 // Whether any surface seen in a range of pixels lies within a sphere; after sphere_bounds.glsl.
 // [Nalbach15 §4.3]
 
-layout(binding = 14) uniform sampler2D least_texture;
-layout(binding = 15) uniform sampler2D most_texture;
+uniform sampler2D least_texture;
+uniform sampler2D most_texture;
 
 /// The box touches the ball around `centre` and does not lie within `inner` of it.
 bool is_box_reached(vec3 least, vec3 most, vec3 centre, float radius, float inner) {

@@ -3,12 +3,12 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "methods/deep-screen-space/splatting/places.glsl"
 
-layout(binding = 0) uniform usampler2DArray places_texture;
-layout(binding = 1) uniform sampler2DArray stack;
+uniform usampler2DArray places_texture;
+uniform sampler2DArray stack;
 #ifdef TO_STACK
-layout(binding = 0) uniform writeonly image2DArray result;
+uniform writeonly image2DArray result;
 #else
-layout(binding = 0) uniform writeonly image2D result;
+uniform writeonly image2D result;
 #endif
 
 uniform int level;

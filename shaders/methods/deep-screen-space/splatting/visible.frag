@@ -3,12 +3,12 @@
 #include "methods/deep-screen-space/splatting/places.glsl"
 #include "methods/deep-screen-space/splatting/visible_level.glsl"
 
-layout(std430, binding = 10) readonly buffer Surfels { Surfel surfels[]; };
+layout(std430) readonly buffer Surfels { Surfel surfels[]; };
 
-layout(binding = 0) uniform usampler2DArray layout_texture;
-layout(binding = 1) uniform sampler2DArray positions;  // shuffled
-layout(binding = 2) uniform sampler2DArray directions;
-layout(binding = 3) uniform sampler2D geometric_normals;
+uniform usampler2DArray layout_texture;
+uniform sampler2DArray shuffled_positions;  // shuffled
+uniform sampler2DArray directions;
+uniform sampler2D gbuffer_geometric_normal;
 
 uniform int level, sample_index;
 
@@ -18,7 +18,7 @@ layout(location = 0) out uint winner;
 /// Tests in the order of what they cost and how many splats they end.
 void main() {
     ivec3 place = ivec3(gl_FragCoord.xy, level);
-    vec4 x = texelFetch(positions, place, 0);
+    vec4 x = texelFetch(shuffled_positions, place, 0);
     if (x.w == 0.0) discard;
     Surfel surfel = surfels[surfel_index];
     SplatLevel l = splat_level(level, surfel);
@@ -29,7 +29,7 @@ void main() {
     if (direction == vec4(0)) discard;
     SplatHit hit = splat_hit(l, shell, x.xyz, direction.xyz, surfel.centre_ws, surfel.normal_ws, surfel.radius);
     if (hit.outcome != SPLAT_HIT) discard;
-    if (!splat_is_above(x.xyz, texelFetch(geometric_normals, pixel, 0).xyz, surfel.centre_ws)) discard;
+    if (!splat_is_above(x.xyz, texelFetch(gbuffer_geometric_normal, pixel, 0).xyz, surfel.centre_ws)) discard;
     winner = 1u + surfel_index;
     gl_FragDepth = hit.z;
 }

@@ -3,9 +3,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "methods/deep-screen-space/splatting/places.glsl"
 
-layout(binding = 0) uniform usampler2DArray places;
-layout(binding = 1) uniform sampler2DArray depths;
-layout(binding = 0, r32f) uniform writeonly image2DArray depth_image;
+uniform usampler2DArray places;
+uniform sampler2DArray depths;
+layout(r32f) uniform writeonly image2DArray depth_image;
 
 uniform int levels;
 

@@ -5,20 +5,20 @@
 #include "methods/deep-screen-space/splatting/visible_level.glsl"
 #include "passes/bounce/tiles.glsl"
 
-layout(std430, binding = 0) readonly buffer Surfels { Surfel surfels[]; };
+layout(std430) readonly buffer Surfels { Surfel surfels[]; };
 
-layout(binding = 0) uniform usampler2DArray nearest;
-layout(binding = 1) uniform sampler2DArray levels;
-layout(binding = 2) uniform sampler2DArray distances;
-layout(binding = 3) uniform sampler2D positions;
-layout(binding = 0, r32f) uniform writeonly image2DArray epsilon_image;
+uniform usampler2DArray nearest;
+uniform sampler2DArray levels;
+uniform sampler2DArray distances;
+uniform sampler2D gbuffer_position;
+layout(r32f) uniform writeonly image2DArray epsilon_image;
 
 float epsilon_of(ivec3 at) {
     uint winner = texelFetch(nearest, at, 0).x;
     if (winner == 0u) return 0.0;
     Surfel s = surfels[winner - 1u];
     SplatLevel l = splat_level(int(texelFetch(levels, at, 0).x), s);
-    int shell = max(splat_shell(l, texelFetch(positions, at.xy, 0).xyz, s.centre_ws), 0);
+    int shell = max(splat_shell(l, texelFetch(gbuffer_position, at.xy, 0).xyz, s.centre_ws), 0);
     float ratio = ldexp(s.radius, shell) / max(texelFetch(distances, at, 0).x, 1e-12);
     return min(ratio * ratio, 1e12);
 }

@@ -5,16 +5,16 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "methods/deep-screen-space/records.glsl"
 #include "methods/deep-screen-space/splatting/places.glsl"
 
-layout(std430, binding = 0) readonly buffer Surfels { Surfel surfels[]; };
+layout(std430) readonly buffer Surfels { Surfel surfels[]; };
 
 #ifdef UNSHUFFLED
-layout(binding = 0) uniform usampler2DArray places;
+uniform usampler2DArray places;
 #else
-layout(binding = 0) uniform usampler2DArray layout_texture;
+uniform usampler2DArray layout_texture;
 #endif
-layout(binding = 1) uniform usampler2DArray winners;
-layout(binding = 2) uniform sampler2DArray directions;
-layout(binding = 0, rgba32f) uniform writeonly image2DArray radiance_image;
+uniform usampler2DArray winners;
+uniform sampler2DArray directions;
+layout(rgba32f) uniform writeonly image2DArray radiance_image;
 
 uniform int levels;
 

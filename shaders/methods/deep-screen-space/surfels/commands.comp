@@ -5,12 +5,12 @@ layout(local_size_x = 64) in;
 struct Command {
     uint vertices, instances, first_vertex, base_instance;
 };
-layout(std430, binding = 0) readonly buffer Points { uint points[]; };  // before each patch
-layout(std430, binding = 1) readonly buffer PatchCount { uint patch_count; };
-layout(std430, binding = 2) writeonly buffer Commands { Command commands[]; };
-layout(std430, binding = 3) writeonly buffer WordCount { uint word_count; };
+layout(std430) readonly buffer Points { uint points[]; };  // before each patch
+layout(std430) readonly buffer PatchCount { uint patch_count; };
+layout(std430) writeonly buffer Commands { Command commands[]; };
+layout(std430) writeonly buffer WordCount { uint word_count; };
 
-layout(std430, binding = 4) readonly buffer FineCount { uint fine_count; };
+layout(std430) readonly buffer FineCount { uint fine_count; };
 
 uniform uint command_count;
 uniform uint capacity, fine_capacity;  // of patches, of fine surfels

@@ -1,13 +1,13 @@
 // "surfels.counts": one row.
 layout(local_size_x = 1) in;
 
-layout(std430, binding = 0) readonly buffer FineSums { vec2 fine_sums[]; };
-layout(std430, binding = 1) readonly buffer KeptSums { vec2 kept_sums[]; };
-layout(std430, binding = 2) readonly buffer TriangleCount { uint triangle_count; };
-layout(std430, binding = 3) readonly buffer PatchCount { uint patch_count; };
-layout(std430, binding = 4) readonly buffer FineCount { uint fine_count; };
-layout(std430, binding = 5) readonly buffer KeptCount { uint kept_count; };
-layout(std430, binding = 6) writeonly buffer Row {
+layout(std430) readonly buffer FineSums { vec2 fine_sums[]; };
+layout(std430) readonly buffer KeptSums { vec2 kept_sums[]; };
+layout(std430) readonly buffer TriangleCount { uint triangle_count; };
+layout(std430) readonly buffer PatchCount { uint patch_count; };
+layout(std430) readonly buffer FineCount { uint fine_count; };
+layout(std430) readonly buffer KeptCount { uint kept_count; };
+layout(std430) writeonly buffer Row {
     uint triangles, left, patches, fine, kept;
     float fine_area, kept_area, fine_part, kept_part;
 };

@@ -1,7 +1,6 @@
 // A fine surfel, as transform feedback leaves it: 12 words (renderers/methods/deep-screen-space/surfels/fine.h).
-// Declare FINE_BINDING before including.
 
-layout(std430, binding = FINE_BINDING) readonly buffer FineSurfels { uvec4 fine_words[]; };
+layout(std430) readonly buffer FineSurfels { uvec4 fine_words[]; };
 
 struct FineSurfel {
     vec3 centre_ws;

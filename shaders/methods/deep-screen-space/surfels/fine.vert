@@ -1,11 +1,11 @@
 // A vertex is a patch of one point.
-#define SCENE_POSITIONS 0
-#define SCENE_INDICES 1
+#define SCENE_POSITIONS
+#define SCENE_INDICES
 #include "passes/scene/scene.glsl"
 #include "lib/triangle_plane.glsl"
 #include "methods/deep-screen-space/surfels/patch.glsl"
 
-layout(std430, binding = 2) readonly buffer Patches { Patch patches[]; };
+layout(std430) readonly buffer Patches { Patch patches[]; };
 
 out PatchVertex {
     vec3 a, ab, ac, normal_ws;

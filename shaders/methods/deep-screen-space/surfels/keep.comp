@@ -2,8 +2,8 @@
 layout(local_size_x = 64) in;
 #include "methods/deep-screen-space/surfels/thinning.glsl"
 
-layout(std430, binding = 2) writeonly buffer Words { uint words[]; };
-layout(std430, binding = 3) writeonly buffer WordCount { uint word_count; };
+layout(std430) writeonly buffer Words { uint words[]; };
+layout(std430) writeonly buffer WordCount { uint word_count; };
 
 void main() {
     uint word = item_of_part();

@@ -1,19 +1,16 @@
 // Direct light that surfels send on, on both sides. [Nalbach15 §4.3, fig. 6 d]
 // EMITS: and what they emit. MATERIALS: as Transport::Materials counts.
 layout(local_size_x = 64) in;
-#define HIT_SURFACE_BINDING 0
 #include "passes/scene/hit_surface.glsl"
 #include "lib/brdf.glsl"
-#define SHADOW_VIEWS 6
-#define SHADOW_MAPS 0
 #include "passes/shadow/shadow.glsl"
 #include "methods/deep-screen-space/records.glsl"
 #include "methods/deep-screen-space/surfels/parts.glsl"
 #include "methods/deep-screen-space/surfels/diffuse.glsl"
 
-layout(std430, binding = 5) readonly buffer Lights { Light lights[]; };
-layout(std430, binding = 7) buffer Surfels { Surfel surfels[]; };
-layout(std430, binding = 8) readonly buffer SurfelCount { uint surfel_count; };
+layout(std430) readonly buffer Lights { Light lights[]; };
+layout(std430) buffer Surfels { Surfel surfels[]; };
+layout(std430) readonly buffer SurfelCount { uint surfel_count; };
 
 uniform uint capacity;
 uniform int light_count, normal_maps;

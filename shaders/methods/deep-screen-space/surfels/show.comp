@@ -14,10 +14,10 @@ struct ShownSurfel {
     vec3 radiance_back;
     float part;
 };
-layout(std430, binding = 0) readonly buffer Surfels { Surfel surfels[]; };
-layout(std430, binding = 1) readonly buffer SurfelCount { uint surfel_count; };
-layout(std430, binding = 2) writeonly buffer Shown { ShownSurfel shown[]; };
-layout(std430, binding = 3) writeonly buffer ShownCount { uint shown_count; };
+layout(std430) readonly buffer Surfels { Surfel surfels[]; };
+layout(std430) readonly buffer SurfelCount { uint surfel_count; };
+layout(std430) writeonly buffer Shown { ShownSurfel shown[]; };
+layout(std430) writeonly buffer ShownCount { uint shown_count; };
 
 uniform uint capacity;
 

@@ -1,8 +1,8 @@
 // Culls parts of triangles and splits those that are too large for the tessellator. ROUND 1: triangles; ROUND 2:
 // the parts that the first round left, each as its own distance asks. Twice, to count and (PACKS) to write.
 layout(local_size_x = 64) in;
-#define SCENE_POSITIONS 0
-#define SCENE_INDICES 1
+#define SCENE_POSITIONS
+#define SCENE_INDICES
 #include "passes/scene/scene.glsl"
 #include "methods/deep-screen-space/surfels/ideal.glsl"
 #include "methods/deep-screen-space/surfels/patch.glsl"
@@ -11,27 +11,27 @@ layout(local_size_x = 64) in;
 #endif
 
 #if ROUND == 2
-layout(std430, binding = 2) readonly buffer Parts { Patch parts[]; };
-layout(std430, binding = 3) readonly buffer PartCount { uint part_count; };
+layout(std430) readonly buffer Parts { Patch parts[]; };
+layout(std430) readonly buffer PartCount { uint part_count; };
 uniform uint part_capacity;
 #endif
 #if PACKS
-layout(std430, binding = 4) readonly buffer Places { uint places[]; };
-layout(std430, binding = 5) writeonly buffer Patches { Patch patches[]; };
+layout(std430) readonly buffer Places { uint places[]; };
+layout(std430) writeonly buffer Patches { Patch patches[]; };
 uniform uint capacity;
 #else
-layout(std430, binding = 4) writeonly buffer Counts { uint counts[]; };
+layout(std430) writeonly buffer Counts { uint counts[]; };
 #endif
 #if !PACKS && ROUND == 2
-layout(std430, binding = 8) writeonly buffer WordCount { uint word_count; };
+layout(std430) writeonly buffer WordCount { uint word_count; };
 #endif
 #if PACKS && ROUND == 2
 uniform uint point_capacity;
-layout(std430, binding = 6) writeonly buffer Points { uint point_counts[]; };  // of each patch
-layout(std430, binding = 7) buffer CoarseCount { uint coarse_count; };
+layout(std430) writeonly buffer Points { uint point_counts[]; };  // of each patch
+layout(std430) buffer CoarseCount { uint coarse_count; };
 #endif
 #if PACKS && ROUND == 1
-layout(std430, binding = 6) buffer TriangleCount { uint triangle_count; };
+layout(std430) buffer TriangleCount { uint triangle_count; };
 #endif
 
 #if ROUND == 1

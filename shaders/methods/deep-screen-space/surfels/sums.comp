@@ -2,15 +2,14 @@
 // adds the surfels of its share, one group the sums of all: in the same order in every run.
 layout(local_size_x = 256) in;
 #include "methods/deep-screen-space/surfels/ideal.glsl"
-#define FINE_BINDING 0
 #if FINE
 #include "methods/deep-screen-space/surfels/fine.glsl"
 #else
 #include "methods/deep-screen-space/records.glsl"
-layout(std430, binding = 0) readonly buffer Surfels { Surfel surfels[]; };
+layout(std430) readonly buffer Surfels { Surfel surfels[]; };
 #endif
-layout(std430, binding = 1) readonly buffer Count { uint count; };
-layout(std430, binding = 2) writeonly buffer Sums { vec2 sums[]; };
+layout(std430) readonly buffer Count { uint count; };
+layout(std430) writeonly buffer Sums { vec2 sums[]; };
 
 uniform uint capacity;
 

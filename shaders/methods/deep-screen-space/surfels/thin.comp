@@ -4,8 +4,8 @@ layout(local_size_x = 64) in;
 #include "methods/deep-screen-space/surfels/thinning.glsl"
 #include "methods/deep-screen-space/records.glsl"
 
-layout(std430, binding = 2) readonly buffer Places { uint places[]; };
-layout(std430, binding = 3) writeonly buffer Surfels { Surfel surfels[]; };
+layout(std430) readonly buffer Places { uint places[]; };
+layout(std430) writeonly buffer Surfels { Surfel surfels[]; };
 
 uniform uint surfel_capacity;
 

@@ -1,22 +1,19 @@
 // Which fine surfels are kept. [Nalbach15 §4.3, fig. 6 c]
-#define COVERAGE_OPACITY 4
-#define COVERAGE_OPACITY_WORDS 5
 #include "lib/coverage.glsl"
 #include "lib/material.glsl"
 #include "lib/random.glsl"
-#define SCENE_UV0 6
-#define SCENE_UV1 7
-#define SCENE_INDICES 8
-#define SCENE_TRIANGLE_MATERIALS 9
+#define SCENE_UV0
+#define SCENE_UV1
+#define SCENE_INDICES
+#define SCENE_TRIANGLE_MATERIALS
 #include "passes/scene/scene.glsl"
-#define FINE_BINDING 0
 #include "methods/deep-screen-space/surfels/fine.glsl"
 #include "methods/deep-screen-space/surfels/parts.glsl"
 
 uniform uint capacity, word_capacity;
 
-layout(std430, binding = 1) readonly buffer FineCount { uint fine_count; };
-layout(std430, binding = 10) readonly buffer Materials { Material materials[]; };
+layout(std430) readonly buffer FineCount { uint fine_count; };
+layout(std430) readonly buffer Materials { Material materials[]; };
 
 /// Whether the triangle's alpha mask has a surface there.
 bool is_there(FineSurfel s) {

@@ -4,15 +4,15 @@
 #include "methods/ldm-indirect/splatting/kernel.glsl"
 #include "methods/ldm-indirect/splatting/outline.glsl"
 
-layout(binding = ATOMIC_POSITION) uniform sampler2D position_image;
-layout(binding = ATOMIC_NORMAL) uniform sampler2D normal_image;  // geometric
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_geometric_normal;
 
 /// Layers: R, G, B (W/m²), photons.
 #ifdef FLOAT_ATOMICS
-layout(r32f, binding = ATOMIC_SUMS) uniform image2DArray sums;
+layout(r32f) uniform image2DArray sums;
 void atomic_add(ivec3 texel, float value) { imageAtomicAdd(sums, texel, value); }
 #else
-layout(r32ui, binding = ATOMIC_SUMS) uniform uimage2DArray sums;
+layout(r32ui) uniform uimage2DArray sums;
 void atomic_add(ivec3 texel, float value) {
     uint seen = imageLoad(sums, texel).x, expected;
     do {
@@ -23,8 +23,8 @@ void atomic_add(ivec3 texel, float value) {
 #endif
 
 void add_at(Kernel k, ivec2 pixel) {
-    vec3 normal_ws = texelFetch(normal_image, pixel, 0).xyz, irradiance;
-    if (normal_ws == vec3(0) || !add_kernel(k, texelFetch(position_image, pixel, 0).xyz, normal_ws, irradiance)) return;
+    vec3 normal_ws = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz, irradiance;
+    if (normal_ws == vec3(0) || !add_kernel(k, texelFetch(gbuffer_position, pixel, 0).xyz, normal_ws, irradiance)) return;
     for (int c = 0; c < 3; ++c) atomic_add(ivec3(pixel, c), irradiance[c]);
     atomic_add(ivec3(pixel, 3), 1.0);
 }

@@ -1,11 +1,8 @@
 // A work group for each stored photon.
-#define ATOMIC_POSITION 0
-#define ATOMIC_NORMAL 1
-#define ATOMIC_SUMS 0
 #include "methods/ldm-indirect/splatting/atomic_add.glsl"
 
 layout(local_size_x = 32) in;
-layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
+layout(std430) readonly buffer Photons { Photon photons[]; };
 
 uniform uint first, end;
 uniform uint first_pixel, end_pixel;  // of a rectangle, so that no loop is too long

@@ -1,7 +1,7 @@
 // Sums of atomic additions as a picture.
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(binding = 0) uniform usampler2DArray sums;
-layout(rgba32f, binding = 0) uniform writeonly image2D irradiance;
+uniform usampler2DArray sums;
+layout(rgba32f) uniform writeonly image2D irradiance;
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

@@ -4,7 +4,7 @@
 #include "methods/ldm-indirect/splatting/outline.glsl"
 
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
+layout(std430) readonly buffer Photons { Photon photons[]; };
 
 uniform uint first_of_column, end_of_column;  // which photons of each column
 uniform uint bins_across;

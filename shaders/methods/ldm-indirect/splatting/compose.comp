@@ -3,14 +3,14 @@ layout(local_size_x = 16, local_size_y = 16) in;
 
 #include "lib/brdf.glsl"
 
-layout(binding = 0) uniform sampler2D irradiance_image;
-layout(binding = 1) uniform sampler2D geometric_normal_image;
-layout(binding = 2) uniform sampler2D albedo_image;
-layout(binding = 3) uniform sampler2D material_image;
-layout(binding = 4) uniform sampler2D emission_image;
-layout(binding = 5) uniform sampler2D direct_image;
-layout(binding = 0, rgba32f) uniform writeonly image2D radiance_image;
-layout(binding = 1, rgba32f) uniform writeonly image2D indirect_image;
+uniform sampler2D irradiance_image;
+uniform sampler2D gbuffer_geometric_normal;
+uniform sampler2D gbuffer_albedo;
+uniform sampler2D gbuffer_material;
+uniform sampler2D gbuffer_emission;
+uniform sampler2D direct_image;
+layout(rgba32f) uniform writeonly image2D radiance_image;
+layout(rgba32f) uniform writeonly image2D indirect_image;
 
 uniform vec3 background;  // W/(m² sr)
 
@@ -28,10 +28,10 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(radiance_image)))) return;
     vec3 radiance = background, indirect = vec3(0);
-    if (texelFetch(geometric_normal_image, pixel, 0).xyz != vec3(0)) {
+    if (texelFetch(gbuffer_geometric_normal, pixel, 0).xyz != vec3(0)) {
         radiance = vec3(0);
-        vec3 base_colour = texelFetch(albedo_image, pixel, 0).rgb;
-        vec4 material = texelFetch(material_image, pixel, 0);
+        vec3 base_colour = texelFetch(gbuffer_albedo, pixel, 0).rgb;
+        vec4 material = texelFetch(gbuffer_material, pixel, 0);
 #ifdef SPLATTED
         // f = ρ/π [Aalund15 eq. 5]
         indirect = diffuse_reflectance(base_colour, material) / PI * texelFetch(irradiance_image, pixel, 0).rgb;
@@ -44,7 +44,7 @@ void main() {
         if (material.z > 0.5) radiance += base_colour;
 #endif
 #ifdef EMISSION
-        radiance += texelFetch(emission_image, pixel, 0).rgb;
+        radiance += texelFetch(gbuffer_emission, pixel, 0).rgb;
 #endif
     }
     imageStore(radiance_image, pixel, vec4(radiance, 1));

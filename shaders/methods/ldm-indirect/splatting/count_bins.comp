@@ -1,6 +1,6 @@
 // How many photons of each column each bin gets.
 #include "methods/ldm-indirect/splatting/bins.glsl"
 
-layout(std430, binding = 3) buffer Counts { uint counts[]; };
+layout(std430) buffer Counts { uint counts[]; };
 
 void visit(uint slot, uint photon) { counts[slot] += 1u; }

@@ -1,7 +1,7 @@
 // The command that draws the photons first … end - 1 as points, as far as they are there.
 layout(local_size_x = 1) in;
-layout(std430, binding = 1) readonly buffer Stored { uint stored; };
-layout(std430, binding = 3) writeonly buffer Draw { uint points, instances, first_point, base_instance; };
+layout(std430) readonly buffer Stored { uint stored; };
+layout(std430) writeonly buffer Draw { uint points, instances, first_point, base_instance; };
 
 uniform uint first, end;
 

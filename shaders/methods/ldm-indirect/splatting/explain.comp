@@ -3,7 +3,7 @@
 
 layout(local_size_x = 256) in;
 
-layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
+layout(std430) readonly buffer Photons { Photon photons[]; };
 
 /// As fields of "indirect.explain.photons".
 struct Found {
@@ -14,18 +14,18 @@ struct Found {
     float path_length, distance_m;
     uint photon;
 };
-layout(std430, binding = 3) writeonly buffer FoundPhotons { Found found[]; };
+layout(std430) writeonly buffer FoundPhotons { Found found[]; };
 /// As fields of "indirect.explain.sum"; the host adds up, in double precision and in one order.
-layout(std430, binding = 4) buffer PixelSum {
+layout(std430) buffer PixelSum {
     uint pixel_x, pixel_y, found_count;
     float gathered[3], direct[3], pixel_value[3], difference[3];
 };
-layout(std430, binding = 5) buffer PhotonCount { uint photon_count; };
-layout(std430, binding = 6) buffer SumCount { uint sum_count; };
+layout(std430) buffer PhotonCount { uint photon_count; };
+layout(std430) buffer SumCount { uint sum_count; };
 
-layout(binding = 0) uniform sampler2D position_image;
-layout(binding = 1) uniform sampler2D normal_image;  // geometric
-layout(binding = 2) uniform sampler2D irradiance_image;
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_geometric_normal;
+uniform sampler2D irradiance_image;
 
 uniform uint first, end;
 uniform ivec2 picked_pixel;  // negative: none
@@ -65,7 +65,7 @@ void write(uint place, uint i, Photon photon, Footprint f, vec3 x) {
 
 void main() {
     if (picked_pixel.x < 0) return;
-    vec3 normal_ws = texelFetch(normal_image, picked_pixel, 0).xyz;
+    vec3 normal_ws = texelFetch(gbuffer_geometric_normal, picked_pixel, 0).xyz;
     if (normal_ws == vec3(0)) return;
     uint i = first + gl_GlobalInvocationID.x;
     if (i == 0u) {
@@ -77,7 +77,7 @@ void main() {
     if (i >= min(end, stored)) return;
     Photon photon = photons[i];
     Footprint f = footprint_of(photon);
-    vec3 x = texelFetch(position_image, picked_pixel, 0).xyz;
+    vec3 x = texelFetch(gbuffer_position, picked_pixel, 0).xyz;
     if (!f.counts || filter_length(f, x) >= 1.0 || dot(normal_ws, f.to_source_ws) <= 0.0) return;
     atomicAdd(photon_count, 1u);
     uint place = atomicAdd(found_count, 1u);

@@ -1,8 +1,8 @@
 // Writes the bins' lists. What was the first place of a column's photons in a bin is the end of them afterwards.
 #include "methods/ldm-indirect/splatting/bins.glsl"
 
-layout(std430, binding = 3) buffer Places { uint places[]; };
-layout(std430, binding = 4) writeonly buffer Lists { uint lists[]; };
+layout(std430) buffer Places { uint places[]; };
+layout(std430) writeonly buffer Lists { uint lists[]; };
 
 void visit(uint slot, uint photon) {
     uint place = places[slot];

@@ -1,5 +1,5 @@
 // What a photon lights: an ellipsoid around the ellipse that its differential spans.  [Aalund15 eqs. 4-7]
-// renderers/methods/ldm-indirect/splatting/footprints.h binds and sets what is declared here.
+// renderers/methods/ldm-indirect/splatting/footprints.h sets the uniforms.
 #include "lib/spaces.glsl"
 #include "methods/ldm-indirect/records.glsl"
 
@@ -7,9 +7,9 @@
 #define PI 3.14159265358979323846
 #endif
 
-layout(std430, binding = 1) readonly buffer Stored { uint stored; };
+layout(std430) readonly buffer Stored { uint stored; };
 /// Directions of the maps (w 0), then places (w 1) or directions of travel (w 0) of the lights.
-layout(std430, binding = 2) readonly buffer Arrivals { vec4 arrivals[]; };
+layout(std430) readonly buffer Arrivals { vec4 arrivals[]; };
 
 uniform vec3 eye_ws, view_axis_ws;
 uniform float near_plane;

@@ -3,12 +3,12 @@
 #include "methods/ldm-indirect/splatting/packed_kernel.glsl"
 
 layout(local_size_x = 16, local_size_y = 16 / ROWS) in;
-layout(std430, binding = 0) readonly buffer Kernels { PackedKernel kernels[]; };
-layout(std430, binding = 3) readonly buffer Places { uint places[]; };
-layout(std430, binding = 4) readonly buffer Lists { uint lists[]; };
-layout(binding = 0) uniform sampler2D position_image;
-layout(binding = 1) uniform sampler2D normal_image;  // geometric
-layout(rgba32f, binding = 0) uniform image2D sums;
+layout(std430) readonly buffer Kernels { PackedKernel kernels[]; };
+layout(std430) readonly buffer Places { uint places[]; };
+layout(std430) readonly buffer Lists { uint lists[]; };
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_geometric_normal;
+layout(rgba32f) uniform image2D sums;
 
 uniform uint tiles_across, bins_across, first_tile;
 uniform uint round_first, round_size;  // entries of each list
@@ -28,8 +28,8 @@ void main() {
     for (int i = 0; i < ROWS; ++i) {
         ivec2 pixel = first + ivec2(0, i);
         bool inside = all(lessThan(pixel, size));
-        normal_ws[i] = inside ? texelFetch(normal_image, pixel, 0).xyz : vec3(0);  // 0: faces no light
-        position_ws[i] = inside ? texelFetch(position_image, pixel, 0).xyz : vec3(0);
+        normal_ws[i] = inside ? texelFetch(gbuffer_geometric_normal, pixel, 0).xyz : vec3(0);  // 0: faces no light
+        position_ws[i] = inside ? texelFetch(gbuffer_position, pixel, 0).xyz : vec3(0);
         sum[i] = inside ? imageLoad(sums, pixel) : vec4(0);
     }
     for (uint entry = begin; entry < end; ++entry) {

@@ -2,10 +2,10 @@
 #include "methods/ldm-indirect/splatting/packed_kernel.glsl"
 
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
-layout(std430, binding = 3) writeonly buffer Kernels { PackedKernel kernels[]; };
-layout(std430, binding = 4) readonly buffer Count { uint photon_count; };
-layout(std430, binding = 5) buffer KernelCount { uint kernel_count; };
+layout(std430) readonly buffer Photons { Photon photons[]; };
+layout(std430) writeonly buffer Kernels { PackedKernel kernels[]; };
+layout(std430) readonly buffer Count { uint photon_count; };
+layout(std430) buffer KernelCount { uint kernel_count; };
 
 uniform uint first, end, capacity;
 

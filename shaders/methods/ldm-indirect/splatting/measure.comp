@@ -2,11 +2,11 @@
 #include "methods/ldm-indirect/splatting/footprint.glsl"
 
 layout(local_size_x = 256) in;
-layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
-layout(std430, binding = 3) buffer Short { uint short_axes; };
-layout(std430, binding = 4) buffer Long { uint long_axes; };
-layout(std430, binding = 5) buffer Degenerate { uint degenerate; };
-layout(std430, binding = 6) buffer Broken { uint broken; };
+layout(std430) readonly buffer Photons { Photon photons[]; };
+layout(std430) buffer Short { uint short_axes; };
+layout(std430) buffer Long { uint long_axes; };
+layout(std430) buffer Degenerate { uint degenerate; };
+layout(std430) buffer Broken { uint broken; };
 
 uniform uint first, end;
 

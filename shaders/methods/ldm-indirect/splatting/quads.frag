@@ -1,8 +1,8 @@
 // Adds the kernel where it covers the pixel's surface; blending sums. [Aalund15 eqs. 5-7]
 #include "methods/ldm-indirect/splatting/kernel.glsl"
 
-layout(binding = 0) uniform sampler2D position_image;
-layout(binding = 1) uniform sampler2D normal_image;  // geometric
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_geometric_normal;
 
 layout(location = 0) flat in vec3 centre_ws;
 layout(location = 1) flat in vec3 row_p;
@@ -15,8 +15,8 @@ layout(location = 0) out vec4 added;  // A: photons
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec3 normal_ws = texelFetch(normal_image, pixel, 0).xyz, irradiance;
+    vec3 normal_ws = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz, irradiance;
     Kernel k = Kernel(centre_ws, row_p, row_q, row_n, peak, to_source_ws);
-    if (normal_ws == vec3(0) || !add_kernel(k, texelFetch(position_image, pixel, 0).xyz, normal_ws, irradiance)) discard;
+    if (normal_ws == vec3(0) || !add_kernel(k, texelFetch(gbuffer_position, pixel, 0).xyz, normal_ws, irradiance)) discard;
     added = vec4(irradiance, 1);
 }

@@ -3,7 +3,7 @@
 // array, so that all ways of splatting read photons alike. The picture is the same.
 #include "methods/ldm-indirect/splatting/footprint.glsl"
 
-layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
+layout(std430) readonly buffer Photons { Photon photons[]; };
 
 layout(location = 0) flat out vec4 centre;  // w: 0 for photons that are not drawn
 layout(location = 1) flat out vec4 p_axis;  // w: height

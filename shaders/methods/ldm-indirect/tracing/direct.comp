@@ -5,10 +5,10 @@ layout(local_size_x = 64) in;
 #include "methods/ldm-indirect/tracing/primary.glsl"
 #include "methods/ldm-indirect/tracing/landing.glsl"
 
-layout(std430, binding = 0) readonly buffer Primaries { Primary primaries[]; };
-layout(std430, binding = 1) writeonly buffer Hits { uvec2 hits[]; };
-layout(std430, binding = 2) writeonly buffer Counts { uint counts[]; };
-layout(std430, binding = 3) writeonly buffer Fates { uint fates[]; };
+layout(std430) readonly buffer Primaries { Primary primaries[]; };
+layout(std430) writeonly buffer Hits { uvec2 hits[]; };
+layout(std430) writeonly buffer Counts { uint counts[]; };
+layout(std430) writeonly buffer Fates { uint fates[]; };
 
 uniform uint first_item, end_item;
 

@@ -1,20 +1,17 @@
 // A photon for each pixel of the lights' images, with its differential at the first surface.
 // [Aalund15 §4.2; Igehy99]
 layout(local_size_x = 64) in;
-#define SHADOW_VIEWS 0
-#define SHADOW_MAPS 2
 #include "passes/shadow/shadow.glsl"
-#define LDM_FRAMES 2
 #include "passes/ldm/frames.glsl"
 #include "lib/spaces.glsl"
 #include "methods/ldm-indirect/tracing/differentials.glsl"
 #include "methods/ldm-indirect/tracing/primary.glsl"
 
-layout(std430, binding = 1) readonly buffer Lights { Light lights[]; };
-layout(std430, binding = 3) writeonly buffer Primaries { Primary primaries[]; };
-layout(binding = 0) uniform sampler2DArray rsm_albedo_roughness;
-layout(binding = 1) uniform sampler2DArray rsm_normal_metalness;
-layout(binding = 3) uniform sampler2DArray rsm_geometric_normal;
+layout(std430) readonly buffer Lights { Light lights[]; };
+layout(std430) writeonly buffer Primaries { Primary primaries[]; };
+uniform sampler2DArray rsm_albedo_roughness;
+uniform sampler2DArray rsm_normal_metalness;
+uniform sampler2DArray rsm_geometric_normal;
 
 uniform uint first_item, end_item;
 uniform uint views_drawn, map_count;

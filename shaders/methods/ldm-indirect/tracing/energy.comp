@@ -3,11 +3,11 @@ layout(local_size_x = 64) in;
 #include "methods/ldm-indirect/tracing/primary.glsl"
 #include "methods/ldm-indirect/tracing/energy.glsl"
 
-layout(std430, binding = 0) readonly buffer Primaries { Primary primaries[]; };
-layout(std430, binding = 1) readonly buffer AllShares { Shares all_shares[]; };
-layout(std430, binding = 2) writeonly buffer Blocks { Row blocks[]; };
+layout(std430) readonly buffer Primaries { Primary primaries[]; };
+layout(std430) readonly buffer AllShares { Shares all_shares[]; };
+layout(std430) writeonly buffer Blocks { Row blocks[]; };
 #ifdef DIRECT
-layout(std430, binding = 3) readonly buffer Fates { uint fates[]; };
+layout(std430) readonly buffer Fates { uint fates[]; };
 #endif
 
 uniform uint first_item, end_item;  // rows of blocks

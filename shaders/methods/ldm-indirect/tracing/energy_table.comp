@@ -2,15 +2,15 @@
 layout(local_size_x = 32) in;
 #include "methods/ldm-indirect/tracing/energy.glsl"
 
-layout(std430, binding = 0) readonly buffer Blocks { Row blocks[]; };
-layout(std430, binding = 1) writeonly buffer Table { Row table[]; };
-layout(std430, binding = 2) buffer EmittedCounter { uint emitted_counter; };
-layout(std430, binding = 3) buffer BelowCounter { uint below_counter; };
-layout(std430, binding = 4) buffer LeftCounter { uint left_counter; };
-layout(std430, binding = 5) buffer OutsideCounter { uint outside_counter; };
-layout(std430, binding = 6) buffer HiddenCounter { uint hidden_counter; };
-layout(std430, binding = 7) buffer BackCounter { uint back_counter; };
-layout(std430, binding = 8) buffer DegenerateCounter { uint degenerate_counter; };
+layout(std430) readonly buffer Blocks { Row blocks[]; };
+layout(std430) writeonly buffer Table { Row table[]; };
+layout(std430) buffer EmittedCounter { uint emitted_counter; };
+layout(std430) buffer BelowCounter { uint below_counter; };
+layout(std430) buffer LeftCounter { uint left_counter; };
+layout(std430) buffer OutsideCounter { uint outside_counter; };
+layout(std430) buffer HiddenCounter { uint hidden_counter; };
+layout(std430) buffer BackCounter { uint back_counter; };
+layout(std430) buffer DegenerateCounter { uint degenerate_counter; };
 
 uniform uint block_count;
 

@@ -1,7 +1,7 @@
 // Where photons arrive in the camera's view. [Aalund15 §4.2, step 4b] Include primary.glsl and lib/spaces.glsl first.
 
-layout(binding = 0) uniform sampler2D seen_position;
-layout(binding = 1) uniform sampler2D seen_normal;  // geometric
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_geometric_normal;
 
 uniform mat4 clip_from_world;
 uniform float splat_size, topological_bias, longest_axis, nearest_w;
@@ -21,7 +21,7 @@ struct Landing {
 /// The pixel that shows a point, or the one nearest to it; false behind and beside the view.
 bool shown_at(vec3 position_ws, out ivec2 pixel) {
     vec4 clip = clip_from_world * vec4(position_ws, 1);
-    vec2 size = vec2(textureSize(seen_position, 0));
+    vec2 size = vec2(textureSize(gbuffer_position, 0));
     vec2 place = clamp(vec2(clip.x, -clip.y) / max(clip.w, nearest_w), vec2(-1), vec2(1));
     pixel = clamp(ivec2(floor((place * 0.5 + 0.5) * size)), ivec2(0), ivec2(size) - 1);
     return clip.w > 0.0 && all(lessThanEqual(abs(clip.xy), vec2(clip.w)));
@@ -77,9 +77,9 @@ Landing landing(vec3 origin, vec3 direction, float distance, float error, vec3 s
         vec3 place = origin + moved * direction;
         is_inside = shown_at(place, pixel);
         if (!is_inside && bool(params.reject_hidden)) return Landing(CAUSE_OUTSIDE, distance, vec3(0));
-        vec3 normal = texelFetch(seen_normal, pixel, 0).xyz;
+        vec3 normal = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
         if (normal == vec3(0)) break;
-        vec4 seen = texelFetch(seen_position, pixel, 0);
+        vec4 seen = texelFetch(gbuffer_position, pixel, 0);
         float facing = dot(normal, direction), gap = dot(normal, seen.xyz - place);
         bool is_near = abs(gap) <= params.visibility_tolerance * seen.w;
         if (!is_inside && facing > -LEAST_FACING) break;

@@ -3,12 +3,12 @@ layout(local_size_x = 64) in;
 #include "lib/spaces.glsl"
 #include "methods/ldm-indirect/records.glsl"
 
-layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
-layout(std430, binding = 1) readonly buffer StoredCount { uint stored_count; };
+layout(std430) readonly buffer Photons { Photon photons[]; };
+layout(std430) readonly buffer StoredCount { uint stored_count; };
 // Words of an element: centre, axis_u, axis_v, normal, flux (3 each), luminance, path_length, map, side, light,
 // direct, source.
-layout(std430, binding = 2) writeonly buffer AllShown { uint shown[]; };
-layout(std430, binding = 3) buffer ShownCount { uint shown_count; };
+layout(std430) writeonly buffer AllShown { uint shown[]; };
+layout(std430) buffer ShownCount { uint shown_count; };
 
 uniform uint first_item, end_item, capacity, shown_capacity;
 const uint WORDS = 22u;

@@ -2,22 +2,25 @@
 layout(local_size_x = 64) in;
 #include "methods/ldm-indirect/tracing/primary.glsl"
 
-layout(std430, binding = 0) readonly buffer Primaries { Primary primaries[]; };
+layout(std430) readonly buffer Primaries { Primary primaries[]; };
+#ifdef PACK
 // Words of an element: centre, axis_u, axis_v, normal, direction, flux (3 each), luminance, path_length, light,
 // source.
-layout(std430, binding = 1) writeonly buffer AllShown { uint shown[]; };
-#ifdef PACK
-layout(std430, binding = 2) readonly buffer Places { uint places[]; };
+layout(std430) writeonly buffer AllShown { uint shown[]; };
+layout(std430) readonly buffer Places { uint places[]; };
 #else
-layout(std430, binding = 2) writeonly buffer Counts { uint counts[]; };
+layout(std430) writeonly buffer Counts { uint counts[]; };
 #endif
 
 uniform uint first_item, end_item, capacity;
+
+#ifdef PACK
 const uint WORDS = 22u;
 
 void put(uint word, vec3 v) {
     for (uint i = 0u; i < 3u; ++i) shown[word + i] = floatBitsToUint(v[i]);
 }
+#endif
 
 void main() {
     uint index = first_item + gl_GlobalInvocationID.x;

@@ -3,11 +3,11 @@ layout(local_size_x = 64) in;
 #include "methods/ldm-indirect/records.glsl"
 #include "methods/ldm-indirect/tracing/primary.glsl"
 
-layout(std430, binding = 0) readonly buffer Primaries { Primary primaries[]; };
-layout(std430, binding = 1) readonly buffer Hits { uvec2 hits[]; };
-layout(std430, binding = 2) readonly buffer Counts { uint counts[]; };
-layout(std430, binding = 3) readonly buffer Places { uint places[]; };
-layout(std430, binding = 4) writeonly buffer Photons { Photon photons[]; };
+layout(std430) readonly buffer Primaries { Primary primaries[]; };
+layout(std430) readonly buffer Hits { uvec2 hits[]; };
+layout(std430) readonly buffer Counts { uint counts[]; };
+layout(std430) readonly buffer Places { uint places[]; };
+layout(std430) writeonly buffer Photons { Photon photons[]; };
 
 uniform uint first_item, end_item, capacity;
 

@@ -9,14 +9,14 @@ layout(local_size_x = 64) in;
 #include "methods/ldm-indirect/tracing/primary.glsl"
 #include "methods/ldm-indirect/tracing/landing.glsl"
 
-layout(std430, binding = 8) readonly buffer Primaries { Primary primaries[]; };
+layout(std430) readonly buffer Primaries { Primary primaries[]; };
 /// Of a chunk of primary photons and a batch of maps: distance, below 0 where nothing is stored, and normal.
-layout(std430, binding = 9) writeonly buffer Hits { uvec2 hits[]; };
+layout(std430) writeonly buffer Hits { uvec2 hits[]; };
 /// Photons to store of each primary photon and group of maps.
-layout(std430, binding = 10) writeonly buffer Counts { uint counts[]; };
-layout(std430, binding = 11) buffer AllShares { Shares all_shares[]; };
-layout(std430, binding = 12) writeonly buffer Bases { uint bases[]; };
-layout(std430, binding = 13) readonly buffer StoredCount { uint stored_count; };
+layout(std430) writeonly buffer Counts { uint counts[]; };
+layout(std430) buffer AllShares { Shares all_shares[]; };
+layout(std430) writeonly buffer Bases { uint bases[]; };
+layout(std430) readonly buffer StoredCount { uint stored_count; };
 
 /// Of the dispatch's maps. Uniforms cost software drivers one load for all invocations, buffers one for each.
 uniform vec4 frame_rows[16 * 6];

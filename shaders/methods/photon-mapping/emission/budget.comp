@@ -3,10 +3,10 @@
 layout(local_size_x = 1) in;
 #include "methods/photon-mapping/records.glsl"
 
-layout(std430, binding = 0) buffer Sources { Source sources[]; };
-layout(std430, binding = 1) buffer WithoutPoints { uint sources_without_points; };
+layout(std430) buffer Sources { Source sources[]; };
+layout(std430) buffer WithoutPoints { uint sources_without_points; };
 #if BY_PROBABILITY
-layout(binding = 0) uniform sampler2DArray haar_pyramid;
+uniform sampler2DArray haar_pyramid;
 uniform int levels;
 #endif
 

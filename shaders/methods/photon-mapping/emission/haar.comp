@@ -2,8 +2,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "methods/photon-mapping/emission/haar.glsl"
 
-layout(binding = 0) uniform sampler2DArray below;
-layout(binding = 0, rgba32f) uniform writeonly image2DArray level;
+uniform sampler2DArray below;
+layout(rgba32f) uniform writeonly image2DArray level;
 
 uniform int level_below;  // mip level of `below`
 uniform int size;         // texels a side that are written

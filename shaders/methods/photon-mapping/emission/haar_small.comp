@@ -3,12 +3,12 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 #include "methods/photon-mapping/emission/haar.glsl"
 
-layout(binding = 0) uniform sampler2DArray below;
-layout(binding = 0, rgba32f) uniform writeonly image2DArray level0;
-layout(binding = 1, rgba32f) uniform writeonly image2DArray level1;
-layout(binding = 2, rgba32f) uniform writeonly image2DArray level2;
-layout(binding = 3, rgba32f) uniform writeonly image2DArray level3;
-layout(binding = 4, rgba32f) uniform writeonly image2DArray level4;
+uniform sampler2DArray below;
+layout(rgba32f) uniform writeonly image2DArray level0;
+layout(rgba32f) uniform writeonly image2DArray level1;
+layout(rgba32f) uniform writeonly image2DArray level2;
+layout(rgba32f) uniform writeonly image2DArray level3;
+layout(rgba32f) uniform writeonly image2DArray level4;
 
 uniform int level_below, size_below;  // a power of two, at most 32
 

@@ -5,15 +5,15 @@ layout(local_size_x = 64) in;
 #include "passes/raytracing/rays.glsl"
 #include "passes/scene/hit_surface.glsl"
 
-layout(std430, binding = 2) readonly buffer Rays { Ray rays[]; };
-layout(std430, binding = 3) readonly buffer Hits { RayHit hits[]; };
+layout(std430) readonly buffer Rays { Ray rays[]; };
+layout(std430) readonly buffer Hits { RayHit hits[]; };
 #if PACKS
-layout(std430, binding = 4) readonly buffer Places { uint places[]; };
-layout(std430, binding = 5) writeonly buffer Samples { SamplePoint samples[]; };
+layout(std430) readonly buffer Places { uint places[]; };
+layout(std430) writeonly buffer Samples { SamplePoint samples[]; };
 uniform uint capacity;
 uniform float power_unit, photons_per_point;
 #else
-layout(std430, binding = 4) writeonly buffer Survivors { uint survivors[]; };
+layout(std430) writeonly buffer Survivors { uint survivors[]; };
 #endif
 
 uniform int materials_model;            // one of survival.glsl's

@@ -4,8 +4,8 @@
 #include "lib/spaces.glsl"
 #include "methods/photon-mapping/records.glsl"
 
-layout(std430, binding = 0) readonly buffer Sources { Source sources[]; };
-layout(std430, binding = 1) readonly buffer Lights { Light lights[]; };
+layout(std430) readonly buffer Sources { Source sources[]; };
+layout(std430) readonly buffer Lights { Light lights[]; };
 #include "methods/photon-mapping/emission/sources.glsl"
 
 uniform uint first_item, end_item;

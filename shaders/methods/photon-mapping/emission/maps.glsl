@@ -3,8 +3,8 @@
 
 #include "methods/photon-mapping/emission/emission_set.glsl"
 
-layout(binding = PROBABILITY_MAP) uniform sampler2DArray probability_map;
-layout(binding = HAAR_PYRAMID) uniform sampler2DArray haar_pyramid;
+uniform sampler2DArray probability_map;
+uniform sampler2DArray haar_pyramid;
 
 /// Mean of the layer's map.
 float mean_probability(int layer, int levels) { return texelFetch(haar_pyramid, ivec3(0, 0, layer), levels - 1).r; }

@@ -7,9 +7,9 @@ layout(local_size_x = 64) in;
 #include "methods/photon-mapping/emission/rsm.glsl"
 #include "methods/photon-mapping/emission/maps.glsl"
 
-layout(std430, binding = 2) readonly buffer Sources { Source sources[]; };
-layout(std430, binding = 3) writeonly buffer Candidates { uint candidates[]; };
-layout(std430, binding = 4) writeonly buffer Survivors { uint survivors[]; };
+layout(std430) readonly buffer Sources { Source sources[]; };
+layout(std430) writeonly buffer Candidates { uint candidates[]; };
+layout(std430) writeonly buffer Survivors { uint survivors[]; };
 #include "methods/photon-mapping/emission/sources.glsl"
 
 uniform uint first_item, end_item;

@@ -4,7 +4,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "methods/photon-mapping/emission/rsm.glsl"
 
-layout(binding = 0, r32f) uniform writeonly image2DArray probability;
+layout(r32f) uniform writeonly image2DArray probability;
 
 uniform int first_layer, layers_drawn;
 

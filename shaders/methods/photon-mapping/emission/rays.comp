@@ -3,7 +3,7 @@ layout(local_size_x = 64) in;
 #include "methods/photon-mapping/emission/light_rays.glsl"
 #include "passes/raytracing/rays.glsl"
 
-layout(std430, binding = 2) writeonly buffer Rays { Ray rays[]; };
+layout(std430) writeonly buffer Rays { Ray rays[]; };
 
 void main() {
     uint item = first_item + gl_GlobalInvocationID.x;

@@ -1,15 +1,13 @@
-// Reading an RSM, as renderers/passes/rsm/rsm.h binds it: what a texel shows, and how
+// Reading an RSM, as renderers/passes/rsm/rsm.h draws it: what a texel shows, and how
 // much light goes there.
 
 // The RSM's depth has the form of shadow maps.
-#define SHADOW_VIEWS 0
-#define SHADOW_MAPS 2
 #include "passes/shadow/shadow.glsl"
 #include "methods/photon-mapping/survival.glsl"
 
-layout(std430, binding = 1) readonly buffer Lights { Light lights[]; };
-layout(binding = 0) uniform sampler2DArray rsm_albedo_roughness;
-layout(binding = 1) uniform sampler2DArray rsm_normal_metalness;
+layout(std430) readonly buffer Lights { Light lights[]; };
+uniform sampler2DArray rsm_albedo_roughness;
+uniform sampler2DArray rsm_normal_metalness;
 
 uniform int materials_model;       // one of survival.glsl's
 uniform float photon_near, photon_far;  // m; 0 as far plane: none

@@ -6,10 +6,10 @@ layout(local_size_x = 64) in;
 #include "methods/photon-mapping/emission/rsm.glsl"
 #include "methods/photon-mapping/emission/maps.glsl"
 
-layout(std430, binding = 2) readonly buffer Sources { Source sources[]; };
-layout(std430, binding = 3) readonly buffer Candidates { uint candidates[]; };
-layout(std430, binding = 4) readonly buffer Places { uint places[]; };
-layout(std430, binding = 5) writeonly buffer Samples { SamplePoint samples[]; };
+layout(std430) readonly buffer Sources { Source sources[]; };
+layout(std430) readonly buffer Candidates { uint candidates[]; };
+layout(std430) readonly buffer Places { uint places[]; };
+layout(std430) writeonly buffer Samples { SamplePoint samples[]; };
 #include "methods/photon-mapping/emission/sources.glsl"
 
 uniform uint first_item, end_item, capacity;

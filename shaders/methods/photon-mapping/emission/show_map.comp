@@ -2,7 +2,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "methods/photon-mapping/emission/steps.glsl"
 
-layout(binding = 0, rgba16f) uniform writeonly image2DArray picture;
+layout(rgba16f) uniform writeonly image2DArray picture;
 
 void main() {
     ivec3 place = ivec3(gl_GlobalInvocationID);

@@ -2,7 +2,7 @@
 layout(local_size_x = 64) in;
 #include "methods/photon-mapping/emission/steps.glsl"
 
-layout(binding = 0, rgba16f) uniform writeonly image2DArray picture;
+layout(rgba16f) uniform writeonly image2DArray picture;
 
 const vec3 LEAVES = vec3(1.0, 0.35, 0.02), ENDS = vec3(0.05, 0.35, 1.0);
 

@@ -3,8 +3,8 @@ layout(local_size_x = 64) in;
 #include "methods/photon-mapping/emission/steps.glsl"
 
 /// position 3, source, warp, point, survives, probability
-layout(std430, binding = 2) writeonly buffer Shown { uint shown[]; };
-layout(std430, binding = 3) buffer ShownCount { uint shown_count; };
+layout(std430) writeonly buffer Shown { uint shown[]; };
+layout(std430) buffer ShownCount { uint shown_count; };
 
 uniform uint stride, capacity;
 

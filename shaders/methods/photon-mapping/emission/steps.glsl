@@ -4,8 +4,8 @@
 #include "methods/photon-mapping/records.glsl"
 #include "methods/photon-mapping/emission/maps.glsl"
 
-layout(std430, binding = 0) readonly buffer Sources { Source sources[]; };
-layout(std430, binding = 1) readonly buffer Candidates { uint candidates[]; };
+layout(std430) readonly buffer Sources { Source sources[]; };
+layout(std430) readonly buffer Candidates { uint candidates[]; };
 #include "methods/photon-mapping/emission/sources.glsl"
 
 uniform int shown_source;            // -1: all

@@ -9,9 +9,9 @@ layout(local_size_x = 16, local_size_y = 16) in;
 
 #include "methods/photon-mapping/filtering/surface.glsl"
 
-layout(binding = 0) uniform sampler2D value_image;      // E; x of the direction
-layout(binding = 1) uniform sampler2D direction_image;  // y and z of it
-layout(binding = 2) uniform usampler2D surfaces;
+uniform sampler2D value_image;      // E; x of the direction
+uniform sampler2D direction_image;  // y and z of it
+uniform usampler2D surfaces;
 
 #define INPUT 0
 #define SCALING 1
@@ -20,14 +20,14 @@ layout(binding = 2) uniform usampler2D surfaces;
 #define BOUND 4
 
 #ifdef VIEW
-layout(binding = 0, rgba32f) uniform writeonly image2DArray view;
+layout(rgba32f) uniform writeonly image2DArray view;
 uniform int layer;
 #else
-layout(binding = 0, rgba32f) uniform image2D value_sum;  // Σ of clipped details; in the last pass the result
-layout(binding = 1, rg32f) uniform image2D direction_sum;
+layout(rgba32f) uniform image2D value_sum;  // Σ of clipped details; in the last pass the result
+layout(rg32f) uniform image2D direction_sum;
 #ifndef LAST
-layout(binding = 2, rgba32f) uniform writeonly image2D next_value;
-layout(binding = 3, rg32f) uniform writeonly image2D next_direction;
+layout(rgba32f) uniform writeonly image2D next_value;
+layout(rg32f) uniform writeonly image2D next_direction;
 #endif
 #endif
 

@@ -1,9 +1,9 @@
 // What is known of the light's direction at a pixel.
 
-layout(binding = 0) uniform sampler2D value_image;      // E; x of the sum of directions
-layout(binding = 1) uniform sampler2D direction_image;  // y and z of it
-layout(binding = 2) uniform sampler2D normal_image;
-layout(binding = 3) uniform sampler2D geometric_normal_image;
+uniform sampler2D value_image;      // E; x of the sum of directions
+uniform sampler2D direction_image;  // y and z of it
+uniform sampler2D gbuffer_normal;
+uniform sampler2D gbuffer_geometric_normal;
 
 uniform float stretch_max;
 uniform bool directional;
@@ -31,7 +31,7 @@ float directional_factor(vec3 direction, vec3 shading_n, vec3 geometric_n) {
 }
 
 vec3 shading_normal(ivec2 pixel) {
-    vec3 n = texelFetch(normal_image, pixel, 0).xyz;
+    vec3 n = texelFetch(gbuffer_normal, pixel, 0).xyz;
     return n == vec3(0) ? n : normalize(n);
 }
 
@@ -40,5 +40,5 @@ vec3 shaded_irradiance(ivec2 pixel) {
     vec3 e = max(texelFetch(value_image, pixel, 0).rgb, vec3(0));
     if (!directional) return e;
     return e * directional_factor(mean_direction(pixel), shading_normal(pixel),
-                                  texelFetch(geometric_normal_image, pixel, 0).xyz);
+                                  texelFetch(gbuffer_geometric_normal, pixel, 0).xyz);
 }

@@ -1,10 +1,10 @@
 // What the previous frame knows of a pixel's surface.
 
-layout(binding = 4) uniform sampler2D velocity_image;
-layout(binding = 5) uniform sampler2D geometric_normal_image;  // w: depth in the previous frame
-layout(binding = 6) uniform sampler2D previous_value;
-layout(binding = 7) uniform sampler2D previous_direction;
-layout(binding = 8) uniform usampler2D previous_surfaces;
+uniform sampler2D gbuffer_velocity;
+uniform sampler2D gbuffer_geometric_normal;  // w: depth in the previous frame
+uniform sampler2D previous_value;
+uniform sampler2D previous_direction;
+uniform usampler2D previous_surfaces;
 
 uniform float temporal_weight;
 uniform bool has_history;
@@ -23,9 +23,9 @@ struct History {
 /// still pictures would accept rounding alone and fast ones would accept anything.
 History history_of(ivec2 pixel, FilterSurface p) {
     History history = History(0.0, Signal(vec4(0), vec2(0)));
-    float z = texelFetch(geometric_normal_image, pixel, 0).w;
+    float z = texelFetch(gbuffer_geometric_normal, pixel, 0).w;
     if (!has_history || z <= 0.0) return history;
-    vec2 q = vec2(pixel) + 0.5 - texelFetch(velocity_image, pixel, 0).xy;
+    vec2 q = vec2(pixel) + 0.5 - texelFetch(gbuffer_velocity, pixel, 0).xy;
     vec2 gradient = depth_gradient(p.normal, z, previous_direction_ws + q.x * previous_direction_dx +
                                                     q.y * previous_direction_dy,
                                    previous_origin_dx, previous_origin_dy, previous_direction_dx,

@@ -5,7 +5,7 @@ layout(local_size_x = 16, local_size_y = 16) in;
 #include "methods/photon-mapping/filtering/unfiltered.glsl"
 #include "methods/photon-mapping/filtering/history.glsl"
 
-layout(binding = 0, r32f) uniform writeonly image2D view;
+layout(r32f) uniform writeonly image2D view;
 uniform int first_row;
 
 float largest(vec3 v) { return max(v.r, max(v.g, v.b)); }

@@ -4,9 +4,9 @@ layout(local_size_x = 16, local_size_y = 16) in;
 #include "methods/photon-mapping/filtering/directional.glsl"
 
 #ifdef FLICKER
-layout(binding = 0, r32f) uniform writeonly image2D result;
+layout(r32f) uniform writeonly image2D result;
 #else
-layout(binding = 0, rgba32f) uniform writeonly image2D result;
+layout(rgba32f) uniform writeonly image2D result;
 #endif
 uniform int first_row;
 

@@ -6,13 +6,13 @@ layout(local_size_x = 16, local_size_y = 16) in;
 #include "lib/material.glsl"
 #include "methods/photon-mapping/filtering/directional.glsl"
 
-layout(binding = 4) uniform sampler2D albedo_image;
-layout(binding = 5) uniform sampler2D material_image;
-layout(binding = 6) uniform sampler2D position_image;
-layout(binding = 7) uniform sampler2D direct_image;
-layout(binding = 8) uniform sampler2D emission_image;
-layout(std430, binding = 0) readonly buffer Materials { Material materials[]; };
-layout(binding = 0, rgba32f) uniform writeonly image2D result;
+uniform sampler2D gbuffer_albedo;
+uniform sampler2D gbuffer_material;
+uniform sampler2D gbuffer_position;
+uniform sampler2D direct_image;
+uniform sampler2D gbuffer_emission;
+layout(std430) readonly buffer Materials { Material materials[]; };
+layout(rgba32f) uniform writeonly image2D result;
 
 uniform int first_row;
 uniform vec3 eye_ws;
@@ -26,7 +26,7 @@ vec3 below_interface(ivec2 pixel, vec3 base_colour, vec4 material) {
     vec3 f0 = mix(vec3(dielectric_f0(materials[index].ior)), base_colour, material.x);
     vec3 l = mean_direction(pixel);
     if (!directional || l == vec3(0)) return 1.0 - f0;
-    vec4 position = texelFetch(position_image, pixel, 0);
+    vec4 position = texelFetch(gbuffer_position, pixel, 0);
     vec3 v = view_axis_ws == vec3(0) ? (eye_ws - position.xyz) / position.w : -view_axis_ws;
     vec3 sum = l + v;
     float size = length(sum);
@@ -35,7 +35,7 @@ vec3 below_interface(ivec2 pixel, vec3 base_colour, vec4 material) {
 
 /// Reflectance of the Lambert part: that of receivers, which their highlights are not part of.
 vec3 diffuse_reflectance(ivec2 pixel) {
-    vec4 albedo = texelFetch(albedo_image, pixel, 0), material = texelFetch(material_image, pixel, 0);
+    vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0), material = texelFetch(gbuffer_material, pixel, 0);
     if (material.z > 0.5) return vec3(0);  // unlit
 #if MATERIALS == 2
     return albedo.rgb;
@@ -52,7 +52,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, first_row);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
     vec3 radiance = background;
-    if (texelFetch(geometric_normal_image, pixel, 0).xyz != vec3(0)) {
+    if (texelFetch(gbuffer_geometric_normal, pixel, 0).xyz != vec3(0)) {
         radiance = vec3(0);
 #ifdef INDIRECT
         radiance += diffuse_reflectance(pixel) / PI * shaded_irradiance(pixel);
@@ -61,7 +61,7 @@ void main() {
         radiance += texelFetch(direct_image, pixel, 0).rgb;
 #endif
 #ifdef EMISSION
-        radiance += texelFetch(emission_image, pixel, 0).rgb;
+        radiance += texelFetch(gbuffer_emission, pixel, 0).rgb;
 #endif
     }
     imageStore(result, pixel, vec4(radiance, 1));

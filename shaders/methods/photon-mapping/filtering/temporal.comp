@@ -7,9 +7,9 @@ layout(local_size_x = 16, local_size_y = 16) in;
 #include "methods/photon-mapping/filtering/history.glsl"
 #endif
 
-layout(binding = 0, rgba32f) uniform writeonly image2D value_image;
-layout(binding = 1, rg32f) uniform writeonly image2D direction_image;
-layout(std430, binding = 0) buffer Overflow { uint overflow; };
+layout(rgba32f) uniform writeonly image2D value_image;
+layout(rg32f) uniform writeonly image2D direction_image;
+layout(std430) buffer Overflow { uint overflow; };
 uniform int first_row;
 
 /// Half floats end at 65504: drivers stop there or go on with infinity, which would stay in the history.

@@ -1,8 +1,8 @@
 // The estimate of a pixel before any filter. DIVISOR: pixels along a side of a texel of the estimate.
 
-layout(binding = 0) uniform sampler2D splat_irradiance;  // E; x of the sum of directions
-layout(binding = 1) uniform sampler2D splat_direction;   // y and z of it
-layout(binding = 2) uniform usampler2D surfaces;
+uniform sampler2D splat_irradiance;  // E; x of the sum of directions
+uniform sampler2D splat_direction;   // y and z of it
+uniform usampler2D surfaces;
 
 struct Signal {
     vec4 value;      // E; x of the direction
@@ -19,7 +19,7 @@ Signal unfiltered(ivec2 pixel, FilterSurface p) {
 
 #else
 
-layout(binding = 3) uniform sampler2D splat_depth;
+uniform sampler2D splat_depth;
 
 /// Bilinear; texels count less the farther their depth lies from the pixel's, beyond what a surface gains
 /// within the two texels that the nearest pixel of a texel may be away. Where no texel is near, the nearest

@@ -11,16 +11,16 @@ struct Found {
     float distance_m, radius;
     uint photon;
 };
-layout(std430, binding = 2) writeonly buffer FoundPhotons { Found found[]; };
+layout(std430) writeonly buffer FoundPhotons { Found found[]; };
 /// As fields of "splat.explain.sum"; the host adds up, in double precision and in one order.
-layout(std430, binding = 3) buffer PixelSum {
+layout(std430) buffer PixelSum {
     uint texel_x, texel_y, found_count;
     float gathered[3], texel_value[3], difference[3];
 };
-layout(std430, binding = 4) buffer PhotonCount { uint photon_count; };
-layout(std430, binding = 5) buffer SumCount { uint sum_count; };
+layout(std430) buffer PhotonCount { uint photon_count; };
+layout(std430) buffer SumCount { uint sum_count; };
 
-layout(binding = 2) uniform sampler2D irradiance;
+uniform sampler2D irradiance;
 
 uniform uint first, end;
 uniform ivec2 picked_texel;  // negative: none

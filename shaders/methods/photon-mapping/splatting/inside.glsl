@@ -1,7 +1,7 @@
 // Whether a kernel covers a texel: the same arithmetic for the splat and for the gather that explains it.
 #include "lib/pixel_rays.glsl"
 
-layout(binding = 1) uniform sampler2D surfaces;  // depth; at lower resolutions those of the closest and the farthest
+uniform sampler2D surfaces;  // depth; at lower resolutions those of the closest and the farthest
 
 bool covers(vec3 centre_ws, vec3 n_ws, vec3 u_ws, vec3 t_ws, vec3 axes, vec3 origin, vec3 direction, float depth) {
 #ifdef LINEAR_DEPTH

@@ -1,7 +1,7 @@
 // Photons over a grey picture of the scene, coloured by bounce.  [Smal19 fig. 8.1a]
-layout(binding = 0) uniform usampler2D dots;
-layout(binding = 1) uniform sampler2D albedo;
-layout(binding = 2) uniform sampler2D normals;
+uniform usampler2D dots;
+uniform sampler2D gbuffer_albedo;
+uniform sampler2D gbuffer_normal;
 
 uniform vec3 view_axis_ws;
 
@@ -12,8 +12,8 @@ const vec3 bounce_colours[8] = vec3[8](vec3(1, 0.05, 0.05), vec3(0.05, 1, 0.05),
                                        vec3(1, 0.1, 1), vec3(0.05, 1, 1), vec3(1, 0.4, 0.02), vec3(1));
 
 float grey(ivec2 pixel) {
-    float luminance = dot(texelFetch(albedo, pixel, 0).rgb, vec3(0.2126, 0.7152, 0.0722));
-    float facing = abs(dot(texelFetch(normals, pixel, 0).xyz, view_axis_ws));
+    float luminance = dot(texelFetch(gbuffer_albedo, pixel, 0).rgb, vec3(0.2126, 0.7152, 0.0722));
+    float facing = abs(dot(texelFetch(gbuffer_normal, pixel, 0).xyz, view_axis_ws));
     return 0.12 * luminance * (0.3 + 0.7 * facing);
 }
 

@@ -5,10 +5,10 @@
 #include "lib/random.glsl"
 
 layout(local_size_x = 256) in;
-layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
-layout(std430, binding = 1) readonly buffer Stored { uint stored; };
-layout(r32ui, binding = 0) uniform uimage2D dots;
-layout(binding = 0) uniform sampler2D positions;
+layout(std430) readonly buffer Photons { Photon photons[]; };
+layout(std430) readonly buffer Stored { uint stored; };
+layout(r32ui) uniform uimage2D dots;
+uniform sampler2D gbuffer_position;
 
 uniform uint first, end;
 uniform int dot_size;  // pixels
@@ -18,7 +18,7 @@ const float depth_tolerance = 0.01;
 
 bool is_seen(vec3 position_ws) {
     if (!in_picture(position_ws)) return false;
-    vec4 surface = texelFetch(positions, ivec2(texel_at(position_ws)), 0);
+    vec4 surface = texelFetch(gbuffer_position, ivec2(texel_at(position_ws)), 0);
     return surface.w == 0.0 || view_depth(position_ws) <= (1.0 + depth_tolerance) * view_depth(surface.xyz);
 }
 

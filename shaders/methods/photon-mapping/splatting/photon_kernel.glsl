@@ -3,10 +3,10 @@
 #include "methods/photon-mapping/splatting/kernel.glsl"
 #include "methods/photon-mapping/splatting/splat_view.glsl"
 
-layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
-layout(std430, binding = 1) readonly buffer Stored { uint stored; };  // at most the buffer's capacity
+layout(std430) readonly buffer Photons { Photon photons[]; };
+layout(std430) readonly buffer Stored { uint stored; };  // at most the buffer's capacity
 
-layout(binding = 0) uniform usampler2D tiles;
+uniform usampler2D tiles;
 
 uniform float power_unit;  // W
 uniform float c_tile, c_texel;

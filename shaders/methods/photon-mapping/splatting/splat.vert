@@ -2,7 +2,7 @@
 // plane as a square around its ellipse.  [Smal19 eq. 6.4]
 #include "methods/photon-mapping/splatting/photon_kernel.glsl"
 
-layout(std430, binding = 2) readonly buffer Icosahedron { float icosahedron[]; };  // xyz of unit vertices
+layout(std430) readonly buffer Icosahedron { float icosahedron[]; };  // xyz of unit vertices
 
 uniform uint first;
 

@@ -7,8 +7,8 @@
 #include "methods/photon-mapping/splatting/splat_view.glsl"
 #include "lib/pixel_rays.glsl"
 
-layout(binding = 0) uniform sampler2D positions;
-layout(binding = 1) uniform sampler2D geometric_normals;
+uniform sampler2D gbuffer_position;
+uniform sampler2D gbuffer_geometric_normal;
 
 layout(location = 0) out float out_depth;
 #ifdef LOW_RESOLUTION
@@ -18,15 +18,15 @@ layout(location = 1) out vec2 out_surfaces;
 const float nothing = uintBitsToFloat(0x7f800000u);  // infinite
 
 float depth_at(ivec2 pixel) {
-    vec4 position = texelFetch(positions, pixel, 0);
+    vec4 position = texelFetch(gbuffer_position, pixel, 0);
     return position.w > 0.0 ? view_depth(position.xyz) : nothing;
 }
 
 #ifdef LOW_RESOLUTION
 /// Where the pixel's plane meets the ray through the texel's middle.
 float moved_to_middle(ivec2 pixel, vec2 middle_px, vec2 range) {
-    vec3 normal = texelFetch(geometric_normals, pixel, 0).xyz;
-    vec3 to_point = texelFetch(positions, pixel, 0).xyz - pixel_ray_origin(middle_px);
+    vec3 normal = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
+    vec3 to_point = texelFetch(gbuffer_position, pixel, 0).xyz - pixel_ray_origin(middle_px);
     float depth = dot(normal, to_point) / dot(normal, pixel_ray_direction(middle_px));
     return isnan(depth) ? range.x : clamp(depth, range.x, range.y);
 }
@@ -37,7 +37,7 @@ void main() {
 #ifdef LOW_RESOLUTION
     float closest = nothing, farthest = 0.0;
     ivec2 closest_pixel = ivec2(0), farthest_pixel = ivec2(0);
-    ivec2 end = min((texel + 1) * divisor, textureSize(positions, 0));
+    ivec2 end = min((texel + 1) * divisor, textureSize(gbuffer_position, 0));
     for (int y = texel.y * divisor; y < end.y; ++y)
         for (int x = texel.x * divisor; x < end.x; ++x) {
             float depth = depth_at(ivec2(x, y));

@@ -3,9 +3,9 @@
 #include "methods/photon-mapping/splatting/splat_view.glsl"
 
 layout(local_size_x = 256) in;
-layout(std430, binding = 0) readonly buffer Photons { Photon photons[]; };
-layout(std430, binding = 1) readonly buffer Stored { uint stored; };
-layout(r32ui, binding = 0) uniform uimage2D tiles;
+layout(std430) readonly buffer Photons { Photon photons[]; };
+layout(std430) readonly buffer Stored { uint stored; };
+layout(r32ui) uniform uimage2D tiles;
 
 uniform uint first, end;
 uniform int tile_size;

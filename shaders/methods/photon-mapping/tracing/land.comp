@@ -1,18 +1,17 @@
 // What rays hit: photons that are to be stored, and the next scattering.
 layout(local_size_x = 64) in;
 
-#define TALLY_BINDING 2
-#define HIT_SURFACE_BINDING 3
+#define TALLIES
 #include "methods/photon-mapping/culling.glsl"
 #include "methods/photon-mapping/tracing/path.glsl"
 #include "methods/photon-mapping/tracing/tally.glsl"
 #include "passes/scene/hit_surface.glsl"
 
-layout(std430, binding = 8) readonly buffer Hits { RayHit hits[]; };
-layout(std430, binding = 9) writeonly buffer Landed { Photon landed[]; };
-layout(std430, binding = 10) writeonly buffer Flags { uint is_stored[]; };
-layout(std430, binding = 11) writeonly buffer Bases { uint bases[]; };
-layout(std430, binding = 12) readonly buffer StoredCount { uint stored_count; };
+layout(std430) readonly buffer Hits { RayHit hits[]; };
+layout(std430) writeonly buffer Landed { Photon landed[]; };
+layout(std430) writeonly buffer Flags { uint is_stored[]; };
+layout(std430) writeonly buffer Bases { uint bases[]; };
+layout(std430) readonly buffer StoredCount { uint stored_count; };
 
 uniform uint surface_number, last_surface;  // along the path, mirrors included; from 1
 uniform uint min_bounces, max_bounces, most_mirrors;

@@ -1,13 +1,13 @@
 // The first scattering: of the light that arrived at the sample points.
 layout(local_size_x = 64) in;
 
-#define TALLY_BINDING 2
+#define TALLIES
 #include "methods/photon-mapping/tracing/path.glsl"
 #include "methods/photon-mapping/tracing/tally.glsl"
 
-layout(std430, binding = 3) readonly buffer Samples { SamplePoint samples[]; };
-layout(std430, binding = 4) readonly buffer Sources { Source sources[]; };
-layout(std430, binding = 5) readonly buffer SampleCount { uint sample_count; };
+layout(std430) readonly buffer Samples { SamplePoint samples[]; };
+layout(std430) readonly buffer Sources { Source sources[]; };
+layout(std430) readonly buffer SampleCount { uint sample_count; };
 
 uniform uint repeats;          // photons that leave a sample point
 uniform uint sample_capacity;

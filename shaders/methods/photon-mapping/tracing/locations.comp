@@ -8,10 +8,10 @@ struct Location {
     float ray_length;
     uint bounce, light, seed;
 };
-layout(std430, binding = 0) readonly buffer Records { Photon records[]; };
-layout(std430, binding = 1) readonly buffer RecordCount { uint record_count; };
-layout(std430, binding = 2) writeonly buffer Locations { Location locations[]; };
-layout(std430, binding = 3) buffer LocationCount { uint location_count; };
+layout(std430) readonly buffer Records { Photon records[]; };
+layout(std430) readonly buffer RecordCount { uint record_count; };
+layout(std430) writeonly buffer Locations { Location locations[]; };
+layout(std430) buffer LocationCount { uint location_count; };
 
 uniform uint first, end, capacity;
 uniform float power_unit;

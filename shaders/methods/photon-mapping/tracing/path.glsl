@@ -14,8 +14,8 @@ struct Path {
     uint seed;
 };
 
-layout(std430, binding = 0) buffer Rays { Ray rays[]; };
-layout(std430, binding = 1) buffer Paths { Path paths[]; };
+layout(std430) buffer Rays { Ray rays[]; };
+layout(std430) buffer Paths { Path paths[]; };
 
 uniform uint first_path, end_path;
 uniform uint frame_seed;

@@ -3,11 +3,11 @@ layout(local_size_x = 64) in;
 
 #include "methods/photon-mapping/records.glsl"
 
-layout(std430, binding = 0) readonly buffer Landed { Photon landed[]; };
-layout(std430, binding = 1) readonly buffer Flags { uint is_stored[]; };
-layout(std430, binding = 2) readonly buffer Places { uint places[]; };
-layout(std430, binding = 3) readonly buffer Bases { uint bases[]; };
-layout(std430, binding = 4) writeonly buffer Records { Photon records[]; };
+layout(std430) readonly buffer Landed { Photon landed[]; };
+layout(std430) readonly buffer Flags { uint is_stored[]; };
+layout(std430) readonly buffer Places { uint places[]; };
+layout(std430) readonly buffer Bases { uint bases[]; };
+layout(std430) writeonly buffer Records { Photon records[]; };
 
 uniform uint first_path, end_path, surface_number, capacity;
 

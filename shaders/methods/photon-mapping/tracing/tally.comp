@@ -3,18 +3,18 @@ layout(local_size_x = 16) in;
 
 #include "methods/photon-mapping/tracing/tally.glsl"
 
-layout(std430, binding = 0) readonly buffer Sums { uint sums[]; };
+layout(std430) readonly buffer Sums { uint sums[]; };
 
 struct Row {
     uint bounce, rays, missed, stored, culled, absorbed, cut;
     float red, green, blue;  // W
 };
-layout(std430, binding = 1) writeonly buffer Table { Row table[]; };
-layout(std430, binding = 2) buffer RayCounter { uint ray_counter; };
-layout(std430, binding = 3) buffer MissedCounter { uint missed_counter; };
-layout(std430, binding = 4) buffer CulledCounter { uint culled_counter; };
-layout(std430, binding = 5) buffer AbsorbedCounter { uint absorbed_counter; };
-layout(std430, binding = 6) buffer CutCounter { uint cut_counter; };
+layout(std430) writeonly buffer Table { Row table[]; };
+layout(std430) buffer RayCounter { uint ray_counter; };
+layout(std430) buffer MissedCounter { uint missed_counter; };
+layout(std430) buffer CulledCounter { uint culled_counter; };
+layout(std430) buffer AbsorbedCounter { uint absorbed_counter; };
+layout(std430) buffer CutCounter { uint cut_counter; };
 
 uniform uint rows;
 uniform float power_unit;

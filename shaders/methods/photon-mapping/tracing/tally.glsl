@@ -6,8 +6,8 @@ const uint TALLY_RAYS = 0u, TALLY_MISSED = 1u, TALLY_STORED = 2u, TALLY_CULLED =
 const uint TALLY_WORDS = 12u, TALLY_ROWS = 16u;
 const float TALLY_POWER_SCALE = 65536.0;
 
-#ifdef TALLY_BINDING
-layout(std430, binding = TALLY_BINDING) buffer Tally { uint tally_sums[]; };
+#ifdef TALLIES
+layout(std430) buffer Tally { uint tally_sums[]; };
 
 shared uint tally[TALLY_WORDS * TALLY_ROWS];
 

@@ -1,0 +1,235 @@
+#include <algorithm>
+
+#include "renderers/core/error.h"
+#include "renderers/graph/pass_context.h"
+#include "renderers/graph/state.h"
+
+/// Joins the names of a pass's programs with its resources.
+namespace ir::graph {
+namespace {
+
+using BindingKind = Pass::Binding::Kind;
+using Resource = gl::ProgramResource;
+
+GLenum wrap_of(scene::Wrap wrap) {
+    switch (wrap) {
+        case scene::Wrap::repeat:
+            return GL_REPEAT;
+        case scene::Wrap::mirrored_repeat:
+            return GL_MIRRORED_REPEAT;
+        default:
+            return GL_CLAMP_TO_EDGE;
+    }
+}
+
+GLuint make_sampler(const gl::Api& gl, const scene::Sampler& sampler) {
+    const bool linear = sampler.min == scene::Filter::linear;
+    GLuint name = 0;
+    gl.CreateSamplers(1, &name);
+    gl.SamplerParameteri(name, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrap_of(sampler.wrap_s)));
+    gl.SamplerParameteri(name, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrap_of(sampler.wrap_t)));
+    gl.SamplerParameteri(name, GL_TEXTURE_MAG_FILTER,
+                         sampler.mag == scene::Filter::linear ? GL_LINEAR : GL_NEAREST);
+    gl.SamplerParameteri(name, GL_TEXTURE_MIN_FILTER,
+                         sampler.mipmaps ? (linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST)
+                                         : (linear ? GL_LINEAR : GL_NEAREST));
+    return name;
+}
+
+constexpr scene::Sampler nearest_clamped{scene::Wrap::clamp_to_edge, scene::Wrap::clamp_to_edge,
+                                         scene::Filter::nearest, scene::Filter::nearest, false};
+
+/// "levels[2]" → "levels"
+std::string without_index(const std::string& name) {
+    return name.substr(0, name.find('['));
+}
+
+/// Names of one of its elements; "levels[0]" also where the array has no other.
+std::vector<std::string> names_of(const Resource& resource, int element) {
+    if (resource.count > 1) return {resource.element(element)};
+    return {resource.name, resource.name + "[0]"};
+}
+
+bool sees_parameters(const gl::ProgramSource& source) {
+    return std::any_of(source.files.begin(), source.files.end(),
+                       [](const std::string& file) { return file.starts_with("methods/"); });
+}
+
+}  // namespace
+
+PassContext::PassContext(Graph& graph, const Pass& pass) : graph_(graph), pass_(pass) {
+    const auto& builder = *graph_.state_->builder;
+    for (const auto& access : pass.accesses) {
+        if (access.kind == Pass::Access::Kind::object || access.previous) continue;
+        const bool is_image = access.kind == Pass::Access::Kind::image;
+        const auto& name =
+            is_image ? builder.images().at(access.index).name : builder.buffers().at(access.index).name;
+        if (!name.empty())
+            offer(name, {is_image ? BindingKind::image : BindingKind::buffer, access.index, access.write});
+    }
+    for (const auto counter : pass.counters)
+        if (const auto& name = builder.counters().at(counter.index).name; !name.empty())
+            offer(name, {BindingKind::counter, counter.index, true});
+    for (const auto& [name, binding] : pass.bindings) bindings_[name] = binding;
+}
+
+void PassContext::offer(const std::string& name, const Pass::Binding& binding) {
+    const auto [known, is_new] = bindings_.emplace(name, binding);
+    if (is_new) return;
+    if (known->second.kind != binding.kind || known->second.index != binding.index)
+        known->second.ambiguous = true;
+    known->second.write |= binding.write;
+}
+
+GLuint PassContext::sampler_of(const scene::Sampler& sampler) const {
+    auto& samplers = graph_.state_->samplers;
+    const auto found = std::find_if(samplers.begin(), samplers.end(),
+                                    [&](const auto& entry) { return entry.first == sampler; });
+    if (found != samplers.end()) return found->second;
+    return samplers.emplace_back(sampler, make_sampler(api(), sampler)).second;
+}
+
+const gl::Program& PassContext::method_program(const gl::ProgramSource& source) const {
+    auto& s = *graph_.state_;
+    auto& made = s.programs_with_parameters[source];
+    if (made) return *made;
+    const auto& parameters = s.method->description.parameters;
+    gl::ProgramSource complete = source;
+    complete.preamble += gl::parameter_glsl(parameters, *s.settings);
+    const auto& program = s.programs->get(complete);
+    gl::check_parameter_block(api(), program.name(), parameters);
+    made = &program;
+    return program;
+}
+
+const gl::Program& PassContext::program(const gl::ProgramSource& source) const {
+    return sees_parameters(source) ? method_program(source) : graph_.state_->programs->get(source);
+}
+
+const gl::Program& PassContext::use(const gl::ProgramSource& source) const {
+    const auto& wanted = program(source);
+    use(wanted);
+    return wanted;
+}
+
+void PassContext::use(const gl::Program& program) const {
+    program.use();
+    programs_.erase(std::remove(programs_.begin(), programs_.end(), &program), programs_.end());
+    programs_.push_back(&program);
+    for (const auto& resource : program.resources())
+        for (int element = 0; element < resource.count; ++element) bind_element(resource, element);
+}
+
+void PassContext::bind_element(const gl::ProgramResource& resource, int element) const {
+    const auto& s = *graph_.state_;
+    if (resource.name == gl::parameter_block_name) {
+        api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, resource.unit, s.parameter_buffer);
+        return;
+    }
+    auto found = bindings_.end();
+    for (const auto& name : names_of(resource, element))
+        if (found == bindings_.end()) found = bindings_.find(name);
+    if (found == bindings_.end()) refuse(resource, "is in the program, and the pass declares nothing for it");
+    const auto& binding = found->second;
+    if (binding.ambiguous) refuse(resource, "is the name of several resources that the pass declares");
+    const bool is_block = resource.kind == Resource::Kind::buffer;
+    if (is_block != (binding.kind != BindingKind::image))
+        refuse(resource, is_block ? "is a block, and the pass declares an image for it"
+                                  : "is a texture or image, and the pass declares a buffer for it");
+    if (resource.written && !binding.write && binding.index >= 0)
+        refuse(resource, "is written by the program and only read by the pass; declare it readonly");
+    if (is_block)
+        bind_block(resource, binding);
+    else
+        bind_image(resource, resource.unit + static_cast<GLuint>(element), binding);
+}
+
+void PassContext::bind_block(const gl::ProgramResource& resource, const Pass::Binding& binding) const {
+    if (binding.kind == BindingKind::counter) {
+        api().BindBufferRange(GL_SHADER_STORAGE_BUFFER, resource.unit, graph_.state_->counter_buffer,
+                              static_cast<GLintptr>(binding.index * counter_stride), 16);
+        return;
+    }
+    const BufferRef ref{binding.index};
+    const auto bound = ref.index < 0 ? 0 : binding.previous ? previous(ref) : buffer(ref);
+    api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, resource.unit, bound);
+}
+
+void PassContext::bind_image(const gl::ProgramResource& resource, GLuint unit,
+                             const Pass::Binding& binding) const {
+    const ImageRef ref{binding.index};
+    if (ref.index < 0) {
+        api().BindTextureUnit(unit, 0);
+        return;
+    }
+    const auto shape = this->shape(ref);
+    const auto& format = gl::info(binding.format.value_or(shape.format));
+    if (resource.is_array_texture() != (shape.layers > 0))
+        refuse(resource, resource.is_array_texture() ? "has layers, and the pass's image has none"
+                                                     : "has no layers, and the pass's image has some");
+    if (!resource.format.empty() && resource.format != format.name)
+        refuse(resource, "has format " + resource.format + ", and the pass's image " + format.name);
+    if (resource.is_integer() != format.integer)
+        refuse(resource, "has another type than the pass's image, which is " + std::string(format.name));
+    const auto texture = binding.previous ? previous(ref) : image(ref);
+    if (resource.kind == Resource::Kind::image) {
+        api().BindImageTexture(unit, texture, binding.level, shape.layers > 0, 0, GL_READ_WRITE,
+                               format.internal);
+        return;
+    }
+    api().BindTextureUnit(unit, texture);
+    api().BindSampler(unit, sampler_of(binding.sampler.value_or(nearest_clamped)));
+}
+
+void PassContext::refuse(const gl::ProgramResource& resource, const std::string& problem) const {
+    throw Error("pass '" + pass_.name + "', " + programs_.back()->label() + ": '" + resource.name + "' " +
+                problem);
+}
+
+void PassContext::put(const std::string& name, const Pass::Binding& binding) const {
+    bindings_[name] = binding;
+    if (programs_.empty()) return;
+    for (const auto& resource : programs_.back()->resources())
+        for (int element = 0; element < resource.count; ++element)
+            for (const auto& known : names_of(resource, element))
+                if (known == name) bind_element(resource, element);
+}
+
+bool PassContext::writes(Pass::Access::Kind kind, int index) const {
+    return std::any_of(pass_.accesses.begin(), pass_.accesses.end(), [&](const Pass::Access& access) {
+        return access.write && access.kind == kind && access.index == index;
+    });
+}
+
+void PassContext::bind(const std::string& name, ImageRef ref, int level) const {
+    put(name, {BindingKind::image, ref.index, writes(Pass::Access::Kind::image, ref.index), false, level});
+}
+
+void PassContext::bind(const std::string& name, ImageRef ref, const scene::Sampler& sampler) const {
+    put(name, {BindingKind::image, ref.index, false, false, 0, sampler});
+}
+
+void PassContext::bind_as(const std::string& name, ImageRef ref, gl::Format format) const {
+    put(name, {.kind = BindingKind::image,
+               .index = ref.index,
+               .write = writes(Pass::Access::Kind::image, ref.index),
+               .format = format});
+}
+
+void PassContext::bind(const std::string& name, BufferRef ref) const {
+    put(name, {BindingKind::buffer, ref.index, writes(Pass::Access::Kind::buffer, ref.index)});
+}
+
+void PassContext::check_names() const {
+    if (programs_.empty()) return;
+    for (const auto& [name, binding] : pass_.bindings) {
+        const auto names = [&, resource = without_index(name)](const gl::Program* program) {
+            return program->declares(resource);
+        };
+        if (std::none_of(programs_.begin(), programs_.end(), names))
+            throw Error("pass '" + pass_.name + "' declares '" + name + "', which " +
+                        programs_.back()->label() + " does not have");
+    }
+}
+
+}  // namespace ir::graph

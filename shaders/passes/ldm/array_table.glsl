@@ -1,0 +1,5 @@
+// Where the depths of rows and texels lie in arrays; other storages only sort as arrays do.
+#include "passes/ldm/array_builder.glsl"
+
+layout(std430) buffer LdmRows { uint rows[]; };
+layout(std430) buffer LdmOffsets { uint offsets[]; };

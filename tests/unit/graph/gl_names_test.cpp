@@ -1,0 +1,175 @@
+#include "renderers/gl/program.h"
+#include "tests/unit/gl/context_fixture.h"
+#include "tests/unit/graph/graph_fixture.h"
+
+namespace ir::graph {
+namespace {
+
+const char* const add_program = R"(
+layout(local_size_x = 4) in;
+layout(std430) readonly buffer Given { uint given[]; };
+layout(std430) buffer Sums { uint sums[]; };
+layout(std430) buffer Count { uint count; };
+layout(r32f) writeonly uniform image2D picture;
+uniform sampler2D levels[2];
+uniform sampler2D unread;
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    sums[i] += given[i] + uint(texelFetch(levels[0], ivec2(i, 0), 0).x) +
+               10u * uint(texelFetch(levels[1], ivec2(i, 0), 0).x);
+    atomicAdd(count, 1u);
+    imageStore(picture, ivec2(i, 0), vec4(sums[i]));
+}
+)";
+
+/// What a pass declares by name against what its program has.
+class GlNamesTest : public gl::ContextTest {
+  protected:
+    void SetUp() override {
+        ContextTest::SetUp();
+        folder.write("add.comp", add_program);
+        device = gl::make_gl_device(*context);
+        programs = std::make_unique<gl::ProgramLibrary>(*context, folder.path());
+        graph = std::make_unique<Graph>(*device, context.get(), programs.get());
+        inputs.view.width = 4;
+        inputs.view.height = 1;
+        options.wanted = {"*"};
+    }
+    void TearDown() override {
+        graph.reset();
+        programs.reset();
+        device.reset();
+        ContextTest::TearDown();
+    }
+    FrameReport run(const Declare& declare) {
+        Method method;
+        method.setup = [&](GraphBuilder& builder, const Settings&) { declare(builder); };
+        return graph->run(method, {}, inputs, options);
+    }
+
+    struct Things {
+        BufferRef given, sums;
+        ImageRef picture, ones, twos;
+        CounterRef count;
+    };
+    /// With contents for what is read.
+    static Things declare_things(GraphBuilder& builder, gl::Format format = gl::Format::r32f) {
+        Things t;
+        t.given = builder.buffer(buffer_of("given", 4));
+        auto sums = buffer_of("sums", 4);
+        sums.name = "Sums";
+        t.sums = builder.buffer(sums);
+        t.picture = builder.image(image_of("picture", format));
+        t.ones = builder.image(image_of("ones"));
+        t.twos = builder.image(image_of("twos"));
+        t.count = builder.counter({.key = "count", .name = "Count", .label = "Count"});
+        builder.pass("fill").writes(t.given, t.ones, t.twos, t.sums, t.picture).execute([t](PassContext& p) {
+            const std::vector<std::uint32_t> given{100, 200, 300, 400};
+            const std::vector<float> ones(4, 1), twos(4, 2);
+            p.upload(t.given, std::as_bytes(std::span(given)));
+            p.upload(t.ones, std::as_bytes(std::span(ones)));
+            p.upload(t.twos, std::as_bytes(std::span(twos)));
+            p.clear(t.sums);
+            p.clear(t.picture);
+        });
+        return t;
+    }
+    static void execute(PassBuilder pass) {
+        pass.execute([](PassContext& p) { p.use({{"add.comp"}}).dispatch(4); });
+    }
+    static PassBuilder complete(GraphBuilder& builder, const Things& t) {
+        auto pass = builder.pass("add");
+        pass.reads("Given", t.given).writes("picture", t.picture).writes(t.sums).counts(t.count);
+        return pass.reads("levels[0]", t.ones).reads("levels[1]", t.twos);
+    }
+    std::string refusal(const Declare& declare) {
+        return message_of<Error>([&] { run(declare); });
+    }
+
+    gl::ShaderFolder folder;
+    std::unique_ptr<gl::Device> device;
+    std::unique_ptr<gl::ProgramLibrary> programs;
+    std::unique_ptr<Graph> graph;
+    FrameInputs inputs;
+    FrameOptions options;
+};
+INSTANTIATE_ON_BOTH_BACKENDS(GlNamesTest);
+
+TEST_P(GlNamesTest, JoinsNamesWithResources) {
+    const auto report =
+        run([](GraphBuilder& builder) { execute(complete(builder, declare_things(builder))); });
+    EXPECT_EQ(as<std::uint32_t>(*graph->read_buffer("sums")),
+              (std::vector<std::uint32_t>{121, 221, 321, 421}));
+    EXPECT_EQ(graph->read_image("picture")->at(2, 0, 0), 321);
+    EXPECT_EQ(report.counters.at("count"), 4);
+}
+
+TEST_P(GlNamesTest, PutsSomethingElseBehindAName) {
+    run([](GraphBuilder& builder) {
+        const auto t = declare_things(builder);
+        complete(builder, t).execute([t](PassContext& p) {
+            p.bind("levels[1]", t.ones);
+            const auto& program = p.use({{"add.comp"}});
+            program.dispatch(4);
+            p.barrier();
+            p.bind("levels[0]", t.twos);
+            program.dispatch(4);
+        });
+    });
+    EXPECT_EQ(as<std::uint32_t>(*graph->read_buffer("sums"))[0], 223u);
+}
+
+TEST_P(GlNamesTest, RefusesWhatThePassDoesNotDeclare) {
+    EXPECT_EQ(refusal([](GraphBuilder& builder) {
+                  const auto t = declare_things(builder);
+                  auto pass = builder.pass("add");
+                  pass.writes("picture", t.picture).writes(t.sums).counts(t.count);
+                  execute(pass.reads("levels[0]", t.ones).reads("levels[1]", t.twos));
+              }),
+              "pass 'add', add.comp: 'Given' is in the program, and the pass declares nothing for it");
+}
+
+TEST_P(GlNamesTest, RefusesWhatTheProgramDoesNotHave) {
+    EXPECT_EQ(refusal([](GraphBuilder& builder) {
+                  const auto t = declare_things(builder);
+                  execute(complete(builder, t).reads("taken", t.ones));
+              }),
+              "pass 'add' declares 'taken', which add.comp does not have");
+}
+
+TEST_P(GlNamesTest, AllowsWhatTheCompilerRemoved) {
+    EXPECT_EQ(refusal([](GraphBuilder& builder) {
+                  const auto t = declare_things(builder);
+                  execute(complete(builder, t).reads("unread", t.ones));
+              }),
+              "");
+}
+
+TEST_P(GlNamesTest, RefusesAnotherFormat) {
+    EXPECT_EQ(refusal([](GraphBuilder& builder) {
+                  execute(complete(builder, declare_things(builder, gl::Format::rgba32f)));
+              }),
+              "pass 'add', add.comp: 'picture' has format r32f, and the pass's image rgba32f");
+}
+
+TEST_P(GlNamesTest, RefusesWritingWhatIsOnlyRead) {
+    EXPECT_EQ(refusal([](GraphBuilder& builder) {
+                  const auto t = declare_things(builder);
+                  auto pass = builder.pass("add");
+                  pass.reads("Given", t.given).reads("picture", t.picture).writes(t.sums).counts(t.count);
+                  execute(pass.reads("levels[0]", t.ones).reads("levels[1]", t.twos));
+              }),
+              "pass 'add', add.comp: 'picture' is written by the program and only read by the pass; declare "
+              "it readonly");
+}
+
+TEST_P(GlNamesTest, RefusesAnImageForABlock) {
+    EXPECT_EQ(refusal([](GraphBuilder& builder) {
+                  const auto t = declare_things(builder);
+                  execute(complete(builder, t).reads("Given", t.ones));
+              }),
+              "pass 'add', add.comp: 'Given' is a block, and the pass declares an image for it");
+}
+
+}  // namespace
+}  // namespace ir::graph
