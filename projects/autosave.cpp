@@ -56,7 +56,7 @@ Recovery recovery_of(Project project, const fs::path& file) {
 }
 
 /// More crashes in a row without a decision are not expected.
-constexpr int most_aside = 99;
+constexpr int max_aside = 99;
 
 fs::path aside_file(const fs::path& folder, int number) {
     return folder / ("project.json.recovery-" + std::to_string(number));
@@ -64,7 +64,7 @@ fs::path aside_file(const fs::path& folder, int number) {
 
 /// The number of the newest recovery that was put aside, or 0.
 int newest_aside(const fs::path& folder, FileSystem& files) {
-    int newest = most_aside;
+    int newest = max_aside;
     while (newest > 0 && !files.exists(aside_file(folder, newest))) --newest;
     return newest;
 }
@@ -73,7 +73,7 @@ int newest_aside(const fs::path& folder, FileSystem& files) {
 void remove_contained(const fs::path& newer, const fs::path& folder, const Registry& registry,
                       FileSystem& files) {
     const auto contained = read_autosave(newer, registry, files).contains;
-    for (int number = 1; number <= most_aside; ++number) {
+    for (int number = 1; number <= max_aside; ++number) {
         const auto file = aside_file(folder, number);
         if (file != newer &&
             std::find(contained.begin(), contained.end(), file.filename()) != contained.end())
@@ -132,7 +132,7 @@ std::optional<Recovery> find_recovery(const fs::path& folder, const Registry& re
 
 fs::path put_autosave_aside(const fs::path& folder, FileSystem& files) {
     const int newest = newest_aside(folder, files);
-    if (newest == most_aside)
+    if (newest == max_aside)
         throw Error(folder.string() + ": holds too many recoveries; take or discard them");
     auto aside = aside_file(folder, newest + 1);
     files.rename(folder / autosave_file_name, aside);

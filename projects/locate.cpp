@@ -7,7 +7,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_entries = 100'000;
+constexpr std::size_t max_entries = 100'000;
 
 std::size_t length(const fs::path& path) {
     return static_cast<std::size_t>(std::distance(path.begin(), path.end()));
@@ -26,7 +26,7 @@ std::multimap<std::string, fs::path> files_below(const fs::path& folder, const s
     std::multimap<std::string, fs::path> found;
     std::error_code error;
     fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
-    for (std::size_t seen = 0; !error && entry != end && seen < most_entries; ++seen) {
+    for (std::size_t seen = 0; !error && entry != end && seen < max_entries; ++seen) {
         const auto name = entry->path().filename().string();
         std::error_code ignored;
         if (names.count(name) != 0 && entry->is_regular_file(ignored)) found.emplace(name, entry->path());

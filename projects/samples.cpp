@@ -19,7 +19,7 @@ std::uint64_t count_of(const Value& value) {
 }
 
 /// As validate_frames() allows.
-constexpr std::uint64_t most_frames = 1'000'000'000;
+constexpr std::uint64_t max_frames = 1'000'000'000;
 
 /// The number of samples in a frame that is nearest to `per_frame` and divides `samples`, within a factor of
 /// 4; else all in one frame.
@@ -74,8 +74,8 @@ Experiment with_sample_count(const Experiment& experiment, std::uint64_t samples
     auto share = even_share(wanted, now);
     // A parameter may have an upper end, and so have frames.
     const auto most = static_cast<std::uint64_t>(std::clamp(parameter->hard.max, 1.0, 1e15));
-    share = std::min(std::max(share, (wanted + most_frames - 1) / most_frames), most);
-    const auto frames = std::min<std::uint64_t>((wanted + share - 1) / share, most_frames);
+    share = std::min(std::max(share, (wanted + max_frames - 1) / max_frames), most);
+    const auto frames = std::min<std::uint64_t>((wanted + share - 1) / share, max_frames);
     const auto preset = after.presets.find(after.active_preset);
     auto* chosen = preset == after.presets.end() ? nullptr : &preset->second;
     auto& values = chosen && chosen->values.count(parameter->key) ? chosen->values : after.values;

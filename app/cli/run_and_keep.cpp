@@ -34,7 +34,7 @@ KeptRun run_and_keep(engine::Execution& execution, graph::FrameOptions options,
         line.clear();
         if (!run.key.empty())
             std::cerr << "interreflect-cli: kept " << execution.samples() << " of "
-                      << execution.samples_asked() << " samples of '" << experiment.id
+                      << execution.samples_requested() << " samples of '" << experiment.id
                       << "'; run it again to go on\n";
         throw;
     }

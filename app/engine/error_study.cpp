@@ -28,7 +28,7 @@ double median_of(std::vector<double> values) {
 
 /// With what accumulates over frames as little as it can be: for a first frame that only compiles, uploads
 /// and grows.
-Experiment with_least_samples(Experiment experiment) {
+Experiment with_min_samples(Experiment experiment) {
     for (const auto& parameter : registry().at(experiment.method).parameters)
         if (parameter.accumulates)
             experiment.settings[parameter.key] =
@@ -129,7 +129,7 @@ class Study {
 
     /// Everything is compiled, uploaded and as large as it has to be afterwards; the history is empty.
     void warm_up(Execution& execution, const Experiment& experiment, const std::string& id) {
-        execution.update(with_least_samples(experiment));
+        execution.update(with_min_samples(experiment));
         frame(execution, id, experiment.frames);
         execution.update(experiment);
         execution.restart();

@@ -184,7 +184,7 @@ void Execution::move_world(double time) {
     world_.lights_moved = !std::equal(previous.begin(), previous.end(), world_.lights.begin(), same_light);
 }
 
-FrameReport Execution::run_frame(const graph::FrameOptions& options, std::uint64_t most_samples) {
+FrameReport Execution::run_frame(const graph::FrameOptions& options, std::uint64_t max_samples) {
     machine_.context().make_current();
     time_ = experiment_.time + frame_ * seconds_per_frame();
     move_world(time_);
@@ -199,7 +199,7 @@ FrameReport Execution::run_frame(const graph::FrameOptions& options, std::uint64
     inputs.time = time_;
     inputs.threads = machine_.options().threads;
     inputs.inspection = inspection_;
-    inputs.sample_limit = sample_limit(most_samples);
+    inputs.sample_limit = sample_limit(max_samples);
     auto report = graph_->run(*method_, settings_, inputs, options);
     if (report.complete) {
         previous_view_ = inputs.view;

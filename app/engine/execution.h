@@ -107,9 +107,9 @@ class Execution {
     bool is_extended() const { return is_extended_; }
 
     /// Runs the next frame, 1/30 s after the one before; at the experiment's time where the method
-    /// accumulates. Where samples add up the frame adds at most `most_samples`; 0 only shows what is there,
+    /// accumulates. Where samples add up the frame adds at most `max_samples`; 0 only shows what is there,
     /// and without any sample adds one. Throws as Graph::run.
-    FrameReport run_frame(const graph::FrameOptions& options, std::uint64_t most_samples = unlimited);
+    FrameReport run_frame(const graph::FrameOptions& options, std::uint64_t max_samples = unlimited);
     static constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
     /// Computes what the last frame left out, and explains again after inspect(), on the contents of that
     /// frame. Throws and returns as Graph::explain.
@@ -121,7 +121,7 @@ class Execution {
     /// Whether samples add up over frames, so that a state can be continued.
     bool accumulates() const;
     /// In the history of an experiment that is done, unless a restored state has more.
-    std::uint64_t samples_asked() const;
+    std::uint64_t samples_requested() const;
     /// Whether all that the experiment asks for is committed and its picture is there.
     bool is_done() const { return shown_ && frame_ >= experiment_.frames; }
 

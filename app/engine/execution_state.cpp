@@ -86,7 +86,7 @@ std::uint64_t Execution::samples_per_frame() const {
     return projects::samples_per_frame(method_->description, settings_);
 }
 
-std::uint64_t Execution::samples_asked() const {
+std::uint64_t Execution::samples_requested() const {
     return static_cast<std::uint64_t>(std::max(0, experiment_.frames)) * samples_per_frame();
 }
 

@@ -15,7 +15,7 @@ namespace {
 using projects::Json;
 
 constexpr int study_schema = 1;
-constexpr std::size_t most_bytes = 16u << 20;
+constexpr std::size_t max_bytes = 16u << 20;
 
 Json inputs_of(const projects::Project& project, const std::string& id) {
     if (const auto* image = find_item(project.images, id))
@@ -72,7 +72,7 @@ std::optional<KeptStudy> load_study(const std::filesystem::path& folder, const s
     const auto file = study_file(folder, plot);
     auto& files = real_file_system();
     if (!files.exists(file)) return {};
-    const Json json = projects::parse_json(files.read(file, most_bytes), file.string());
+    const Json json = projects::parse_json(files.read(file, max_bytes), file.string());
     projects::ObjectReader reader(json, file.string(), "");
     KeptStudy kept;
     reader.integer("schema", study_schema, 1, study_schema);

@@ -45,10 +45,10 @@ struct LiveRequest {
 
 /// The elements of a buffer as they lie in memory.
 struct BufferContents {
-    static constexpr std::uint64_t most_bytes = 64ull << 20;
+    static constexpr std::uint64_t max_bytes = 64ull << 20;
     std::vector<Field> fields;
     std::uint64_t elements = 0;    ///< in the buffer
-    std::vector<std::byte> bytes;  ///< of the first elements, at most most_bytes
+    std::vector<std::byte> bytes;  ///< of the first elements, at most max_bytes
 };
 
 /// After each frame of a request, and once more when only what is looked at has changed.

@@ -14,7 +14,7 @@ constexpr double longest_frame_seconds = 5;
 /// A frame is so much shorter than the time between two checkpoints.
 constexpr double frames_per_checkpoint = 4;
 /// A rate measured on few samples may be far off for many.
-constexpr std::uint64_t most_growth = 8;
+constexpr std::uint64_t max_growth = 8;
 /// Numbers of samples that documents can tell by frames of about as many samples as they have.
 constexpr std::uint64_t even_samples = 16;
 /// Of the time of rendering that writing checkpoints may take.
@@ -45,7 +45,7 @@ class FrameRun {
   private:
     bool keeps() const { return checkpoints_.keep && adds_up_; }
 
-    std::uint64_t most_samples() const {
+    std::uint64_t max_samples() const {
         if (!keeps()) return Execution::unlimited;
         if (last_samples_ == 0) return 1;
         const double seconds =
@@ -53,7 +53,7 @@ class FrameRun {
                 ? std::min(longest_frame_seconds, checkpoints_.seconds / frames_per_checkpoint)
                 : longest_frame_seconds;
         const double in_time = static_cast<double>(last_samples_) * 1000 * seconds / std::max(last_ms_, 1e-3);
-        const auto most = most_growth * last_samples_;
+        const auto most = max_growth * last_samples_;
         const auto added = in_time < static_cast<double>(most)
                                ? std::max<std::uint64_t>(1, static_cast<std::uint64_t>(in_time))
                                : most;
@@ -62,7 +62,7 @@ class FrameRun {
     }
 
     void run_frame() {
-        const auto most = most_samples();
+        const auto most = max_samples();
         auto options = options_;
         if (options_.progress) options.progress = progress_of(most);
         const auto before = execution_.samples();
@@ -76,7 +76,7 @@ class FrameRun {
             return [this, frames](const std::string& what, double part) {
                 options_.progress(what, std::min(1.0, (execution_.committed_frames() + part) / frames));
             };
-        const auto asked = execution_.samples_asked(), before = execution_.samples();
+        const auto asked = execution_.samples_requested(), before = execution_.samples();
         const auto added = std::min({most, asked - std::min(asked, before),
                                      std::max<std::uint64_t>(1, asked / static_cast<std::uint64_t>(frames))});
         return [this, asked, before, added, text = samples_text(execution_, total_)](const std::string&,
@@ -181,8 +181,8 @@ class FrameRun {
 }  // namespace
 
 std::string samples_text(const Execution& execution, const FrameReport& report) {
-    auto text =
-        std::to_string(execution.samples()) + " of " + std::to_string(execution.samples_asked()) + " samples";
+    auto text = std::to_string(execution.samples()) + " of " + std::to_string(execution.samples_requested()) +
+                " samples";
     const auto rate = report.figures.find(rate_figure);
     if (rate == report.figures.end()) return text;
     char number[32];

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_links = 40;  ///< as in Linux
+constexpr int max_links = 40;  ///< as in Linux
 
 fs::path folder_of(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : ".";
@@ -36,7 +36,7 @@ struct Place {
 
 /// Behind all links.
 Place find_place(fs::path path) {
-    for (int links = 0; links <= most_links; ++links) {
+    for (int links = 0; links <= max_links; ++links) {
         if (is_in_proc(path)) return {path, false};
         std::error_code ignored;
         switch (fs::symlink_status(path, ignored).type()) {

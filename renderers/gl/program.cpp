@@ -52,6 +52,7 @@ const Program::Uniform& Program::find_uniform(const std::string& uniform) const 
 
 GLint Program::location(const char* uniform, std::initializer_list<GLenum> accepted) const {
     const Uniform& found = find_uniform(uniform);
+    if (!unset_.empty()) unset_.erase(first_identifier(uniform));
     if (found.location < 0 || found.type == GL_NONE) return found.location;
     const bool by_int = *accepted.begin() == GL_INT && is_opaque(found.type);
     if (!by_int && std::find(accepted.begin(), accepted.end(), found.type) == accepted.end())
@@ -85,6 +86,11 @@ void Program::set(const char* uniform, glm::vec4 value) const {
 
 void Program::set(const char* uniform, glm::ivec2 value) const {
     api_->ProgramUniform2iv(name_, location(uniform, {GL_INT_VEC2}), 1, glm::value_ptr(value));
+}
+
+void Program::set(const char* uniform, std::span<const glm::vec4> values) const {
+    api_->ProgramUniform4fv(name_, location(uniform, {GL_FLOAT_VEC4}), static_cast<GLsizei>(values.size()),
+                            &values.data()->x);
 }
 
 void Program::set(const char* uniform, const glm::mat4& value) const {
@@ -123,6 +129,10 @@ void Program::bind_image(const char* image, Name texture, Format format) const {
     api_->BindImageTexture(resource->unit, texture, 0, GL_FALSE, 0, GL_READ_WRITE, info(format).internal);
 }
 
+void Program::require_uniforms() const {
+    if (!unset_.empty()) throw Error(label_ + ": nobody gives '" + *unset_.begin() + "' a value");
+}
+
 void Program::dispatch(std::int64_t x, std::int64_t y, std::int64_t z) const {
     const std::array<std::int64_t, 3> invocations{x, y, z};
     std::array<GLuint, 3> groups{};
@@ -137,6 +147,7 @@ void Program::dispatch(std::int64_t x, std::int64_t y, std::int64_t z) const {
         if (count == 0) return;
         groups[axis] = static_cast<GLuint>(count);
     }
+    require_uniforms();
     api_->DispatchCompute(groups[0], groups[1], groups[2]);
 }
 

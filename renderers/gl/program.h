@@ -6,6 +6,8 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <set>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -56,6 +58,9 @@ class Program {
     void set(const char* uniform, glm::vec4 value) const;
     void set(const char* uniform, glm::ivec2 value) const;
     void set(const char* uniform, const glm::mat4& value) const;
+    void set(const char* uniform, std::span<const glm::vec4> values) const;  ///< from element 0 on
+    /// Throws Error that names a uniform which the program uses and nobody ever gave a value.
+    void require_uniforms() const;
     /// Binds to the unit that a resource of the program has; all of the buffer where `bytes` is 0. One that
     /// the compiler removed is ignored; one that the source never declares throws Error.
     void bind_buffer(const char* block, Name buffer, std::uint64_t offset = 0, std::uint64_t bytes = 0) const;
@@ -87,6 +92,7 @@ class Program {
     ResourceDeclarations declarations_;
     std::vector<ProgramResource> resources_;
     mutable std::unordered_map<std::string, Uniform> uniforms_;
+    mutable std::set<std::string> unset_;  ///< without [0]
 };
 
 /// Compiles, caches and reloads the programs of one context. `#include "lib/random.glsl"` is resolved against

@@ -97,6 +97,32 @@ std::vector<ActiveUniform> active_uniforms(const Api& api, GLuint program) {
     return uniforms;
 }
 
+/// Adds what the linker made of the block's records: of "photons[0].power" the member power.
+void add_records(const Api& api, GLuint program, GLuint block, ProgramResource& resource) {
+    const auto properties = [&](GLenum interface, GLuint index, const std::vector<GLenum>& asked,
+                                std::size_t values) {
+        std::vector<GLint> result(values);
+        api.GetProgramResourceiv(program, interface, index, static_cast<GLsizei>(asked.size()), asked.data(),
+                                 static_cast<GLsizei>(values), nullptr, result.data());
+        return result;
+    };
+    const auto count = properties(GL_SHADER_STORAGE_BLOCK, block, {GL_NUM_ACTIVE_VARIABLES}, 1)[0];
+    const auto variables =
+        properties(GL_SHADER_STORAGE_BLOCK, block, {GL_ACTIVE_VARIABLES}, static_cast<std::size_t>(count));
+    for (const auto variable : variables) {
+        const auto index = static_cast<GLuint>(variable);
+        const auto name = name_at(api, program, GL_BUFFER_VARIABLE, index);
+        const auto dot = name.find("[0].");
+        if (dot == std::string::npos) continue;
+        const auto values = properties(GL_BUFFER_VARIABLE, index, {GL_OFFSET, GL_TOP_LEVEL_ARRAY_STRIDE}, 2);
+        auto member = name.substr(dot + 4);
+        const bool is_array = member.ends_with("[0]");
+        if (is_array) member.resize(member.size() - 3);
+        resource.members.push_back({member, values[0], is_array});
+        resource.stride = values[1];
+    }
+}
+
 }  // namespace
 
 std::string ProgramResource::element(int index) const {
@@ -145,6 +171,14 @@ void ResourceDeclarations::add(const std::string& text) {
     }
 }
 
+std::set<std::string> plain_uniforms(const Api& api, GLuint program) {
+    std::set<std::string> names;
+    for (const auto& uniform : active_uniforms(api, program))
+        if (uniform.location >= 0 && !is_resource(uniform.type))
+            names.insert(uniform.name.substr(0, uniform.name.find('.')));
+    return names;
+}
+
 std::vector<ProgramResource> assign_units(const Api& api, GLuint program,
                                           const ResourceDeclarations& declarations) {
     std::vector<ProgramResource> resources;
@@ -161,8 +195,10 @@ std::vector<ProgramResource> assign_units(const Api& api, GLuint program,
     for (GLuint i = 0; i < count_of(api, program, GL_SHADER_STORAGE_BLOCK); ++i)
         blocks[name_at(api, program, GL_SHADER_STORAGE_BLOCK, i)] = i;
     for (const auto& [name, index] : blocks)
-        if (add(name, Kind::buffer, GL_NONE, 1))
+        if (add(name, Kind::buffer, GL_NONE, 1)) {
             api.ShaderStorageBlockBinding(program, index, resources.back().unit);
+            add_records(api, program, index, resources.back());
+        }
     for (const auto& [name, type, count, location] : active_uniforms(api, program)) {
         if (!is_resource(type) || !add(name, kind_of(type), type, count)) continue;
         std::vector<GLint> elements;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,14 @@ struct ProgramResource {
     int count = 1;          ///< elements of an array of samplers
     bool written = false;   ///< not declared readonly
     std::string format;     ///< of images: the layout's, such as "r32f"; empty where it has none
+    /// Of a block with an array of structs: its records, as linked.
+    struct Member {
+        std::string name;
+        int offset = 0;  ///< bytes from the record's begin
+        bool is_array = false;
+    };
+    std::vector<Member> members = {};  ///< those that the program uses; empty: the array is of plain values
+    int stride = 0;                    ///< bytes from record to record
 
     /// "levels[2]", or the name where it is no array.
     std::string element(int index) const;
@@ -43,6 +52,9 @@ class ResourceDeclarations {
     };
     std::map<std::string, Declaration> declared_;
 };
+
+/// Names of the active uniforms of a linked program that are no samplers and no images, without [0].
+std::set<std::string> plain_uniforms(const Api& api, GLuint program);
 
 /// The active resources of a linked program, in the order of their names. Each gets a unit of its kind.
 std::vector<ProgramResource> assign_units(const Api& api, GLuint program,

@@ -6,6 +6,17 @@
 #include "renderers/graph/pass_context.h"
 
 namespace ir::graph {
+namespace {
+
+bool is_image(OutputKind kind) {
+    return kind == OutputKind::image || kind == OutputKind::pyramid || kind == OutputKind::stack;
+}
+
+}  // namespace
+
+ResourceText text_of(const OutputDescription& output) {
+    return {output.key, output.label, full_doc(output), output.semantic, output.unit, output.colour_map};
+}
 
 int stride(const BufferDesc& desc) {
     int scalars = 0;
@@ -98,7 +109,39 @@ void PassBuilder::access(ObjectRef ref, bool write, bool previous) {
     pass_->accesses.push_back({Pass::Access::Kind::object, ref.index, write, previous});
 }
 
-void GraphBuilder::claim(const std::string& key) {
+const OutputDescription* GraphBuilder::find_output(const std::string& key) const {
+    for (const auto& output : method_.outputs)
+        if (output.key == key) return &output;
+    return nullptr;
+}
+
+const OutputDescription& GraphBuilder::output_of(const std::string& key) const {
+    if (const auto* output = find_output(key)) return *output;
+    throw std::logic_error("method '" + method_.id + "' has no output '" + key + "'");
+}
+
+ResourceText GraphBuilder::text_of_output(const std::string& key) const {
+    return text_of(output_of(key));
+}
+
+ImageRef GraphBuilder::output(const std::string& key, ImageDesc desc) {
+    desc.text = text_of_output(key);
+    return image(std::move(desc));
+}
+
+BufferRef GraphBuilder::output(const std::string& key, BufferDesc desc) {
+    desc.text = text_of_output(key);
+    desc.kind = output_of(key).kind;
+    return buffer(std::move(desc));
+}
+
+void GraphBuilder::refuse_kind(const OutputDescription& output, const std::string& held_by) const {
+    throw std::logic_error("output '" + output.key + "' of method '" + method_.id + "' is described as " +
+                           to_string(output.kind) + " and held by " + held_by);
+}
+
+void GraphBuilder::claim(const ResourceText& text) {
+    const auto& key = text.key;
     const bool well_formed = !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
     });
@@ -106,24 +149,34 @@ void GraphBuilder::claim(const std::string& key) {
         throw std::logic_error("resource key '" + key + "' is not of lower-case letters, digits and dots");
     if (std::find(keys_.begin(), keys_.end(), key) != keys_.end())
         throw std::logic_error("resource '" + key + "' is declared twice");
+    if (const auto* output = find_output(key); output && text != text_of(*output))
+        throw std::logic_error("output '" + key + "' of method '" + method_.id +
+                               "' is declared with a text of its own; GraphBuilder::output takes that of the "
+                               "description");
     keys_.push_back(key);
 }
 
 ImageRef GraphBuilder::image(ImageDesc desc) {
-    claim(desc.text.key);
+    claim(desc.text);
+    // A pyramid of a small image may have one level, so only the sort of resource counts.
+    if (const auto* output = find_output(desc.text.key); output && !is_image(output->kind))
+        refuse_kind(*output, "an image");
     images_.push_back(std::move(desc));
     return {static_cast<int>(images_.size()) - 1};
 }
 
 BufferRef GraphBuilder::buffer(BufferDesc desc) {
-    claim(desc.text.key);
+    claim(desc.text);
+    if (const auto* output = find_output(desc.text.key);
+        output && (output->kind != desc.kind || is_image(output->kind)))
+        refuse_kind(*output, "a buffer of kind " + to_string(desc.kind));
     if (desc.fields.empty()) throw std::logic_error("buffer '" + desc.text.key + "' has no fields");
     buffers_.push_back(std::move(desc));
     return {static_cast<int>(buffers_.size()) - 1};
 }
 
 ObjectRef GraphBuilder::object(ObjectDesc desc) {
-    claim(desc.text.key);
+    claim(desc.text);
     objects_.push_back(std::move(desc));
     return {static_cast<int>(objects_.size()) - 1};
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "renderers/core/method.h"
 #include "renderers/core/parameter.h"
 #include "renderers/graph/frame_inputs.h"
 #include "renderers/graph/resource.h"
@@ -123,12 +124,22 @@ class PassBuilder {
 /// Given to a method's setup, which declares resources and passes for one frame.
 class GraphBuilder {
   public:
-    GraphBuilder(const FrameInputs& inputs, int batches, std::uint64_t max_buffer_bytes)
-        : inputs_(inputs), batches_(batches), max_buffer_bytes_(max_buffer_bytes) {}
+    GraphBuilder(const MethodDescription& method, const FrameInputs& inputs, int batches,
+                 std::uint64_t max_buffer_bytes)
+        : method_(method), inputs_(inputs), batches_(batches), max_buffer_bytes_(max_buffer_bytes) {}
 
     const FrameInputs& inputs() const { return inputs_; }
 
-    /// Throw std::logic_error for a key that is taken or malformed.
+    /// The resource that holds an output of the method. Text, and the kind of a buffer, are those of the
+    /// output's description. Throws std::logic_error, with method and key, where the method has no such
+    /// output.
+    ImageRef output(const std::string& key, ImageDesc desc);
+    BufferRef output(const std::string& key, BufferDesc desc);
+    /// What the description says of an output; throws as output() does.
+    ResourceText text_of_output(const std::string& key) const;
+
+    /// Throw std::logic_error for a key that is taken or malformed, and for an output with another text than
+    /// its description's.
     ImageRef image(ImageDesc desc);
     BufferRef buffer(BufferDesc desc);
     ObjectRef object(ObjectDesc desc);
@@ -153,7 +164,11 @@ class GraphBuilder {
     int batch_limit() const { return batch_limit_; }
 
   private:
-    void claim(const std::string& key);
+    void claim(const ResourceText& text);
+    const OutputDescription* find_output(const std::string& key) const;
+    const OutputDescription& output_of(const std::string& key) const;
+    [[noreturn]] void refuse_kind(const OutputDescription& output, const std::string& held_by) const;
+    const MethodDescription& method_;
     const FrameInputs& inputs_;
     int batches_;
     int batch_limit_ = 1;

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "renderers/core/error.h"
-#include "renderers/graph/state.h"
+#include "renderers/graph/frame.h"
 
 namespace ir::graph {
 namespace {
@@ -41,23 +41,24 @@ std::vector<std::string> joined(std::vector<std::string> patterns, const std::ve
 }  // namespace
 
 /// Whether the resource is in the pool as the committed frame left it.
-bool Graph::State::is_held(const Pass::Access& access, const Plan& before) const {
-    if (access.kind == Kind::object) return objects.count(builder->objects()[access.index].text.key) > 0;
+bool Frame::is_held(const Pass::Access& access, const Plan& before) const {
+    if (access.kind == Kind::object)
+        return cache.objects.count(builder->objects()[access.index].text.key) > 0;
     if (access.kind == Kind::image) {
         const auto& desc = builder->images()[access.index];
-        const auto* physical = pool.find(desc.text.key);
+        const auto* physical = cache.pool.find(desc.text.key);
         return physical && physical->is_image && physical->shape == resolve(desc, inputs->view) &&
                physical->history == before.image_history[access.index] && physical->has_contents();
     }
     const auto& desc = builder->buffers()[access.index];
-    const auto* physical = pool.find(desc.text.key);
+    const auto* physical = cache.pool.find(desc.text.key);
     return physical && !physical->is_image &&
            physical->element_bytes == static_cast<std::uint64_t>(stride(desc)) &&
            physical->capacity == capacity_of(desc) &&
            physical->history == before.buffer_history[access.index] && physical->has_contents();
 }
 
-bool Graph::State::may_run_again(const Pass& pass, std::size_t index, const Again& again) const {
+bool Frame::may_run_again(const Pass& pass, std::size_t index, const Again& again) const {
     const auto& before = again.before;
     for (const auto& access : pass.accesses) {
         if (access.write) {
@@ -79,13 +80,14 @@ bool Graph::State::may_run_again(const Pass& pass, std::size_t index, const Agai
     return true;
 }
 
-bool Graph::State::has_known_counts(const Again& again) const {
+bool Frame::has_known_counts(const Again& again) const {
     std::vector<bool> known(builder->counters().size());
     for (std::size_t i = 0; i < builder->passes().size(); ++i) {
         const auto& pass = builder->passes()[i];
         if (!again.before.pass_live[i] || pass.counters.empty()) continue;
-        const auto counted = counts_of_passes.find(pass.name);
-        if (counted == counts_of_passes.end() || counted->second.size() != pass.counters.size()) return false;
+        const auto counted = cache.counts_of_passes.find(pass.name);
+        if (counted == cache.counts_of_passes.end() || counted->second.size() != pass.counters.size())
+            return false;
         for (const auto counter : pass.counters) known[counter.index] = true;
     }
     // A counter starts at zero: what adds to one of the frame's own would count wrongly.
@@ -95,8 +97,8 @@ bool Graph::State::has_known_counts(const Again& again) const {
     return true;
 }
 
-void Graph::State::remember_committed(std::vector<std::string> wanted) {
-    committed = std::move(wanted);
+void Frame::remember_committed(std::vector<std::string> wanted) {
+    cache.committed = std::move(wanted);
     // Outputs that do not explain are those of the frame, whatever they were computed for.
     for (const auto& output : method->description.outputs) {
         const auto is_there = [&](const auto& descs, const std::vector<bool>& live) {
@@ -106,15 +108,15 @@ void Graph::State::remember_committed(std::vector<std::string> wanted) {
         };
         const bool computed =
             is_there(builder->images(), plan.image_live) || is_there(builder->buffers(), plan.buffer_live);
-        if (computed && !output.explains) committed = joined(std::move(committed), {output.key});
+        if (computed && !output.explains) cache.committed = joined(std::move(cache.committed), {output.key});
     }
 }
 
-std::optional<Graph::State::Again> Graph::State::plan_again(const std::vector<std::string>& wanted) {
+std::optional<Frame::Again> Frame::plan_again(const std::vector<std::string>& wanted) {
     const auto explains = explanations(method->description);
     Again again;
-    again.before = make_plan(*builder, committed, explains);
-    const auto all = joined(committed, wanted);
+    again.before = make_plan(*builder, cache.committed, explains);
+    const auto all = joined(cache.committed, wanted);
     // Explanations that nobody asks for any more are left alone.
     std::vector<std::string> unwanted;
     for (const auto& key : explains)
@@ -141,30 +143,30 @@ std::optional<Graph::State::Again> Graph::State::plan_again(const std::vector<st
     return again;
 }
 
-void Graph::State::allocate_again(const Again& again) {
-    pool.begin_attempt();
-    buffer_descs.clear();
-    for (const auto& desc : builder->buffers()) buffer_descs[desc.text.key] = desc;
+void Frame::allocate_again(const Again& again) {
+    cache.pool.begin_attempt();
+    cache.buffer_descs.clear();
+    for (const auto& desc : builder->buffers()) cache.buffer_descs[desc.text.key] = desc;
     images.assign(builder->images().size(), nullptr);
     buffers.assign(builder->buffers().size(), nullptr);
     for (std::size_t i = 0; i < images.size(); ++i) {
         const auto& desc = builder->images()[i];
         if (again.before.image_live[i])
-            images[i] = pool.find(desc.text.key);
+            images[i] = cache.pool.find(desc.text.key);
         else if (plan.image_live[i])
-            images[i] = &pool.image(desc.text.key, desc.text.label, resolve(desc, inputs->view), false);
+            images[i] = &cache.pool.image(desc.text.key, desc.text.label, resolve(desc, inputs->view), false);
     }
     for (std::size_t i = 0; i < buffers.size(); ++i) {
         const auto& desc = builder->buffers()[i];
         if (again.before.buffer_live[i])
-            buffers[i] = pool.find(desc.text.key);
+            buffers[i] = cache.pool.find(desc.text.key);
         else if (plan.buffer_live[i])
-            buffers[i] = &pool.buffer(desc.text.key, desc.text.label, stride(desc), capacity_of(desc),
-                                      desc.elements, false);
+            buffers[i] = &cache.pool.buffer(desc.text.key, desc.text.label, stride(desc), capacity_of(desc),
+                                            desc.elements, false);
     }
 }
 
-void Graph::State::run_passes_again(Graph& graph, const Again& again) {
+void Frame::run_passes_again(const Again& again) {
     const auto& passes = builder->passes();
     allocate_again(again);
     prepare_counters();
@@ -174,8 +176,8 @@ void Graph::State::run_passes_again(Graph& graph, const Again& again) {
         if (again.before.pass_live[i]) cached[i] = true;  // for its counters
         if (again.passes[i] && !cached[i]) drop_contents(passes[i]);
     }
-    const auto rows_before = std::move(report.passes);
-    report.passes.clear();
+    const auto rows_before = std::move(cache.report.passes);
+    cache.report.passes.clear();
     views_ms.assign(passes.size(), 0);
     for (std::size_t i = 0; i < passes.size(); ++i) {
         PassReport row;
@@ -187,26 +189,26 @@ void Graph::State::run_passes_again(Graph& graph, const Again& again) {
         row.culled = !plan.pass_live[i];
         row.reads.clear();
         row.writes.clear();
-        report.passes.push_back(std::move(row));
+        cache.report.passes.push_back(std::move(row));
     }
     for (std::size_t i = 0; i < passes.size(); ++i)
-        if (again.passes[i] && !cached[i]) report.passes[i] = run_pass(graph, passes[i], i);
+        if (again.passes[i] && !cached[i]) cache.report.passes[i] = run_pass(passes[i], i);
     resolve_times();
 }
 
-bool Graph::State::run_again(Graph& graph, const std::vector<std::string>& wanted) {
+bool Frame::run_again(const std::vector<std::string>& wanted) {
     for (int attempt = 0; attempt <= max_growths_per_frame; ++attempt) {
-        GraphBuilder declared(*inputs, batches, device.max_buffer_bytes());
+        GraphBuilder declared(method->description, *inputs, cache.batches, cache.device.max_buffer_bytes());
         builder = &declared;
         method->setup(declared, *settings);
         const auto again = plan_again(wanted);
         if (!again) return false;
-        const auto rows_before = report.passes;
+        const auto rows_before = cache.report.passes;
         try {
-            run_passes_again(graph, *again);
+            run_passes_again(*again);
         } catch (...) {
             drop_unsure_fingerprints();
-            report.passes = rows_before;
+            cache.report.passes = rows_before;
             report_what_is_left();
             throw;
         }
@@ -214,44 +216,32 @@ bool Graph::State::run_again(Graph& graph, const std::vector<std::string>& wante
         const bool overflow = grow(counts);
         if (overflow) drop_unsure_fingerprints();
         fill_report(counts);
-        if (!overflow) return remember_committed(joined(committed, wanted)), true;
+        if (!overflow) return remember_committed(joined(cache.committed, wanted)), true;
     }
     throw Error("method '" + method->description.id + "': buffers still overflow after " +
                 std::to_string(max_growths_per_frame) + " growths; please report this");
 }
 
-void Graph::State::report_what_is_left() {
-    for (auto& resource : report.resources) {
+void Frame::report_what_is_left() {
+    for (auto& resource : cache.report.resources) {
         if (resource.format == "object") continue;
-        const auto* physical = pool.find(resource.key);
+        const auto* physical = cache.pool.find(resource.key);
         resource.available = resource.available && physical && physical->has_contents();
     }
 }
 
 bool Graph::explain(const Method& method, const Settings& settings, const FrameInputs& inputs,
                     const FrameOptions& options) {
-    auto& s = *state_;
     const auto complete = completed(method.description.parameters, settings);
-    if (s.committed.empty() || s.work_key != work_of(method, complete, inputs, options)) return false;
-    const auto wanted = wanted_of(method, settings, options);
-    s.method = &method;
-    s.settings = &complete;
-    s.inputs = &inputs;
-    s.options = &options;
-    s.pool.show_previous();
-    const auto end = [&] {
-        s.pool.hide_previous();
-        s.end_frame();
-    };
-    bool done = false;
-    try {
-        done = s.run_again(*this, wanted);
-    } catch (...) {
-        end();
-        throw;
-    }
-    end();
-    return done;
+    if (cache_->committed.empty() || cache_->work_key != work_of(method, complete, inputs, options))
+        return false;
+    Frame frame(*cache_, method, complete, inputs, options);
+    struct Previous {
+        Pool& pool;
+        explicit Previous(Pool& p) : pool(p) { pool.show_previous(); }
+        ~Previous() { pool.hide_previous(); }
+    } previous(cache_->pool);
+    return frame.run_again(wanted_of(method, settings, options));
 }
 
 }  // namespace ir::graph

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "renderers/graph/state.h"
+#include "renderers/graph/frame.h"
 
 namespace ir::graph {
 namespace {
@@ -24,11 +24,11 @@ bool write_together(const Pass& a, const Pass& b) {
 
 }  // namespace
 
-bool Graph::State::has_contents(const Pass::Access& access) const {
+bool Frame::has_contents(const Pass::Access& access) const {
     if (access.kind == Kind::object) {
         const auto& desc = builder->objects()[access.index];
-        const auto found = objects.find(desc.text.key);
-        return !desc.fingerprint.empty() && found != objects.end() &&
+        const auto found = cache.objects.find(desc.text.key);
+        return !desc.fingerprint.empty() && found != cache.objects.end() &&
                found->second.fingerprint == desc.fingerprint;
     }
     const bool is_image = access.kind == Kind::image;
@@ -40,7 +40,7 @@ bool Graph::State::has_contents(const Pass::Access& access) const {
     return !wanted.empty() && physical->fingerprint == wanted;
 }
 
-bool Graph::State::is_cached(const Pass& pass) const {
+bool Frame::is_cached(const Pass& pass) const {
     bool writes = false;
     for (const auto& access : pass.accesses) {
         if (!access.write) continue;
@@ -48,11 +48,12 @@ bool Graph::State::is_cached(const Pass& pass) const {
         if (!has_contents(access)) return false;
     }
     if (pass.counters.empty()) return writes;
-    const auto counted = counts_of_passes.find(pass.name);
-    return writes && counted != counts_of_passes.end() && counted->second.size() == pass.counters.size();
+    const auto counted = cache.counts_of_passes.find(pass.name);
+    return writes && counted != cache.counts_of_passes.end() &&
+           counted->second.size() == pass.counters.size();
 }
 
-void Graph::State::find_cached_passes() {
+void Frame::find_cached_passes() {
     const auto& passes = builder->passes();
     cached.assign(passes.size(), false);
     ran.assign(passes.size(), false);
@@ -72,7 +73,7 @@ void Graph::State::find_cached_passes() {
     }
 }
 
-void Graph::State::keep_fingerprints(const Pass& pass, std::size_t index) {
+void Frame::keep_fingerprints(const Pass& pass, std::size_t index) {
     for (const auto& access : pass.accesses) {
         if (!access.write || has_later_writer(index, access.kind, access.index)) continue;
         if (access.kind == Kind::image)
@@ -81,12 +82,12 @@ void Graph::State::keep_fingerprints(const Pass& pass, std::size_t index) {
             buffers[access.index]->fingerprint = builder->buffers()[access.index].fingerprint;
         if (access.kind == Kind::object) {
             const auto& desc = builder->objects()[access.index];
-            objects[desc.text.key].fingerprint = desc.fingerprint;
+            cache.objects[desc.text.key].fingerprint = desc.fingerprint;
         }
     }
 }
 
-void Graph::State::drop_unsure_fingerprints() {
+void Frame::drop_unsure_fingerprints() {
     std::vector<bool> image_unsure(images.size()), buffer_unsure(buffers.size()),
         object_unsure(builder->objects().size());
     const auto unsure = [&](const Pass::Access& access) -> std::vector<bool>::reference {
@@ -107,28 +108,28 @@ void Graph::State::drop_unsure_fingerprints() {
     for (std::size_t i = 0; i < buffers.size(); ++i)
         if (buffer_unsure[i] && buffers[i]) buffers[i]->fingerprint.clear();
     for (std::size_t i = 0; i < object_unsure.size(); ++i)
-        if (object_unsure[i]) objects[builder->objects()[i].text.key].fingerprint.clear();
+        if (object_unsure[i]) cache.objects[builder->objects()[i].text.key].fingerprint.clear();
 }
 
-bool Graph::State::has_later_writer(std::size_t pass_index, Pass::Access::Kind kind, int index) const {
+bool Frame::has_later_writer(std::size_t pass_index, Pass::Access::Kind kind, int index) const {
     for (std::size_t i = pass_index + 1; i < builder->passes().size(); ++i)
         for (const auto& access : builder->passes()[i].accesses)
             if (access.write && access.kind == kind && access.index == index) return true;
     return false;
 }
 
-std::vector<std::uint64_t> Graph::State::read_counters() {
+std::vector<std::uint64_t> Frame::read_counters() {
     const auto count = builder->counters().size();
     std::vector<std::uint64_t> counts(count);
     if (count == 0) return counts;
     std::vector<std::uint32_t> raw(count * counter_stride / 4);
-    device.read_buffer(counter_buffer, 0, std::as_writable_bytes(std::span(raw)));
+    cache.device.read_buffer(cache.counter_buffer, 0, std::as_writable_bytes(std::span(raw)));
     for (std::size_t i = 0; i < count; ++i)
         counts[i] = static_cast<std::uint64_t>(raw[i * counter_stride / 4]) + host_counters[i];
     for (std::size_t p = 0; p < builder->passes().size(); ++p) {
         const auto& pass = builder->passes()[p];
         if (pass.counters.empty() || !(cached[p] || ran[p])) continue;
-        auto& known = counts_of_passes[pass.name];
+        auto& known = cache.counts_of_passes[pass.name];
         if (ran[p]) known.clear();
         for (std::size_t k = 0; k < pass.counters.size(); ++k) {
             auto& count = counts[pass.counters[k].index];

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderers/graph/state.h"
+#include "renderers/graph/frame.h"
 
 namespace ir::graph {
 MemoryPlan memory_of(const GraphBuilder& builder, const Plan& plan,
@@ -29,85 +29,89 @@ MemoryPlan memory_of(const GraphBuilder& builder, const Plan& plan,
     return result;
 }
 
-std::uint64_t Graph::State::capacity_of(const BufferDesc& desc) const {
+std::uint64_t Frame::capacity_of(const BufferDesc& desc) const {
     if (!desc.growable) return desc.elements;
     const auto& key = desc.text.key;
-    const auto estimate = estimates.find(key);
-    if (estimate != estimates.end() && estimate->second == desc.elements) return grown.at(key);
+    const auto estimate = cache.estimates.find(key);
+    if (estimate != cache.estimates.end() && estimate->second == desc.elements) return cache.grown.at(key);
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(desc.elements * options->initial_capacity));
 }
 
-MemoryPlan Graph::State::plan_memory() const {
+MemoryPlan Frame::plan_memory() const {
     return memory_of(*builder, plan, [&](const BufferDesc& desc) { return capacity_of(desc); });
 }
 
-bool Graph::State::fits(const MemoryPlan& memory) const {
-    return memory.largest_buffer.bytes <= device.max_buffer_bytes() &&
+bool Frame::fits(const MemoryPlan& memory) const {
+    return memory.largest_buffer.bytes <= cache.device.max_buffer_bytes() &&
            (options->memory_budget == 0 || memory.bytes <= options->memory_budget);
 }
 
-void Graph::State::allocate() {
+void Frame::allocate() {
     std::vector<std::string> live;
     for (std::size_t i = 0; i < builder->images().size(); ++i)
         if (plan.image_live[i]) live.push_back(builder->images()[i].text.key);
     for (std::size_t i = 0; i < builder->buffers().size(); ++i)
         if (plan.buffer_live[i]) live.push_back(builder->buffers()[i].text.key);
-    pool.free_except(live);
-    pool.begin_attempt();
-    buffer_descs.clear();
-    for (const auto& desc : builder->buffers()) buffer_descs[desc.text.key] = desc;
+    cache.pool.free_except(live);
+    cache.pool.begin_attempt();
+    cache.buffer_descs.clear();
+    for (const auto& desc : builder->buffers()) cache.buffer_descs[desc.text.key] = desc;
     images.assign(builder->images().size(), nullptr);
     buffers.assign(builder->buffers().size(), nullptr);
     for (std::size_t i = 0; i < images.size(); ++i) {
         const auto& desc = builder->images()[i];
         if (plan.image_live[i])
-            images[i] = &pool.image(desc.text.key, desc.text.label, resolve(desc, inputs->view),
-                                    plan.image_history[i]);
+            images[i] = &cache.pool.image(desc.text.key, desc.text.label, resolve(desc, inputs->view),
+                                          plan.image_history[i]);
     }
     for (std::size_t i = 0; i < buffers.size(); ++i) {
         const auto& desc = builder->buffers()[i];
         if (plan.buffer_live[i])
-            buffers[i] = &pool.buffer(desc.text.key, desc.text.label, stride(desc), capacity_of(desc),
-                                      desc.elements, plan.buffer_history[i]);
+            buffers[i] = &cache.pool.buffer(desc.text.key, desc.text.label, stride(desc), capacity_of(desc),
+                                            desc.elements, plan.buffer_history[i]);
     }
     free_dead_objects();
 }
 
-void Graph::State::free_dead_objects() {
-    std::erase_if(objects, [&](const auto& entry) {
+void Frame::free_dead_objects() {
+    std::erase_if(cache.objects, [&](const auto& entry) {
         for (std::size_t i = 0; i < builder->objects().size(); ++i)
             if (plan.object_live[i] && builder->objects()[i].text.key == entry.first) return false;
         return true;
     });
 }
 
-void Graph::State::prepare_counters() {
+void Frame::prepare_counters() {
     const auto count = std::max<std::size_t>(1, builder->counters().size());
     const auto bytes = count * counter_stride;
-    if (bytes > counter_capacity) {
-        if (counter_buffer) device.destroy_buffer(counter_buffer);
-        counter_buffer = device.create_buffer(bytes, "counters");
-        counter_capacity = bytes;
+    if (bytes > cache.counter_capacity) {
+        if (cache.counter_buffer) cache.device.destroy_buffer(cache.counter_buffer);
+        cache.counter_buffer = cache.device.create_buffer(bytes, "counters");
+        cache.counter_capacity = bytes;
     }
-    device.clear_buffer(counter_buffer, 0, counter_capacity);
+    cache.device.clear_buffer(cache.counter_buffer, 0, cache.counter_capacity);
     host_counters = std::make_unique<std::atomic<std::uint32_t>[]>(count);
     for (std::size_t i = 0; i < count; ++i) host_counters[i] = 0;
 }
 
-void Graph::State::prepare_parameters() {
-    programs_with_parameters.clear();
+void Frame::prepare_parameters() {
+    if (auto glsl = gl::parameter_glsl(method->description.parameters, *settings);
+        glsl != cache.parameter_glsl) {
+        cache.parameter_glsl = std::move(glsl);
+        cache.programs_with_parameters.clear();
+    }
     auto block = gl::parameter_block(method->description.parameters, *settings);
     if (block.empty()) block.push_back(0);
     const auto bytes = std::max<std::uint64_t>(16, block.size() * 4);
-    if (bytes > parameter_bytes) {
-        if (parameter_buffer) device.destroy_buffer(parameter_buffer);
-        parameter_buffer = device.create_buffer(bytes, "parameters");
-        parameter_bytes = bytes;
+    if (bytes > cache.parameter_bytes) {
+        if (cache.parameter_buffer) cache.device.destroy_buffer(cache.parameter_buffer);
+        cache.parameter_buffer = cache.device.create_buffer(bytes, "parameters");
+        cache.parameter_bytes = bytes;
     }
-    device.write_buffer(parameter_buffer, 0, std::as_bytes(std::span(block)));
+    cache.device.write_buffer(cache.parameter_buffer, 0, std::as_bytes(std::span(block)));
 }
 
-bool Graph::State::grow(const std::vector<std::uint64_t>& counts) {
+bool Frame::grow(const std::vector<std::uint64_t>& counts) {
     bool overflow = false;
     for (std::size_t i = 0; i < builder->buffers().size(); ++i) {
         const auto& desc = builder->buffers()[i];
@@ -118,14 +122,14 @@ bool Graph::State::grow(const std::vector<std::uint64_t>& counts) {
                 need = std::max(need, counts[c]);
         const auto capacity = capacity_of(desc);
         if (need <= capacity) continue;
-        grown[desc.text.key] = static_cast<std::uint64_t>(std::ceil(1.25 * static_cast<double>(need)));
-        estimates[desc.text.key] = desc.elements;
-        ++growths;
+        cache.grown[desc.text.key] = static_cast<std::uint64_t>(std::ceil(1.25 * static_cast<double>(need)));
+        cache.estimates[desc.text.key] = desc.elements;
+        ++cache.growths;
         overflow = true;
-        report.messages.push_back({Severity::note, "graph",
-                                   "buffer '" + desc.text.key + "' held " + std::to_string(capacity) +
-                                       " of " + std::to_string(need) + " elements and grows to " +
-                                       std::to_string(grown[desc.text.key])});
+        cache.report.messages.push_back({Severity::note, "graph",
+                                         "buffer '" + desc.text.key + "' held " + std::to_string(capacity) +
+                                             " of " + std::to_string(need) + " elements and grows to " +
+                                             std::to_string(cache.grown[desc.text.key])});
     }
     return overflow;
 }

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "renderers/graph/state.h"
+#include "renderers/graph/frame.h"
 
 namespace ir::graph {
 namespace {
@@ -38,11 +38,6 @@ ResourceReport described(const ResourceText& text, const MethodDescription& meth
         if (output.key != text.key) continue;
         report.is_output = true;
         report.explains = output.explains;
-        report.label = output.label;
-        report.semantic = output.semantic;
-        report.unit = output.unit;
-        if (!output.colour_map.empty()) report.colour_map = output.colour_map;
-        if (!output.doc.empty()) report.doc = full_doc(output);
     }
     return report;
 }
@@ -62,9 +57,9 @@ std::vector<std::string> what_was_lost(const GraphBuilder& builder,
 
 }  // namespace
 
-void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
+void Frame::fill_report(const std::vector<std::uint64_t>& counts) {
     const auto& description = method->description;
-    report.resources.clear();
+    cache.report.resources.clear();
     for (std::size_t i = 0; i < builder->images().size(); ++i) {
         const auto& desc = builder->images()[i];
         auto row = described(desc.text, description);
@@ -80,8 +75,8 @@ void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
         row.layers = std::max(1, shape.layers);
         row.available = images[i] && images[i]->has_contents();
         row.is_history = plan.image_history[i];
-        if (images[i]) row.bytes = pool.bytes(*images[i]);
-        report.resources.push_back(std::move(row));
+        if (images[i]) row.bytes = cache.pool.bytes(*images[i]);
+        cache.report.resources.push_back(std::move(row));
     }
     for (std::size_t i = 0; i < builder->buffers().size(); ++i) {
         const auto& desc = builder->buffers()[i];
@@ -101,51 +96,51 @@ void Graph::State::fill_report(const std::vector<std::uint64_t>& counts) {
             counted = true;
         }
         if (counted) row.elements = std::min(row.elements, used);
-        elements_in_use[row.key] = row.elements;
-        if (buffers[i]) row.bytes = pool.bytes(*buffers[i]);
-        report.resources.push_back(std::move(row));
+        cache.elements_in_use[row.key] = row.elements;
+        if (buffers[i]) row.bytes = cache.pool.bytes(*buffers[i]);
+        cache.report.resources.push_back(std::move(row));
     }
-    report.memory_bytes = pool.bytes() + counter_capacity + parameter_bytes;
+    cache.report.memory_bytes = cache.pool.bytes() + cache.counter_capacity + cache.parameter_bytes;
     for (const auto& desc : builder->objects()) {
         auto row = described(desc.text, description);
-        const auto found = objects.find(desc.text.key);
+        const auto found = cache.objects.find(desc.text.key);
         row.format = "object";
         row.kind = OutputKind::table;
-        row.available = found != objects.end();
+        row.available = found != cache.objects.end();
         if (row.available) row.bytes = found->second.bytes;
-        report.memory_bytes += row.bytes;
-        report.resources.push_back(std::move(row));
+        cache.report.memory_bytes += row.bytes;
+        cache.report.resources.push_back(std::move(row));
     }
-    report.peak_memory_bytes = std::max(report.peak_memory_bytes, report.memory_bytes);
-    report.counters.clear();
+    cache.report.peak_memory_bytes = std::max(cache.report.peak_memory_bytes, cache.report.memory_bytes);
+    cache.report.counters.clear();
     const auto known = counted(*builder, ran, cached);
     for (std::size_t c = 0; c < counts.size(); ++c)
-        if (known[c]) report.counters[builder->counters()[c].key] += static_cast<double>(counts[c]);
-    for (const auto& [key, value] : figures) report.counters[key] = value;
-    report.figures = figures;
-    report.counters["growth"] = growths;
-    report.counters["batches"] = std::min(batches, builder->batch_limit());
+        if (known[c]) cache.report.counters[builder->counters()[c].key] += static_cast<double>(counts[c]);
+    for (const auto& [key, value] : cache.figures) cache.report.counters[key] = value;
+    cache.report.figures = cache.figures;
+    cache.report.counters["growth"] = cache.growths;
+    cache.report.counters["batches"] = std::min(cache.batches, builder->batch_limit());
     for (std::size_t p = 0; p < builder->passes().size(); ++p) {
         for (const auto& access : builder->passes()[p].accesses) {
             const auto& key = access.kind == Kind::image    ? builder->images()[access.index].text.key
                               : access.kind == Kind::buffer ? builder->buffers()[access.index].text.key
                                                             : builder->objects()[access.index].text.key;
-            auto& keys = access.write ? report.passes[p].writes : report.passes[p].reads;
+            auto& keys = access.write ? cache.report.passes[p].writes : cache.report.passes[p].reads;
             keys.push_back(key);
         }
     }
     auto notes = builder->notes();
-    if (const int parts = std::min(batches, builder->batch_limit()); parts > 1)
+    if (const int parts = std::min(cache.batches, builder->batch_limit()); parts > 1)
         notes.push_back("works in " + std::to_string(parts) + " batches to stay within the memory budget");
     const auto say = [&](Severity severity, const std::string& text) {
         const auto same = [&](const Message& message) { return message.text == text; };
-        if (std::none_of(report.messages.begin(), report.messages.end(), same))
-            report.messages.push_back({severity, description.id, text});
+        if (std::none_of(cache.report.messages.begin(), cache.report.messages.end(), same))
+            cache.report.messages.push_back({severity, description.id, text});
     };
     for (const auto& note : notes) say(Severity::note, note);
-    for (const auto& lost : what_was_lost(*builder, report.counters)) say(Severity::warning, lost);
-    for (const auto& warning : warnings) say(Severity::warning, warning);
-    for (auto& message : device.take_messages()) report.messages.push_back(std::move(message));
+    for (const auto& lost : what_was_lost(*builder, cache.report.counters)) say(Severity::warning, lost);
+    for (const auto& warning : cache.warnings) say(Severity::warning, warning);
+    for (auto& message : cache.device.take_messages()) cache.report.messages.push_back(std::move(message));
 }
 
 }  // namespace ir::graph

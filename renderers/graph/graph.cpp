@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "renderers/core/error.h"
-#include "renderers/graph/state.h"
+#include "renderers/graph/frame.h"
 
 namespace ir::graph {
 namespace {
@@ -13,7 +13,7 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-Graph::State::~State() {
+GraphCache::~GraphCache() {
     if (counter_buffer) device.destroy_buffer(counter_buffer);
     if (parameter_buffer) device.destroy_buffer(parameter_buffer);
     if (!context) return;
@@ -24,23 +24,23 @@ Graph::State::~State() {
 }
 
 Graph::Graph(gl::Device& device, gl::Context* context, gl::ProgramLibrary* programs)
-    : state_(std::make_unique<State>(device, context, programs)) {}
+    : cache_(std::make_unique<GraphCache>(device, context, programs)) {}
 
 Graph::~Graph() = default;
 
 const BufferDesc* Graph::buffer_desc(const std::string& key) const {
-    const auto found = state_->buffer_descs.find(key);
-    return found == state_->buffer_descs.end() ? nullptr : &found->second;
+    const auto found = cache_->buffer_descs.find(key);
+    return found == cache_->buffer_descs.end() ? nullptr : &found->second;
 }
 
 void Graph::reset_history() {
-    state_->committed.clear();
-    state_->pool.forget_history();
-    state_->restored.reset();
+    cache_->committed.clear();
+    cache_->pool.forget_history();
+    cache_->restored.reset();
 }
 
 const FrameReport& Graph::last_report() const {
-    return state_->report;
+    return cache_->report;
 }
 
 WorkKey work_of(const Method& method, const Settings& settings, const FrameInputs& inputs,
@@ -57,39 +57,34 @@ std::vector<std::string> wanted_of(const Method& method, const Settings& setting
     return wanted;
 }
 
-void Graph::State::begin_frame(const Method& m, const Settings& s, const FrameInputs& i,
-                               const FrameOptions& o) {
-    method = &m;
-    settings = &s;
-    inputs = &i;
-    options = &o;
-    report = {};
-    report.backend = device.backend();
-    report.device = device.device();
-    report.frame = i.frame;
-    growths = 0;
-    figures.clear();
-    warnings.clear();
-    auto key = work_of(m, s, i, o);
-    if (work_key != key) {
-        batches = 1;
-        items_per_ms.clear();
+void Frame::begin() {
+    cache.report = {};
+    cache.report.backend = cache.device.backend();
+    cache.report.device = cache.device.device();
+    cache.report.frame = inputs->frame;
+    cache.growths = 0;
+    cache.figures.clear();
+    cache.warnings.clear();
+    auto key = work_of(*method, *settings, *inputs, *options);
+    if (cache.work_key != key) {
+        cache.batches = 1;
+        cache.items_per_ms.clear();
     }
-    work_key = std::move(key);
-    committed.clear();
-    pool.begin_frame();
+    cache.work_key = std::move(key);
+    cache.committed.clear();
+    cache.pool.begin_frame();
 }
 
-bool Graph::State::divide_further() {
-    if (batches >= builder->batch_limit()) return false;
-    batches = std::min(2 * batches, builder->batch_limit());
+bool Frame::divide_further() {
+    if (cache.batches >= builder->batch_limit()) return false;
+    cache.batches = std::min(2 * cache.batches, builder->batch_limit());
     // Capacities learned for fewer batches would keep the frame too large.
-    grown.clear();
-    estimates.clear();
+    cache.grown.clear();
+    cache.estimates.clear();
     return true;
 }
 
-void Graph::State::run_passes(Graph& graph) {
+void Frame::run_passes() {
     images.clear();
     buffers.clear();
     ran.clear();
@@ -98,7 +93,7 @@ void Graph::State::run_passes(Graph& graph) {
     prepare_counters();
     prepare_parameters();
     find_cached_passes();
-    report.passes.clear();
+    cache.report.passes.clear();
     views_ms.assign(builder->passes().size(), 0);
     for (std::size_t i = 0; i < builder->passes().size(); ++i) {
         const auto& pass = builder->passes()[i];
@@ -107,22 +102,22 @@ void Graph::State::run_passes(Graph& graph) {
         row.queue = pass.queue == Queue::gl ? "gl" : "cpu";
         row.slices = 0;
         row.culled = !plan.pass_live[i];
-        report.passes.push_back(plan.pass_live[i] && !cached[i] ? run_pass(graph, pass, i) : row);
+        cache.report.passes.push_back(plan.pass_live[i] && !cached[i] ? run_pass(pass, i) : row);
     }
     resolve_times();
 }
 
-void Graph::State::resolve_times() {
-    for (std::size_t i = 0; i < report.passes.size(); ++i) {
-        auto& ms = report.passes[i].gpu_ms;
-        if (ms < 0) ms = device.pass_ms(static_cast<int>(-1 - ms));
+void Frame::resolve_times() {
+    for (std::size_t i = 0; i < cache.report.passes.size(); ++i) {
+        auto& ms = cache.report.passes[i].gpu_ms;
+        if (ms < 0) ms = cache.device.pass_ms(static_cast<int>(-1 - ms));
         ms = std::max(0.0, ms - views_ms[i]);
     }
 }
 
-void Graph::State::run_attempts(Graph& graph, const std::vector<std::string>& wanted) {
+void Frame::run_attempts(const std::vector<std::string>& wanted) {
     for (int attempt = 0;;) {
-        GraphBuilder declared(*inputs, batches, device.max_buffer_bytes());
+        GraphBuilder declared(method->description, *inputs, cache.batches, cache.device.max_buffer_bytes());
         builder = &declared;
         method->setup(declared, *settings);
         plan = make_plan(declared, wanted);
@@ -133,49 +128,39 @@ void Graph::State::run_attempts(Graph& graph, const std::vector<std::string>& wa
             continue;
         }
         try {
-            run_passes(graph);
+            run_passes();
         } catch (...) {
             drop_unsure_fingerprints();
             throw;
         }
         const auto counts = read_counters();
-        report.complete = !grow(counts);
-        if (!report.complete) drop_unsure_fingerprints();
+        cache.report.complete = !grow(counts);
+        if (!cache.report.complete) drop_unsure_fingerprints();
         fill_report(counts);
-        if (report.complete) remember_committed(wanted);
-        if (report.complete || options->growth == Growth::next_frame) return;
+        if (cache.report.complete) remember_committed(wanted);
+        if (cache.report.complete || options->growth == Growth::next_frame) return;
         if (++attempt > max_growths_per_frame)
             throw Error("method '" + method->description.id + "': buffers still overflow after " +
                         std::to_string(max_growths_per_frame) + " growths; please report this");
     }
 }
 
-void Graph::State::end_frame() {
-    builder = nullptr;
-    method = nullptr;
-    settings = nullptr;
-    inputs = nullptr;
-    options = nullptr;
-}
-
 FrameReport Graph::run(const Method& method, const Settings& settings, const FrameInputs& inputs,
                        const FrameOptions& options) {
-    auto& s = *state_;
     const auto complete = completed(method.description.parameters, settings);
     const auto start = Clock::now();
-    const auto wanted = wanted_of(method, settings, options);
-    s.begin_frame(method, complete, inputs, options);
+    Frame frame(*cache_, method, complete, inputs, options);
+    frame.begin();
     try {
-        s.run_attempts(*this, wanted);
+        frame.run_attempts(wanted_of(method, settings, options));
     } catch (...) {
-        s.pool.abandon();
-        s.end_frame();
+        cache_->pool.abandon();
         throw;
     }
-    if (s.report.complete) s.pool.commit();
-    s.report.wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    s.end_frame();
-    return s.report;
+    auto& report = cache_->report;
+    if (report.complete) cache_->pool.commit();
+    report.wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    return report;
 }
 
 }  // namespace ir::graph

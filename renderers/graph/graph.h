@@ -52,6 +52,8 @@ struct History {
     std::vector<Entry> entries;
 };
 
+struct GraphCache;
+
 /// Owns every image and buffer of one execution, runs its frames and keeps their history. All calls from one
 /// thread, with the device's context current.
 class Graph {
@@ -94,9 +96,9 @@ class Graph {
     /// All channels of one texel of level 0; empty where read_image is, and outside. Also between the slices
     /// of a frame, when contents may be half new.
     std::optional<std::vector<float>> read_texel(const std::string& key, int x, int y, int layer = 0) const;
-    /// Raw elements of a buffer resource, at most the first `most_bytes`.
+    /// Raw elements of a buffer resource, at most the first `max_bytes`.
     std::optional<std::vector<std::byte>> read_buffer(
-        const std::string& key, std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max()) const;
+        const std::string& key, std::uint64_t max_bytes = std::numeric_limits<std::uint64_t>::max()) const;
     const BufferDesc* buffer_desc(const std::string& key) const;
     /// For viewers that draw from buffers without copying them; empty where there are no contents. Between
     /// the slices of a frame, elements in use are those of the frame before, and contents may be half new.
@@ -104,9 +106,7 @@ class Graph {
     const FrameReport& last_report() const;
 
   private:
-    friend class PassContext;
-    struct State;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<GraphCache> cache_;
 };
 
 /// Whether `text` matches `pattern` with '*' and '?'.

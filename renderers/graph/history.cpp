@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "renderers/core/error.h"
-#include "renderers/graph/state.h"
+#include "renderers/graph/frame.h"
 
 namespace ir::graph {
 namespace {
@@ -29,8 +29,8 @@ std::string warning_of(const std::string& key, const char* why) {
 
 std::optional<History> Graph::history() const {
     History history;
-    for (const auto& key : state_->pool.keys()) {
-        auto& physical = *state_->pool.find(key);
+    for (const auto& key : cache_->pool.keys()) {
+        auto& physical = *cache_->pool.find(key);
         auto* copy = physical.now().committed      ? &physical.now()
                      : physical.before().committed ? &physical.before()
                                                    : nullptr;
@@ -38,7 +38,7 @@ std::optional<History> Graph::history() const {
         if (physical.is_image && physical.shape.levels > 1)
             throw Error("the history of '" + key + "' has mip levels and cannot be stored");
         history.entries.push_back(entry_of(key, physical));
-        history.entries.back().bytes = state_->pool.read(physical, *copy);
+        history.entries.back().bytes = cache_->pool.read(physical, *copy);
     }
     if (history.entries.empty()) return {};
     return history;
@@ -46,16 +46,16 @@ std::optional<History> Graph::history() const {
 
 void Graph::restore(History history) {
     reset_history();
-    state_->restored = std::move(history);
+    cache_->restored = std::move(history);
 }
 
-const History::Entry* Graph::State::restored_entry(const std::string& key) const {
-    for (const auto& entry : restored->entries)
+const History::Entry* Frame::restored_entry(const std::string& key) const {
+    for (const auto& entry : cache.restored->entries)
         if (entry.key == key) return &entry;
     return nullptr;
 }
 
-std::string Graph::State::why_not_restored() const {
+std::string Frame::why_not_restored() const {
     for (std::size_t i = 0; i < builder->images().size(); ++i) {
         if (!plan.image_live[i] || !plan.image_history[i]) continue;
         const auto& desc = builder->images()[i];
@@ -77,11 +77,11 @@ std::string Graph::State::why_not_restored() const {
     return {};
 }
 
-bool Graph::State::accept_restored() {
-    if (!restored) return true;
+bool Frame::accept_restored() {
+    if (!cache.restored) return true;
     if (const auto why = why_not_restored(); !why.empty()) {
-        report.messages.push_back({Severity::warning, "graph", why});
-        restored.reset();
+        cache.report.messages.push_back({Severity::warning, "graph", why});
+        cache.restored.reset();
         begin_anew();
         return false;
     }
@@ -91,26 +91,26 @@ bool Graph::State::accept_restored() {
         if (!plan.buffer_live[i] || !plan.buffer_history[i]) continue;
         const auto* entry = restored_entry(desc.text.key);
         if (!is_growth(*entry, desc)) continue;
-        grown[desc.text.key] = std::max(entry->elements, capacity_of(desc));
-        estimates[desc.text.key] = desc.elements;
+        cache.grown[desc.text.key] = std::max(entry->elements, capacity_of(desc));
+        cache.estimates[desc.text.key] = desc.elements;
     }
     return true;
 }
 
 /// As without a history: the one that the caller told about is not there.
-void Graph::State::begin_anew() {
+void Frame::begin_anew() {
     anew = *inputs;
-    anew.frame = report.frame = 0;
+    anew.frame = cache.report.frame = 0;
     anew.previous_view = anew.view;
     anew.sample_limit = FrameInputs{}.sample_limit;
     inputs = &anew;
-    report.began_anew = true;
+    cache.report.began_anew = true;
 }
 
-void Graph::State::put_restored() {
-    if (!restored) return;
+void Frame::put_restored() {
+    if (!cache.restored) return;
     const auto put = [&](Physical& physical, const std::string& key) {
-        auto entry = std::find_if(restored->entries.begin(), restored->entries.end(),
+        auto entry = std::find_if(cache.restored->entries.begin(), cache.restored->entries.end(),
                                   [&](const auto& candidate) { return candidate.key == key; });
         auto& copy = physical.before();
         copy.host = std::move(entry->bytes);
@@ -122,7 +122,7 @@ void Graph::State::put_restored() {
         if (images[i] && plan.image_history[i]) put(*images[i], builder->images()[i].text.key);
     for (std::size_t i = 0; i < buffers.size(); ++i)
         if (buffers[i] && plan.buffer_history[i]) put(*buffers[i], builder->buffers()[i].text.key);
-    restored.reset();
+    cache.restored.reset();
 }
 
 }  // namespace ir::graph

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "renderers/core/error.h"
-#include "renderers/graph/state.h"
+#include "renderers/graph/frame.h"
 
 namespace ir::graph {
 namespace {
@@ -61,14 +61,14 @@ double number_of(const Value& value) {
 }  // namespace
 
 /// Declares frames other than the one in flight, without running them.
-class Graph::State::Adviser {
+class Frame::Adviser {
   public:
     using Measure = std::uint64_t (*)(const MemoryPlan&);
-    Adviser(const State& state, Measure measure) : state_(state), measure_(measure) {}
+    Adviser(const Frame& frame, Measure measure) : frame_(frame), measure_(measure) {}
 
     /// What saves the most first.
     std::vector<Advice> advice(std::uint64_t needed) {
-        for (const auto& parameter : state_.method->description.parameters) try_parameter(parameter);
+        for (const auto& parameter : frame_.method->description.parameters) try_parameter(parameter);
         try_image_size();
         std::erase_if(all_, [&](const Advice& advice) { return advice.bytes >= needed; });
         std::stable_sort(all_.begin(), all_.end(),
@@ -78,33 +78,34 @@ class Graph::State::Adviser {
 
   private:
     void try_parameter(const ParameterDescription& parameter) {
-        const auto& value = state_.settings->at(parameter.key);
-        if (!is_active(parameter, *state_.settings)) return;
+        const auto& value = frame_.settings->at(parameter.key);
+        if (!is_active(parameter, *frame_.settings)) return;
         for (const auto& other : other_values(parameter, value)) {
-            auto settings = *state_.settings;
+            auto settings = *frame_.settings;
             settings[parameter.key] = other;
             const bool is_less = number_of(other) < number_of(value);
             add((is_less ? "lower '" : "raise '") + parameter.key + "' to " + to_string(other), settings,
-                *state_.inputs, parameter.effect);
+                *frame_.inputs, parameter.effect);
         }
     }
 
     void try_image_size() {
-        auto inputs = *state_.inputs;
+        auto inputs = *frame_.inputs;
         for (auto* view : {&inputs.view, &inputs.previous_view}) {
             view->width = std::max(1, view->width / 2);
             view->height = std::max(1, view->height / 2);
         }
         add("lower the image size to " + std::to_string(inputs.view.width) + "x" +
                 std::to_string(inputs.view.height),
-            *state_.settings, inputs, Effect::image);
+            *frame_.settings, inputs, Effect::image);
     }
 
     void add(const std::string& change, const Settings& settings, const FrameInputs& inputs, Effect effect) {
-        GraphBuilder declared(inputs, state_.batches, state_.device.max_buffer_bytes());
+        GraphBuilder declared(frame_.method->description, inputs, frame_.cache.batches,
+                              frame_.cache.device.max_buffer_bytes());
         try {
-            state_.method->setup(declared, settings);
-            const auto plan = make_plan(declared, wanted_of(*state_.method, settings, *state_.options));
+            frame_.method->setup(declared, settings);
+            const auto plan = make_plan(declared, wanted_of(*frame_.method, settings, *frame_.options));
             const auto memory = memory_of(
                 declared, plan, [&](const BufferDesc& desc) { return expected_elements(desc, effect); });
             const auto bytes = measure_(memory);
@@ -116,15 +117,15 @@ class Graph::State::Adviser {
 
     /// Where a capacity was learned it changes with the estimate, except by what does not change the picture.
     std::uint64_t expected_elements(const BufferDesc& desc, Effect effect) const {
-        const auto estimate = state_.estimates.find(desc.text.key);
-        if (!desc.growable || estimate == state_.estimates.end()) return state_.capacity_of(desc);
-        const auto learned = state_.grown.at(desc.text.key);
+        const auto estimate = frame_.cache.estimates.find(desc.text.key);
+        if (!desc.growable || estimate == frame_.cache.estimates.end()) return frame_.capacity_of(desc);
+        const auto learned = frame_.cache.grown.at(desc.text.key);
         if (effect == Effect::cost || estimate->second == 0) return learned;
         return static_cast<std::uint64_t>(static_cast<double>(learned) * static_cast<double>(desc.elements) /
                                           static_cast<double>(estimate->second));
     }
 
-    const State& state_;
+    const Frame& frame_;
     Measure measure_;
     std::vector<Advice> all_;
 };
@@ -145,15 +146,15 @@ std::string mend(const MemoryPlan::Resource& largest, std::uint64_t needed, std:
 
 }  // namespace
 
-void Graph::State::refuse(const MemoryPlan& memory) const {
+void Frame::refuse(const MemoryPlan& memory) const {
     const auto start = "method '" + method->description.id + "' needs ";
-    if (const auto& buffer = memory.largest_buffer; buffer.bytes > device.max_buffer_bytes()) {
+    if (const auto& buffer = memory.largest_buffer; buffer.bytes > cache.device.max_buffer_bytes()) {
         const auto advice = Adviser(*this, [](const MemoryPlan& plan) {
                                 return plan.largest_buffer.bytes;
                             }).advice(buffer.bytes);
         throw BudgetError(start + "a buffer, '" + buffer.key + "' (" + rounded_up(buffer.bytes) +
-                          "), beyond the device's limit of " + as_given(device.max_buffer_bytes()) + "; " +
-                          mend(buffer, buffer.bytes, advice));
+                          "), beyond the device's limit of " + as_given(cache.device.max_buffer_bytes()) +
+                          "; " + mend(buffer, buffer.bytes, advice));
     }
     const auto advice =
         Adviser(*this, [](const MemoryPlan& plan) { return plan.bytes; }).advice(memory.bytes);

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "renderers/graph/state.h"
+#include "renderers/graph/frame.h"
 
 namespace ir::graph {
 namespace {
@@ -31,19 +31,19 @@ void require_write(const Pass& pass, const Pass::Access& access, const std::stri
 }  // namespace
 
 const FrameInputs& PassContext::inputs() const {
-    return *graph_.state_->inputs;
+    return *frame_.inputs;
 }
 const CancelToken& PassContext::cancel() const {
-    return graph_.state_->cancel();
+    return frame_.cancel();
 }
 const gl::Api& PassContext::api() const {
-    if (!graph_.state_->context)
+    if (!frame_.cache.context)
         throw std::logic_error("pass '" + pass_.name + "' asks for OpenGL, which this device lacks");
-    return graph_.state_->context->api();
+    return frame_.cache.context->api();
 }
 
 Physical& PassContext::physical(ImageRef ref, bool previous, bool write) const {
-    auto& s = *graph_.state_;
+    auto& s = frame_;
     const auto& key = s.builder->images().at(ref.index).text.key;
     const auto& access = declared(pass_, Kind::image, ref.index, previous, key);
     if (write) require_write(pass_, access, key);
@@ -51,7 +51,7 @@ Physical& PassContext::physical(ImageRef ref, bool previous, bool write) const {
 }
 
 Physical& PassContext::physical(BufferRef ref, bool previous, bool write) const {
-    auto& s = *graph_.state_;
+    auto& s = frame_;
     const auto& key = s.builder->buffers().at(ref.index).text.key;
     const auto& access = declared(pass_, Kind::buffer, ref.index, previous, key);
     if (write) require_write(pass_, access, key);
@@ -76,15 +76,14 @@ void PassContext::check_declared(CounterRef ref) const {
                                     [&](CounterRef counter) { return counter.index == ref.index; });
     if (found == pass_.counters.end())
         throw std::logic_error("pass '" + pass_.name + "' uses counter '" +
-                               graph_.state_->builder->counters().at(ref.index).key +
-                               "' without declaring it");
+                               frame_.builder->counters().at(ref.index).key + "' without declaring it");
 }
 
 void PassContext::bind_framebuffer(const std::vector<Attachment>& colours, const Attachment* depth) const {
     const auto& gl = api();
     GLuint name = 0;
     gl.CreateFramebuffers(1, &name);
-    graph_.state_->framebuffers.push_back(name);
+    frame_.cache.framebuffers.push_back(name);
     int width = 0, height = 0;
     const auto attach = [&](GLenum point, const Attachment& attachment) {
         const auto& target = physical(attachment.image, false, true);
@@ -117,7 +116,7 @@ void PassContext::bind_empty_framebuffer(int width, int height, int layers) cons
     const auto& gl = api();
     GLuint name = 0;
     gl.CreateFramebuffers(1, &name);
-    graph_.state_->framebuffers.push_back(name);
+    frame_.cache.framebuffers.push_back(name);
     gl.NamedFramebufferParameteri(name, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
     gl.NamedFramebufferParameteri(name, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
     gl.NamedFramebufferParameteri(name, GL_FRAMEBUFFER_DEFAULT_LAYERS, layers);
@@ -126,13 +125,14 @@ void PassContext::bind_empty_framebuffer(int width, int height, int layers) cons
 }
 
 void PassContext::bind_empty_vertex_array() const {
-    auto& s = *graph_.state_;
-    if (!s.empty_vertex_array) api().CreateVertexArrays(1, &s.empty_vertex_array);
-    api().BindVertexArray(s.empty_vertex_array);
+    auto& s = frame_;
+    if (!s.cache.empty_vertex_array) api().CreateVertexArrays(1, &s.cache.empty_vertex_array);
+    api().BindVertexArray(s.cache.empty_vertex_array);
 }
 
 void PassContext::draw_full_screen() const {
     bind_empty_vertex_array();
+    if (!programs_.empty()) programs_.back()->require_uniforms();
     api().DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -140,26 +140,26 @@ void PassContext::upload(BufferRef ref, std::span<const std::byte> bytes, std::u
     const auto& target = physical(ref, false, true);
     if (offset + bytes.size() > target.copy_bytes())
         throw std::logic_error("pass '" + pass_.name + "' uploads beyond the end of '" + target.label + "'");
-    if (!bytes.empty()) graph_.state_->device.write_buffer(buffer(ref), offset, bytes);
+    if (!bytes.empty()) frame_.cache.device.write_buffer(buffer(ref), offset, bytes);
 }
 
 void PassContext::upload(ImageRef ref, std::span<const std::byte> texels, int level, int layer) const {
     const auto& target = physical(ref, false, true);
-    graph_.state_->device.write_image(image(ref), target.shape, level, layer, texels);
+    frame_.cache.device.write_image(image(ref), target.shape, level, layer, texels);
 }
 
 void PassContext::clear(ImageRef ref) const {
     const auto& target = physical(ref, false, true);
-    graph_.state_->device.clear_image(image(ref), target.shape);
+    frame_.cache.device.clear_image(image(ref), target.shape);
 }
 
 void PassContext::clear(BufferRef ref) const {
     const auto& target = physical(ref, false, true);
-    graph_.state_->device.clear_buffer(buffer(ref), 0, target.copy_bytes());
+    frame_.cache.device.clear_buffer(buffer(ref), 0, target.copy_bytes());
 }
 
 void PassContext::barrier() const {
-    graph_.state_->device.barrier();
+    frame_.cache.device.barrier();
 }
 
 std::span<std::byte> PassContext::host(ImageRef ref, int layer, bool previous) const {
@@ -176,44 +176,44 @@ std::span<std::byte> PassContext::host(BufferRef ref, bool previous) const {
 
 void PassContext::add(CounterRef ref, std::uint32_t amount) const {
     check_declared(ref);
-    graph_.state_->host_counters[ref.index].fetch_add(amount, std::memory_order_relaxed);
+    frame_.host_counters[ref.index].fetch_add(amount, std::memory_order_relaxed);
 }
 
 void PassContext::set_figure(const std::string& key, double value) const {
-    graph_.state_->figures[key] = value;
+    frame_.cache.figures[key] = value;
 }
 
 void PassContext::set_sum(const std::string& key, double value) const {
     set_figure(key, value);
-    graph_.state_->report.sums.insert(key);
+    frame_.cache.report.sums.insert(key);
 }
 
 void PassContext::warn(std::string text) const {
-    graph_.state_->warnings.push_back(std::move(text));
+    frame_.cache.warnings.push_back(std::move(text));
 }
 
 std::shared_ptr<void> PassContext::stored(ObjectRef ref) const {
-    auto& s = *graph_.state_;
+    auto& s = frame_;
     const auto& key = s.builder->objects().at(ref.index).text.key;
     declared(pass_, Kind::object, ref.index, false, key);
-    const auto found = s.objects.find(key);
-    return found == s.objects.end() ? nullptr : found->second.object;
+    const auto found = s.cache.objects.find(key);
+    return found == s.cache.objects.end() ? nullptr : found->second.object;
 }
 
 void PassContext::store(ObjectRef ref, std::shared_ptr<void> object, std::uint64_t bytes) const {
-    auto& s = *graph_.state_;
+    auto& s = frame_;
     const auto& key = s.builder->objects().at(ref.index).text.key;
     require_write(pass_, declared(pass_, Kind::object, ref.index, false, key), key);
-    s.objects[key] = {std::move(object), bytes, {}};
+    s.cache.objects[key] = {std::move(object), bytes, {}};
 }
 
 gl::ImageShape PassContext::shape(ImageRef ref) const {
-    auto& s = *graph_.state_;
+    auto& s = frame_;
     return resolve(s.builder->images().at(ref.index), s.inputs->view);
 }
 
 std::uint64_t PassContext::capacity(BufferRef ref) const {
-    const auto& s = *graph_.state_;
+    const auto& s = frame_;
     const auto declares = [&](const Pass::Access& access) {
         return access.kind == Kind::buffer && access.index == ref.index;
     };
@@ -224,7 +224,7 @@ std::uint64_t PassContext::capacity(BufferRef ref) const {
 }
 
 bool PassContext::has_previous() const {
-    auto& s = *graph_.state_;
+    auto& s = frame_;
     bool any = false;
     for (const auto& access : pass_.accesses) {
         if (!access.previous || access.kind == Kind::object) continue;

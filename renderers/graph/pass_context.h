@@ -15,7 +15,7 @@
 
 namespace ir::graph {
 
-class Graph;
+struct Frame;
 struct Physical;
 
 /// What a running pass may touch: only what it declared; anything else throws std::logic_error that names
@@ -114,8 +114,8 @@ class PassContext {
     bool has_previous() const;
 
   private:
-    friend class Graph;
-    PassContext(Graph& graph, const Pass& pass);
+    friend struct Frame;
+    PassContext(Frame& frame, const Pass& pass);
     /// Throws Error for a declared name that no program of the pass has.
     void check_names() const;
     const gl::Program& method_program(const gl::ProgramSource& source) const;
@@ -126,6 +126,8 @@ class PassContext {
     [[noreturn]] void refuse(const gl::ProgramResource& resource, const std::string& problem) const;
     void bind_image(const gl::ProgramResource& resource, GLuint unit, const Pass::Binding& binding) const;
     void bind_block(const gl::ProgramResource& resource, const Pass::Binding& binding) const;
+    /// Compares the program's records with the buffer's fields, once.
+    void compare_records(const gl::ProgramResource& resource, BufferRef ref) const;
     GLuint sampler_of(const scene::Sampler& sampler) const;
     Physical& physical(ImageRef ref, bool previous, bool write = false) const;
     Physical& physical(BufferRef ref, bool previous, bool write = false) const;
@@ -137,7 +139,7 @@ class PassContext {
     static std::span<T> cast(std::span<std::byte> bytes) {
         return {reinterpret_cast<T*>(bytes.data()), bytes.size() / sizeof(T)};
     }
-    Graph& graph_;
+    Frame& frame_;
     const Pass& pass_;
     mutable std::map<std::string, Pass::Binding> bindings_;
     mutable std::vector<const gl::Program*> programs_;  ///< that were used; the last is current

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "renderers/core/error.h"
+#include "renderers/graph/frame.h"
 #include "renderers/graph/pass_context.h"
-#include "renderers/graph/state.h"
 
 /// Joins the names of a pass's programs with its resources.
 namespace ir::graph {
@@ -57,8 +57,8 @@ bool sees_parameters(const gl::ProgramSource& source) {
 
 }  // namespace
 
-PassContext::PassContext(Graph& graph, const Pass& pass) : graph_(graph), pass_(pass) {
-    const auto& builder = *graph_.state_->builder;
+PassContext::PassContext(Frame& frame, const Pass& pass) : frame_(frame), pass_(pass) {
+    const auto& builder = *frame_.builder;
     for (const auto& access : pass.accesses) {
         if (access.kind == Pass::Access::Kind::object || access.previous) continue;
         const bool is_image = access.kind == Pass::Access::Kind::image;
@@ -82,7 +82,7 @@ void PassContext::offer(const std::string& name, const Pass::Binding& binding) {
 }
 
 GLuint PassContext::sampler_of(const scene::Sampler& sampler) const {
-    auto& samplers = graph_.state_->samplers;
+    auto& samplers = frame_.cache.samplers;
     const auto found = std::find_if(samplers.begin(), samplers.end(),
                                     [&](const auto& entry) { return entry.first == sampler; });
     if (found != samplers.end()) return found->second;
@@ -90,20 +90,19 @@ GLuint PassContext::sampler_of(const scene::Sampler& sampler) const {
 }
 
 const gl::Program& PassContext::method_program(const gl::ProgramSource& source) const {
-    auto& s = *graph_.state_;
-    auto& made = s.programs_with_parameters[source];
+    auto& s = frame_;
+    auto& made = s.cache.programs_with_parameters[source];
     if (made) return *made;
-    const auto& parameters = s.method->description.parameters;
     gl::ProgramSource complete = source;
-    complete.preamble += gl::parameter_glsl(parameters, *s.settings);
-    const auto& program = s.programs->get(complete);
-    gl::check_parameter_block(api(), program.name(), parameters);
+    complete.preamble += s.cache.parameter_glsl;
+    const auto& program = s.cache.programs->get(complete);
+    gl::check_parameter_block(api(), program.name(), s.method->description.parameters);
     made = &program;
     return program;
 }
 
 const gl::Program& PassContext::program(const gl::ProgramSource& source) const {
-    return sees_parameters(source) ? method_program(source) : graph_.state_->programs->get(source);
+    return sees_parameters(source) ? method_program(source) : frame_.cache.programs->get(source);
 }
 
 const gl::Program& PassContext::use(const gl::ProgramSource& source) const {
@@ -121,9 +120,9 @@ void PassContext::use(const gl::Program& program) const {
 }
 
 void PassContext::bind_element(const gl::ProgramResource& resource, int element) const {
-    const auto& s = *graph_.state_;
+    const auto& s = frame_;
     if (resource.name == gl::parameter_block_name) {
-        api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, resource.unit, s.parameter_buffer);
+        api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, resource.unit, s.cache.parameter_buffer);
         return;
     }
     auto found = bindings_.end();
@@ -146,13 +145,52 @@ void PassContext::bind_element(const gl::ProgramResource& resource, int element)
 
 void PassContext::bind_block(const gl::ProgramResource& resource, const Pass::Binding& binding) const {
     if (binding.kind == BindingKind::counter) {
-        api().BindBufferRange(GL_SHADER_STORAGE_BUFFER, resource.unit, graph_.state_->counter_buffer,
+        api().BindBufferRange(GL_SHADER_STORAGE_BUFFER, resource.unit, frame_.cache.counter_buffer,
                               static_cast<GLintptr>(binding.index * counter_stride), 16);
         return;
     }
     const BufferRef ref{binding.index};
+    if (ref.index >= 0) compare_records(resource, ref);
     const auto bound = ref.index < 0 ? 0 : binding.previous ? previous(ref) : buffer(ref);
     api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, resource.unit, bound);
+}
+
+/// "position_ws" and "distance_m" stand for the fields position and distance, "sample_" for sample, which is
+/// a word of GLSL.
+std::string plain_name(const std::string& member) {
+    for (const std::string suffix : {"_ws", "_m", "_"})
+        if (member.ends_with(suffix)) return member.substr(0, member.size() - suffix.size());
+    return member;
+}
+
+void PassContext::compare_records(const gl::ProgramResource& resource, BufferRef ref) const {
+    if (resource.members.empty()) return;
+    auto& s = frame_;
+    const auto& desc = s.builder->buffers().at(static_cast<std::size_t>(ref.index));
+    auto& compared = s.cache.compared_records[{programs_.back()->name(), resource.name, desc.text.key}];
+    if (compared == desc.fields) return;
+    const auto differs = [&](const std::string& what) {
+        refuse(resource, "and buffer '" + desc.text.key + "' differ: " + what);
+    };
+    if (resource.stride != stride(desc))
+        differs("a record has " + std::to_string(resource.stride) + " bytes in the program and " +
+                std::to_string(stride(desc)) + " in the buffer");
+    for (const auto& member : resource.members) {
+        int begin = 0;
+        auto field = desc.fields.begin();
+        while (field + 1 != desc.fields.end() && member.offset >= begin + 4 * field->count)
+            begin += 4 * field++->count;
+        const bool is_named_so = member.offset == begin && plain_name(member.name) == field->name;
+        const bool has_name = std::any_of(desc.fields.begin(), desc.fields.end(), [&](const Field& each) {
+            return each.name == plain_name(member.name);
+        });
+        // An array may stand for several fields, and several members for a field of several numbers.
+        const bool groups = !has_name && (field->count > 1 || (member.is_array && member.offset == begin));
+        if (!is_named_so && !groups)
+            differs("the program has '" + member.name + "' at byte " + std::to_string(member.offset) +
+                    ", where the buffer has '" + field->name + "'");
+    }
+    compared = desc.fields;
 }
 
 void PassContext::bind_image(const gl::ProgramResource& resource, GLuint unit,

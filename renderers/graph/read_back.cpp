@@ -2,7 +2,7 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
-#include "renderers/graph/state.h"
+#include "renderers/graph/cache.h"
 
 namespace ir::graph {
 namespace {
@@ -32,7 +32,7 @@ float component(const std::byte* from, const gl::FormatInfo& format) {
 }  // namespace
 
 std::optional<Image> Graph::read_image(const std::string& key, int level, int layer) const {
-    auto* physical = state_->pool.find(key);
+    auto* physical = cache_->pool.find(key);
     if (!physical || !physical->is_image) return std::nullopt;
     const auto& shape = physical->shape;
     if (level < 0 || level >= shape.levels || layer < 0 || layer >= std::max(1, shape.layers))
@@ -45,7 +45,7 @@ std::optional<Image> Graph::read_image(const std::string& key, int level, int la
     if (copy.on_host && level == 0)
         std::memcpy(raw.data(), copy.host.data() + layer * raw.size(), raw.size());
     else
-        state_->device.read_image(state_->pool.on_device(*physical, copy), shape, level, layer, raw);
+        cache_->device.read_image(cache_->pool.on_device(*physical, copy), shape, level, layer, raw);
     Image image(width, height, format.channels);
     const auto step = static_cast<std::size_t>(format.bytes / format.channels);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
@@ -54,7 +54,7 @@ std::optional<Image> Graph::read_image(const std::string& key, int level, int la
 }
 
 std::optional<std::vector<float>> Graph::read_texel(const std::string& key, int x, int y, int layer) const {
-    auto* physical = state_->pool.find(key);
+    auto* physical = cache_->pool.find(key);
     if (!physical || !physical->is_image || !physical->has_contents()) return std::nullopt;
     const auto& shape = physical->shape;
     if (x < 0 || x >= shape.width || y < 0 || y >= shape.height || layer < 0 ||
@@ -67,7 +67,7 @@ std::optional<std::vector<float>> Graph::read_texel(const std::string& key, int 
         const auto texel = (static_cast<std::size_t>(layer) * shape.height + y) * shape.width + x;
         std::memcpy(raw.data(), copy.host.data() + texel * raw.size(), raw.size());
     } else {
-        state_->device.read_texel(copy.name, shape, 0, layer, x, y, raw);
+        cache_->device.read_texel(copy.name, shape, 0, layer, x, y, raw);
     }
     std::vector<float> values(static_cast<std::size_t>(format.channels));
     for (std::size_t c = 0; c < values.size(); ++c)
@@ -76,15 +76,15 @@ std::optional<std::vector<float>> Graph::read_texel(const std::string& key, int 
 }
 
 std::optional<std::vector<std::byte>> Graph::read_buffer(const std::string& key,
-                                                         std::uint64_t most_bytes) const {
-    auto* physical = state_->pool.find(key);
+                                                         std::uint64_t max_bytes) const {
+    auto* physical = cache_->pool.find(key);
     if (!physical || physical->is_image || !physical->has_contents()) return std::nullopt;
     auto& copy = physical->now();
-    std::vector<std::byte> bytes(std::min(physical->copy_bytes(), most_bytes));
+    std::vector<std::byte> bytes(std::min(physical->copy_bytes(), max_bytes));
     if (copy.on_host)
         std::memcpy(bytes.data(), copy.host.data(), bytes.size());
     else if (!bytes.empty())
-        state_->device.read_buffer(copy.name, 0, bytes);
+        cache_->device.read_buffer(copy.name, 0, bytes);
     return bytes;
 }
 

@@ -24,7 +24,8 @@ struct CounterRef {
     int index = -1;
 };
 
-/// What every resource says about itself, for listings, tooltips and files.
+/// What a resource says about itself, for listings, tooltips and files. Outputs have that of their
+/// description (GraphBuilder::output); this is for the others.
 struct ResourceText {
     std::string key;    ///< "gbuffer.normal": unique, lower case, dots between subject and part
     std::string label;  ///< "Shading normal"
@@ -32,7 +33,11 @@ struct ResourceText {
     Semantic semantic = Semantic::generic;
     std::string unit = {};
     std::string colour_map = {};
+    bool operator==(const ResourceText&) const = default;
 };
+
+/// Of a resource that is an output of some methods and shown as any other by the rest.
+ResourceText text_of(const OutputDescription& output);
 
 /// The size of an image: a multiple of the view's, or a fixed number of texels.
 struct Extent {
@@ -43,7 +48,7 @@ struct Extent {
 };
 
 struct ImageDesc {
-    ResourceText text;
+    ResourceText text = {};
     /// The sampler or image that stands for it in every shader of a pass that declares it. Passes may give
     /// another.
     std::string name = {};
@@ -60,7 +65,7 @@ using ir::Field;
 using ir::FieldType;
 
 struct BufferDesc {
-    ResourceText text;
+    ResourceText text = {};
     std::string name = {};                ///< of its block, as ImageDesc has it
     OutputKind kind = OutputKind::table;  ///< or point_set, line_set, glyphs, sphere_values
     std::vector<Field> fields;            ///< std430 with scalars only: 4 bytes each, tightly packed
@@ -75,7 +80,7 @@ int stride(const BufferDesc& desc);
 
 /// A thing on the host that only passes of the cpu queue use, such as a BVH.
 struct ObjectDesc {
-    ResourceText text;
+    ResourceText text = {};
     std::string fingerprint = {};
 };
 

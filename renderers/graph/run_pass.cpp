@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "renderers/graph/frame.h"
 #include "renderers/graph/pass_context.h"
-#include "renderers/graph/state.h"
 
 namespace ir::graph {
 namespace {
@@ -21,14 +21,14 @@ constexpr std::int64_t max_slice_growth = 8;
 
 }  // namespace
 
-void Graph::State::delete_framebuffers() {
+void GraphCache::delete_framebuffers() {
     if (!context || framebuffers.empty()) return;
     context->api().BindFramebuffer(GL_FRAMEBUFFER, 0);
     context->api().DeleteFramebuffers(static_cast<GLsizei>(framebuffers.size()), framebuffers.data());
     framebuffers.clear();
 }
 
-void Graph::State::reset_gl_state() const {
+void GraphCache::reset_gl_state() const {
     if (!context) return;
     const auto& gl = context->api();
     for (const GLenum capability :
@@ -41,21 +41,21 @@ void Graph::State::reset_gl_state() const {
     gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
-void Graph::State::prepare_access(const Pass& pass, const Pass::Access& access) {
+void Frame::prepare_access(const Pass& pass, const Pass::Access& access) {
     if (access.kind == Kind::object) return;
     const bool on_gl = pass.queue == Queue::gl, is_image = access.kind == Kind::image;
     auto& physical = is_image ? *images[access.index] : *buffers[access.index];
     auto& copy = access.previous ? physical.before() : physical.now();
-    if (access.previous && !copy.committed) return pool.zero(physical, copy, on_gl);
+    if (access.previous && !copy.committed) return cache.pool.zero(physical, copy, on_gl);
     const bool fresh = access.write && !physical.produced;
     const bool cleared = fresh && !is_image && builder->buffers()[access.index].cleared;
     if (on_gl) {
-        pool.on_device(physical, copy);
-        if (cleared) device.clear_buffer(copy.name, 0, physical.copy_bytes());
+        cache.pool.on_device(physical, copy);
+        if (cleared) cache.device.clear_buffer(copy.name, 0, physical.copy_bytes());
     } else if (fresh) {
         copy.host.assign(physical.host_bytes(), std::byte{0});
     } else {
-        pool.on_host(physical, copy);
+        cache.pool.on_host(physical, copy);
     }
     if (!access.write) return;
     physical.fingerprint.clear();
@@ -65,15 +65,15 @@ void Graph::State::prepare_access(const Pass& pass, const Pass::Access& access) 
     if (on_gl) copy.host = {};
 }
 
-void Graph::State::serve_views(bool on_gl, std::size_t index) {
+void Frame::serve_views(bool on_gl, std::size_t index) {
     const auto start = Clock::now();
     options->between_slices();
-    if (context && !context->is_current()) context->make_current();
-    if (on_gl) reset_gl_state();
+    if (cache.context && !cache.context->is_current()) cache.context->make_current();
+    if (on_gl) cache.reset_gl_state();
     views_ms[index] += ms_since(start);
 }
 
-void Graph::State::drop_contents(const Pass& pass) {
+void Frame::drop_contents(const Pass& pass) {
     for (const auto& access : pass.accesses) {
         if (!access.write || access.kind == Kind::object) continue;
         auto& physical = access.kind == Kind::image ? *images[access.index] : *buffers[access.index];
@@ -81,10 +81,10 @@ void Graph::State::drop_contents(const Pass& pass) {
     }
 }
 
-int Graph::State::run_slices(const Pass& pass, std::size_t index, PassContext& pass_context) {
+int Frame::run_slices(const Pass& pass, std::size_t index, PassContext& pass_context) {
     const bool on_gl = pass.queue == Queue::gl, sliced = pass.first_slice > 0;
-    const auto known_rate = items_per_ms.find(pass.name);
-    double rate = known_rate == items_per_ms.end() ? 0 : known_rate->second;
+    const auto known_rate = cache.items_per_ms.find(pass.name);
+    double rate = known_rate == cache.items_per_ms.end() ? 0 : known_rate->second;
     int slices = 0;
     std::int64_t begin = 0, last_size = 0;
     do {
@@ -101,7 +101,7 @@ int Graph::State::run_slices(const Pass& pass, std::size_t index, PassContext& p
         pass.execute(pass_context, {begin, end, begin == 0, end == pass.items});
         ++slices;
         if (sliced && end > begin) {
-            if (on_gl) device.finish();
+            if (on_gl) cache.device.finish();
             rate = static_cast<double>(end - begin) / std::max(ms_since(start), 1e-3);
         }
         begin = end;
@@ -111,23 +111,23 @@ int Graph::State::run_slices(const Pass& pass, std::size_t index, PassContext& p
         }
         if (begin < pass.items && options->between_slices) serve_views(on_gl, index);
     } while (begin < pass.items);
-    if (sliced && rate > 0) items_per_ms[pass.name] = rate;
+    if (sliced && rate > 0) cache.items_per_ms[pass.name] = rate;
     pass_context.check_names();
     return slices;
 }
 
-PassReport Graph::State::run_pass(Graph& graph, const Pass& pass, std::size_t index) {
+PassReport Frame::run_pass(const Pass& pass, std::size_t index) {
     const bool on_gl = pass.queue == Queue::gl;
     ran[index] = true;
-    counts_of_passes.erase(pass.name);
+    cache.counts_of_passes.erase(pass.name);
     for (const auto& access : pass.accesses) prepare_access(pass, access);
     PassReport result;
     result.name = pass.name;
     result.queue = on_gl ? "gl" : "cpu";
-    PassContext pass_context(graph, pass);
+    PassContext pass_context(*this, pass);
     if (on_gl) {
-        reset_gl_state();
-        device.begin_pass(pass.name);
+        cache.reset_gl_state();
+        cache.device.begin_pass(pass.name);
     }
     const auto start = Clock::now();
     try {
@@ -135,19 +135,20 @@ PassReport Graph::State::run_pass(Graph& graph, const Pass& pass, std::size_t in
     } catch (...) {
         drop_contents(pass);  // half written
         if (on_gl) {
-            if (context && !context->is_current()) context->make_current();
-            device.end_pass();
-            delete_framebuffers();
+            if (cache.context && !cache.context->is_current()) cache.context->make_current();
+            cache.device.end_pass();
+            cache.delete_framebuffers();
         }
         throw;
     }
     result.cpu_ms = ms_since(start) - views_ms[index];
     if (on_gl) {
-        device.barrier();
-        const int ticket = device.end_pass();
-        result.gpu_ms = device.software() ? device.pass_ms(ticket) : -1 - ticket;  // resolved after the frame
-        if (device.software()) result.cpu_ms = ms_since(start) - views_ms[index];
-        delete_framebuffers();
+        cache.device.barrier();
+        const int ticket = cache.device.end_pass();
+        result.gpu_ms =
+            cache.device.software() ? cache.device.pass_ms(ticket) : -1 - ticket;  // resolved after the frame
+        if (cache.device.software()) result.cpu_ms = ms_since(start) - views_ms[index];
+        cache.delete_framebuffers();
     }
     keep_fingerprints(pass, index);
     return result;

@@ -133,7 +133,7 @@ FlipExposures exposures_of(const Planes& image, const Planes& reference, const V
     const double white = aces::inverse(nearly_white);
     FlipExposures result{std::log2(white / range.largest), std::log2(white / range.median), 2};
     const double stops = std::ceil(result.stop - result.start);
-    result.count = static_cast<int>(std::clamp(stops, 2.0, double(most_flip_exposures)));
+    result.count = static_cast<int>(std::clamp(stops, 2.0, double(max_flip_exposures)));
     return result;
 }
 

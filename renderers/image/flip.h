@@ -28,9 +28,9 @@ struct FlipExposures {
 /// From the exposure at which the reference's brightest pixel is nearly white to the one at which its median
 /// is, in steps of about a stop [Andersson21 §4]. A reference whose median is black counts by the median of
 /// what is not; a black one takes the image's range; with both black there is one exposure, 0. Never more
-/// than `most_flip_exposures`: steps grow instead.
+/// than `max_flip_exposures`: steps grow instead.
 FlipExposures flip_exposures(const Image& image, const Image& reference, const Image* valid = nullptr);
-inline constexpr int most_flip_exposures = 32;
+inline constexpr int max_flip_exposures = 32;
 
 struct HdrFlipResult {
     Image error;                 ///< as flip_error

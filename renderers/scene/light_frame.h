@@ -16,11 +16,11 @@ struct LightFrame {
 /// direction with +Y up. A light that points straight up or down has its width along X and its height along
 /// Z. Lights have no other orientation: files that are read know none of rectangles and disks.
 inline LightFrame light_frame(const Light& light) {
-    constexpr float least_horizontal_part = 1e-4f;
+    constexpr float min_horizontal_part = 1e-4f;
     const glm::vec3 right = glm::cross(light.direction, glm::vec3(0, 1, 0));
     const float length = glm::length(right);
     LightFrame frame;
-    if (length > least_horizontal_part) frame.width = right / length;
+    if (length > min_horizontal_part) frame.width = right / length;
     frame.height = glm::normalize(glm::cross(frame.width, light.direction));
     return frame;
 }

@@ -18,7 +18,7 @@ const int MICROFACETS_GGX_PRINTED = 2;      // the directions of the second with
 /// Below it a surface is a mirror.
 const float MIRROR_ALPHA = 1e-3;
 /// Least cosine to the viewer: shading normals may turn away from it.
-const float LEAST_VIEW_COSINE = 1e-4;
+const float MIN_VIEW_COSINE = 1e-4;
 
 struct Scatterer {
     vec3 n, geometric_n;
@@ -123,9 +123,9 @@ vec3 below_interface(Scatterer s, vec3 fresnel) { return s.is_layered ? (1.0 - f
 
 SeenScatterer seen_from(Scatterer s, vec3 v) {
     SeenScatterer seen = SeenScatterer(v, v, dot(s.n, v), 0.0, 0.0);
-    if (seen.n_dot_v < LEAST_VIEW_COSINE) {
-        seen.raised = normalize(v + (LEAST_VIEW_COSINE - seen.n_dot_v) * s.n);
-        seen.n_dot_v = LEAST_VIEW_COSINE;
+    if (seen.n_dot_v < MIN_VIEW_COSINE) {
+        seen.raised = normalize(v + (MIN_VIEW_COSINE - seen.n_dot_v) * s.n);
+        seen.n_dot_v = MIN_VIEW_COSINE;
     }
     seen.raised_cosine = dot(s.n, seen.raised);
     vec3 fresnel = schlick_fresnel(s.f0, seen.raised_cosine);

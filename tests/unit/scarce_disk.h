@@ -96,8 +96,8 @@ inline std::string unfinished_in(const std::filesystem::path& folder) {
 inline std::string with_more_and_more_room(const std::filesystem::path& folder, const Ordeal& ordeal,
                                            const std::function<void(std::size_t room)>& scarce,
                                            const std::function<void()>& plentiful, std::size_t step) {
-    constexpr std::size_t most_trials = 10'000;
-    for (std::size_t room = 0; room < most_trials * step; room += step) {
+    constexpr std::size_t max_trials = 10'000;
+    for (std::size_t room = 0; room < max_trials * step; room += step) {
         remove_contents(folder);
         ordeal.prepare(folder);
         scarce(room);

@@ -21,7 +21,7 @@ constexpr double farthest_level = 30;             ///< below the least value, as
 constexpr double axis_share = 0.4;
 constexpr int rings_entry = -1, rest_entry = -2;  ///< of the legend, in place of a series
 
-int most_ticks(double pixels, int each) {
+int max_ticks(double pixels, int each) {
     return std::clamp(int(pixels) / each, 3, 10);
 }
 
@@ -133,8 +133,8 @@ void PlotChart::make_scales() {
                 << tr("%1: %2, far below all points").arg(data_.level->label, plot_number(data_.level->y));
     }
     if (shows_level_ && !heights.empty()) heights.push_back(data_.level->y);
-    x_ = PlotScale(data_.x, values_of(data_, &PlotPoint::x), most_ticks(size().width() - 80, tick_width));
-    y_ = PlotScale(data_.y, heights, most_ticks(size().height() - 90, tick_height));
+    x_ = PlotScale(data_.x, values_of(data_, &PlotPoint::x), max_ticks(size().width() - 80, tick_width));
+    y_ = PlotScale(data_.y, heights, max_ticks(size().height() - 90, tick_height));
     marks_.clear();
     int displaced = 0, unknown = 0;
     for (std::size_t s = 0; s < data_.series.size(); ++s)

@@ -8,7 +8,7 @@ namespace ir::widgets {
 namespace {
 
 constexpr double margin = 0.05;  ///< of the range, beside the outermost points
-constexpr double least_decades = 0.1;
+constexpr double min_decades = 0.1;
 
 QString superscript(int exponent) {
     static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
@@ -51,15 +51,15 @@ QString plot_number(double value) {
     return mantissa == QLatin1String("1") ? power : mantissa + QStringLiteral("·") + power;
 }
 
-PlotScale::PlotScale(const PlotAxis& axis, const std::vector<double>& values, int most_ticks)
+PlotScale::PlotScale(const PlotAxis& axis, const std::vector<double>& values, int max_ticks)
     : log_(axis.log && axis.names.isEmpty()) {
     if (!axis.names.isEmpty()) {
-        name_all(axis.names, most_ticks);
+        name_all(axis.names, max_ticks);
         return;
     }
     fit(values);
-    label_wanted(axis.wanted, most_ticks);
-    if (ticks_.empty()) log_ ? label_log(most_ticks) : label_linear(most_ticks);
+    label_wanted(axis.wanted, max_ticks);
+    if (ticks_.empty()) log_ ? label_log(max_ticks) : label_linear(max_ticks);
 }
 
 double PlotScale::raw(double value) const {
@@ -95,7 +95,7 @@ void PlotScale::fit(const std::vector<double>& values) {
         return;
     }
     // A single value stands in the middle; what has no place stands apart from all that have one.
-    const double least = log_ ? least_decades : std::max(1e-12, 0.1 * std::abs(high_));
+    const double least = log_ ? min_decades : std::max(1e-12, 0.1 * std::abs(high_));
     const double range = std::max(high_ - low_, least);
     const double middle = (low_ + high_) / 2, half = range * (0.5 + (displaced ? 3 : 1) * margin);
     const bool from_zero = !log_ && low_ >= 0 && low_ < 0.35 * high_;

@@ -14,8 +14,8 @@ class PlotScale {
         double place = 0;
         QString text;
     };
-    /// Of an axis that is to show these values; NaN has no place. At most `most_ticks` round numbers.
-    PlotScale(const PlotAxis& axis, const std::vector<double>& values, int most_ticks = 8);
+    /// Of an axis that is to show these values; NaN has no place. At most `max_ticks` round numbers.
+    PlotScale(const PlotAxis& axis, const std::vector<double>& values, int max_ticks = 8);
 
     double low() const { return low_; }
     double high() const { return high_; }

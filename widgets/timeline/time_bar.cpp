@@ -14,7 +14,7 @@ namespace {
 
 constexpr double margin = 12, ruler_height = 22, line_height = 16, key_radius = 4;
 /// Further ones are not told apart by eye anyway.
-constexpr std::size_t most_tracks = 8;
+constexpr std::size_t max_tracks = 8;
 
 /// 1, 2 or 5 times a power of ten, so that labels stand at least `least` seconds apart.
 double label_step(double least) {
@@ -49,7 +49,7 @@ void TimeBar::show_state(const TimelineState& state) {
 }
 
 QSize TimeBar::sizeHint() const {
-    const auto lines = std::max<std::size_t>(1, std::min(state_.tracks.size(), most_tracks));
+    const auto lines = std::max<std::size_t>(1, std::min(state_.tracks.size(), max_tracks));
     return {400, int(ruler_height + double(lines) * line_height + 6)};
 }
 
@@ -114,7 +114,7 @@ void TimeBar::paint_ruler(QPainter& painter) const {
 
 void TimeBar::paint_tracks(QPainter& painter) const {
     const QColor line(120, 120, 120), key(232, 179, 74);
-    for (std::size_t i = 0; i < std::min(state_.tracks.size(), most_tracks); ++i) {
+    for (std::size_t i = 0; i < std::min(state_.tracks.size(), max_tracks); ++i) {
         const auto& track = state_.tracks[i];
         const double y = line_of(i);
         const double first = track.keys.empty() ? 0 : track.keys.front();
@@ -181,7 +181,7 @@ void TimeBar::keyPressEvent(QKeyEvent* event) {
 }
 
 QString TimeBar::tip_at(const QPointF& place) const {
-    for (std::size_t i = 0; i < std::min(state_.tracks.size(), most_tracks); ++i) {
+    for (std::size_t i = 0; i < std::min(state_.tracks.size(), max_tracks); ++i) {
         if (std::abs(place.y() - line_of(i)) > line_height / 2) continue;
         const auto& track = state_.tracks[i];
         const QString what =

@@ -1,16 +1,10 @@
 #include "renderers/methods/ambient-occlusion-volumes/additive.h"
 
-#include "renderers/graph/output_text.h"
-
 namespace ir::methods::ambient_occlusion_volumes {
 namespace {
 
-graph::ImageRef declare(graph::GraphBuilder& builder, const std::vector<OutputDescription>& outputs,
-                        const std::string& key) {
-    graph::ImageDesc desc;
-    desc.text = graph::text_of(outputs, key);
-    desc.format = gl::Format::r32f;
-    return builder.image(std::move(desc));
+graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key) {
+    return builder.output(key, {.format = gl::Format::r32f});
 }
 
 /// Sums what the fragments give, over all triangles in their order.
@@ -34,8 +28,7 @@ void blend(const graph::PassContext& context, const Volumes& volumes, const gl::
 }  // namespace
 
 graph::ImageRef add_up(graph::GraphBuilder& builder, const Volumes& volumes) {
-    const auto outputs = additive_outputs();
-    const auto sum = declare(builder, outputs, "volumes.sum"), raw = declare(builder, outputs, "volumes.raw");
+    const auto sum = declare(builder, "volumes.sum"), raw = declare(builder, "volumes.raw");
     auto pass = builder.pass("additive");
     read_volumes(pass, volumes);
     pass.writes(sum).execute_sliced(volumes.triangles,
@@ -50,9 +43,7 @@ graph::ImageRef add_up(graph::GraphBuilder& builder, const Volumes& volumes) {
 }
 
 void count_volumes(graph::GraphBuilder& builder, const Volumes& volumes) {
-    const auto outputs = count_outputs();
-    const auto covering = declare(builder, outputs, "volumes.covering"),
-               within = declare(builder, outputs, "volumes.within");
+    const auto covering = declare(builder, "volumes.covering"), within = declare(builder, "volumes.within");
     auto pass = builder.pass("count volumes");
     read_volumes(pass, volumes);
     pass.writes(covering, within)

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "renderers/graph/output_text.h"
-
 namespace ir::methods::ambient_occlusion_volumes {
 namespace {
 
@@ -51,11 +49,7 @@ struct BouncedPass {
 
 graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl::Format format,
                         int samples) {
-    graph::ImageDesc desc;
-    desc.text = graph::text_of(bounced_outputs(), key);
-    desc.format = format;
-    desc.layers = samples;
-    return builder.image(std::move(desc));
+    return builder.output(key, {.format = format, .layers = samples});
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "renderers/graph/output_text.h"
 #include "renderers/passes/scan/scan.h"
 
 namespace ir::methods::ambient_occlusion_volumes {
@@ -51,7 +50,7 @@ void explain(graph::GraphBuilder& builder, const Volumes& volumes,
         {.text = {.key = "volumes.explain.concerned", .label = "Volumes entered by the picked pixel's point"},
          .fields = {{"within", FieldType::u32}},
          .elements = count});
-    const auto text = graph::text_of(explanation_outputs(), "volumes.explain.triangles");
+    const auto text = builder.text_of_output("volumes.explain.triangles");
     e.triangles = builder.buffer({.text = text,
                                   .kind = OutputKind::glyphs,
                                   .fields = {{"centre", FieldType::f32, 3},

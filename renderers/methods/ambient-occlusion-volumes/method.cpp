@@ -3,7 +3,6 @@
 // direction wins [Nalbach15 Fig. 2].
 #include "renderers/graph/method.h"
 
-#include "renderers/graph/output_text.h"
 #include "renderers/methods/ambient-occlusion-volumes/additive.h"
 #include "renderers/methods/ambient-occlusion-volumes/benchmark.h"
 #include "renderers/methods/ambient-occlusion-volumes/bounced.h"
@@ -35,7 +34,7 @@ MethodDescription description() {
          .semantic = Semantic::accessibility,
          .doc = "Cosine-weighted openness of the hemisphere, 1 = open."},
         passes::lit_output(),
-        {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."},
+        passes::valid_output(),
     };
     for (const auto& part :
          {additive_outputs(), bounced_outputs(), passes::bounce::direction_outputs(bounced),
@@ -82,7 +81,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     const auto direct = passes::direct_light(builder, scene, gbuffer);
     const auto volumes = declare_volumes(builder, scene, gbuffer, parameters);
-    const auto text = graph::text_of(description().outputs, "accessibility");
+    const auto text = builder.text_of_output("accessibility");
     const auto accessibility = parameters.visibility ? with_visibility(builder, volumes, parameters, text)
                                                      : without_visibility(builder, volumes, parameters, text);
     count_volumes(builder, volumes);

@@ -50,7 +50,7 @@ void set_triangles(const graph::PassContext& context, const gl::Program& program
     program.set("opaque_triangles", context.inputs().world->opaque_triangles);
     program.set("reach", volumes.reach);
     program.set("both_sides", volumes.both_sides ? 1 : 0);
-    program.set("least_offset", passes::least_ray_offset_m);
+    program.set("min_offset", passes::min_ray_offset_m);
     program.set("offset_scale", passes::relative_ray_offset);
 }
 

@@ -7,7 +7,6 @@
 
 #include "renderers/graph/method.h"
 
-#include "renderers/graph/output_text.h"
 #include "renderers/methods/deep-screen-space/benchmark.h"
 #include "renderers/methods/deep-screen-space/reach.h"
 #include "renderers/methods/deep-screen-space/splatting.h"
@@ -27,21 +26,20 @@ std::vector<OutputDescription> pictures() {
     auto radiance = passes::radiance_output(only_indirect);
     auto lit = passes::lit_output();
     lit.active_when = only_ao;
-    return {
-        {.key = "accessibility",
-         .label = "Accessibility",
-         .semantic = Semantic::accessibility,
-         .doc = "Cosine-weighted openness of the hemisphere, 1 = open.",
-         .active_when = only_ao},
-        radiance,
-        {.key = "indirect.radiance",
-         .label = "Indirect radiance",
-         .semantic = Semantic::radiance,
-         .unit = "W/(m² sr)",
-         .doc = "What the receiver reflects of the light that surfels send it, towards the eye.",
-         .active_when = only_indirect},
-        lit,
-        {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."}};
+    return {{.key = "accessibility",
+             .label = "Accessibility",
+             .semantic = Semantic::accessibility,
+             .doc = "Cosine-weighted openness of the hemisphere, 1 = open.",
+             .active_when = only_ao},
+            radiance,
+            {.key = "indirect.radiance",
+             .label = "Indirect radiance",
+             .semantic = Semantic::radiance,
+             .unit = "W/(m² sr)",
+             .doc = "What the receiver reflects of the light that surfels send it, towards the eye.",
+             .active_when = only_indirect},
+            lit,
+            passes::valid_output()};
 }
 
 std::vector<OutputDescription> outputs() {
@@ -156,7 +154,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
         [&](graph::ResourceText text) {
             return gather(builder, scene, gbuffer, direct.shadow, parameters, std::move(text));
         },
-        parameters.reprojection, graph::text_of(pictures(), ao ? "accessibility" : "indirect.radiance"));
+        parameters.reprojection, builder.text_of_output(ao ? "accessibility" : "indirect.radiance"));
     if (ao)
         passes::lit(builder, gbuffer, direct, picture, parameters.ambient);
     else

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/hbao/passes.h"
 
@@ -21,7 +20,7 @@ struct Explained {
 
 Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputKind kind,
                   std::vector<Field> fields, std::uint64_t elements) {
-    const auto text = graph::text_of(explanation_outputs(), "hbao.explain." + what);
+    const auto text = builder.text_of_output("hbao.explain." + what);
     Explained e;
     // Growable, so that counters tell how many elements are in use.
     e.elements = builder.buffer(

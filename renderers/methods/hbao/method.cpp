@@ -2,7 +2,6 @@
 // What no pixel shows occludes nothing, and what one shows is as thick as the scene. [Bavoil08]
 #include "renderers/graph/method.h"
 
-#include "renderers/graph/output_text.h"
 #include "renderers/methods/hbao/benchmark.h"
 #include "renderers/methods/hbao/explain.h"
 #include "renderers/methods/hbao/parameters.h"
@@ -33,7 +32,7 @@ MethodDescription description() {
          .doc = "Cosine-weighted openness of the hemisphere, 1 = open; with the published weighting openness "
                 "by solid angle."},
         passes::lit_output(),
-        {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."},
+        passes::valid_output(),
     };
     for (const auto& part : {marched_outputs(), explanation_outputs()})
         d.outputs.insert(d.outputs.end(), part.begin(), part.end());
@@ -48,7 +47,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto marched = march(builder, gbuffer, parameters);
     const auto accessibility =
         passes::blur(builder, gbuffer, marched.raw, passes::options_of(parameters.blur),
-                     graph::text_of(description().outputs, "accessibility"));
+                     builder.text_of_output("accessibility"));
     explain(builder, gbuffer, parameters);
     passes::lit(builder, gbuffer, direct, accessibility, parameters.ambient);
     if (parameters.transport.max_distance == 0)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 
@@ -11,13 +10,6 @@ namespace {
 
 /// Drivers may stop the loops of an invocation after 65,535 turns in all.
 constexpr int steps_per_dispatch = 8192;
-
-graph::ImageRef declare(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format) {
-    graph::ImageDesc desc;
-    desc.text = std::move(text);
-    desc.format = format;
-    return builder.image(std::move(desc));
-}
 
 void march_directions(graph::PassContext& context, graph::ImageRef sums, int first, int end) {
     const auto& program = context.use({{"methods/hbao/march.comp"}});
@@ -54,17 +46,15 @@ std::vector<OutputDescription> marched_outputs() {
 }
 
 Marched march(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Parameters& parameters) {
-    const auto outputs = marched_outputs();
     Marched marched;
-    marched.sums =
-        declare(builder,
-                {.key = "hbao.sums",
-                 .label = "Sums over directions",
-                 .doc = "Weight that is open; all weight; directions cut off by the picture's edge; "
-                        "samples that were looked at."},
-                gl::Format::rgba32f);
-    marched.raw = declare(builder, graph::text_of(outputs, "hbao.raw"), gl::Format::r32f);
-    marched.cut = declare(builder, graph::text_of(outputs, "hbao.cut"), gl::Format::r32f);
+    marched.sums = builder.image(
+        {.text = {.key = "hbao.sums",
+                  .label = "Sums over directions",
+                  .doc = "Weight that is open; all weight; directions cut off by the picture's edge; "
+                         "samples that were looked at."},
+         .format = gl::Format::rgba32f});
+    marched.raw = builder.output("hbao.raw", {.format = gl::Format::r32f});
+    marched.cut = builder.output("hbao.cut", {.format = gl::Format::r32f});
     const int at_once = std::max(1, steps_per_dispatch / parameters.steps), all = parameters.directions;
     auto pass = builder.pass("march");
     pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).writes("sums", marched.sums);

@@ -1,6 +1,5 @@
 #include "renderers/methods/ldm-ao/explain.h"
 
-#include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/ldm/map_views.h"
 
@@ -73,10 +72,6 @@ void explain_entries(graph::GraphBuilder& builder, const passes::GBuffer& gbuffe
             context.barrier();
         }
     });
-}
-
-graph::ResourceText text_of(const std::string& key) {
-    return graph::text_of(explanation_outputs(), key);
 }
 
 graph::CounterRef count_of(graph::GraphBuilder& builder, const std::string& what, const std::string& label,
@@ -152,50 +147,39 @@ Explanation declare_explanation(graph::GraphBuilder& builder, const ldm::Maps& m
     auto hit_fields = ldm::region_fields(maps);
     for (const char* name : {"hit", "distance", "contribution"}) hit_fields.push_back({name, FieldType::f32});
     hit_fields.push_back({"own_found", FieldType::u32});
-    e.hits = builder.buffer({.text = text_of("ldm.explain.hits"),
-                             .kind = OutputKind::sphere_values,
-                             .fields = hit_fields,
-                             .elements = 2 * maps.directions.size(),
-                             .growable = true});
-    e.rays = builder.buffer({.text = text_of("ldm.explain.rays"),
-                             .kind = OutputKind::line_set,
-                             .fields = {start,
-                                        end,
-                                        {"hit", FieldType::i32},
-                                        {"distance", FieldType::f32},
-                                        {"contribution", FieldType::f32},
-                                        map,
-                                        {"side", FieldType::i32}},
-                             .elements = maps.directions.size(),
-                             .growable = true});
-    e.entries = builder.buffer({.text = text_of("ldm.explain.entries"),
-                                .kind = OutputKind::point_set,
-                                .fields = {{"position", FieldType::f32, 3},
-                                           {"depth", FieldType::f32},
-                                           {"layer", FieldType::u32},
-                                           {"role", FieldType::u32},
-                                           map},
-                                .elements = maps_chosen * expected_entries,
-                                .growable = true});
-    e.walk = builder.buffer({.text = text_of("ldm.explain.walk"),
-                             .kind = OutputKind::line_set,
-                             .fields = {start,
-                                        end,
-                                        {"role", FieldType::u32},
-                                        {"step", FieldType::u32},
-                                        {"hit", FieldType::u32},
-                                        {"above", FieldType::u32},
-                                        map},
-                             .elements = maps_chosen * expected_entries,
-                             .growable = true});
-    e.texel = builder.buffer({.text = text_of("ldm.explain.texel"),
-                              .kind = OutputKind::glyphs,
-                              .fields = {{"centre", FieldType::f32, 3},
-                                         {"axis_u", FieldType::f32, 3},
-                                         {"axis_v", FieldType::f32, 3},
-                                         map},
-                              .elements = maps_chosen,
-                              .growable = true});
+    e.hits = builder.output("ldm.explain.hits",
+                            {.fields = hit_fields, .elements = 2 * maps.directions.size(), .growable = true});
+    e.rays = builder.output("ldm.explain.rays", {.fields = {start,
+                                                            end,
+                                                            {"hit", FieldType::i32},
+                                                            {"distance", FieldType::f32},
+                                                            {"contribution", FieldType::f32},
+                                                            map,
+                                                            {"side", FieldType::i32}},
+                                                 .elements = maps.directions.size(),
+                                                 .growable = true});
+    e.entries = builder.output("ldm.explain.entries", {.fields = {{"position", FieldType::f32, 3},
+                                                                  {"depth", FieldType::f32},
+                                                                  {"layer", FieldType::u32},
+                                                                  {"role", FieldType::u32},
+                                                                  map},
+                                                       .elements = maps_chosen * expected_entries,
+                                                       .growable = true});
+    e.walk = builder.output("ldm.explain.walk", {.fields = {start,
+                                                            end,
+                                                            {"role", FieldType::u32},
+                                                            {"step", FieldType::u32},
+                                                            {"hit", FieldType::u32},
+                                                            {"above", FieldType::u32},
+                                                            map},
+                                                 .elements = maps_chosen * expected_entries,
+                                                 .growable = true});
+    e.texel = builder.output("ldm.explain.texel", {.fields = {{"centre", FieldType::f32, 3},
+                                                              {"axis_u", FieldType::f32, 3},
+                                                              {"axis_v", FieldType::f32, 3},
+                                                              map},
+                                                   .elements = maps_chosen,
+                                                   .growable = true});
     e.hit_count = count_of(builder, "hit", "Directions explained", e.hits);
     e.ray_count = count_of(builder, "ray", "Rays explained", e.rays);
     e.entry_count = count_of(builder, "entry", "Entries under the pixel", e.entries);

@@ -32,7 +32,7 @@ MethodDescription description() {
          .semantic = Semantic::accessibility,
          .doc = "Cosine-weighted openness of the hemisphere, 1 = open."},
         passes::lit_output(),
-        {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."},
+        passes::valid_output(),
         {.key = "ldm.self_hits",
          .label = "Own entry found",
          .semantic = Semantic::probability,

@@ -1,6 +1,5 @@
 #include "renderers/methods/ldm-ao/passes.h"
 
-#include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-ao/exact.h"
 #include "renderers/passes/scene/stands_still.h"
@@ -14,13 +13,6 @@ namespace ldm = passes::ldm;
 /// each direction walks through a list.
 constexpr std::int64_t directions_per_dispatch = 16;
 /// Behind those of the maps' storage.
-
-graph::ImageRef plain_image(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format) {
-    graph::ImageDesc desc;
-    desc.text = std::move(text);
-    desc.format = format;
-    return builder.image(desc);
-}
 
 void declare_trace(graph::GraphBuilder& builder, const std::string& name, const passes::GBuffer& gbuffer,
                    MapsPointer maps, int batch, graph::ImageRef sums, bool views, const ExactHits* exact) {
@@ -36,16 +28,13 @@ void declare_trace(graph::GraphBuilder& builder, const std::string& name, const 
         if (replaced) source.defines["EXACT_HITS"] = "1";
         const auto& program = context.use(source);
         if (replaced) set_exact(program, *replaced, *maps);
-        static_assert(sizeof(ldm::MapFrame) == 6 * sizeof(glm::vec4));
-        const auto rows = context.api().GetUniformLocation(program.name(), "frame_rows");
         const auto shape = context.shape(sums);
         const auto end = std::min<std::int64_t>(slice.end * directions_per_dispatch, maps->batch_maps(batch));
         for (auto first = slice.begin * directions_per_dispatch; first < end;
              first += directions_per_dispatch) {
             const auto count = std::min(directions_per_dispatch, end - first);
             const auto frame = maps->first_map(batch) + first;
-            context.api().ProgramUniform4fv(program.name(), rows, static_cast<GLsizei>(6 * count),
-                                            &maps->frames[static_cast<std::size_t>(frame)].u.x);
+            ldm::set_frames(program, *maps, frame, count);
             program.set("first_frame", static_cast<unsigned>(frame));
             program.set("first_map", static_cast<unsigned>(first));
             program.set("map_count", static_cast<unsigned>(count));
@@ -72,44 +61,29 @@ OutputDescription overlay_output() {
 
 Images declare_images(graph::GraphBuilder& builder, const Parameters& parameters) {
     Images images;
-    images.sums = plain_image(builder,
-                              {.key = "ldm.sums",
-                               .label = "Sums over directions",
-                               .doc = "Σ V cosθ and Σ cosθ over the directions above the surface."},
-                              gl::Format::rg32f);
+    images.sums =
+        builder.image({.text = {.key = "ldm.sums",
+                                .label = "Sums over directions",
+                                .doc = "Σ V cosθ and Σ cosθ over the directions above the surface."},
+                       .format = gl::Format::rg32f});
     if (parameters.progressive)
-        images.average = plain_image(builder,
-                                     {.key = "ldm.average",
-                                      .label = "Mean over frames",
-                                      .doc = "Mean accessibility and number of frames.",
-                                      .semantic = Semantic::accessibility},
-                                     gl::Format::rg32f);
-    images.accessibility = plain_image(builder,
-                                       {.key = "accessibility",
-                                        .label = "Accessibility",
-                                        .doc = "Cosine-weighted openness of the hemisphere; background 1.",
-                                        .semantic = Semantic::accessibility},
-                                       gl::Format::r32f);
-    images.view_counts =
-        plain_image(builder,
-                    {.key = "ldm.self_hit_counts",
-                     .label = "Counts of self-hits",
-                     .doc = "Directions in which the own entry was found; that were asked; in which it was "
-                            "missing; in which another's may have been taken for it.",
-                     .semantic = Semantic::count},
-                    gl::Format::rgba32f);
-    const auto part = [&](const char* key, const char* label, const char* doc) {
-        return plain_image(builder,
-                           {.key = key, .label = label, .doc = doc, .semantic = Semantic::probability},
-                           gl::Format::r32f);
-    };
-    images.self_hits = part("ldm.self_hits", "Own entry found", "Part of the directions that were asked.");
-    images.missing = part("ldm.missing", "Own entry missing", "Part of the directions that were asked.");
-    images.leaks = part("ldm.leaks", "Possible leaks",
-                        "Part of the directions in which an entry ahead of the tangent plane was taken for "
-                        "the point's own.");
-    images.self_hit_overlay =
-        plain_image(builder, graph::text_of({overlay_output()}, "ldm.self_hit_overlay"), gl::Format::rgba16f);
+        images.average = builder.image({.text = {.key = "ldm.average",
+                                                 .label = "Mean over frames",
+                                                 .doc = "Mean accessibility and number of frames.",
+                                                 .semantic = Semantic::accessibility},
+                                        .format = gl::Format::rg32f});
+    images.accessibility = builder.output("accessibility", {.format = gl::Format::r32f});
+    images.view_counts = builder.image(
+        {.text = {.key = "ldm.self_hit_counts",
+                  .label = "Counts of self-hits",
+                  .doc = "Directions in which the own entry was found; that were asked; in which it was "
+                         "missing; in which another's may have been taken for it.",
+                  .semantic = Semantic::count},
+         .format = gl::Format::rgba32f});
+    images.self_hits = builder.output("ldm.self_hits", {.format = gl::Format::r32f});
+    images.missing = builder.output("ldm.missing", {.format = gl::Format::r32f});
+    images.leaks = builder.output("ldm.leaks", {.format = gl::Format::r32f});
+    images.self_hit_overlay = builder.output("ldm.self_hit_overlay", {.format = gl::Format::rgba16f});
     return images;
 }
 

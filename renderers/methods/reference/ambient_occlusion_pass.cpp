@@ -33,20 +33,9 @@ VisibilityResources declare(graph::GraphBuilder& builder, const PathInputs& inpu
                                      .semantic = Semantic::generic},
                             .format = gl::Format::rgba32f,
                             .layers = 2});
-    r.samples = builder.image({.text = {.key = "reference.samples",
-                                        .label = "Samples",
-                                        .doc = "Paths per pixel so far.",
-                                        .semantic = Semantic::count},
-                               .format = gl::Format::r32ui});
-    r.accessibility = builder.image({.text = {.key = "accessibility",
-                                              .label = "Accessibility",
-                                              .doc = "Mean visibility; background 1.",
-                                              .semantic = Semantic::accessibility},
-                                     .format = gl::Format::r32f});
-    r.variance = builder.image({.text = {.key = "reference.variance",
-                                         .label = "Variance of the mean",
-                                         .doc = "Estimated from the differences between randomisations."},
-                                .format = gl::Format::r32f});
+    r.samples = builder.output("reference.samples", {.format = gl::Format::r32ui});
+    r.accessibility = builder.output("accessibility", {.format = gl::Format::r32f});
+    r.variance = builder.output("reference.variance", {.format = gl::Format::r32f});
     return r;
 }
 

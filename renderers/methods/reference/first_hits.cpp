@@ -14,10 +14,6 @@ struct Images {
     graph::ImageRef position, normal, albedo;
 };
 
-graph::ImageRef declare(graph::GraphBuilder& builder, gl::Format format, graph::ResourceText text) {
-    return builder.image({.text = std::move(text), .format = format});
-}
-
 /// One row of pixels.
 class Row {
   public:
@@ -63,16 +59,9 @@ class Row {
 
 graph::ImageRef first_hits(graph::GraphBuilder& builder, graph::ObjectRef bvh, graph::ObjectRef surfaces) {
     Images images;
-    images.position =
-        declare(builder, gl::Format::rgba32f,
-                {"gbuffer.position", "Position", "World space, of the pixel's centre; w: distance to the eye",
-                 Semantic::position, "m"});
-    images.normal = declare(builder, gl::Format::rgba16f,
-                            {"gbuffer.normal", "Shading normal",
-                             "World space, of the pixel's centre, turned to the viewer", Semantic::normal});
-    images.albedo = declare(builder, gl::Format::rgba16f,
-                            {"gbuffer.albedo", "Base colour",
-                             "Linear, of the pixel's centre; a: transmission", Semantic::albedo});
+    images.position = builder.output("gbuffer.position", {.format = gl::Format::rgba32f});
+    images.normal = builder.output("gbuffer.normal", {.format = gl::Format::rgba16f});
+    images.albedo = builder.output("gbuffer.albedo", {.format = gl::Format::rgba16f});
     builder.pass("first hits", graph::Queue::cpu)
         .reads(bvh, surfaces)
         .writes(images.position, images.normal, images.albedo)
@@ -80,8 +69,7 @@ graph::ImageRef first_hits(graph::GraphBuilder& builder, graph::ObjectRef bvh, g
             const Row row(context, images, bvh, surfaces);
             for (auto y = slice.begin; y < slice.end; ++y) row.fill(static_cast<std::size_t>(y));
         });
-    const auto valid =
-        declare(builder, gl::Format::r8, {"valid", "Valid", "1 everywhere: rays see all", Semantic::mask});
+    const auto valid = builder.output("valid", {.format = gl::Format::r8});
     builder.pass("valid", graph::Queue::cpu).writes(valid).execute([=](graph::PassContext& context) {
         const auto pixels = context.pixels<std::uint8_t>(valid);
         std::fill(pixels.begin(), pixels.end(), std::uint8_t{255});

@@ -31,22 +31,14 @@ struct PathResources {
     int layers() const { return has_parts() ? randomisations + 2 : randomisations; }
 };
 
-graph::ImageRef radiance_image(graph::GraphBuilder& builder, const char* key, const char* label,
-                               const char* doc) {
-    return builder.image(
-        {.text =
-             {.key = key, .label = label, .doc = doc, .semantic = Semantic::radiance, .unit = "W/(m² sr)"},
-         .format = gl::Format::rgba32f});
-}
-
 PathResources declare(graph::GraphBuilder& builder, const PathInputs& inputs, const Parameters& parameters) {
     PathResources r;
     r.inputs = inputs;
     r.progress = Progress(builder);
-    r.radiance = radiance_image(builder, "radiance", "Radiance", "Mean of all paths so far.");
+    r.radiance = builder.output("radiance", {.format = gl::Format::rgba32f});
     if (parameters.transport.paths == Transport::Paths::full) {
-        r.direct = radiance_image(builder, "direct", "Direct light", "Paths with one scattering.");
-        r.indirect = radiance_image(builder, "indirect", "Indirect light", "Paths with more scatterings.");
+        r.direct = builder.output("direct", {.format = gl::Format::rgba32f});
+        r.indirect = builder.output("indirect", {.format = gl::Format::rgba32f});
     }
     r.sums = builder.image(
         {.text = {.key = "reference.sums",
@@ -57,16 +49,8 @@ PathResources declare(graph::GraphBuilder& builder, const PathInputs& inputs, co
                   .unit = "W/(m² sr)"},
          .format = gl::Format::rgba32f,
          .layers = r.layers()});
-    r.variance = builder.image({.text = {.key = "reference.variance",
-                                         .label = "Variance of the mean",
-                                         .doc = "By channel, from the differences between randomisations.",
-                                         .unit = "(W/(m² sr))²"},
-                                .format = gl::Format::rgba32f});
-    r.samples = builder.image({.text = {.key = "reference.samples",
-                                        .label = "Samples",
-                                        .doc = "Paths per pixel so far.",
-                                        .semantic = Semantic::count},
-                               .format = gl::Format::r32ui});
+    r.variance = builder.output("reference.variance", {.format = gl::Format::rgba32f});
+    r.samples = builder.output("reference.samples", {.format = gl::Format::r32ui});
     return r;
 }
 

@@ -88,24 +88,9 @@ void add_statistics(MethodDescription& d) {
                          .label = "Samples",
                          .semantic = Semantic::count,
                          .doc = "Paths per pixel so far."});
-    d.outputs.push_back(
-        {.key = "gbuffer.position",
-         .label = "First position",
-         .semantic = Semantic::position,
-         .unit = "m",
-         .doc = "Of the surface in the pixel's centre, world space; w: distance to the eye."});
-    d.outputs.push_back({.key = "gbuffer.normal",
-                         .label = "First normal",
-                         .semantic = Semantic::normal,
-                         .doc = "Shading normal of the surface in the pixel's centre."});
-    d.outputs.push_back({.key = "gbuffer.albedo",
-                         .label = "First base colour",
-                         .semantic = Semantic::albedo,
-                         .doc = "Of the surface in the pixel's centre, linear; a: transmission."});
-    d.outputs.push_back({.key = "valid",
-                         .label = "Valid",
-                         .semantic = Semantic::mask,
-                         .doc = "1 where the result counts; with rays everywhere."});
+    for (const auto& output : {passes::position_output(), passes::normal_output(), passes::albedo_output(),
+                               passes::valid_output()})
+        d.outputs.push_back(output);
 }
 
 MethodDescription description() {

@@ -9,7 +9,7 @@ namespace ir::methods::reference {
 
 /// Mirror and glass events do not count as scatterings. A path that meets more of them than this is cut, and
 /// counted.
-constexpr int most_specular_events = 32;
+constexpr int max_specular_events = 32;
 
 /// Which paths belong to the picture, by their number of scatterings between light and camera.
 struct PathRules {
@@ -36,7 +36,7 @@ struct PathRules {
         if (scatterings == 1) return direct;
         return scatterings >= fewest && scatterings <= most;
     }
-    int most_scatterings() const { return fewest <= most ? most : direct ? 1 : 0; }
+    int max_scatterings() const { return fewest <= most ? most : direct ? 1 : 0; }
     /// Unlit surfaces show their base colour with direct light, as in rasterised pictures.
     bool show_unlit() const { return direct; }
 };

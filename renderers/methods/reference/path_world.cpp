@@ -9,7 +9,7 @@ namespace ir::methods::reference {
 namespace {
 
 /// The smallest value of the texture's green channel, which is roughness; 1 without a texture.
-float least_green(const scene::Scene& scene, int texture) {
+float min_green(const scene::Scene& scene, int texture) {
     if (texture < 0) return 1;
     std::uint8_t least = 255;
     const auto& rgba = scene.textures[static_cast<std::size_t>(texture)].rgba;
@@ -19,7 +19,7 @@ float least_green(const scene::Scene& scene, int texture) {
 
 bool is_mirror_somewhere(const scene::Scene& scene, const scene::Material& material) {
     const float roughness =
-        material.roughness * least_green(scene, material.metallic_roughness_texture.texture);
+        material.roughness * min_green(scene, material.metallic_roughness_texture.texture);
     return roughness * roughness < passes::mirror_alpha;
 }
 

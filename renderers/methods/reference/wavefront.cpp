@@ -12,7 +12,7 @@ constexpr float shadow_end = 1 - 1e-4f;
 }  // namespace
 
 Wavefront::Wavefront(const PathWorld& world, const PathRules& rules, const Estimator& estimator)
-    : world_(world), rules_(rules), estimator_(estimator), most_(rules.most_scatterings()) {}
+    : world_(world), rules_(rules), estimator_(estimator), most_(rules.max_scatterings()) {}
 
 void Wavefront::trace(std::span<const PathStart> starts, std::span<PathLight> lights) {
     lights_ = lights;
@@ -131,7 +131,7 @@ void Wavefront::go_on(Path& path, const passes::Surface& surface, const passes::
     const auto dice = path.dimension(roulette);
     path.throughput *= sample.weight;
     if (sample.is_specular) {
-        if (++path.specular_events > most_specular_events) {
+        if (++path.specular_events > max_specular_events) {
             ++counts_.cut;
             return;
         }

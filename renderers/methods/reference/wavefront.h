@@ -27,7 +27,7 @@ enum EventDimension : std::uint32_t { towards_light, choices, towards_next, roul
 /// What a wavefront did.
 struct WavefrontCounts {
     std::uint64_t rays = 0;
-    std::uint64_t cut = 0;  ///< paths that ended at most_specular_events
+    std::uint64_t cut = 0;  ///< paths that ended at max_specular_events
 };
 
 /// Traces thousands of paths together, one scattering after another: rays, surfaces, light sources, shadow

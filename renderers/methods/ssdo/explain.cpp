@@ -1,7 +1,5 @@
 #include "renderers/methods/ssdo/explain.h"
 
-#include "renderers/graph/output_text.h"
-
 namespace ir::methods::ssdo {
 namespace {
 
@@ -24,7 +22,7 @@ struct Explained {
 
 Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputKind kind,
                   std::vector<Field> fields, int elements) {
-    const auto text = graph::text_of(explanation_outputs(), "ssdo.explain." + what);
+    const auto text = builder.text_of_output("ssdo.explain." + what);
     Explained e;
     // Growable, so that counters tell how many elements are in use.
     e.elements = builder.buffer({.text = text,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "renderers/graph/output_text.h"
 #include "renderers/passes/bounce/receiver.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 
@@ -13,10 +12,7 @@ namespace {
 constexpr int samples_per_dispatch = 16;
 
 graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl::Format format) {
-    graph::ImageDesc desc;
-    desc.text = graph::text_of(gathered_outputs(), key);
-    desc.format = format;
-    return builder.image(std::move(desc));
+    return builder.output(key, {.format = format});
 }
 
 passes::bounce::Receivers receivers_of(const Inputs& inputs) {

@@ -1,6 +1,5 @@
 #include "renderers/methods/ssdo/light.h"
 
-#include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
 
 namespace ir::methods::ssdo {
@@ -29,21 +28,21 @@ void modulate(graph::GraphBuilder& builder, const std::string& name, const passe
 
 graph::ImageRef blurred(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, graph::ImageRef raw,
                         const std::string& key, const Parameters& parameters) {
-    const auto text = graph::text_of(light_outputs(), key);
+    const auto text = builder.text_of_output(key);
     const auto bare =
         declare(builder, {key + ".bare", text.label + ", without materials", "Before the blur."});
     modulate(builder, "remove materials: " + key, gbuffer, raw, bare, true);
     const auto even = passes::blur(builder, gbuffer, bare, passes::options_of(parameters.blur),
                                    {key + ".even", text.label + ", blurred without materials"});
-    const auto result = declare(builder, text);
+    const auto result = builder.output(key, {.format = gl::Format::rgba32f});
     modulate(builder, "put materials back: " + key, gbuffer, even, result, false);
     return result;
 }
 
 Lit add_sky(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const passes::DirectLight& direct,
             const graph::ImageRef* sky) {
-    const Lit lit{declare(builder, graph::text_of(light_outputs(), "ssdo.direct")),
-                  declare(builder, graph::text_of(light_outputs(), "ssdo.senders"))};
+    const Lit lit{builder.output("ssdo.direct", {.format = gl::Format::rgba32f}),
+                  builder.output("ssdo.senders", {.format = gl::Format::rgba32f})};
     const bool has_sky = sky != nullptr;
     const auto added = has_sky ? *sky : direct.radiance;
     gl::ProgramSource source{{"methods/ssdo/direct.comp"}};

@@ -30,8 +30,7 @@ MethodDescription description() {
     d.outputs = {passes::radiance_output()};
     for (const auto& part : {light_outputs(), gathered_outputs(), explanation_outputs()})
         d.outputs.insert(d.outputs.end(), part.begin(), part.end());
-    d.outputs.push_back(
-        {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."});
+    d.outputs.push_back(passes::valid_output());
     d.stages = {{"ssdo.indirect.raw", 0, "Before the blur"}, {"ssdo.indirect", 0, "Blurred"}};
     return d;
 }

@@ -1,8 +1,5 @@
-// Normals as the camera sees them: x to the right, y up, z to the viewer. The smallest whole method; copy
-// this folder and shaders/methods/view-normals to begin another.
-
+// The smallest whole method; copy this folder and shaders/methods/view-normals to begin another.
 #include "renderers/graph/method.h"
-
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 
@@ -18,48 +15,34 @@ struct Parameters {
 
 // 2. What people, files and shaders need to know about them.
 ParameterTable<Parameters> parameters() {
-    return ParameterTable<Parameters>()
-        .add(&Parameters::source,
-             {.key = "source",
-              .label = "Source",
-              .doc = "Which normal is shown.",
-              .choices = {{"shading", "Shading", "Interpolated between vertices, with normal maps."},
-                          {"geometric", "Geometric", "Of the triangle's plane."}}})
-        .add(&Parameters::as_colour,
-             {.key = "as_colour",
-              .label = "As colour",
-              .doc = "Takes each component from [-1, 1] to [0, 1], as normal maps are stored."});
+    ParameterTable<Parameters> table;
+    table.add(&Parameters::source,
+              {.key = "source",
+               .label = "Source",
+               .doc = "Which normal is shown.",
+               .choices = {{"shading", "Shading", "Interpolated between vertices, with normal maps."},
+                           {"geometric", "Geometric", "Of the triangle's plane."}}});
+    table.add(&Parameters::as_colour, {.key = "as_colour",
+                                       .label = "As colour",
+                                       .doc = "From [-1, 1] to [0, 1], as normal maps are stored."});
+    return table;
 }
 
 // 3. What the method is, and what it shows of itself. The first output is the main result.
 MethodDescription description() {
-    MethodDescription d;
-    d.id = "view-normals";
-    d.title = "Normals in view space";
-    d.summary =
-        "Shows the G-buffer's normals relative to the camera. It computes no light: it is the example that "
-        "other methods are begun from.";
-    d.outputs = {{.key = "normal",
-                  .label = "Normal",
-                  .semantic = Semantic::normal,
-                  .doc = "Unit length; x to the right, y up, z to the viewer. Background is 0."}};
-    return d;
+    const std::string doc = "Unit length; x to the right, y up, z to the viewer. Background is 0.";
+    return {.id = "view-normals",
+            .title = "Normals in view space",
+            .summary = "Normals relative to the camera, no light: the example that methods are begun from.",
+            .outputs = {{.key = "normal", .label = "Normal", .semantic = Semantic::normal, .doc = doc}}};
 }
 
-// 4. One frame: resources and passes. Nothing runs here; passes run later, in this order. The resource whose
-// key equals the output's is the output.
+// 4. One frame: resources and passes. Nothing runs here; passes run later, in this order.
 void setup(graph::GraphBuilder& builder, const Parameters& p) {
-    const auto scene = passes::upload_scene(builder);
-    const auto gbuffer = passes::gbuffer(builder, scene);
-    const auto source = p.source == Source::shading ? gbuffer.normal : gbuffer.geometric_normal;
-
-    graph::ImageDesc desc;
-    desc.text = {.key = "normal", .label = "Normal", .semantic = Semantic::normal};
-    desc.format = gl::Format::rgba16f;
-    const auto normal = builder.image(desc);
-
+    const auto gbuffer = passes::gbuffer(builder, passes::upload_scene(builder));
+    const auto normal = builder.output("normal", {.format = gl::Format::rgba16f});
     builder.pass("view normals")
-        .reads("normal_image", source)
+        .reads("normal_image", p.source == Source::shading ? gbuffer.normal : gbuffer.geometric_normal)
         .draw({{"methods/view-normals/view_normals.frag"}}, normal,
               [](const graph::PassContext& pass, const gl::Program& program) {
                   program.set("view_from_world", pass.inputs().view.view_from_world);

@@ -48,7 +48,7 @@ ImageRef blur(graph::GraphBuilder& builder, const GBuffer& gbuffer, ImageRef ima
     return result;
 }
 
-ParameterTable<BlurParameters> blur_parameters(int most_radius) {
+ParameterTable<BlurParameters> blur_parameters(int max_radius) {
     const Condition blurred{"blur", {true}};
     ParameterTable<BlurParameters> table;
     table
@@ -61,7 +61,7 @@ ParameterTable<BlurParameters> blur_parameters(int most_radius) {
                                             .label = "Blur radius",
                                             .doc = "Pixels on either side that are averaged.",
                                             .unit = "px",
-                                            .hard = {0, static_cast<double>(most_radius)},
+                                            .hard = {0, static_cast<double>(max_radius)},
                                             .soft = {1, 16},
                                             .active_when = blurred})
         .add(&BlurParameters::blur_plane_tolerance,

@@ -31,7 +31,7 @@ struct BlurParameters {
     float blur_plane_tolerance = 0.1f;
     float blur_normal_power = 16;
 };
-ParameterTable<BlurParameters> blur_parameters(int most_radius = 64);
+ParameterTable<BlurParameters> blur_parameters(int max_radius = 64);
 
 /// Radius 0 where the blur is off.
 BlurOptions options_of(const BlurParameters& parameters);

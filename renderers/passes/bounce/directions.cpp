@@ -1,6 +1,5 @@
 #include "renderers/passes/bounce/directions.h"
 
-#include "renderers/graph/output_text.h"
 #include "renderers/passes/bounce/receiver.h"
 
 namespace ir::passes::bounce {
@@ -82,10 +81,7 @@ Directions directions(graph::GraphBuilder& builder, const SceneBuffers& scene, c
     Directions result;
     result.samples = options.parameters.samples;
     result.options = options;
-    graph::ImageDesc desc;
-    desc.text = graph::text_of(direction_outputs({}), "bounce.directions");
-    desc.layers = result.samples;
-    result.directions = builder.image(std::move(desc));
+    result.directions = builder.output("bounce.directions", {.layers = result.samples});
 
     const Receivers receivers{scene, gbuffer, options};
     auto pass = builder.pass("directions");

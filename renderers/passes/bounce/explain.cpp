@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "renderers/graph/output_text.h"
 #include "renderers/passes/bounce/filter.h"
 
 namespace ir::passes::bounce {
@@ -25,7 +24,7 @@ struct Lines {
 
 /// Struct Line of shaders/passes/bounce/explain.comp.
 Lines declare(graph::GraphBuilder& builder, const std::string& key, int channels, int elements) {
-    const auto text = graph::text_of(reconstruction_outputs({}), key);
+    const auto text = builder.text_of_output(key);
     Lines lines;
     // Growable, so that counters tell how many elements are in use.
     lines.elements = builder.buffer({.text = text,

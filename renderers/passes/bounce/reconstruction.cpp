@@ -7,8 +7,8 @@ namespace {
 
 /// llvmpipe stops at 65,535 turns of a shader's loops, the last look at an inner loop's end counted: with 16
 /// samples 62,658 for (2 · 29 + 1)² neighbours.
-constexpr int most_radius = 29;
-static_assert((2 * most_radius + 1) * (2 * most_radius + 1) * (max_samples + 2) < 65535);
+constexpr int max_radius = 29;
+static_assert((2 * max_radius + 1) * (2 * max_radius + 1) * (max_samples + 2) < 65535);
 
 }  // namespace
 
@@ -28,7 +28,7 @@ ParameterTable<ReconstructionParameters> reconstruction_parameters(const Conditi
                             "Divided by the samples' number. Right on average, also with few samples, but "
                             "even an open plane is noisy, and pixels may exceed 1."}},
                .active_when = effects == Effects::ambient_occlusion ? active_when : only_ao});
-    table.include(&P::blur, blur_parameters(most_radius));
+    table.include(&P::blur, blur_parameters(max_radius));
     if (effects == Effects::ambient_occlusion) return table;
     table.add(&P::material_tolerance,
               {.key = "material_tolerance",

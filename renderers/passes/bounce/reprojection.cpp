@@ -1,6 +1,5 @@
 #include "renderers/passes/bounce/reprojection.h"
 
-#include "renderers/graph/output_text.h"
 #include "renderers/passes/bounce/tiles.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 
@@ -12,13 +11,6 @@ const Condition reprojected{"reprojection", {true}};
 struct Images {
     graph::ImageRef now, average, surfaces, frames;
 };
-
-graph::ImageRef history_image(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format) {
-    graph::ImageDesc desc;
-    desc.text = std::move(text);
-    desc.format = format;
-    return builder.image(std::move(desc));
-}
 
 graph::ResourceText of_this_frame(graph::ResourceText text) {
     text.key += ".frame";
@@ -77,15 +69,14 @@ graph::ImageRef reproject(graph::GraphBuilder& builder, const GBuffer& gbuffer,
     Images images;
     images.now = produce(of_this_frame(text));
     const auto format = builder.images().at(static_cast<std::size_t>(images.now.index)).format;
-    images.average = history_image(builder, std::move(text), format);
-    images.surfaces = history_image(
-        builder,
-        {"reprojection.surfaces", "Surfaces for the next frame",
-         "Geometric normal, octahedral in 2 x 16 bits, and the bits of the depth along the view axis "
-         "(m); infinite where there is no surface"},
-        gl::Format::rg32ui);
-    images.frames = history_image(builder, graph::text_of(reprojection_outputs(), "reprojection.frames"),
-                                  gl::Format::r32f);
+    images.average = builder.image({.text = std::move(text), .format = format});
+    images.surfaces = builder.image(
+        {.text =
+             {"reprojection.surfaces", "Surfaces for the next frame",
+              "Geometric normal, octahedral in 2 x 16 bits, and the bits of the depth along the view axis "
+              "(m); infinite where there is no surface"},
+         .format = gl::Format::rg32ui});
+    images.frames = builder.output("reprojection.frames", {.format = gl::Format::r32f});
     auto pass = builder.pass("reprojection");
     pass.reads("now", images.now)
         .reads(gbuffer.position, gbuffer.geometric_normal, gbuffer.velocity)

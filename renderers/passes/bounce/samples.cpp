@@ -1,55 +1,29 @@
 #include "renderers/passes/bounce/samples.h"
 
-#include "renderers/graph/output_text.h"
 #include "renderers/passes/bounce/tiles.h"
 
 namespace ir::passes::bounce {
 namespace {
 
-graph::ImageRef declare(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format,
-                        int samples) {
-    graph::ImageDesc desc;
-    desc.text = std::move(text);
-    desc.format = format;
-    desc.layers = samples;
-    return builder.image(std::move(desc));
-}
-
-OutputDescription incoming(Semantic semantic, std::string unit, std::string doc) {
-    return {.key = "bounce.incoming",
-            .label = "Incoming",
-            .kind = OutputKind::stack,
-            .semantic = semantic,
-            .unit = std::move(unit),
-            .doc = std::move(doc)};
-}
-
-OutputDescription incoming_visibility() {
-    return incoming(Semantic::accessibility, "",
-                    "Whether each sample's ray is open (1) or met something within the maximum distance; "
-                    "with the smooth fall-off (d/d_max)². A layer per sample.");
-}
-
-OutputDescription incoming_light() {
-    return incoming(Semantic::radiance, "W/(m² sr)",
-                    "Radiance that arrives along each sample's ray from what it met; black where it met "
-                    "nothing. A layer per sample.");
-}
-
-OutputDescription incoming_either() {
-    return incoming(Semantic::generic, "",
-                    "What arrives along each sample's ray, a layer per sample. Ambient occlusion: 1 open, 0 "
-                    "closed. Light: radiance of what was met, W/(m² sr), black where nothing was.");
-}
-
-graph::ResourceText text_of(const OutputDescription& output) {
-    return graph::text_of({output}, output.key);
+OutputDescription incoming(Effects effects) {
+    OutputDescription d{.key = "bounce.incoming", .label = "Incoming", .kind = OutputKind::stack};
+    if (effects == Effects::ambient_occlusion) {
+        d.semantic = Semantic::accessibility;
+        d.doc =
+            "Whether each sample's ray is open (1) or met something within the maximum distance; with the "
+            "smooth fall-off (d/d_max)². A layer per sample.";
+    } else {
+        d.doc =
+            "What arrives along each sample's ray, a layer per sample. Ambient occlusion: 1 open, 0 closed. "
+            "Light: radiance of what was met, W/(m² sr), black where nothing was.";
+    }
+    return d;
 }
 
 }  // namespace
 
 std::vector<OutputDescription> sample_outputs(const Condition& active_when, Effects effects) {
-    auto in = effects == Effects::ambient_occlusion ? incoming_visibility() : incoming_either();
+    auto in = incoming(effects);
     in.active_when = active_when;
     return {{.key = "bounce.distance",
              .label = "Bounced z",
@@ -63,18 +37,18 @@ std::vector<OutputDescription> sample_outputs(const Condition& active_when, Effe
 }
 
 graph::ImageRef declare_distance(graph::GraphBuilder& builder, int samples) {
-    return declare(builder, graph::text_of(sample_outputs({}), "bounce.distance"), gl::Format::r32f, samples);
+    return builder.output("bounce.distance", {.format = gl::Format::r32f, .layers = samples});
 }
 
 graph::ImageRef declare_incoming_light(graph::GraphBuilder& builder, int samples) {
-    return declare(builder, text_of(incoming_light()), gl::Format::rgba32f, samples);
+    return builder.output("bounce.incoming", {.format = gl::Format::rgba32f, .layers = samples});
 }
 
 graph::ImageRef visibility_of(graph::GraphBuilder& builder, const GBuffer& gbuffer,
                               const Directions& directions, graph::ImageRef distance,
                               const Transport& transport) {
     const auto result =
-        declare(builder, text_of(incoming_visibility()), gl::Format::r32f, directions.samples);
+        builder.output("bounce.incoming", {.format = gl::Format::r32f, .layers = directions.samples});
     auto pass = builder.pass("visibility");
     pass.reads(gbuffer.geometric_normal)
         .reads("directions", directions.directions)

@@ -6,7 +6,7 @@ namespace ir::passes::bounce {
 namespace {
 
 constexpr std::int64_t tile_side = 8;
-constexpr std::int64_t most_groups = 65535;  // of a dispatch, on every device
+constexpr std::int64_t max_groups = 65535;  // of a dispatch, on every device
 
 std::int64_t tiles(std::int64_t pixels) {
     return (pixels + tile_side - 1) / tile_side;
@@ -23,9 +23,9 @@ void execute_by_tiles(graph::PassBuilder& pass, const graph::GraphBuilder& build
         [=](graph::PassContext& context, graph::Slice slice) {
             const auto& program = use(context);
             program.set("tiles_across", static_cast<int>(across));
-            for (auto first = slice.begin; first < slice.end; first += most_groups) {
+            for (auto first = slice.begin; first < slice.end; first += max_groups) {
                 program.set("first_tile", static_cast<int>(first));
-                program.dispatch(tile_side * std::min(most_groups, slice.end - first), tile_side);
+                program.dispatch(tile_side * std::min(max_groups, slice.end - first), tile_side);
             }
         },
         std::max<std::int64_t>(1, count / 8));

@@ -3,7 +3,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/glass.h"
 
@@ -50,10 +49,7 @@ graph::ImageRef compose_light(graph::GraphBuilder& builder, const GBuffer& gbuff
     if (paths != Paths::direct) parts.indirect = indirect;
     if (paths != Paths::indirect) parts.direct = direct.radiance;
     if (paths == Paths::full) parts.emission = gbuffer.emission;
-    graph::ImageDesc desc;
-    desc.text = graph::text_of({radiance_output()}, "radiance");
-    desc.format = gl::Format::rgba32f;
-    const auto radiance = builder.image(std::move(desc));
+    const auto radiance = builder.output("radiance", {.format = gl::Format::rgba32f});
     auto pass = builder.pass("compose");
     pass.reads(parts.geometric_normal);
     if (parts.indirect) pass.reads("indirect_image", *parts.indirect);

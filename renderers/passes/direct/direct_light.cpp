@@ -41,16 +41,21 @@ void set_light(const PassContext& p, const gl::Program& program, const DirectLig
 
 }  // namespace
 
+OutputDescription direct_output() {
+    return {.key = "direct.radiance",
+            .label = "Direct light",
+            .semantic = Semantic::radiance,
+            .unit = "W/(m² sr)",
+            .doc = "By rasterisation with shadow maps: reflected towards the eye, without emission."};
+}
+
 DirectLight direct_light(GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
                          const DirectLightOptions& options) {
     note_skipped_lights(builder);
     note_many_materials(builder);
     const auto shadow = shadow_maps(builder, scene, options.shadow_resolution);
-    graph::ImageDesc desc;
-    desc.text = {"direct.radiance",  "Direct light", "Reflected towards the eye; emission is left out",
-                 Semantic::radiance, "W/(m² sr)",    {}};
-    desc.format = gl::Format::rgba32f;
-    const DirectLight result{builder.image(desc), shadow};
+    const DirectLight result{
+        builder.image({.text = graph::text_of(direct_output()), .format = gl::Format::rgba32f}), shadow};
     builder.pass("direct light")
         .reads(scene.materials, scene.lights, shadow.views, shadow.maps, gbuffer.position, gbuffer.normal,
                gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material)

@@ -15,6 +15,8 @@ struct DirectLight {
                                ///< wider than 70 degrees about its axis
 };
 
+OutputDescription direct_output();  ///< "direct.radiance", for methods that list it among their outputs
+
 struct DirectLightOptions {
     int shadow_resolution = 1024;  ///< texels along each side of a layer
     int shadow_filter_radius = 0;  ///< averages (2 r + 1)² texels; 0: hard edges

@@ -1,6 +1,5 @@
 #include "renderers/passes/direct/lit.h"
 
-#include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/glass.h"
 
@@ -29,10 +28,7 @@ ParameterText ambient_parameter() {
 
 graph::ImageRef lit(graph::GraphBuilder& builder, const GBuffer& gbuffer, const DirectLight& direct,
                     graph::ImageRef accessibility, float ambient) {
-    graph::ImageDesc desc;
-    desc.text = graph::text_of({lit_output()}, "lit");
-    desc.format = gl::Format::rgba32f;
-    const auto result = builder.image(std::move(desc));
+    const auto result = builder.output("lit", {.format = gl::Format::rgba32f});
     auto pass = builder.pass("lit");
     pass.reads("accessibility", accessibility)
         .reads("direct", direct.radiance)

@@ -28,20 +28,15 @@ GBuffer declare_images(GraphBuilder& builder) {
     GBuffer g;
     g.depth = declare(builder, Format::depth32f,
                       {"gbuffer.depth", "Depth", "Normalised device depth; 1: background", Semantic::depth});
-    g.position = declare(
-        builder, Format::rgba32f,
-        {"gbuffer.position", "Position", "World space; w: distance to the eye", Semantic::position, "m"});
-    g.normal =
-        declare(builder, Format::rgba16f,
-                {"gbuffer.normal", "Shading normal", "World space, turned to the viewer", Semantic::normal});
+    g.position = declare(builder, Format::rgba32f, graph::text_of(position_output()));
+    g.normal = declare(builder, Format::rgba16f, graph::text_of(normal_output()));
     g.geometric_normal =
         declare(builder, Format::rgba32f,
                 {"gbuffer.geometric_normal", "Geometric normal",
                  "Of the triangle's plane, turned to the viewer; w: distance of the point along the previous "
                  "frame's view axis, m",
                  Semantic::normal});
-    g.albedo = declare(builder, Format::rgba16f,
-                       {"gbuffer.albedo", "Base colour", "Linear; a: transmission", Semantic::albedo});
+    g.albedo = declare(builder, Format::rgba16f, graph::text_of(albedo_output()));
     g.material = declare(
         builder, Format::rgba16f,
         {"gbuffer.material", "Material", "x metallic, y roughness, z unlit, w index (exact up to 2048)"});
@@ -50,9 +45,7 @@ GBuffer declare_images(GraphBuilder& builder) {
     g.velocity = declare(builder, Format::rg16f,
                          {"gbuffer.velocity", "Velocity", "From the previous frame's place to this one's",
                           Semantic::velocity, "px"});
-    g.valid =
-        declare(builder, Format::r8,
-                {"valid", "Valid", "1 where the result counts; background and glass are 0", Semantic::mask});
+    g.valid = declare(builder, Format::r8, graph::text_of(valid_output()));
     return g;
 }
 
@@ -89,6 +82,37 @@ void draw_surfaces(const PassContext& p, const SceneBuffers& s, const GBuffer& g
 }
 
 }  // namespace
+
+OutputDescription position_output() {
+    return {.key = "gbuffer.position",
+            .label = "Position",
+            .semantic = Semantic::position,
+            .unit = "m",
+            .doc = "Of what is seen in the pixel's centre, world space; w: distance to the eye."};
+}
+
+OutputDescription normal_output() {
+    return {.key = "gbuffer.normal",
+            .label = "Shading normal",
+            .semantic = Semantic::normal,
+            .doc = "World space, turned to the viewer."};
+}
+
+OutputDescription albedo_output() {
+    return {.key = "gbuffer.albedo",
+            .label = "Base colour",
+            .semantic = Semantic::albedo,
+            .doc = "Linear; a: transmission."};
+}
+
+OutputDescription valid_output() {
+    return {.key = "valid",
+            .label = "Valid",
+            .semantic = Semantic::mask,
+            .doc =
+                "1 where the result counts; 0 on the background and on glass that is looked through. Where "
+                "rays find what is seen it is 1 everywhere."};
+}
 
 GBufferOptions gbuffer_options(const Transport& transport) {
     const bool has_materials = transport.paths != Transport::Paths::ao;

@@ -30,6 +30,12 @@ struct GBuffer {
     std::optional<graph::ImageRef> glass = {};
 };
 
+/// For methods that list them among their outputs.
+OutputDescription position_output();
+OutputDescription normal_output();
+OutputDescription albedo_output();
+OutputDescription valid_output();
+
 /// Scenes with more materials have pixels whose half float names another material than theirs.
 inline constexpr std::size_t gbuffer_materials = 2048;
 

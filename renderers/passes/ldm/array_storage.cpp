@@ -20,11 +20,11 @@ ArrayStorage::ArrayStorage(graph::GraphBuilder& builder, const Layout& layout, H
                                .elements = batch_rows() * row_words(),
                                .growable = true});
     sorted_ = declare_sorted_depths(builder, layout);
-    offset_words_asked_ = builder.counter({.key = "ldm.offset_words",
-                                           .name = "OffsetsAsked",
-                                           .label = "Words of offsets",
-                                           .doc = "Of a batch of maps.",
-                                           .growth_of = offsets_});
+    offset_words_requested_ = builder.counter({.key = "ldm.offset_words",
+                                               .name = "OffsetsAsked",
+                                               .label = "Words of offsets",
+                                               .doc = "Of a batch of maps.",
+                                               .growth_of = offsets_});
 }
 
 bool ArrayStorage::is_wide(const graph::PassContext& context) const {

@@ -17,7 +17,8 @@ class ArrayStorage : public Storage {
     std::vector<graph::BufferRef> buffers() const override { return {rows_, offsets_, sorted_.depths}; }
     std::vector<graph::BufferRef> scratch() const override { return {sorted_.unsorted, sorted_.deep_texels}; }
     std::vector<graph::CounterRef> counters() const override {
-        return {sorted_.words_asked, offset_words_asked_, sorted_.unsorted_asked, sorted_.most_layers};
+        return {sorted_.words_requested, offset_words_requested_, sorted_.unsorted_requested,
+                sorted_.max_layers};
     }
     bool needs_arrivals() const override { return true; }
     void begin_batch(const graph::PassContext&) const override {}
@@ -40,7 +41,7 @@ class ArrayStorage : public Storage {
     Holds holds_;
     SortedDepths sorted_;
     graph::BufferRef rows_, offsets_;
-    graph::CounterRef offset_words_asked_;
+    graph::CounterRef offset_words_requested_;
 };
 
 }  // namespace ir::passes::ldm

@@ -12,7 +12,7 @@ using graph::FieldType;
 /// Bounds the scratch buffers of a chunk, and keeps them within reach of caches: lists are inserted into a
 /// third faster than in chunks of four times the size.
 constexpr std::uint64_t chunk_texels = 8 * 200 * 200;
-constexpr int most_chunk_maps = 32;  ///< bits of a word in rasterise.comp
+constexpr int max_chunk_maps = 32;  ///< bits of a word in rasterise.comp
 
 Layout make_layout(graph::GraphBuilder& builder, const Options& options) {
     Layout layout;
@@ -22,7 +22,7 @@ Layout make_layout(graph::GraphBuilder& builder, const Options& options) {
     const int batches = builder.batches(options.directions);
     layout.batch_maps = (options.directions + batches - 1) / batches;
     const auto fitting = static_cast<int>(std::max<std::uint64_t>(1, chunk_texels / layout.map_texels()));
-    layout.chunk_maps = std::min({most_chunk_maps, fitting, layout.batch_maps});
+    layout.chunk_maps = std::min({max_chunk_maps, fitting, layout.batch_maps});
     return layout;
 }
 
@@ -49,10 +49,10 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
          .fields = {{"texel", FieldType::u32}, {"arrival_depth", FieldType::u32}},
          .elements = texels * expected_layers,
          .growable = true});
-    maps.fragments_asked = builder.counter({.key = "ldm.chunk_fragments",
-                                            .name = "FragmentsAsked",
-                                            .label = "Fragments of the largest chunk",
-                                            .growth_of = maps.list.fragments});
+    maps.fragments_requested = builder.counter({.key = "ldm.chunk_fragments",
+                                                .name = "FragmentsAsked",
+                                                .label = "Fragments of the largest chunk",
+                                                .growth_of = maps.list.fragments});
     if (maps.storage->needs_arrivals())
         maps.list.counts =
             builder.buffer({.text = {.key = "ldm.counts",
@@ -72,10 +72,10 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
                                  .fields = {{"triangle", FieldType::u32}, {"map_strip", FieldType::u32}},
                                  .elements = std::max<std::uint64_t>(1 << 16, texels / 2),
                                  .growable = true});
-    maps.large_asked = builder.counter({.key = "ldm.chunk_strips",
-                                        .name = "LargeAsked",
-                                        .label = "Strips of the largest chunk",
-                                        .growth_of = maps.large});
+    maps.large_requested = builder.counter({.key = "ldm.chunk_strips",
+                                            .name = "LargeAsked",
+                                            .label = "Strips of the largest chunk",
+                                            .growth_of = maps.large});
 }
 
 bool is_fixed(StorageKind kind) {
@@ -235,7 +235,7 @@ void build_maps(graph::GraphBuilder& builder, const SceneBuffers& scene, std::sh
     for (const auto buffer : {maps->list.state, maps->list.fragments, maps->list.counts, maps->large})
         if (buffer.index >= 0) pass.writes(buffer);
     for (const auto counter : maps->storage->counters()) pass.counts(counter);
-    for (const auto counter : {maps->fragments_asked, maps->large_asked, maps->generated, maps->kept,
+    for (const auto counter : {maps->fragments_requested, maps->large_requested, maps->generated, maps->kept,
                                maps->dropped, maps->texels, maps->bytes[static_cast<std::size_t>(batch)]})
         if (counter.index >= 0) pass.counts(counter);
     const auto triangles = BatchBuild::items(*builder.inputs().world);
@@ -252,6 +252,12 @@ void reads_maps(graph::PassBuilder& pass, const Maps& maps) {
 
 std::map<std::string, std::string> defines_of(const graph::PassContext& context, const Maps& maps) {
     return maps.storage->defines(context);
+}
+
+void set_frames(const gl::Program& program, const Maps& maps, std::int64_t first, std::int64_t count) {
+    static_assert(sizeof(MapFrame) == 6 * sizeof(glm::vec4));
+    program.set("frame_rows", std::span(&maps.frames[static_cast<std::size_t>(first)].u,
+                                        static_cast<std::size_t>(6 * count)));
 }
 
 }  // namespace ir::passes::ldm

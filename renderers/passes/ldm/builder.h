@@ -40,7 +40,7 @@ struct Maps {
     /// Where fragments go that only tell points which way their surface looks; invalid where maps are built
     /// (points.h).
     graph::BufferRef face_points, face_texels;
-    graph::CounterRef fragments_asked, large_asked, generated, kept, dropped, texels;
+    graph::CounterRef fragments_requested, large_requested, generated, kept, dropped, texels;
     std::vector<graph::CounterRef> bytes;  ///< by batch
 
     int first_map(int batch) const { return batch * layout.batch_maps; }
@@ -69,5 +69,7 @@ void reads_maps(graph::PassBuilder& pass, const Maps& maps);
 
 /// The defines for programs that include passes/ldm/storage.glsl.
 std::map<std::string, std::string> defines_of(const graph::PassContext& context, const Maps& maps);
+/// Gives `count` frames from `first` on to a program's `frame_rows`, six rows each.
+void set_frames(const gl::Program& program, const Maps& maps, std::int64_t first, std::int64_t count);
 
 }  // namespace ir::passes::ldm

@@ -25,15 +25,15 @@ HashStorage::HashStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                              .fields = {{"entry", FieldType::u32}},
                              .elements = batch_texels() * expected_cells,
                              .growable = true});
-    cells_asked_ = builder.counter({.key = "ldm.hash_cells",
-                                    .name = "CellsAsked",
-                                    .label = "Cells of the hash table",
-                                    .doc = "That the largest batch of maps needs to fill 9/10 of them.",
-                                    .growth_of = cells_});
-    most_age_ = builder.counter({.key = "ldm.most_age",
-                                 .name = "MostAge",
-                                 .label = "Largest age",
-                                 .doc = "Of all entries of the hash table: turns of the longest search."});
+    cells_requested_ = builder.counter({.key = "ldm.hash_cells",
+                                        .name = "CellsAsked",
+                                        .label = "Cells of the hash table",
+                                        .doc = "That the largest batch of maps needs to fill 9/10 of them.",
+                                        .growth_of = cells_});
+    max_age_ = builder.counter({.key = "ldm.max_age",
+                                .name = "MostAge",
+                                .label = "Largest age",
+                                .doc = "Of all entries of the hash table: turns of the longest search."});
 }
 
 std::map<std::string, std::string> HashStorage::defines(const graph::PassContext& context) const {
@@ -56,7 +56,7 @@ void HashStorage::store(const graph::PassContext& context, const FragmentList& l
         context.barrier();
     }
     const auto& count = context.use({{"passes/ldm/hash_count.comp"}});
-    count.set("least_cells", static_cast<unsigned>(batch_texels()));
+    count.set("min_cells", static_cast<unsigned>(batch_texels()));
     count.dispatch(1);
     context.barrier();
 }

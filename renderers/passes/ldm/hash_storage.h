@@ -19,7 +19,7 @@ class HashStorage : public Storage {
 
     std::map<std::string, std::string> defines(const graph::PassContext& context) const override;
     std::vector<graph::BufferRef> buffers() const override { return {ages_, cells_}; }
-    std::vector<graph::CounterRef> counters() const override { return {cells_asked_, most_age_}; }
+    std::vector<graph::CounterRef> counters() const override { return {cells_requested_, max_age_}; }
     void begin_batch(const graph::PassContext& context) const override;
     void store(const graph::PassContext& context, const FragmentList& list,
                const Chunk& chunk) const override;
@@ -36,7 +36,7 @@ class HashStorage : public Storage {
 
     Layout layout_;
     graph::BufferRef ages_, cells_;
-    graph::CounterRef cells_asked_, most_age_;
+    graph::CounterRef cells_requested_, max_age_;
 };
 
 }  // namespace ir::passes::ldm

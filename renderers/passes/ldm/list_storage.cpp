@@ -18,11 +18,11 @@ ListStorage::ListStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                              .fields = {{"next", graph::FieldType::u32}, {"depth", graph::FieldType::u32}},
                              .elements = texels * expected_layers,
                              .growable = true});
-    nodes_asked_ = builder.counter({.key = "ldm.asked_nodes",
-                                    .name = "NodesAsked",
-                                    .label = "Nodes of a batch",
-                                    .doc = "Of the largest batch of maps.",
-                                    .growth_of = nodes_});
+    nodes_requested_ = builder.counter({.key = "ldm.asked_nodes",
+                                        .name = "NodesAsked",
+                                        .label = "Nodes of a batch",
+                                        .doc = "Of the largest batch of maps.",
+                                        .growth_of = nodes_});
 }
 
 std::map<std::string, std::string> ListStorage::defines(const graph::PassContext&) const {

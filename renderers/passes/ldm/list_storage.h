@@ -11,7 +11,7 @@ class ListStorage : public Storage {
 
     std::map<std::string, std::string> defines(const graph::PassContext& context) const override;
     std::vector<graph::BufferRef> buffers() const override { return {heads_, nodes_}; }
-    std::vector<graph::CounterRef> counters() const override { return {nodes_asked_}; }
+    std::vector<graph::CounterRef> counters() const override { return {nodes_requested_}; }
     void begin_batch(const graph::PassContext& context) const override;
     void store(const graph::PassContext& context, const FragmentList& list,
                const Chunk& chunk) const override;
@@ -21,7 +21,7 @@ class ListStorage : public Storage {
   protected:
     Layout layout_;
     graph::BufferRef heads_, nodes_;
-    graph::CounterRef nodes_asked_;
+    graph::CounterRef nodes_requested_;
 };
 
 }  // namespace ir::passes::ldm

@@ -3,7 +3,6 @@
 #include <array>
 #include <numbers>
 
-#include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
 
 namespace ir::passes::ldm {
@@ -93,12 +92,8 @@ std::vector<graph::Field> region_fields(const Maps& maps) {
 }
 
 graph::BufferRef show_directions(graph::GraphBuilder& builder, MapsPointer maps) {
-    graph::BufferDesc desc;
-    desc.text = graph::text_of(map_outputs(), "ldm.directions");
-    desc.kind = OutputKind::sphere_values;
-    desc.fields = region_fields(*maps);
-    desc.elements = 2 * maps->directions.size();
-    const auto buffer = builder.buffer(desc);
+    const auto buffer = builder.output(
+        "ldm.directions", {.fields = region_fields(*maps), .elements = 2 * maps->directions.size()});
     builder.pass("directions").writes(buffer).execute([buffer, maps](graph::PassContext& context) {
         context.upload(buffer, std::as_bytes(std::span<const std::uint32_t>(regions(*maps))));
     });
@@ -106,9 +101,9 @@ graph::BufferRef show_directions(graph::GraphBuilder& builder, MapsPointer maps)
 }
 
 graph::ImageRef declare_layers(graph::GraphBuilder& builder, const Maps& maps) {
-    return builder.image({.text = graph::text_of(map_outputs(), "ldm.layers"),
-                          .format = gl::Format::r32ui,
-                          .extent = graph::Extent::fixed(maps.layout.resolution, maps.layout.resolution)});
+    return builder.output("ldm.layers",
+                          {.format = gl::Format::r32ui,
+                           .extent = graph::Extent::fixed(maps.layout.resolution, maps.layout.resolution)});
 }
 
 void show_layers(graph::GraphBuilder& builder, MapsPointer maps, int batch, MapRange shown,

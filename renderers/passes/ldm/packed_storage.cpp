@@ -46,16 +46,16 @@ PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
                               .name = "LdmPackedTexels",
                               .fields = {{"first", FieldType::u32}},
                               .elements = layout.chunk_maps * layout.map_texels() + 1});
-    depth_words_asked_ = builder.counter({.key = "ldm.packed_depth_words",
-                                          .name = "DepthWordsAsked",
-                                          .label = "Words of packed depths",
-                                          .doc = "Of the largest batch of maps.",
-                                          .growth_of = depths_});
-    group_words_asked_ = builder.counter({.key = "ldm.packed_group_words",
-                                          .name = "GroupWordsAsked",
-                                          .label = "Words of groups of texels",
-                                          .doc = "Of the largest batch of maps.",
-                                          .growth_of = groups_});
+    depth_words_requested_ = builder.counter({.key = "ldm.packed_depth_words",
+                                              .name = "DepthWordsAsked",
+                                              .label = "Words of packed depths",
+                                              .doc = "Of the largest batch of maps.",
+                                              .growth_of = depths_});
+    group_words_requested_ = builder.counter({.key = "ldm.packed_group_words",
+                                              .name = "GroupWordsAsked",
+                                              .label = "Words of groups of texels",
+                                              .doc = "Of the largest batch of maps.",
+                                              .growth_of = groups_});
     merged_ = builder.counter({.key = "ldm.merged",
                                .name = "Merged",
                                .label = "Merged fragments",
@@ -81,7 +81,8 @@ std::vector<graph::BufferRef> PackedStorage::scratch() const {
 
 std::vector<graph::CounterRef> PackedStorage::counters() const {
     auto result = chunk_.counters();
-    for (const auto counter : {depth_words_asked_, group_words_asked_, merged_}) result.push_back(counter);
+    for (const auto counter : {depth_words_requested_, group_words_requested_, merged_})
+        result.push_back(counter);
     return result;
 }
 

@@ -37,7 +37,7 @@ class PackedStorage : public Storage {
     Layout layout_;
     ArrayStorage chunk_;
     graph::BufferRef rows_, groups_, depths_, texels_;
-    graph::CounterRef depth_words_asked_, group_words_asked_, merged_;
+    graph::CounterRef depth_words_requested_, group_words_requested_, merged_;
 };
 
 }  // namespace ir::passes::ldm

@@ -32,15 +32,15 @@ PageStorage::PageStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                              .fields = {{"rank", FieldType::u32}},
                              .elements = chunk_texels * expected_layers,
                              .growable = true});
-    pages_asked_ = builder.counter({.key = "ldm.asked_pages",
-                                    .name = "PagesAsked",
-                                    .label = "Pages of a batch",
-                                    .doc = "Of the largest batch of maps.",
-                                    .growth_of = pages_});
-    ranks_asked_ = builder.counter({.key = "ldm.asked_ranks",
-                                    .name = "RanksAsked",
-                                    .label = "Ranks of the largest chunk",
-                                    .growth_of = ranks_});
+    pages_requested_ = builder.counter({.key = "ldm.asked_pages",
+                                        .name = "PagesAsked",
+                                        .label = "Pages of a batch",
+                                        .doc = "Of the largest batch of maps.",
+                                        .growth_of = pages_});
+    ranks_requested_ = builder.counter({.key = "ldm.asked_ranks",
+                                        .name = "RanksAsked",
+                                        .label = "Ranks of the largest chunk",
+                                        .growth_of = ranks_});
 }
 
 std::map<std::string, std::string> PageStorage::defines(const graph::PassContext&) const {

@@ -19,7 +19,7 @@ class PageStorage : public Storage {
     std::map<std::string, std::string> defines(const graph::PassContext& context) const override;
     std::vector<graph::BufferRef> buffers() const override { return {heads_, pages_}; }
     std::vector<graph::BufferRef> scratch() const override { return {deep_texels_, ranks_}; }
-    std::vector<graph::CounterRef> counters() const override { return {pages_asked_, ranks_asked_}; }
+    std::vector<graph::CounterRef> counters() const override { return {pages_requested_, ranks_requested_}; }
     bool needs_arrivals() const override { return true; }
     void begin_batch(const graph::PassContext& context) const override;
     void store(const graph::PassContext& context, const FragmentList& list,
@@ -30,7 +30,7 @@ class PageStorage : public Storage {
   private:
     Layout layout_;
     graph::BufferRef heads_, pages_, deep_texels_, ranks_;
-    graph::CounterRef pages_asked_, ranks_asked_;
+    graph::CounterRef pages_requested_, ranks_requested_;
 };
 
 }  // namespace ir::passes::ldm

@@ -35,16 +35,16 @@ PeelStorage::PeelStorage(graph::GraphBuilder& builder, const Layout& layout) : l
          .fields = {{"groups_x", FieldType::u32}, {"groups_y", FieldType::u32}, {"groups_z", FieldType::u32}},
          .elements = expected_deepest,
          .growable = true});
-    layers_asked_ = builder.counter({.key = "ldm.max_layers",
-                                     .name = "LayersAsked",
-                                     .label = "Most layers",
-                                     .doc = "Of the deepest texel.",
-                                     .growth_of = layers_});
-    planes_asked_ = builder.counter({.key = "ldm.plane_entries",
-                                     .name = "PlanesAsked",
-                                     .label = "Entries of planes",
-                                     .doc = "Of the largest batch of maps.",
-                                     .growth_of = planes_});
+    layers_requested_ = builder.counter({.key = "ldm.max_layers",
+                                         .name = "LayersAsked",
+                                         .label = "Most layers",
+                                         .doc = "Of the deepest texel.",
+                                         .growth_of = layers_});
+    planes_requested_ = builder.counter({.key = "ldm.plane_entries",
+                                         .name = "PlanesAsked",
+                                         .label = "Entries of planes",
+                                         .doc = "Of the largest batch of maps.",
+                                         .growth_of = planes_});
 }
 
 std::map<std::string, std::string> PeelStorage::defines(const graph::PassContext&) const {

@@ -17,7 +17,9 @@ class PeelStorage : public Storage {
     std::map<std::string, std::string> defines(const graph::PassContext& context) const override;
     std::vector<graph::BufferRef> buffers() const override { return {chunks_, planes_}; }
     std::vector<graph::BufferRef> scratch() const override { return {layers_}; }
-    std::vector<graph::CounterRef> counters() const override { return {layers_asked_, planes_asked_}; }
+    std::vector<graph::CounterRef> counters() const override {
+        return {layers_requested_, planes_requested_};
+    }
     bool needs_arrivals() const override { return true; }
     void begin_batch(const graph::PassContext& context) const override;
     void store(const graph::PassContext& context, const FragmentList& list,
@@ -35,7 +37,7 @@ class PeelStorage : public Storage {
 
     Layout layout_;
     graph::BufferRef chunks_, planes_, layers_;
-    graph::CounterRef layers_asked_, planes_asked_;
+    graph::CounterRef layers_requested_, planes_requested_;
 };
 
 }  // namespace ir::passes::ldm

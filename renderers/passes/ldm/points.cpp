@@ -9,7 +9,7 @@ namespace {
 
 using graph::FieldType;
 
-constexpr std::uint64_t most_points = 4'000'000;
+constexpr std::uint64_t max_points = 4'000'000;
 constexpr std::uint64_t point_bytes = 40;  ///< shaders/passes/ldm/point.glsl
 
 std::uint64_t texels_in(const Maps& maps, MapRange range) {
@@ -21,7 +21,7 @@ std::uint64_t shown_texels(const Maps& maps, MapRange range, std::uint64_t strid
 }
 
 std::uint64_t choose_stride(const Maps& maps, MapRange shown, std::uint64_t max_buffer_bytes) {
-    const auto most = std::min(most_points, max_buffer_bytes / (2 * point_bytes));
+    const auto most = std::min(max_points, max_buffer_bytes / (2 * point_bytes));
     const auto expected = texels_in(maps, shown) * expected_layers;
     auto stride = std::max<std::uint64_t>(1, (expected + most - 1) / most);
     // Else whole columns would be left out.
@@ -31,8 +31,7 @@ std::uint64_t choose_stride(const Maps& maps, MapRange shown, std::uint64_t max_
 
 std::string stride_note(std::uint64_t stride) {
     return "of the maps shown, one texel in " + std::to_string(stride) +
-           " has points, so that at most about " + std::to_string(most_points / 1'000'000) +
-           " million result";
+           " has points, so that at most about " + std::to_string(max_points / 1'000'000) + " million result";
 }
 
 void write_points(const graph::PassContext& context, const Maps& maps, int batch, MapRange range,
@@ -164,10 +163,10 @@ void declare_scratch(graph::GraphBuilder& builder, const Maps& maps, Points& poi
                         .fields = {{"triangle", FieldType::u32}, {"map_strip", FieldType::u32}},
                         .elements = std::max<std::uint64_t>(1 << 14, chunk_texels / 2),
                         .growable = true});
-    points.strips_asked = builder.counter({.key = "ldm.point_strips_asked",
-                                           .name = "LargeAsked",
-                                           .label = "Strips of the largest chunk for faces",
-                                           .growth_of = points.strips});
+    points.strips_requested = builder.counter({.key = "ldm.point_strips_requested",
+                                               .name = "LargeAsked",
+                                               .label = "Strips of the largest chunk for faces",
+                                               .growth_of = points.strips});
 }
 
 }  // namespace
@@ -182,21 +181,16 @@ Points declare_points(graph::GraphBuilder& builder, const Maps& maps, MapRange s
     Points points;
     points.maps = shown;
     points.stride = choose_stride(maps, shown, builder.max_buffer_bytes());
-    points.points = builder.buffer({.text = {.key = "ldm.points",
-                                             .label = "Points of maps",
-                                             .doc = "Depths of the maps shown as points in world space.",
-                                             .semantic = Semantic::position,
-                                             .unit = "m"},
-                                    .name = "LdmPoints",
-                                    .kind = OutputKind::point_set,
-                                    .fields = {{"position", FieldType::f32, 3},
-                                               {"normal", FieldType::f32, 3},
-                                               {"facing", FieldType::f32},
-                                               {"depth", FieldType::f32},
-                                               {"layer", FieldType::u32},
-                                               {"map", FieldType::u32}},
-                                    .elements = shown_texels(maps, shown, points.stride) * expected_layers,
-                                    .growable = true});
+    points.points =
+        builder.output("ldm.points", {.name = "LdmPoints",
+                                      .fields = {{"position", FieldType::f32, 3},
+                                                 {"normal", FieldType::f32, 3},
+                                                 {"facing", FieldType::f32},
+                                                 {"depth", FieldType::f32},
+                                                 {"layer", FieldType::u32},
+                                                 {"map", FieldType::u32}},
+                                      .elements = shown_texels(maps, shown, points.stride) * expected_layers,
+                                      .growable = true});
     points.count = builder.counter({.key = "ldm.shown_points",
                                     .name = "PointCount",
                                     .label = "Points shown",
@@ -225,7 +219,7 @@ void find_points(graph::GraphBuilder& builder, const SceneBuffers& scene, std::s
     faces.reads(maps->frame_buffer, points.texels, scene.positions, scene.indices, scene.triangle_materials,
                 scene.uv0, scene.uv1, scene.materials, scene.opacity, scene.opacity_words);
     faces.writes(points.points, points.state);
-    if (points.strips.index >= 0) faces.writes(points.strips).counts(points.strips_asked);
+    if (points.strips.index >= 0) faces.writes(points.strips).counts(points.strips_requested);
     const auto search = std::make_shared<FaceSearch>(scene, *maps, range, points);
     faces.execute_sliced(
         search->chunks() * static_cast<std::int64_t>(builder.inputs().world->triangles()),

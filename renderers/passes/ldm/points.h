@@ -20,7 +20,7 @@ struct Points {
     graph::BufferRef points;   ///< "ldm.points"
     graph::BufferRef texels;   ///< first point of each texel
     graph::BufferRef state, strips;  ///< of rasterising again
-    graph::CounterRef count, stride_shown, strips_asked;
+    graph::CounterRef count, stride_shown, strips_requested;
 };
 
 /// Declares resources.

@@ -33,16 +33,13 @@ void set_faces(const gl::Program& program, const FaceTarget* faces) {
 }
 
 /// Hands u, v and depth of the frames of a chunk's maps to a compute rasteriser.
-void set_frame_rows(const graph::PassContext& context, const gl::Program& program, const Maps& maps,
-                    int first_map, int count) {
+void set_frame_rows(const gl::Program& program, const Maps& maps, int first_map, int count) {
     std::vector<glm::vec4> rows;
     for (int map = first_map; map < first_map + count; ++map) {
         const auto& frame = maps.frames[static_cast<std::size_t>(map)];
         rows.insert(rows.end(), {frame.u, frame.v, frame.depth});
     }
-    const auto& gl = context.api();
-    gl.ProgramUniform4fv(program.name(), gl.GetUniformLocation(program.name(), "frame_rows"),
-                         static_cast<GLsizei>(rows.size()), &rows.front().x);
+    program.set("frame_rows", rows);
 }
 
 }  // namespace
@@ -76,7 +73,7 @@ void dispatch_triangles(const graph::PassContext& context, const Maps& maps, con
     for_both_kinds(context, first, end, [&](std::int64_t begin, std::int64_t stop, bool masked) {
         const auto& program = context.use(source_for(maps, {"passes/ldm/rasterise.comp"}, masked));
         program.set("map_count", static_cast<unsigned>(chunk.maps));
-        set_frame_rows(context, program, maps, first_map, chunk.maps);
+        set_frame_rows(program, maps, first_map, chunk.maps);
         program.set("resolution", maps.layout.resolution);
         set_faces(program, faces);
         constexpr std::int64_t most = 1 << 21;  // invocations of one dispatch
@@ -95,7 +92,7 @@ void dispatch_large_triangles(const graph::PassContext& context, const Maps& map
     for (const bool masked : {false, true}) {
         if (masked && world.opaque_triangles == world.triangles()) continue;
         const auto& program = context.use(source_for(maps, {"passes/ldm/rasterise_large.comp"}, masked));
-        set_frame_rows(context, program, maps, first_map, chunk.maps);
+        set_frame_rows(program, maps, first_map, chunk.maps);
         program.set("resolution", maps.layout.resolution);
         set_faces(program, faces);
         program.set("opaque_triangles", world.opaque_triangles);

@@ -35,19 +35,19 @@ SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& l
                         .elements = layout.chunk_maps * layout.map_texels() * expected_layers,
                         .growable = true});
     sorted.deep_texels = declare_deep_texels(builder, layout);
-    sorted.words_asked = builder.counter({.key = "ldm.depth_words",
-                                          .name = "DepthsAsked",
-                                          .label = "Words of depths",
-                                          .doc = "Of the largest batch of maps.",
-                                          .growth_of = sorted.depths});
-    sorted.unsorted_asked = builder.counter({.key = "ldm.chunk_depths",
-                                             .name = "UnsortedAsked",
-                                             .label = "Depths of the largest chunk",
-                                             .growth_of = sorted.unsorted});
-    sorted.most_layers = builder.counter({.key = "ldm.max_layers",
-                                          .name = "MostLayers",
-                                          .label = "Most layers",
-                                          .doc = "Length of the longest sequence of depths."});
+    sorted.words_requested = builder.counter({.key = "ldm.depth_words",
+                                              .name = "DepthsAsked",
+                                              .label = "Words of depths",
+                                              .doc = "Of the largest batch of maps.",
+                                              .growth_of = sorted.depths});
+    sorted.unsorted_requested = builder.counter({.key = "ldm.chunk_depths",
+                                                 .name = "UnsortedAsked",
+                                                 .label = "Depths of the largest chunk",
+                                                 .growth_of = sorted.unsorted});
+    sorted.max_layers = builder.counter({.key = "ldm.max_layers",
+                                         .name = "MostLayers",
+                                         .label = "Most layers",
+                                         .doc = "Length of the longest sequence of depths."});
     return sorted;
 }
 

@@ -13,7 +13,7 @@ struct SortedDepths {
     graph::BufferRef depths;    ///< "ldm.depths": 16 bits each, two per word
     graph::BufferRef unsorted;  ///< "ldm.unsorted": of the chunk that was built last
     graph::BufferRef deep_texels;
-    graph::CounterRef words_asked, unsorted_asked, most_layers;
+    graph::CounterRef words_requested, unsorted_requested, max_layers;
 
     /// Once the chunk's "ldm.counts" say where each texel begins: puts its fragments there, and sorts them.
     void scatter_and_sort(const graph::PassContext& context, const FragmentList& list, const Chunk& chunk,

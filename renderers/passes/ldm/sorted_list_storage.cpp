@@ -17,10 +17,10 @@ SortedListStorage::SortedListStorage(graph::GraphBuilder& builder, const Layout&
                                   .fields = {{"node", graph::FieldType::u32}},
                                   .elements = texels,
                                   .growable = true});
-    successors_asked_ = builder.counter({.key = "ldm.asked_successors",
-                                         .name = "SuccessorsAsked",
-                                         .label = "Successors of the largest chunk",
-                                         .growth_of = successors_});
+    successors_requested_ = builder.counter({.key = "ldm.asked_successors",
+                                             .name = "SuccessorsAsked",
+                                             .label = "Successors of the largest chunk",
+                                             .growth_of = successors_});
 }
 
 void SortedListStorage::store(const graph::PassContext& context, const FragmentList& list,

@@ -11,9 +11,7 @@ SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout)
                   .doc = "For each 32 texels: a bit for those with fragments; the first of their "
                          "offsets, those of 32 bits marked by 2^31; and the first depth."},
          .name = "LdmTexelWords",
-         .fields = {{"occupied", FieldType::u32},
-                    {"first_offset", FieldType::u32},
-                    {"first_depth", FieldType::u32}},
+         .fields = {{"occupied", FieldType::u32}, {"offsets", FieldType::u32}, {"depths", FieldType::u32}},
          .elements = batch_words()});
     offsets_ =
         builder.buffer({.text = {.key = "ldm.sparse_offsets",
@@ -33,11 +31,11 @@ SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout)
          .name = "LdmWordSums",
          .fields = {{"occupied", FieldType::u32}, {"offsets", FieldType::u32}, {"depths", FieldType::u32}},
          .elements = layout_.chunk_maps * map_words()});
-    offset_words_asked_ = builder.counter({.key = "ldm.offset_words",
-                                           .name = "OffsetsAsked",
-                                           .label = "Words of offsets",
-                                           .doc = "Of the largest batch of maps.",
-                                           .growth_of = offsets_});
+    offset_words_requested_ = builder.counter({.key = "ldm.offset_words",
+                                               .name = "OffsetsAsked",
+                                               .label = "Words of offsets",
+                                               .doc = "Of the largest batch of maps.",
+                                               .growth_of = offsets_});
 }
 
 std::map<std::string, std::string> SparseStorage::defines(const graph::PassContext&) const {

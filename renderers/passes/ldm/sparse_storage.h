@@ -22,7 +22,8 @@ class SparseStorage : public Storage {
         return {sums_, sorted_.unsorted, sorted_.deep_texels};
     }
     std::vector<graph::CounterRef> counters() const override {
-        return {sorted_.words_asked, offset_words_asked_, sorted_.unsorted_asked, sorted_.most_layers};
+        return {sorted_.words_requested, offset_words_requested_, sorted_.unsorted_requested,
+                sorted_.max_layers};
     }
     bool needs_arrivals() const override { return true; }
     void begin_batch(const graph::PassContext&) const override {}
@@ -42,7 +43,7 @@ class SparseStorage : public Storage {
     Layout layout_;
     SortedDepths sorted_;
     graph::BufferRef words_, offsets_, sums_;
-    graph::CounterRef offset_words_asked_;
+    graph::CounterRef offset_words_requested_;
 };
 
 }  // namespace ir::passes::ldm

@@ -62,10 +62,10 @@ LightSampler::Impl::Impl(const SurfaceLookup& surfaces, const Options& options)
     }
     if (options.emissive_meshes) triangles.emplace(surfaces);
     if (options.environment) environment.emplace(surfaces.scene().environment);
-    constexpr float least_radius = 1e-3f;  // a scene of one point has room for light, too
+    constexpr float min_radius = 1e-3f;  // a scene of one point has room for light, too
     choice.emplace(lights, triangles ? &*triangles : nullptr,
                    environment ? environment->mean_luminance() : 0.0f,
-                   std::max(surfaces.world().bounds.radius(), least_radius));
+                   std::max(surfaces.world().bounds.radius(), min_radius));
 }
 
 std::optional<LightSample> LightSampler::Impl::sample_light(std::size_t light, float probability,

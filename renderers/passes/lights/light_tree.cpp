@@ -133,11 +133,11 @@ LightTree::LightTree(const std::vector<LightBounds>& lights) : leaves_(lights.si
 /// Bound of the irradiance from the group: intensity * cos θ' * cos θi' / distance², the angles the least
 /// that any of its lights may have.  [Conty18 §5]
 float LightTree::importance(const Node& node, glm::vec3 position_ws, glm::vec3 normal_ws) const {
-    constexpr float least_squared_distance = 1e-16f;  // keeps the quotient finite
+    constexpr float min_squared_distance = 1e-16f;  // keeps the quotient finite
     const auto offset = position_ws - node.centre;
     const float squared = glm::dot(offset, offset);
     if (squared <= node.squared_radius)
-        return node.intensity / std::max(node.squared_radius, least_squared_distance);
+        return node.intensity / std::max(node.squared_radius, min_squared_distance);
     const auto direction = offset / std::sqrt(squared);
     const float sine_squared = node.squared_radius / squared;
     const Angle box{std::sqrt(1 - sine_squared), std::sqrt(sine_squared)};
@@ -146,7 +146,7 @@ float LightTree::importance(const Node& node, glm::vec3 position_ws, glm::vec3 n
     const auto beyond_normals = reduced(with_cosine(cosine), {node.cos_normals, node.sin_normals});
     const float cos_emitted = reduced(beyond_normals, box).cosine;
     if (cos_emitted <= node.cos_emission) return 0;
-    float result = node.intensity * cos_emitted / std::max(squared, least_squared_distance);
+    float result = node.intensity * cos_emitted / std::max(squared, min_squared_distance);
     if (normal_ws != glm::vec3(0))
         result *= std::max(reduced(with_cosine(-glm::dot(direction, normal_ws)), box).cosine, 0.0f);
     return result;

@@ -10,7 +10,7 @@ namespace {
 
 /// Part of the material's emission that a triangle is credited with where its texture looks dark: points may
 /// have fallen beside what shines.
-constexpr float least_part = 1e-3f;
+constexpr float min_part = 1e-3f;
 
 /// Barycentric coordinates uniform in area: the unit square's lower half is folded onto its upper half along
 /// the diagonal, which keeps neighbours together.  [Heitz19]
@@ -62,7 +62,7 @@ TriangleLights::TriangleLights(const SurfaceLookup& surfaces)
         Triangle t{corner(0), corner(1) - corner(0), corner(2) - corner(0), i, 0, 0};
         t.area = 0.5f * glm::length(glm::cross(t.edge_u, t.edge_v));
         if (!(t.area > 0) || !std::isfinite(t.area)) continue;
-        t.radiance = std::max(mean_luminance(surfaces, i, points_for(scene, world, i)), least_part * factor);
+        t.radiance = std::max(mean_luminance(surfaces, i, points_for(scene, world, i)), min_part * factor);
         triangles_.push_back(t);
     }
     if (triangles_.empty()) return;

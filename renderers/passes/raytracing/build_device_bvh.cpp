@@ -20,7 +20,7 @@ using Tree = std::unique_ptr<std::remove_pointer_t<RTCBVH>, decltype(&rtcRelease
 /// Larger coordinates are none to Embree.
 constexpr float largest_coordinate = 1e18f;
 /// Where Embree stops to ask the heuristic and halves what is left. Halving needs no more than 28 levels.
-constexpr unsigned builder_depth = bvh_most_depth - 1;
+constexpr unsigned builder_depth = bvh_max_depth - 1;
 
 /// What the builder makes, in its own memory.
 struct Part {
@@ -155,9 +155,9 @@ class Layout {
 
   private:
     std::uint32_t add_node(std::uint32_t parent, std::uint32_t depth) {
-        if (depth >= bvh_most_depth)
+        if (depth >= bvh_max_depth)
             throw Error("ray tracing: the BVH for the device is deeper than " +
-                        std::to_string(bvh_most_depth) + " nodes; use the tracer of the host");
+                        std::to_string(bvh_max_depth) + " nodes; use the tracer of the host");
         result_.depth = std::max(result_.depth, static_cast<int>(depth) + 1);
         result_.nodes.push_back({});
         result_.nodes.back().parent = parent;
@@ -235,7 +235,7 @@ static_assert(sizeof(BvhNode) == 64 && sizeof(BvhTriangle) == 48 && sizeof(BvhMa
 static_assert(bvh_leaf_size < 8, "three bits hold the size of a leaf");
 
 DeviceBvhData build_device_bvh(const scene::Scene& scene, const scene::World& world, int threads) {
-    if (world.triangles() > bvh_most_triangles)
+    if (world.triangles() > bvh_max_triangles)
         throw Error("ray tracing: the BVH for the device holds 2^28 triangles; the scene has " +
                     std::to_string(world.triangles()));
     auto primitives = primitives_of(world);

@@ -9,7 +9,7 @@ namespace ir::passes {
 /// Smallest and relative distance by which rays start away from their surface. The relative part is 32 units
 /// in the last place (2⁻²³ each) of the largest coordinate: rasterised positions of Sponza were measured 1 to
 /// 4 units off their triangle's plane (99 %), seldom 7, and the traversal adds a few of its own.
-constexpr float least_ray_offset_m = 1e-6f;
+constexpr float min_ray_offset_m = 1e-6f;
 constexpr float relative_ray_offset = 32 * 0x1p-23f;
 
 /// How far a ray's origin must be moved so that the ray does not meet the surface that it starts on, in
@@ -17,7 +17,7 @@ constexpr float relative_ray_offset = 32 * 0x1p-23f;
 /// steps in the integer representation, so that all components move along the normal.
 inline float ray_offset(glm::vec3 position_ws) {
     const auto size = glm::abs(position_ws);
-    return least_ray_offset_m + relative_ray_offset * std::max({size.x, size.y, size.z});
+    return min_ray_offset_m + relative_ray_offset * std::max({size.x, size.y, size.z});
 }
 
 /// Origin of rays that leave the side to which the unit geometric normal points.

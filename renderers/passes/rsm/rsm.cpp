@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "renderers/graph/output_text.h"
-
 namespace ir::passes {
 namespace {
 
@@ -143,7 +141,7 @@ Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmO
     if (!world.empty())
         rsm.fingerprint = world + " at " + std::to_string(rsm.resolution) +
                           (options.opaque_only ? " opaque" : "") + (options.normal_maps ? " mapped" : "");
-    const auto text = [](const char* key) { return graph::text_of(rsm_outputs({}, true), key); };
+    const auto text = [&](const char* key) { return builder.text_of_output(key); };
     rsm.albedo_roughness = declare(builder, rsm, "rsm_albedo_roughness", text("rsm.albedo_roughness"),
                                    options.exact_albedo ? gl::Format::rgba16f : gl::Format::rgba8);
     rsm.normal_metalness =

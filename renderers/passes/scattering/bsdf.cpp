@@ -35,9 +35,9 @@ struct BsdfLobes {
 
     BsdfLobes(const Bsdf& bsdf, glm::vec3 wo)
         : b(bsdf), v(wo), seen_from(wo), n_dot_v(glm::dot(bsdf.n_, wo)), is_mirror(b.alpha_ < mirror_alpha) {
-        if (n_dot_v < least_view_cosine) {
-            seen_from = glm::normalize(v + (least_view_cosine - n_dot_v) * b.n_);
-            n_dot_v = least_view_cosine;
+        if (n_dot_v < min_view_cosine) {
+            seen_from = glm::normalize(v + (min_view_cosine - n_dot_v) * b.n_);
+            n_dot_v = min_view_cosine;
         }
         seen_cosine = glm::dot(b.n_, seen_from);
         const auto fresnel = schlick_fresnel(b.f0_, seen_cosine);

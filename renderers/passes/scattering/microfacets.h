@@ -12,7 +12,7 @@ namespace ir::passes {
 /// Below this roughness² a surface is a mirror; rasterisation keeps its highlight this wide instead.
 constexpr float mirror_alpha = 1e-3f;
 /// Least cosine to the viewer: shading normals may turn away from it.
-constexpr float least_view_cosine = 1e-4f;
+constexpr float min_view_cosine = 1e-4f;
 
 /// From the squared sine between normal and half vector: near the peak its cosine has lost the digits that
 /// count, 10 % of the value at α = 1e-3.  [Walter07 eq. 33, (n·h)² (α² - 1) + 1 = α² + (1 - α²) sin²]

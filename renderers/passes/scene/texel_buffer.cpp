@@ -101,9 +101,9 @@ std::uint32_t flags_of(const scene::Texture& texture) {
 
 }  // namespace
 
-TexelLayout texel_layout(const scene::Scene& scene, std::uint64_t most_bytes, int most_side) {
-    auto layout = layout_with(scene, most_side);
-    while (4 * layout.words > most_bytes && layout.side > 1) layout = layout_with(scene, layout.side / 2);
+TexelLayout texel_layout(const scene::Scene& scene, std::uint64_t max_bytes, int max_side) {
+    auto layout = layout_with(scene, max_side);
+    while (4 * layout.words > max_bytes && layout.side > 1) layout = layout_with(scene, layout.side / 2);
     return layout;
 }
 
@@ -129,7 +129,7 @@ std::vector<std::uint32_t> texel_words(const scene::Scene& scene, const TexelLay
 
 graph::BufferRef texel_buffer(graph::GraphBuilder& builder) {
     const auto& scene = *builder.inputs().scene;
-    const auto layout = texel_layout(scene, std::min(most_texel_bytes, builder.max_buffer_bytes()));
+    const auto layout = texel_layout(scene, std::min(max_texel_bytes, builder.max_buffer_bytes()));
     if (layout.reduced > 0)
         builder.note(std::to_string(layout.reduced) + " textures are reduced to at most " +
                      std::to_string(layout.side) + " texels a side where rays hit them");

@@ -23,14 +23,14 @@ struct TexelLayout {
 };
 
 /// No side is longer, in texels: scattered light is seen blurred.
-constexpr int most_texels_a_side = 1024;
+constexpr int max_texels_a_side = 1024;
 /// Textures are halved further until all of them take no more.
-constexpr std::uint64_t most_texel_bytes = std::uint64_t{256} << 20;
+constexpr std::uint64_t max_texel_bytes = std::uint64_t{256} << 20;
 
 /// Base colour, metallic-roughness, normal and transmission textures of the scene's materials; emission is
 /// left out.
-TexelLayout texel_layout(const scene::Scene& scene, std::uint64_t most_bytes = most_texel_bytes,
-                         int most_side = most_texels_a_side);
+TexelLayout texel_layout(const scene::Scene& scene, std::uint64_t max_bytes = max_texel_bytes,
+                         int max_side = max_texels_a_side);
 /// Reduced textures are averages of equal areas, of decoded values where they are sRGB-encoded.
 std::vector<std::uint32_t> texel_words(const scene::Scene& scene, const TexelLayout& layout);
 

@@ -11,7 +11,7 @@ namespace ir::passes::viewers {
 namespace {
 
 /// Software drivers end loops silently after 65,535 iterations, one for each sample of a point's square.
-constexpr float most_point_samples = 200;
+constexpr float max_point_samples = 200;
 constexpr int corners = 6;  ///< vertices of a quad
 
 gl::ImageShape map_shape() {
@@ -100,7 +100,7 @@ void LayerPainter::draw_points(const LayerPlan& plan, std::size_t index, const S
                                const Target& target) {
     const auto& gl = tools_.api;
     const auto samples = static_cast<float>(sight.pixel_samples);
-    const float point_px = std::min(plan.block.size_px * samples, most_point_samples);
+    const float point_px = std::min(plan.block.size_px * samples, max_point_samples);
     const auto bytes = sizeof(std::uint32_t) * static_cast<std::size_t>(sight.view.width) *
                        static_cast<std::size_t>(sight.view.height);
     nearest_keys_.reserve(bytes, "3D view, nearest depths of points");

@@ -10,13 +10,13 @@
 namespace ir::passes::viewers {
 namespace {
 
-static_assert(sizeof(FilterBlock) == 16 && sizeof(LayerBlock) == 4 * 22 + 16 * LayerBlock::most_filters,
+static_assert(sizeof(FilterBlock) == 16 && sizeof(LayerBlock) == 4 * 22 + 16 * LayerBlock::max_filters,
               "scalars of four bytes, as std430 packs them");
 
 /// A number of vertices that one draw takes on every device, at six for an element.
 constexpr std::uint64_t most_drawn = 200'000'000;
 /// Software drivers end loops silently after 65,535 iterations, and one texel may have to look at all.
-constexpr std::uint64_t most_regions = 32'768;
+constexpr std::uint64_t max_regions = 32'768;
 
 /// Colours of layers in one colour, sRGB: told apart with any colour vision, and on grey. [Okabe08]
 constexpr std::array<std::array<int, 3>, 6> layer_colours{
@@ -180,9 +180,8 @@ void choose_filters(LayerPlan& plan, const std::vector<Field>& fields) {
         const auto place = find(fields, filter.field);
         if (!place.field) {
             add_note(plan, "not filtered: no field '" + filter.field + "'; there are " + names(fields));
-        } else if (static_cast<std::size_t>(block.filter_count) == LayerBlock::most_filters) {
-            add_note(plan,
-                     "only the first " + std::to_string(LayerBlock::most_filters) + " filters are used");
+        } else if (static_cast<std::size_t>(block.filter_count) == LayerBlock::max_filters) {
+            add_note(plan, "only the first " + std::to_string(LayerBlock::max_filters) + " filters are used");
             return;
         } else {
             block.filters[static_cast<std::size_t>(block.filter_count++)] = filter_block(filter, place);
@@ -197,9 +196,9 @@ void choose_map(LayerPlan& plan) {
     plan.wanted.colour_map = "viridis";
 }
 
-void choose_step(LayerPlan& plan, std::uint64_t most_elements) {
+void choose_step(LayerPlan& plan, std::uint64_t max_elements) {
     const auto limit = std::clamp<std::uint64_t>(
-        most_elements, 1, plan.primitive == Primitive::sphere ? most_regions : most_drawn);
+        max_elements, 1, plan.primitive == Primitive::sphere ? max_regions : most_drawn);
     const auto step = (plan.drawn.elements + limit - 1) / limit;
     plan.drawn.stride = step;
     plan.block.step = static_cast<std::uint32_t>(step);
@@ -222,7 +221,7 @@ void keep_spaces_apart(std::vector<LayerPlan>& plans) {
 }
 
 LayerPlan plan_layer(const Layer& layer, const std::optional<graph::DeviceBuffer>& buffer, std::size_t index,
-                     std::uint64_t most_elements, std::uint64_t max_buffer_bytes) {
+                     std::uint64_t max_elements, std::uint64_t max_buffer_bytes) {
     LayerPlan plan;
     plan.wanted = layer;
     plan.drawn.key = layer.key;
@@ -252,7 +251,7 @@ LayerPlan plan_layer(const Layer& layer, const std::optional<graph::DeviceBuffer
     block.number = static_cast<std::uint32_t>(index + 1);
     block.primitive = static_cast<std::int32_t>(plan.primitive);
     block.size_px = std::isfinite(layer.size_px) ? std::clamp(layer.size_px, 1.0f, 64.0f) : 3.0f;
-    choose_step(plan, most_elements);
+    choose_step(plan, max_elements);
     choose_colour(plan, fields, index);
     choose_filters(plan, fields);
     choose_map(plan);

@@ -23,7 +23,7 @@ enum class ColourMode : std::int32_t { single, field, facing };
 /// As block LayerBlock of shaders/passes/viewers/layer.glsl. Offsets are in words of four bytes within an
 /// element; -1: absent.
 struct LayerBlock {
-    static constexpr std::size_t most_filters = 8;
+    static constexpr std::size_t max_filters = 8;
     std::uint32_t words = 0;   ///< of an element
     std::uint32_t step = 1;    ///< every n-th element is drawn
     std::uint32_t drawn = 0;   ///< so many then
@@ -38,7 +38,7 @@ struct LayerBlock {
     float red = 0, green = 0, blue = 0;  ///< linear; of a layer in one colour
     std::int32_t primitive = 0;
     std::int32_t filter_count = 0;
-    std::array<FilterBlock, most_filters> filters{};
+    std::array<FilterBlock, max_filters> filters{};
 };
 
 /// A layer made ready: where its numbers stand, or why it cannot be drawn.
@@ -56,7 +56,7 @@ struct LayerPlan {
 /// What a layer is and where its fields stand. `buffer` is absent where the graph has no such contents;
 /// `index` is the layer's place in the view.
 LayerPlan plan_layer(const Layer& layer, const std::optional<graph::DeviceBuffer>& buffer, std::size_t index,
-                     std::uint64_t most_elements, std::uint64_t max_buffer_bytes);
+                     std::uint64_t max_elements, std::uint64_t max_buffer_bytes);
 
 /// Beside layers of the scene those with a space of their own are not drawn, and say so.
 void keep_spaces_apart(std::vector<LayerPlan>& plans);

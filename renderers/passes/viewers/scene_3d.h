@@ -61,8 +61,8 @@ struct Scene3D {
         1;  ///< 2 … 4: each pixel is the mean of so many squared, for pictures that stand still
     bool show_scene =
         true;  ///< flat shaded, holes of alpha masks filled; not where all layers are spheres of values
-    bool show_centres = true;                 ///< of regions on the sphere
-    std::uint64_t most_elements = 4'000'000;  ///< per layer (spheres: 32,768); beyond, every n-th is drawn
+    bool show_centres = true;                ///< of regions on the sphere
+    std::uint64_t max_elements = 4'000'000;  ///< per layer (spheres: 32,768); beyond, every n-th is drawn
     std::vector<Layer> layers = {};
 };
 

@@ -18,7 +18,7 @@ Sight make_sight(const scene::Camera& camera, int width, int height, int oversam
 void set_projection(const gl::Program& program, const Sight& sight) {
     program.set("clip_from_world", sight.view.clip_from_world());
     program.set("size_px", glm::vec2(sight.view.width, sight.view.height));
-    program.set("least_w", sight.orthographic ? 0.5f : sight.view.near_plane);
+    program.set("min_w", sight.orthographic ? 0.5f : sight.view.near_plane);
 }
 
 void set_shade(const gl::Program& program, const Sight& sight) {

@@ -110,15 +110,15 @@ class PrimitiveReader {
     /// Empty where the primitive has no such attribute.
     template <class Vector>
     std::vector<Vector> vectors(const char* name, const Indices& chosen, std::size_t vertices,
-                                int least_components = Vector::length()) const {
+                                int min_components = Vector::length()) const {
         if (!has(name)) return {};
         auto accessor = attribute(name);
-        if (accessor.components() < least_components || accessor.components() > Vector::length())
+        if (accessor.components() < min_components || accessor.components() > Vector::length())
             accessor.fail("has the wrong type; export the file again");
         if (accessor.count() != vertices)
             accessor.fail("has " + std::to_string(accessor.count()) + " elements, but POSITION has " +
                           std::to_string(vertices) + "; export the file again");
-        if (least_components != Vector::length()) accessor.set_normalised();  // colours
+        if (min_components != Vector::length()) accessor.set_normalised();  // colours
         return read_vectors<Vector>(accessor, &chosen);
     }
 

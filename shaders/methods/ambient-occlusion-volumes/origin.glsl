@@ -1,10 +1,10 @@
 // Where a pixel's rays start.
 
-uniform float least_offset, offset_scale;  // renderers/passes/raytracing/ray_offset.h
+uniform float min_offset, offset_scale;  // renderers/passes/raytracing/ray_offset.h
 
 float ray_offset(vec3 position_ws) {
     vec3 size = abs(position_ws);
-    return least_offset + offset_scale * max(size.x, max(size.y, size.z));
+    return min_offset + offset_scale * max(size.x, max(size.y, size.z));
 }
 
 /// Away from the surface, so that it and its neighbours in one plane lie below. [Waechter19]

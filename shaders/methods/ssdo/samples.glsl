@@ -77,11 +77,11 @@ Point point_at(ivec2 pixel) {
 }
 
 /// Least of the lengths that are spread logarithmically, as a part of r.
-const float LEAST_LENGTH = 1.0 / 128.0;
+const float MIN_LENGTH = 1.0 / 128.0;
 
 /// Lengths that the density estimator asks for: half of them uniform, half uniform in their logarithm, so that near
 /// senders are not found by rare samples that count very much.
-float mixed_length(float u) { return u <= 0.5 ? 2.0 * u : pow(LEAST_LENGTH, 2.0 * u - 1.0); }
+float mixed_length(float u) { return u <= 0.5 ? 2.0 * u : pow(MIN_LENGTH, 2.0 * u - 1.0); }
 
 /// Heights in equal strata, azimuths and lengths by the R2 sequence: a shifted lattice.
 vec4 step_of(Point x, int i, bool mixed) {
@@ -187,7 +187,7 @@ float inverse_cubes_beyond(Piece p, float seen_at) {
 
 /// The same without the ball about x that logarithmic lengths leave out.
 float inverse_cubes(Piece p, float seen_at) {
-    float least = LEAST_LENGTH * reach, inner = sqrt(max(least * least - p.h * p.h, 0.0));
+    float least = MIN_LENGTH * reach, inner = sqrt(max(least * least - p.h * p.h, 0.0));
     float beyond = inverse_cubes_beyond(Piece(p.h, max(p.t0, inner), p.t1, p.c), seen_at);
     return beyond + inverse_cubes_beyond(Piece(p.h, max(-p.t1, inner), -p.t0, -p.c), seen_at);  // mirrored
 }
@@ -210,7 +210,7 @@ float density_of(Point x, Sample s) {
     p.c = seen_at - p.t0;
     float cosine = max(-dot(v, texelFetch(gbuffer_geometric_normal, s.pixel, 0).xyz), 0.0);
     float uniform_lengths = inverse_squares(p, seen_at) / reach;
-    float logarithmic = inverse_cubes(p, seen_at) / -log(LEAST_LENGTH);
+    float logarithmic = inverse_cubes(p, seen_at) / -log(MIN_LENGTH);
     return cosine * 0.5 * (uniform_lengths + logarithmic) / (2.0 * PI);
 }
 

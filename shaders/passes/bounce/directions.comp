@@ -34,13 +34,13 @@ uvec3 random_words(ivec2 pixel, uint number, uint samples) {
 /// its highlight, of which a diffuse surface can make little.
 /// DEVIATION [Nalbach15 §3.1]: so darker surfaces choose like ones of this colour. Densities are those of the
 /// choice, and what is reflected is not touched.
-const float LEAST_COLOUR = 0.05;
+const float MIN_COLOUR = 0.05;
 
 /// As often as the surface scatters from there to the viewer: by BRDF times cosine, lobe by lobe.
 vec4 chosen(Receiver receiver, ivec2 pixel, uvec3 words) {
     vec4 material = texelFetch(gbuffer_material, pixel, 0);
     if (is_unlit(material)) return vec4(0.0);
-    vec3 colour = max(texelFetch(gbuffer_albedo, pixel, 0).rgb, LEAST_COLOUR), v = viewer_of(receiver);
+    vec3 colour = max(texelFetch(gbuffer_albedo, pixel, 0).rgb, MIN_COLOUR), v = viewer_of(receiver);
     Scatterer s = scatterer_of(receiver, colour, material);
     Scattered scattered =
         scatter(s, v, unit_float(words.x), unit_float(words.yz), MICROFACETS_VISIBLE_NORMALS);

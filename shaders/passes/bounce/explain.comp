@@ -14,10 +14,10 @@ uniform sampler2DArray distances;
 
 struct Line {
     float start[3], end[3];
-    float distance_ws, density;
+    float distance_m, density;
     float incoming[CHANNELS], contribution[CHANNELS];
     float weight, apart;
-    uint hit, sample_number;
+    uint hit, sample_;
 };
 layout(std430) writeonly buffer OwnLines { Line own_lines[]; };
 layout(std430) buffer OwnCount { uint own_count; };
@@ -54,7 +54,7 @@ Line line_of(Target target, ivec2 pixel, int number, float weight, float whole) 
         line.start[i] = start[i];
         line.end[i] = end[i];
     }
-    line.distance_ws = met;
+    line.distance_m = met;
     line.density = direction.w;
     Value arriving = incoming_at(place, direction), part = weight * part_at(target, place).value / whole;
 #if LIGHT
@@ -69,7 +69,7 @@ Line line_of(Target target, ivec2 pixel, int number, float weight, float whole) 
     line.weight = weight;
     line.apart = length(vec2(pixel - target.pixel));
     line.hit = met < 0.0 ? 0u : 1u;
-    line.sample_number = uint(number);
+    line.sample_ = uint(number);
     return line;
 }
 

@@ -20,10 +20,10 @@ uniform vec4 depth_row;  // of a homogeneous point: its depth along this view's 
 
 const float NO_SURFACE = uintBitsToFloat(0x7f800000u);
 /// Least cosine between normals of what is taken for the same surface: 26 degrees, so that curved ones keep it.
-const float LEAST_COSINE = 0.9;
+const float MIN_COSINE = 0.9;
 /// Rounding of depths, as part of them.
 const float DEPTH_EPSILON = 1e-3;
-const float MOST_FRAMES = 65535.0;
+const float MAX_FRAMES = 65535.0;
 
 struct History {
     vec4 value;
@@ -40,7 +40,7 @@ vec3 point_at(vec2 position_px, float depth) {
 /// The texel shows the surface on which `point` lay: within a pixel's width of its plane, and facing the same way.
 bool is_same(uvec2 stored, ivec2 texel, vec3 point, vec3 normal, float tolerance) {
     float depth = uintBitsToFloat(stored.y);
-    if (!(depth < NO_SURFACE) || dot(unpacked_direction(stored.x), normal) < LEAST_COSINE) return false;
+    if (!(depth < NO_SURFACE) || dot(unpacked_direction(stored.x), normal) < MIN_COSINE) return false;
     return abs(dot(normal, point_at(vec2(texel) + 0.5, depth) - point)) <= tolerance;
 }
 
@@ -86,7 +86,7 @@ void main() {
             // n frames' mean keeps (n - 1) / n of that before, an exponential average never more than `history`.
             float kept = min(before.frames / (before.frames + 1.0), history);
             value = is_finite(value) ? value + kept * (before.value - value) : before.value;
-            count = min(before.frames + 1.0, MOST_FRAMES);
+            count = min(before.frames + 1.0, MAX_FRAMES);
         }
     }
     imageStore(average, pixel, value);

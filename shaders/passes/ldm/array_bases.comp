@@ -3,10 +3,10 @@ layout(local_size_x = 256) in;
 #include "passes/ldm/array_table.glsl"
 #include "passes/ldm/groups.glsl"
 
-layout(std430) buffer DepthsAsked { uint depth_words_asked; };
-layout(std430) buffer OffsetsAsked { uint offset_words_asked; };
-layout(std430) buffer UnsortedAsked { uint unsorted_asked; };
-layout(std430) buffer MostLayers { uint all_most_layers; };
+layout(std430) buffer DepthsAsked { uint depth_words_requested; };
+layout(std430) buffer OffsetsAsked { uint offset_words_requested; };
+layout(std430) buffer UnsortedAsked { uint unsorted_requested; };
+layout(std430) buffer MostLayers { uint all_max_layers; };
 
 uniform uint packed_words, wide_words;  // size of the batch's offsets in 16 and in 32 bits
 
@@ -43,8 +43,8 @@ void main() {
     deep_groups[0] = groups.x;
     deep_groups[1] = groups.y;
     deep_groups[2] = 1u;
-    atomicMax(depth_words_asked, (asked_before + fragment_count + 1u) / 2u);
-    atomicMax(offset_words_asked, widest[255] > 65535u ? wide_words : packed_words);
-    atomicMax(unsorted_asked, fragment_count);
-    atomicMax(all_most_layers, most_layers);
+    atomicMax(depth_words_requested, (asked_before + fragment_count + 1u) / 2u);
+    atomicMax(offset_words_requested, widest[255] > 65535u ? wide_words : packed_words);
+    atomicMax(unsorted_requested, fragment_count);
+    atomicMax(all_max_layers, max_layers);
 }

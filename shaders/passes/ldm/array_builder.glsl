@@ -12,7 +12,7 @@ layout(std430) buffer LdmDeepTexels { uint deep_list[]; };
 
 const uint FEW_LAYERS = 16u;
 /// Insertion takes up to n²/2 turns, and drivers may stop loops after 65,535.
-const uint MOST_INSERTED = 192u;
+const uint MAX_INSERTED = 192u;
 
 /// Depths of the batch before the chunk's, and what it would hold then if every buffer were large enough.
 #ifdef ONE_CHUNK

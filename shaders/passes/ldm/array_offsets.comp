@@ -29,7 +29,7 @@ void main() {
         else
             write_offset_pair(first_word + x / 2u, low, offset);
         if (x >= resolution) continue;
-        uint count = min(counts[row * resolution + x], MOST_LAYERS);
+        uint count = min(counts[row * resolution + x], MAX_LAYERS);
         counts[row * resolution + x] = begin;
         begin += count;
     }

@@ -7,12 +7,12 @@ void main() {
     if (row >= row_count) return;
     uint sum = 0u, most = 0u, deep = 0u;
     for (uint x = 0u; x < resolution; ++x) {
-        uint count = min(counts[row * resolution + x], MOST_LAYERS);
+        uint count = min(counts[row * resolution + x], MAX_LAYERS);
         sum += count;
         most = max(most, count);
         deep += count > FEW_LAYERS ? 1u : 0u;
     }
     rows[first_row + row] = sum;
-    atomicMax(most_layers, most);
+    atomicMax(max_layers, most);
     atomicAdd(deep_texels, deep);
 }

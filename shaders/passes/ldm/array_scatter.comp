@@ -8,7 +8,7 @@ void main() {
     if (index >= min(fragment_count, uint(fragments.length()))) return;
     uvec2 fragment = fragments[index];
     uint arrival = fragment.y >> 16;
-    if (arrival >= MOST_LAYERS) {
+    if (arrival >= MAX_LAYERS) {
         atomicAdd(dropped, 1u);
         return;
     }

@@ -27,7 +27,7 @@ void main() {
     uint texel = deep_list[index], source = counts[texel], count = counts[texel + 1u] - source;
     uint begin = stored_before + source, end = begin + count;
     if (end > 2u * uint(depths.length()) || source + count > uint(unsorted.length())) return;
-    if (count > MOST_INSERTED) {
+    if (count > MAX_INSERTED) {
         deepest_groups[0] = fragment_groups[0];
         deepest_groups[1] = fragment_groups[1];
         return;

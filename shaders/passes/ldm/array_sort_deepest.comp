@@ -11,7 +11,7 @@ void main() {
     uint source = counts[fragment.x], count = counts[fragment.x + 1u] - source;
     uint arrival = fragment.y >> 16, depth = fragment.y & 0xffffu;
     uint begin = stored_before + source;
-    if (count <= MOST_INSERTED || arrival >= MOST_LAYERS) return;
+    if (count <= MAX_INSERTED || arrival >= MAX_LAYERS) return;
     if (begin + count > 2u * uint(depths.length()) || source + count > uint(unsorted.length())) return;
     uint rank = 0u;
     for (uint i = 0u; i < count; ++i) {

@@ -2,8 +2,8 @@
 layout(local_size_x = 1) in;
 #include "passes/ldm/state.glsl"
 
-layout(std430) buffer NodesAsked { uint nodes_asked; };
+layout(std430) buffer NodesAsked { uint nodes_requested; };
 
 void main() {
-    atomicMax(nodes_asked, asked + fragment_count);
+    atomicMax(nodes_requested, asked + fragment_count);
 }

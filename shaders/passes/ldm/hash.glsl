@@ -12,7 +12,7 @@ uint hash_texel_of(uint map, ivec2 texel, int resolution) {
     return (map * side + uint(texel.y)) * side + uint(texel.x);
 }
 
-uint hash_most_age(uint texel) {
+uint hash_max_age(uint texel) {
 #ifdef LDM_EMPTY
     return 0u;
 #else
@@ -30,7 +30,7 @@ int hash_depth(uint texel, uint age) {
 LdmNeighbours ldm_neighbours(uint map, ivec2 texel, int resolution, int depth) {
     LdmNeighbours result = LdmNeighbours(LDM_NONE_BEFORE, LDM_NONE_BEHIND);
     uint index = hash_texel_of(map, texel, resolution);
-    uint low = 1u, high = hash_most_age(index) + 1u;
+    uint low = 1u, high = hash_max_age(index) + 1u;
     while (low < high) {
         uint middle = (low + high) >> 1, age = middle;
         int found = hash_depth(index, age);
@@ -49,7 +49,7 @@ LdmNeighbours ldm_neighbours(uint map, ivec2 texel, int resolution, int depth) {
 }
 
 LdmCursor hash_next(uint texel, uint age) {
-    uint most = hash_most_age(texel);
+    uint most = hash_max_age(texel);
     for (; age <= most; ++age) {
         int found = hash_depth(texel, age);
         if (found == HASH_END) break;

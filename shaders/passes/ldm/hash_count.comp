@@ -2,11 +2,11 @@
 layout(local_size_x = 1) in;
 #include "passes/ldm/state.glsl"
 
-layout(std430) buffer CellsAsked { uint cells_asked; };
+layout(std430) buffer CellsAsked { uint cells_requested; };
 
-uniform uint least_cells;
+uniform uint min_cells;
 
 void main() {
     uint entries = asked + fragment_count;
-    atomicMax(cells_asked, max(least_cells, entries + entries / 9u + 1u));
+    atomicMax(cells_requested, max(min_cells, entries + entries / 9u + 1u));
 }

@@ -4,7 +4,7 @@ layout(local_size_x = 64) in;
 #include "passes/ldm/hash_cells.glsl"
 #include "passes/ldm/list_index.glsl"
 
-layout(std430) buffer MostAge { uint most_age; };
+layout(std430) buffer MostAge { uint max_age; };
 layout(std430) coherent buffer LdmAges { uint ages[]; };
 layout(std430) coherent buffer LdmCells { uint cells[]; };
 
@@ -16,7 +16,7 @@ uniform uint batch_texel;  // first texel of the chunk, in the batch
 bool insert(uint texel, uint nearness) {
     uint size = uint(cells.length()), age = 1u, oldest = 0u;
     bool placed = false;
-    for (uint turn = 0u; turn < MOST_LAYERS && !placed && age <= MOST_LAYERS; ++turn) {
+    for (uint turn = 0u; turn < MAX_LAYERS && !placed && age <= MAX_LAYERS; ++turn) {
         uint cell = hash_cell(texel, age, size), entry = age << 16 | nearness;
         uint seen = cells[cell];  // cells only grow: what is too large now stays so
         if (seen < entry) seen = atomicMax(cells[cell], entry);
@@ -30,7 +30,7 @@ bool insert(uint texel, uint nearness) {
         }
         ++age;
     }
-    atomicMax(most_age, oldest);
+    atomicMax(max_age, oldest);
     return placed;
 }
 

@@ -14,7 +14,7 @@ layout(std430) buffer LdmSuccessors { uint successors[]; };
 
 const uint FEW_LAYERS = 16u;
 /// A merge sort takes about 2 n log2 n turns, and drivers may stop loops after 65,535.
-const uint MOST_MERGED = 512u;
+const uint MAX_MERGED = 512u;
 const uint IS_FIRST = 0x80000000u;
 
 uniform uint batch_texel;  // first texel of the chunk, in the batch

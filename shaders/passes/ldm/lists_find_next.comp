@@ -4,7 +4,7 @@ layout(local_size_x = 64) in;
 #include "passes/ldm/lists_builder.glsl"
 #include "passes/ldm/list_index.glsl"
 
-layout(std430) buffer SuccessorsAsked { uint successors_asked; };
+layout(std430) buffer SuccessorsAsked { uint successors_requested; };
 
 bool precedes(uint depth, uint node, uint other_depth, uint other) {
     return depth < other_depth || (depth == other_depth && node < other);
@@ -15,7 +15,7 @@ void main() {
     if (index >= min(fragment_count, uint(fragments.length()))) return;
     uvec2 fragment = fragments[index];
     uint me = stored + index + 1u, depth = fragment.y & 0xffffu;
-    if (counts[fragment.x] <= MOST_MERGED || fragment.y >> 16 >= MOST_LAYERS || me > uint(nodes.length())) return;
+    if (counts[fragment.x] <= MAX_MERGED || fragment.y >> 16 >= MAX_LAYERS || me > uint(nodes.length())) return;
     uint next = 0u, next_depth = 65535u;
     bool is_first = true;
     for (uint node = heads[batch_texel + fragment.x]; node != 0u;) {
@@ -30,6 +30,6 @@ void main() {
         }
         node = entry.x;
     }
-    atomicMax(successors_asked, fragment_count);
+    atomicMax(successors_requested, fragment_count);
     if (index < uint(successors.length())) successors[index] = next | (is_first ? IS_FIRST : 0u);
 }

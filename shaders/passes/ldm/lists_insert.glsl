@@ -9,7 +9,7 @@ void insert_sorted(uint texel, uint node, uint depth) {
     uint previous = 0u, current = heads[texel], turns = 0u;
     for (;;) {
         while (current != 0u && nodes[2u * current - 1u] < depth) {
-            if (++turns > MOST_LAYERS) {
+            if (++turns > MAX_LAYERS) {
                 atomicAdd(dropped, 1u);
                 return;
             }

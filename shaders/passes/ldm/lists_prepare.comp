@@ -3,12 +3,12 @@ layout(local_size_x = 1) in;
 #include "passes/ldm/groups.glsl"
 #include "passes/ldm/state.glsl"
 
-layout(std430) buffer NodesAsked { uint nodes_asked; };
+layout(std430) buffer NodesAsked { uint nodes_requested; };
 
 void main() {
     uvec2 groups = groups_for(deep_listed);
     deep_groups[0] = groups.x;
     deep_groups[1] = groups.y;
     deep_groups[2] = 1u;
-    atomicMax(nodes_asked, asked + fragment_count);
+    atomicMax(nodes_requested, asked + fragment_count);
 }

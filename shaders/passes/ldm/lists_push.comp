@@ -7,7 +7,7 @@ void main() {
     uint index = list_index();
     if (index >= min(fragment_count, uint(fragments.length()))) return;
     uvec2 fragment = fragments[index];
-    if (fragment.y >> 16 >= MOST_LAYERS) {
+    if (fragment.y >> 16 >= MAX_LAYERS) {
         atomicAdd(dropped, 1u);
         return;
     }

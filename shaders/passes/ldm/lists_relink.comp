@@ -9,7 +9,7 @@ void main() {
     if (index >= min(fragment_count, uint(fragments.length())) || fragment_count > uint(successors.length())) return;
     uvec2 fragment = fragments[index];
     uint node = stored + index;
-    if (counts[fragment.x] <= MOST_MERGED || fragment.y >> 16 >= MOST_LAYERS || node >= uint(nodes.length())) return;
+    if (counts[fragment.x] <= MAX_MERGED || fragment.y >> 16 >= MAX_LAYERS || node >= uint(nodes.length())) return;
     uint next = successors[index];
     nodes[node].x = next & ~IS_FIRST;
     if ((next & IS_FIRST) != 0u) heads[batch_texel + fragment.x] = node + 1u;

@@ -41,11 +41,11 @@ void main() {
     uint index = list_index();
     if (index >= min(deep_listed, uint(deep_list.length()))) return;
     uint texel = deep_list[index];
-    if (counts[texel] > MOST_MERGED) {
+    if (counts[texel] > MAX_MERGED) {
         deepest_groups[0] = fragment_groups[0];
         deepest_groups[1] = fragment_groups[1];
         return;
     }
-    for (uint length = 1u; length < MOST_MERGED; length *= 2u)
+    for (uint length = 1u; length < MAX_MERGED; length *= 2u)
         if (merge_runs(batch_texel + texel, length)) break;
 }

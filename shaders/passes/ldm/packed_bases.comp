@@ -2,7 +2,7 @@
 layout(local_size_x = 256) in;
 #include "passes/ldm/packed_builder.glsl"
 
-layout(std430) buffer DepthWordsAsked { uint depth_words_asked; };
+layout(std430) buffer DepthWordsAsked { uint depth_words_requested; };
 
 shared uint sums[256];
 
@@ -29,5 +29,5 @@ void main() {
     chunk_total = sums[255];
     // One word more: the last depth may be read with the word behind it.
     uint all = stored + chunk_total;
-    atomicMax(depth_words_asked, (all / BLOCK_DEPTHS + 1u) * uint(PACKED_BITS) + 1u);
+    atomicMax(depth_words_requested, (all / BLOCK_DEPTHS + 1u) * uint(PACKED_BITS) + 1u);
 }

@@ -20,7 +20,7 @@ void main() {
             most = max(most, of_texel[t]);
         }
         uvec2 words = uvec2(0u);
-        if (first >= WIDE_GROUP || most > MOST_IN_GROUP) {
+        if (first >= WIDE_GROUP || most > MAX_IN_GROUP) {
             uint wide = table_words + WIDE_WORDS * atomicAdd(batch_extra, 1u);
             if (wide + WIDE_WORDS <= uint(groups.length()) && base + begin <= room) {
                 words = uvec2(WIDE_GROUP, wide);

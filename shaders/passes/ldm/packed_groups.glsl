@@ -2,7 +2,7 @@
 // counted from the row's, and their numbers of depths, six bits each. Where these are too many, the words hold
 // WIDE_GROUP and the place, in the same buffer, of nine words: where each of the texels begins, and where they end.
 const uint GROUP_TEXELS = 8u, GROUP_WORDS = 2u, WIDE_WORDS = 9u;
-const uint WIDE_GROUP = 0xffffu, MOST_IN_GROUP = 63u;
+const uint WIDE_GROUP = 0xffffu, MAX_IN_GROUP = 63u;
 /// Depths of a block begin with a word: 32 depths take PACKED_BITS words.
 const uint BLOCK_DEPTHS = 32u;
 

@@ -3,7 +3,7 @@
 layout(local_size_x = 128) in;
 #include "passes/ldm/packed_builder.glsl"
 
-layout(std430) buffer GroupWordsAsked { uint group_words_asked; };
+layout(std430) buffer GroupWordsAsked { uint group_words_requested; };
 
 uniform uint table_words;
 
@@ -12,7 +12,7 @@ void main() {
     if (texel == 0u) {
         chunk_bytes = 4u * WIDE_WORDS * (batch_extra - counted_extra);
         counted_extra = batch_extra;
-        atomicMax(group_words_asked, table_words + WIDE_WORDS * batch_extra);
+        atomicMax(group_words_requested, table_words + WIDE_WORDS * batch_extra);
     }
     if (texel >= row_count * resolution || !has_sorted(texel)) return;
     uint begin = counts[texel], end = counts[texel + 1u], first = packed_texels[texel];

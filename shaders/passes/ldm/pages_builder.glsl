@@ -15,7 +15,7 @@ const uint PAGE_DEPTHS = uint(LDM_PAGE_DEPTHS), PAGE_WORDS = 1u + PAGE_DEPTHS / 
 const uint NO_DEPTH = 65535u;
 const uint FEW_LAYERS = 16u;
 /// Beyond, each fragment counts those that come before it.
-const uint MOST_IN_REGISTERS = 32u;
+const uint MAX_IN_REGISTERS = 32u;
 
 uniform uint batch_texel;  // first texel of the chunk, in the batch
 

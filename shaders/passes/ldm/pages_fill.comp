@@ -8,7 +8,7 @@ void main() {
     if (index >= min(fragment_count, uint(fragments.length()))) return;
     uvec2 fragment = fragments[index];
     uint arrival = fragment.y >> 16;
-    if (arrival >= MOST_LAYERS) return;
+    if (arrival >= MAX_LAYERS) return;
     uint page = page_of(fragment.x, arrival);
     if (page == 0u) return;
     uint slot = arrival % PAGE_DEPTHS;

@@ -3,7 +3,7 @@ layout(local_size_x = 1) in;
 #include "passes/ldm/pages_builder.glsl"
 #include "passes/ldm/groups.glsl"
 
-layout(std430) buffer PagesAsked { uint pages_asked; };
+layout(std430) buffer PagesAsked { uint pages_requested; };
 
 void main() {
     uvec2 groups = groups_for(deep_listed);
@@ -12,5 +12,5 @@ void main() {
     deep_groups[2] = 1u;
     chunk_bytes = 4u * PAGE_WORDS * (batch_extra - counted_extra);
     counted_extra = batch_extra;
-    atomicMax(pages_asked, batch_extra);
+    atomicMax(pages_requested, batch_extra);
 }

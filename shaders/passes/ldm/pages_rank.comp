@@ -4,15 +4,15 @@ layout(local_size_x = 64) in;
 #include "passes/ldm/pages_builder.glsl"
 #include "passes/ldm/list_index.glsl"
 
-layout(std430) buffer RanksAsked { uint ranks_asked; };
+layout(std430) buffer RanksAsked { uint ranks_requested; };
 
 void main() {
     uint index = list_index();
-    atomicMax(ranks_asked, fragment_count);
+    atomicMax(ranks_requested, fragment_count);
     if (index >= min(fragment_count, uint(fragments.length())) || fragment_count > uint(ranks.length())) return;
     uvec2 fragment = fragments[index];
     uint arrival = fragment.y >> 16, depth = fragment.y & 0xffffu;
-    if (counts[fragment.x] <= MOST_IN_REGISTERS || arrival >= MOST_LAYERS) return;
+    if (counts[fragment.x] <= MAX_IN_REGISTERS || arrival >= MAX_LAYERS) return;
     if (page_of(fragment.x, arrival) == 0u) return;
 #ifdef PLACE
     uint rank = ranks[index], page = page_of(fragment.x, rank), slot = rank % PAGE_DEPTHS;

@@ -1,5 +1,5 @@
 // Pages, third step: one invocation sorts one texel's depths in registers; and with DEEP, after it, one texel with more
-// than FEW_LAYERS, where it does not hold up its neighbours. Texels of more than MOST_IN_REGISTERS are left to
+// than FEW_LAYERS, where it does not hold up its neighbours. Texels of more than MAX_IN_REGISTERS are left to
 // pages_rank.comp.
 #ifdef DEEP
 layout(local_size_x = 64) in;
@@ -15,7 +15,7 @@ layout(local_size_x = 128) in;
 #else
 #define LAYERS 16
 #endif
-const int MOST_PAGES = (LAYERS + LDM_PAGE_DEPTHS - 1) / LDM_PAGE_DEPTHS;
+const int MAX_PAGES = (LAYERS + LDM_PAGE_DEPTHS - 1) / LDM_PAGE_DEPTHS;
 
 uniform uint texel_count;
 
@@ -24,7 +24,7 @@ void main() {
     uint index = list_index();
     if (index >= min(deep_listed, uint(deep_list.length()))) return;
     uint texel = deep_list[index], count = counts[texel];
-    if (count > MOST_IN_REGISTERS) {
+    if (count > MAX_IN_REGISTERS) {
         deepest_groups[0] = fragment_groups[0];
         deepest_groups[1] = fragment_groups[1];
         return;
@@ -43,7 +43,7 @@ void main() {
     uint head = heads[batch_texel + texel], page = head;
     uint v[LAYERS];
     for (int i = 0; i < LAYERS; ++i) v[i] = NO_DEPTH;
-    for (int p = 0; p < MOST_PAGES; ++p) {
+    for (int p = 0; p < MAX_PAGES; ++p) {
         if (page == 0u) break;
         for (int i = 0; i < LDM_PAGE_DEPTHS; ++i)
             if (p * LDM_PAGE_DEPTHS + i < LAYERS) v[p * LDM_PAGE_DEPTHS + i] = depth_in(page, uint(i));
@@ -55,7 +55,7 @@ void main() {
     SORT_16(0)
 #endif
     page = head;
-    for (int p = 0; p < MOST_PAGES; ++p) {
+    for (int p = 0; p < MAX_PAGES; ++p) {
         if (page == 0u) break;
         uint word = page_word(page);
         for (int i = 0; i < LDM_PAGE_DEPTHS; i += 2) {

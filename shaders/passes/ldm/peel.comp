@@ -11,7 +11,7 @@ void main() {
     if (index >= min(fragment_count, uint(fragments.length()))) return;
     uvec2 fragment = fragments[index];
     uint arrival = fragment.y >> 16, depth = fragment.y & 0xffffu;
-    if (arrival >= MOST_LAYERS) {
+    if (arrival >= MAX_LAYERS) {
         if (plane > 0u) return;
         atomicAdd(dropped, 1u);
         atomicAdd(chunk_total, 0xffffffffu);

@@ -8,8 +8,8 @@ void main() {
     umulExtended(deepest, plane_texels, high, low);
     uint end = uaddCarry(first, low, carry);
     if (high + carry > 0u) end = 0xffffffffu;  // more than any buffer holds
-    atomicMax(layers_asked, deepest);
-    atomicMax(planes_asked, end);
+    atomicMax(layers_requested, deepest);
+    atomicMax(planes_requested, end);
     uint room = uint(planes.length()) - min(first, uint(planes.length()));
     chunks[chunk] = LdmPeeledChunk(first, min(deepest, room / plane_texels), end);
     chunk_bytes = 4u * low;

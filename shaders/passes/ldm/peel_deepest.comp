@@ -9,5 +9,5 @@ void main() {
     if (row >= row_count) return;
     uint most = 0u;
     for (uint x = 0u; x < resolution; ++x) most = max(most, counts[row * resolution + x]);
-    atomicMax(chunks[chunk].planes, min(most, MOST_LAYERS));
+    atomicMax(chunks[chunk].planes, min(most, MAX_LAYERS));
 }

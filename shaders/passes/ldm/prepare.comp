@@ -5,7 +5,7 @@ layout(local_size_x = 1) in;
 #include "passes/ldm/groups.glsl"
 
 #if defined(PREPARE_LARGE)
-layout(std430) buffer LargeAsked { uint large_asked; };
+layout(std430) buffer LargeAsked { uint large_requested; };
 uniform uint large_capacity;
 #elif defined(FINISH)
 layout(std430) buffer Generated { uint generated; };
@@ -15,7 +15,7 @@ layout(std430) buffer Bytes { uint bytes; };
 uniform uint fragment_bits;  // that the maps take for each
 #elif !defined(DIRECT)
 #include "passes/ldm/fragments.glsl"
-layout(std430) buffer FragmentsAsked { uint fragments_asked; };
+layout(std430) buffer FragmentsAsked { uint fragments_requested; };
 #endif
 
 void main() {
@@ -24,7 +24,7 @@ void main() {
     large_groups[0] = groups.x;
     large_groups[1] = groups.y;
     large_groups[2] = 1u;
-    atomicMax(large_asked, large_count);
+    atomicMax(large_requested, large_count);
 #elif defined(FINISH)
     atomicAdd(generated, fragment_count);
     atomicAdd(all_dropped, dropped);
@@ -45,7 +45,7 @@ void main() {
     fragment_groups[0] = groups.x;
     fragment_groups[1] = groups.y;
     fragment_groups[2] = 1u;
-    atomicMax(fragments_asked, fragment_count);
+    atomicMax(fragments_requested, fragment_count);
     deepest_groups[0] = 0u;
     deepest_groups[1] = 1u;
     deepest_groups[2] = 1u;

@@ -4,10 +4,10 @@ layout(local_size_x = 256) in;
 #include "passes/ldm/sparse_builder.glsl"
 #include "passes/ldm/groups.glsl"
 
-layout(std430) buffer DepthsAsked { uint depth_words_asked; };
-layout(std430) buffer OffsetsAsked { uint offset_words_asked; };
-layout(std430) buffer UnsortedAsked { uint unsorted_asked; };
-layout(std430) buffer MostLayers { uint all_most_layers; };
+layout(std430) buffer DepthsAsked { uint depth_words_requested; };
+layout(std430) buffer OffsetsAsked { uint offset_words_requested; };
+layout(std430) buffer UnsortedAsked { uint unsorted_requested; };
+layout(std430) buffer MostLayers { uint all_max_layers; };
 
 shared uvec2 totals[256];  // halves of offsets, depths
 
@@ -39,8 +39,8 @@ void main() {
     deep_groups[0] = groups.x;
     deep_groups[1] = groups.y;
     deep_groups[2] = 1u;
-    atomicMax(depth_words_asked, (asked + fragment_count + 1u) / 2u);
-    atomicMax(offset_words_asked, (chunk_offsets + total.x + 1u) / 2u);
-    atomicMax(unsorted_asked, fragment_count);
-    atomicMax(all_most_layers, most_layers);
+    atomicMax(depth_words_requested, (asked + fragment_count + 1u) / 2u);
+    atomicMax(offset_words_requested, (chunk_offsets + total.x + 1u) / 2u);
+    atomicMax(unsorted_requested, fragment_count);
+    atomicMax(all_max_layers, max_layers);
 }

@@ -21,7 +21,7 @@ void main() {
     uint halves = uint(max(bitCount(w.occupied) - 1, 0)) * (wide ? 2u : 1u);
     bool fits = first + halves <= 2u * uint(offsets.length());
     for (uint texel = texels.x; texel < texels.y; ++texel) {
-        uint count = min(counts[texel], MOST_LAYERS);
+        uint count = min(counts[texel], MAX_LAYERS);
         counts[texel] = begin;
         if (count > 0u && rank > 0u && fits) {
             uint offset = min(stored + begin, room) - base;

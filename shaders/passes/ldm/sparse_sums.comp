@@ -8,7 +8,7 @@ void main() {
     uvec2 texels = texels_of(word);
     uint occupied = 0u, sum = 0u, most = 0u, deep = 0u;
     for (uint texel = texels.x; texel < texels.y; ++texel) {
-        uint count = min(counts[texel], MOST_LAYERS);
+        uint count = min(counts[texel], MAX_LAYERS);
         occupied |= (count > 0u ? 1u : 0u) << (texel - texels.x);
         sum += count;
         most = max(most, count);
@@ -16,6 +16,6 @@ void main() {
     }
     uint offsets_kept = uint(max(bitCount(occupied) - 1, 0));
     sums[word] = LdmWord(occupied, sum > 65535u ? 2u * offsets_kept | WIDE : offsets_kept, sum);
-    atomicMax(most_layers, most);
+    atomicMax(max_layers, most);
     if (deep > 0u) atomicAdd(deep_texels, deep);
 }

@@ -5,8 +5,8 @@ layout(std430) coherent buffer LdmState {
     uint stored;              // fragments that the batch's earlier chunks keep
     uint asked;               // fragments that they would keep if every buffer were large enough
     uint chunk_total;         // fragments of the chunk that are kept
-    uint most_layers;         // of any texel so far
-    uint dropped;             // fragments left out because their texel is deeper than MOST_LAYERS
+    uint max_layers;         // of any texel so far
+    uint dropped;             // fragments left out because their texel is deeper than MAX_LAYERS
     uint chunk_bytes;         // that the chunk's maps take besides those per fragment and per texel
     uint fragment_groups[4];  // for indirect dispatches over fragments,
     uint large_groups[4];     // strips of large triangles,
@@ -20,4 +20,4 @@ layout(std430) coherent buffer LdmState {
 
 /// A texel's fragments beyond this one are left out and counted: a loop over them would be cut short by
 /// drivers that limit loops to 65,535 turns.
-const uint MOST_LAYERS = 60000u;
+const uint MAX_LAYERS = 60000u;

@@ -9,7 +9,7 @@ layout(std430) readonly buffer BvhTriangles { uvec4 bvh_triangles[]; };
 layout(std430) readonly buffer BvhMasks { uvec4 bvh_masks[]; };
 
 const uint BVH_LEAF = 0x80000000u, BVH_NO_CHILD = BVH_LEAF;
-const int BVH_STACK = 64;  // bvh_most_depth: a node pushes at most one child
+const int BVH_STACK = 64;  // bvh_max_depth: a node pushes at most one child
 /// Nodes and triangles that a ray may ask for; with the loops around them below the 65,535 iterations after
 /// which llvmpipe ends loops.
 const uint BVH_MOST_STEPS = 30000u;

@@ -12,14 +12,14 @@ layout(location = 3) flat out vec3 row_0;
 layout(location = 4) flat out vec3 row_1;
 layout(location = 5) flat out vec3 row_2;
 
-const float least_part = 1e-3;  // of the longest half-axis: flatter ellipsoids are drawn so thick
+const float min_part = 1e-3;  // of the longest half-axis: flatter ellipsoids are drawn so thick
 
 // An axis too short to invert gets a small length across the two others.
 void thicken(inout vec3 axis, vec3 a, vec3 b, float longest) {
-    if (length(axis) >= least_part * longest) return;
+    if (length(axis) >= min_part * longest) return;
     vec3 across = cross(a, b);
     float size = length(across);
-    if (size > 0.0) axis = least_part * longest / size * across;
+    if (size > 0.0) axis = min_part * longest / size * across;
 }
 
 // Least and most of one coordinate on the picture; false where the ellipsoid reaches behind the eye.

@@ -11,7 +11,7 @@ layout(std430) buffer Measure {
 
 uniform uint elements_per_invocation;
 
-shared uint group_least, group_most, group_count, group_lowest[3], group_highest[3];
+shared uint group_min, group_max, group_count, group_lowest[3], group_highest[3];
 
 uint key_of(float x) {
     uint bits = floatBitsToUint(x);
@@ -48,8 +48,8 @@ bool extent(uint base, out vec3 centre_ws, out vec3 half_size) {
 
 void main() {
     if (gl_LocalInvocationIndex == 0u) {
-        group_least = 0xffffffffu;
-        group_most = group_count = 0u;
+        group_min = 0xffffffffu;
+        group_max = group_count = 0u;
         for (int c = 0; c < 3; ++c) {
             group_lowest[c] = 0xffffffffu;
             group_highest[c] = 0u;
@@ -77,8 +77,8 @@ void main() {
     }
     if (count > 0u) {
         atomicAdd(group_count, count);
-        atomicMin(group_least, least);
-        atomicMax(group_most, most);
+        atomicMin(group_min, least);
+        atomicMax(group_max, most);
         for (int c = 0; c < 3; ++c) {
             atomicMin(group_lowest[c], key_of(lowest[c]));
             atomicMax(group_highest[c], key_of(highest[c]));
@@ -87,8 +87,8 @@ void main() {
     barrier();
     if (gl_LocalInvocationIndex != 0u || group_count == 0u) return;
     atomicAdd(measure.count, group_count);
-    atomicMin(measure.least, group_least);
-    atomicMax(measure.most, group_most);
+    atomicMin(measure.least, group_min);
+    atomicMax(measure.most, group_max);
     for (int c = 0; c < 3; ++c) {
         atomicMin(measure.lowest[c], group_lowest[c]);
         atomicMax(measure.highest[c], group_highest[c]);

@@ -2,7 +2,7 @@
 
 uniform mat4 clip_from_world;
 uniform vec2 size_px;      // of the picture
-uniform float least_w;     // clip-space w of the nearest place that is drawn; orthographic: below 1
+uniform float min_w;     // clip-space w of the nearest place that is drawn; orthographic: below 1
 
 const vec4 outside = vec4(-2, -2, 0, 1);  // nothing is drawn there
 
@@ -10,9 +10,9 @@ vec4 clip_position(vec3 position_ws) { return clip_from_world * vec4(position_ws
 
 // Cuts what lies behind the eye off a segment; false where nothing is left.
 bool clip_segment(inout vec4 a, inout vec4 b) {
-    if (a.w < least_w && b.w < least_w) return false;
-    if (a.w < least_w) a = mix(b, a, (b.w - least_w) / (b.w - a.w));
-    if (b.w < least_w) b = mix(a, b, (a.w - least_w) / (a.w - b.w));
+    if (a.w < min_w && b.w < min_w) return false;
+    if (a.w < min_w) a = mix(b, a, (b.w - min_w) / (b.w - a.w));
+    if (b.w < min_w) b = mix(a, b, (a.w - min_w) / (a.w - b.w));
     return true;
 }
 

@@ -13,14 +13,14 @@ struct Answer {
 };
 layout(std430) readonly buffer Questions { Question questions[]; };
 layout(std430) buffer Answers { Answer answers[]; };
-uniform uint questions_asked;
+uniform uint questions_requested;
 uniform bool normal_maps;
 
 float[3] floats(vec3 v) { return float[3](v.x, v.y, v.z); }
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= questions_asked) return;
+    if (i >= questions_requested) return;
     Question q = questions[i];
     HitSurface s = hit_surface(q.triangle, q.u, q.v, vec3(q.x, q.y, q.z), normal_maps);
     answers[i] = Answer(floats(s.position_ws), floats(s.geometric_normal_ws), floats(s.shading_normal_ws),

@@ -82,7 +82,7 @@ Settings with(Settings settings, const std::string& key, Value value) {
     return settings;
 }
 
-float most_different(const Image& a, const Image& b) {
+float max_different(const Image& a, const Image& b) {
     float most = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
         most = std::max(most, std::abs(a.pixels[i] - b.pixels[i]));
@@ -283,7 +283,7 @@ TEST_F(LdmAo, BatchesGiveTheSamePicture) {
         EXPECT_GT(report.counters["batches"], 1);
         EXPECT_LE(report.peak_memory_bytes, options.memory_budget);
         EXPECT_EQ(report.counters["ldm.fragments"], fragments);
-        EXPECT_LE(most_different(whole, parts), 1e-6f);
+        EXPECT_LE(max_different(whole, parts), 1e-6f);
     }
 }
 

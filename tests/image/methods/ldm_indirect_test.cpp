@@ -108,7 +108,7 @@ double relative_rmse(const Image& image, const Image& reference) {
     return std::sqrt(sum / (3.0 * image.width * image.height)) / mean(reference);
 }
 
-float most_different(const Image& a, const Image& b) {
+float max_different(const Image& a, const Image& b) {
     EXPECT_EQ(a.pixels.size(), b.pixels.size());
     float most = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
@@ -160,7 +160,7 @@ TEST(LdmIndirectPicture, BatchesOfMapsChangeNothingButRounding) {
     const auto divided = render(setting);
     ASSERT_GT(divided.report.counters.at("batches"), 1);
     EXPECT_EQ(divided.report.counters.at("indirect.count"), whole.report.counters.at("indirect.count"));
-    EXPECT_LT(most_different(divided.image, whole.image), 1e-5);
+    EXPECT_LT(max_different(divided.image, whole.image), 1e-5);
     EXPECT_GT(mean(whole.image), 0.03);
 }
 
@@ -170,7 +170,7 @@ TEST(LdmIndirectPicture, AllWaysOfSplattingAgree) {
     for (const char* way : {"tiles", "image-atomics"}) {
         const auto other =
             render(atrium(with(indirect_maps(32, 64, 24), {{"splatting", std::string(way)}}))).image;
-        EXPECT_LT(most_different(other, quads),
+        EXPECT_LT(max_different(other, quads),
                   2e-5 * *std::max_element(quads.pixels.begin(), quads.pixels.end()))
             << way;
     }

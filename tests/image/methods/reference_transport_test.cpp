@@ -296,7 +296,8 @@ std::string notes_of(const scene::Material& material, Transport::Materials model
     graph::FrameInputs inputs;
     inputs.scene = &scene;
     inputs.world = &world;
-    graph::GraphBuilder builder(inputs, 1, 0);
+    const MethodDescription method;
+    graph::GraphBuilder builder(method, inputs, 1, 0);
     Parameters parameters;
     parameters.transport = transport(Paths::full, 1, 1, model);
     note_limits(builder, parameters, specular_materials(scene, model));

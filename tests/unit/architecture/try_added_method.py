@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Adding a method is adding one folder of code and one of shaders: asks a command line that has a copy of an example
-under a new name for it: list, describe, render. Usage: try_added_method.py CLI ROOT FOLDER; see long/ for the build
+under a new name for it: list, describe, render; and holds the example's length. Usage: try_added_method.py CLI ROOT FOLDER; see long/ for the build
 of a whole tree."""
 import json
 import os
@@ -8,6 +8,8 @@ import subprocess
 import sys
 
 EXAMPLE, ADDED = "view-normals", "added-method"
+# Lines of code that a new method begins with.
+MOST_LINES = {"renderers": 60, "shaders": 20}
 
 
 def run(*command):
@@ -31,6 +33,13 @@ def link_shaders(root, folder):
         link(os.path.join(methods, name), os.path.join(folder, "shaders", "methods", name))
 
 
+def count_lines(root):
+    for part, most in MOST_LINES.items():
+        folder = os.path.join(root, part, "methods", EXAMPLE)
+        lines = sum(len(open(os.path.join(folder, name), encoding="utf-8").readlines()) for name in os.listdir(folder))
+        assert lines <= most, f"{folder} has {lines} lines, {most} are the limit"
+
+
 def try_method(cli, folder):
     """Lists, describes and renders it, and compares the picture with that of the example."""
     assert ADDED in run(cli, "list"), "the new method is not listed"
@@ -45,6 +54,7 @@ def try_method(cli, folder):
 
 if __name__ == "__main__":
     cli, root, folder = sys.argv[1:]
+    count_lines(root)
     link_shaders(root, folder)
     os.environ["INTERREFLECT_DATA"] = folder
     try_method(cli, folder)

@@ -34,7 +34,7 @@ ssize_t __wrap_write(int descriptor, const void* bytes, std::size_t count) {
     if (!is_on_disk(descriptor)) return __real_write(descriptor, bytes, count);
     if (disk->interrupts && (was_interrupted = !was_interrupted)) return failing_with(EINTR);
     if (disk->room == 0 && count > 0) return failing_with(ENOSPC);
-    const auto taken = std::min({static_cast<std::int64_t>(count), disk->room, disk->most_at_once});
+    const auto taken = std::min({static_cast<std::int64_t>(count), disk->room, disk->max_at_once});
     disk->room -= taken;
     return __real_write(descriptor, bytes, static_cast<std::size_t>(taken));
 }

@@ -8,7 +8,7 @@ namespace ir {
 /// How the disk treats this program's own system calls. The linker puts us between (--wrap).
 struct FaultyDisk {
     std::int64_t room = std::numeric_limits<std::int64_t>::max();  ///< bytes until it is full
-    std::int64_t most_at_once = room;                              ///< bytes that one write takes
+    std::int64_t max_at_once = room;                               ///< bytes that one write takes
     bool interrupts = false;                                       ///< every second write
     bool fails_to_sync = false, fails_to_close = false;            ///< what it has seemed to take
     bool loses_bytes = false;                                      ///< when it closes, and says nothing

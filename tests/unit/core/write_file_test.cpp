@@ -78,7 +78,7 @@ TEST_F(WriteFile, DisksThatReportOnlyWhenTheySyncOrClose) {
 }
 
 TEST_F(WriteFile, ADiskThatTakesLittleAtOnceGetsEverything) {
-    const DiskFault fault({.most_at_once = 777, .interrupts = true});
+    const DiskFault fault({.max_at_once = 777, .interrupts = true});
     write_file(file, new_bytes);
     EXPECT_EQ(read_bytes(file), new_bytes);
 }

@@ -53,6 +53,36 @@ TEST_F(GraphTest, RefusesKeysAndNamesThatAreTakenOrMalformed) {
                          "'hollow'"));
 }
 
+TEST_F(GraphTest, OutputsAreDescribedOnce) {
+    MethodDescription method;
+    method.id = "sums";
+    method.outputs = {{.key = "sum", .label = "Sum", .unit = "m", .doc = "Of all."},
+                      {.key = "rows", .label = "Rows", .kind = OutputKind::line_set}};
+    const FrameInputs inputs;
+    const auto refused = [&](const std::function<void(GraphBuilder&)>& declare) {
+        GraphBuilder builder(method, inputs, 1, 1);
+        return message_of<std::logic_error>([&] { declare(builder); });
+    };
+    GraphBuilder builder(method, inputs, 1, 1);
+    builder.output("sum", {.format = gl::Format::r32f});
+    builder.output("rows", {.fields = {{"start"}}, .elements = 1});
+    EXPECT_EQ(builder.images()[0].text, text_of(method.outputs[0]));
+    EXPECT_EQ(builder.buffers()[0].text, text_of(method.outputs[1]));
+    EXPECT_EQ(builder.buffers()[0].kind, OutputKind::line_set);
+
+    const auto unknown = refused([](GraphBuilder& b) { b.output("summ", {.format = gl::Format::r32f}); });
+    EXPECT_TRUE(contains(unknown, "'sums'") && contains(unknown, "'summ'")) << unknown;
+    const auto second = refused([](GraphBuilder& b) { b.image(image_of("sum")); });
+    EXPECT_TRUE(contains(second, "'sums'") && contains(second, "'sum'")) << second;
+    const auto other = refused([&](GraphBuilder& b) {
+        b.buffer({.text = text_of(method.outputs[1]), .fields = {{"start"}}, .elements = 1});
+    });
+    EXPECT_TRUE(contains(other, "line-set") && contains(other, "table")) << other;
+    EXPECT_FALSE(
+        refused([](GraphBuilder& b) { b.output("sum", {.fields = {{"a"}}, .elements = 1}); }).empty());
+    EXPECT_FALSE(refused([](GraphBuilder& b) { b.output("rows", {.format = gl::Format::r32f}); }).empty());
+}
+
 TEST_F(GraphTest, RefusesPassesThatDoNothingAndHandlesThatAreNobodys) {
     EXPECT_TRUE(contains(refusal([](GraphBuilder& builder) {
                              builder.pass("idle", Queue::cpu).writes(builder.image(image_of("a")));

@@ -10,8 +10,9 @@ class ExplainTest : public GraphTest {
   protected:
     ExplainTest() {
         method.description.id = "test";
-        method.description.outputs = {{.key = "sum", .label = "Sum"},
-                                      {.key = "why", .label = "Why", .explains = true}};
+        method.description.outputs = {
+            {.key = "sum", .label = "sum", .kind = OutputKind::table},
+            {.key = "why", .label = "why", .kind = OutputKind::table, .explains = true}};
         method.setup = [this](GraphBuilder& builder, const Settings&) { declare(builder); };
         options.wanted = {"why"};
         inputs.inspection.x = 2;

@@ -43,8 +43,9 @@ class GlExplainTest : public gl::ContextTest {
         inputs.view.height = 9;
         inputs.inspection.x = inputs.inspection.y = 3;
         options.wanted = {"why"};
-        method.description.outputs = {{.key = "picture", .label = "Picture"},
-                                      {.key = "why", .label = "Why", .explains = true}};
+        method.description.outputs = {
+            {.key = "picture", .label = "picture"},
+            {.key = "why", .label = "why", .kind = OutputKind::table, .explains = true}};
         method.setup = [](GraphBuilder& builder, const Settings&) { declare(builder); };
     }
     void TearDown() override {

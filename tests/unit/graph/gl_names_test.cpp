@@ -171,5 +171,54 @@ TEST_P(GlNamesTest, RefusesAnImageForABlock) {
               "pass 'add', add.comp: 'Given' is a block, and the pass declares an image for it");
 }
 
+const char* const move_program = R"(
+layout(local_size_x = 1) in;
+struct Body { float position_ws[3]; uint id; float spare[2]; };
+layout(std430) buffer Bodies { Body bodies[]; };
+uniform float amount;
+void main() {
+    bodies[0].position_ws[1] = amount;
+    bodies[0].id = 3u;
+    bodies[0].spare[1] = 5.0;
+}
+)";
+
+/// A pass that moves bodies of these fields; `amount` is given where `gives`.
+Declare moving(const std::vector<Field>& fields, bool gives = true) {
+    return [=](GraphBuilder& builder) {
+        const auto bodies = builder.buffer(
+            {.text = {.key = "bodies", .label = "Bodies"}, .fields = fields, .elements = 1, .cleared = true});
+        builder.pass("move").writes("Bodies", bodies).execute([=](PassContext& p) {
+            const auto& program = p.use({{"move.comp"}});
+            if (gives) program.set("amount", 2.5f);
+            program.dispatch(1);
+        });
+    };
+}
+
+TEST_P(GlNamesTest, ComparesRecordsOfProgramAndBuffer) {
+    folder.write("move.comp", move_program);
+    const Field position{"position", FieldType::f32, 3}, id{"id", FieldType::u32};
+    run(moving({position, id, {"first"}, {"second"}}));
+    EXPECT_EQ(as<float>(*graph->read_buffer("bodies")).at(1), 2.5f);
+    EXPECT_EQ(as<float>(*graph->read_buffer("bodies")).at(5), 5.0f);
+    const std::string differ = "pass 'move', move.comp: 'Bodies' and buffer 'bodies' differ: ";
+    EXPECT_EQ(refusal(moving({position, {"number", FieldType::u32}, {"first"}, {"second"}})),
+              differ + "the program has 'id' at byte 12, where the buffer has 'number'");
+    EXPECT_EQ(refusal(moving({id, position, {"first"}, {"second"}})),
+              differ + "the program has 'position_ws' at byte 0, where the buffer has 'id'");
+    EXPECT_EQ(refusal(moving({position, id})),
+              differ + "a record has 24 bytes in the program and 16 in the buffer");
+    run(moving({position, id, {"first"}, {"second"}}));
+}
+
+TEST_P(GlNamesTest, RefusesAUniformThatNobodyGivesAValue) {
+    folder.write("move.comp", move_program);
+    const std::vector<Field> fields{
+        {"position", FieldType::f32, 3}, {"id", FieldType::u32}, {"spare", FieldType::f32, 2}};
+    EXPECT_EQ(refusal(moving(fields, false)), "move.comp: nobody gives 'amount' a value");
+    EXPECT_EQ(refusal(moving(fields)), "");
+}
+
 }  // namespace
 }  // namespace ir::graph

@@ -58,7 +58,7 @@ TEST_F(GraphTest, PatternsChooseResources) {
 TEST_F(GraphTest, MainResultAndValidAreAlwaysWanted) {
     Names ran;
     Method method;
-    method.description.outputs = {{.key = "first", .label = ""}, {.key = "second", .label = ""}};
+    method.description.outputs = {{.key = "first", .label = "first"}, {.key = "second", .label = "second"}};
     method.setup = [&](GraphBuilder& builder, const Settings&) {
         for (const std::string key : {"first", "second", "valid"}) {
             const auto image = builder.image(image_of(key));

@@ -140,7 +140,7 @@ TEST(HdrFlip, BoundsItsExposures) {
     Image extreme(30, 30, 1, 1e-30f);
     extreme.at(15, 15) = 1e30f;
     const auto result = hdr_flip_error(Image(30, 30, 1, 1), extreme);
-    EXPECT_EQ(result.exposures, most_flip_exposures);
+    EXPECT_EQ(result.exposures, max_flip_exposures);
     expect_sane(result.error);
     Image denormal(30, 30, 1, 1e-42f), negative(30, 30, 1, -3);
     expect_sane(hdr_flip_error(denormal, extreme).error);

@@ -56,6 +56,9 @@ inline std::vector<dss::Surfel> discs_of_square(glm::vec3 centre, glm::vec3 u, g
 
 class DeepScreenSpaceTest : public PassTest {
   protected:
+    std::vector<OutputDescription> outputs() const override {
+        return joined({dss::hierarchy_outputs(), dss::additive_outputs()});
+    }
     /// Declares surfels with these contents. `capacity`: 0: as many as there are; `uncounted` is added to the
     /// counter: surfels that found no place.
     static dss::Surfels upload(graph::GraphBuilder& builder, const std::vector<dss::Surfel>& records,

@@ -37,8 +37,9 @@ class VisibleTest : public DeepScreenSpaceTest {
     static graph::Method method(const VisibleRun& run) {
         graph::Method method;
         method.description.id = "test";
-        method.description.outputs = dss::visible_outputs();
-        for (const auto& output : dss::explanation_outputs()) method.description.outputs.push_back(output);
+        method.description.outputs =
+            joined({dss::hierarchy_outputs(), dss::visible_outputs(), dss::explanation_outputs(),
+                    passes::bounce::direction_outputs({}), passes::bounce::sample_outputs({})});
         method.setup = [run](graph::GraphBuilder& builder, const Settings&) {
             const auto& parameters = run.parameters;
             const auto scene = passes::upload_scene(builder);

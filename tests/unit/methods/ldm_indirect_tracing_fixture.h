@@ -97,6 +97,7 @@ class IndirectTracingTest : public PassTest {
         table.include(&li::Parameters::maps, passes::ldm::self_hit_parameters());
         MethodDescription description;
         description.id = "test";
+        description.outputs = li::tracing_outputs();
         const auto method = graph::make_method<li::Parameters>(
             description, table, [&](graph::GraphBuilder& builder, const li::Parameters& parameters) {
                 const auto scene = passes::upload_scene(builder);

@@ -174,7 +174,7 @@ TEST_F(IndirectTracingTest, WidenedFootprintsCoverTheRegion) {
     ASSERT_GT(wide.size(), 100u);
     const auto map_frames = frames();
     const auto all = primaries();
-    double worst = 0, least_facing = 1, most_facing = 0;
+    double worst = 0, min_facing = 1, max_facing = 0;
     for (std::size_t i = 0; i < wide.size(); ++i) {
         const auto d = direction_of(wide[i], map_frames), n = normal_of(wide[i]);
         const double facing = std::abs(glm::dot(d, n)),
@@ -189,12 +189,12 @@ TEST_F(IndirectTracingTest, WidenedFootprintsCoverTheRegion) {
             worst = std::max(worst, std::abs((moment(wide[i]) - moment(published[i])) / added - 1));
         }
         EXPECT_NEAR(glm::dot(glm::dvec3(wide[i].axis_u), n), 0, 1e-3);
-        least_facing = std::min(least_facing, facing);
-        most_facing = std::max(most_facing, facing);
+        min_facing = std::min(min_facing, facing);
+        max_facing = std::max(max_facing, facing);
     }
     EXPECT_LT(worst, 0.01);
-    EXPECT_LT(least_facing, 0.65);
-    EXPECT_GT(most_facing, 0.8);
+    EXPECT_LT(min_facing, 0.65);
+    EXPECT_GT(max_facing, 0.8);
 }
 
 }  // namespace

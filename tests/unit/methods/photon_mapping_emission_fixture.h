@@ -20,6 +20,7 @@ namespace pm = methods::photon_mapping;
 /// with a hole.
 class EmissionTest : public PassTest {
   protected:
+    std::vector<OutputDescription> outputs() const override { return pm::emission_outputs(); }
     static Shot room(std::vector<scene::Light> lights) {
         SmallWorld small;
         small.square({0, 0, 0}, {0, 1, 0}, 2);

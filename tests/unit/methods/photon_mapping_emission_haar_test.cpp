@@ -10,16 +10,16 @@ namespace {
 
 class HaarTest : public PassTest {
   protected:
+    std::vector<OutputDescription> outputs() const override { return pm::probability_outputs(); }
     /// Layers of the same side, row 0 first.
     pm::EmissionMaps transform(const std::vector<std::vector<float>>& layers, int side) {
         pm::EmissionMaps maps;
         run(Shot("builtin:plane", "top", 8, 8), [&](graph::GraphBuilder& builder) {
             graph::ImageDesc desc;
-            desc.text = {"emission.probability", "Map"};
             desc.format = gl::Format::r32f;
             desc.extent = graph::Extent::fixed(side, side);
             desc.layers = static_cast<int>(layers.size());
-            const auto map = builder.image(desc);
+            const auto map = builder.output("emission.probability", desc);
             builder.pass("upload").writes(map).execute([=](graph::PassContext& context) {
                 for (std::size_t i = 0; i < layers.size(); ++i)
                     context.upload(map, std::as_bytes(std::span(layers[i])), 0, static_cast<int>(i));

@@ -49,6 +49,7 @@ struct Estimate {
 
 class FilteringTest : public PassTest {
   protected:
+    std::vector<OutputDescription> outputs() const override { return pm::filtering_outputs(); }
     template <class T>
     static graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl::Format format,
                                    const std::vector<T>& texels, float scale) {

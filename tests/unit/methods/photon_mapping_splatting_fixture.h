@@ -64,6 +64,7 @@ struct ExplainedSum {
 
 class SplatTest : public PassTest {
   protected:
+    std::vector<OutputDescription> outputs() const override { return pm::splatting_outputs(); }
     /// Declares photons with these contents.
     static pm::Photons upload(graph::GraphBuilder& builder, const SplatRun& run) {
         std::vector<pm::Photon> records;
@@ -93,7 +94,7 @@ class SplatTest : public PassTest {
     graph::Method method(const SplatRun& run) const {
         graph::Method method;
         method.description.id = "test";
-        method.description.outputs = pm::splatting_outputs();
+        method.description.outputs = outputs();
         method.setup = [run](graph::GraphBuilder& builder, const Settings&) {
             const auto gbuffer = passes::gbuffer(builder, passes::upload_scene(builder));
             pm::splat_photons(builder, gbuffer, upload(builder, run), run.parameters);

@@ -89,11 +89,8 @@ TEST_F(Splatting, AnIcosahedronWithinTheKernelLosesAQuarterOfTheFlux) {
             const auto kernels =
                 pm::declare_kernels(builder, photons, pm::count_tiles(builder, photons, run.parameters),
                                     pm::splat_surfaces(builder, gbuffer, 1), run.parameters);
-            graph::ImageDesc desc;
-            desc.text = {.key = "splat.irradiance", .label = "E"};
-            const auto irradiance = builder.image(desc);
-            desc.text = {.key = "splat.direction", .label = "d"};
-            const auto direction = builder.image(desc);
+            const auto irradiance = builder.output("splat.irradiance", {.format = gl::Format::rgba32f});
+            const auto direction = builder.output("splat.direction", {.format = gl::Format::rgba32f});
             pm::KernelPass pass{"draw", "draw.command", {irradiance, direction}, {}};
             if (mutant) pass.defines["ICOSAHEDRON_SCALE"] = "1.0";
             pm::draw_kernels(builder, kernels, pass);

@@ -11,6 +11,9 @@ using methods::photon_mapping::Emission;
 /// Emission and tracing together, in a closed sphere with a lamp in its middle.
 class PhotonsOfALamp : public TracingTest {
   protected:
+    std::vector<OutputDescription> outputs() const override {
+        return joined({methods::photon_mapping::emission_outputs(), TracingTest::outputs()});
+    }
     static constexpr float intensity = 3;  // W/sr
 
     static Shot lit_furnace(float albedo) {

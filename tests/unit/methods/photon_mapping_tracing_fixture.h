@@ -111,6 +111,9 @@ inline std::vector<SamplePoint> random_points(const scene::World& world, int cou
 /// Traces photons from points that no emission has made.
 class TracingTest : public PassTest {
   protected:
+    std::vector<OutputDescription> outputs() const override {
+        return methods::photon_mapping::tracing_outputs();
+    }
     struct Outcome {
         std::vector<TallyRow> tally;
         std::vector<Photon> photons;

@@ -12,7 +12,7 @@ namespace {
 
 /// Largest number of the first 2^k points of a sequence in one of the 2^a × 2^(k-a) equal boxes.
 template <class Sequence>
-int most_in_a_box(const Sequence& sequence, int k, int a) {
+int max_in_a_box(const Sequence& sequence, int k, int a) {
     std::vector<int> boxes(std::size_t{1} << k);
     for (std::uint32_t i = 0; i < 1u << k; ++i) {
         const auto p = sequence.point(i);
@@ -27,7 +27,7 @@ TEST(PointSequence, PutsOnePointIntoEachElementaryInterval) {
     for (std::uint64_t key = 0; key < 20; ++key) {
         const PointSequence sequence(key);
         for (int k = 0; k <= 10; ++k) {
-            for (int a = 0; a <= k; ++a) EXPECT_EQ(most_in_a_box(sequence, k, a), 1) << k << " " << a;
+            for (int a = 0; a <= k; ++a) EXPECT_EQ(max_in_a_box(sequence, k, a), 1) << k << " " << a;
         }
     }
 }
@@ -40,7 +40,7 @@ struct Independent {
 };
 
 TEST(PointSequence, StratificationTestRejectsIndependentPoints) {
-    EXPECT_GT(most_in_a_box(Independent(), 8, 4), 1);
+    EXPECT_GT(max_in_a_box(Independent(), 8, 4), 1);
 }
 
 /// χ² of n points over 8 × 8 equal boxes; 63 degrees of freedom.
@@ -126,7 +126,7 @@ TEST(PathSampler, PutsOnePointIntoEachElementaryInterval) {
     for (const std::uint32_t dimension : {0u, 1u, 17u}) {
         for (int k = 0; k <= 8; ++k) {
             for (int a = 0; a <= k; ++a)
-                EXPECT_EQ(most_in_a_box(PathDimension{77, dimension}, k, a), 1) << k << " " << a;
+                EXPECT_EQ(max_in_a_box(PathDimension{77, dimension}, k, a), 1) << k << " " << a;
         }
     }
 }

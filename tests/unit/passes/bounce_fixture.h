@@ -99,6 +99,10 @@ struct Moments {
 
 class BounceTest : public PassTest {
   protected:
+    std::vector<OutputDescription> outputs() const override {
+        return joined(
+            {bounce::direction_outputs({}), bounce::sample_outputs({}), bounce::reconstruction_outputs({})});
+    }
     /// Only G-buffer and directions.
     void choose_directions(const Shot& shot, const bounce::DirectionOptions& options, std::uint64_t seed = 0,
                            int frame = 0) {

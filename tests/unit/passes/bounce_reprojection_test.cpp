@@ -13,6 +13,7 @@ using Picture = std::vector<float>;
 
 class ReprojectionTest : public PassTest {
   protected:
+    std::vector<OutputDescription> outputs() const override { return passes::reprojection_outputs(); }
     /// One more frame; the history stays.
     void frame(const Shot& shot, const Picture& picture, float history, bool on = true) {
         run(shot, [&](graph::GraphBuilder& builder) {

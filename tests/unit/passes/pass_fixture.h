@@ -66,6 +66,15 @@ class PassTest : public testing::Test {
   protected:
     using Setup = std::function<void(graph::GraphBuilder&)>;
 
+    /// Those of the method that run() runs.
+    virtual std::vector<OutputDescription> outputs() const { return {}; }
+    static std::vector<OutputDescription> joined(
+        std::initializer_list<std::vector<OutputDescription>> parts) {
+        std::vector<OutputDescription> all;
+        for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+        return all;
+    }
+
     void SetUp() override {
         gl::ContextOptions options;
         options.debug = true;
@@ -88,6 +97,7 @@ class PassTest : public testing::Test {
     FrameReport run(const graph::FrameInputs& inputs, const Setup& setup) {
         graph::Method method;
         method.description.id = "test";
+        method.description.outputs = outputs();
         method.setup = [&](graph::GraphBuilder& builder, const Settings&) { setup(builder); };
         graph::FrameOptions options;
         options.wanted = {"*"};

@@ -95,7 +95,7 @@ class HitSurfaceTest : public PassTest {
             const auto count = questions.size();
             pass.reads("Questions", given).writes("Answers", found).execute([=](graph::PassContext& context) {
                 const auto& program = context.use({{SOURCE_ROOT "/tests/data/shaders/hit_surface.comp"}});
-                program.set("questions_asked", static_cast<unsigned>(count));
+                program.set("questions_requested", static_cast<unsigned>(count));
                 program.set("normal_maps", normal_maps);
                 program.dispatch(static_cast<std::int64_t>(count));
             });
@@ -173,7 +173,7 @@ TEST(TexelLayout, ReducesByTheMeanOfDecodedTexels) {
     scene.textures.push_back(texture);
     scene.materials.resize(1);
     scene.materials[0].base_colour_texture.texture = 0;
-    const auto layout = passes::texel_layout(scene, passes::most_texel_bytes, 4);
+    const auto layout = passes::texel_layout(scene, passes::max_texel_bytes, 4);
     ASSERT_EQ(layout.textures[0].width, 3);
     ASSERT_EQ(layout.textures[0].height, 1);
     EXPECT_EQ(layout.reduced, 1);

@@ -267,7 +267,7 @@ TEST_F(CompareTracers, CoincidentTrianglesNameTheFirst) {
     for (int i = 0; i < 3000; ++i) small.square({0, 0, 0}, {0, 1, 0}, 1);
     const auto world = small.world();
     const auto data = passes::build_device_bvh(small.scene(), world);
-    EXPECT_LE(data.depth, passes::bvh_most_depth);
+    EXPECT_LE(data.depth, passes::bvh_max_depth);
     EXPECT_EQ(data.triangles.size(), 6000u);
     for (const auto& hit :
          trace(small.scene(), world, {{{0.3f, -1, 0.1f}, infinity, {0, 1, 0}, 0}}, Tracer::compute))

@@ -135,7 +135,7 @@ TEST_F(LayersTest, DrawsEveryNthOfTooMany) {
     run({row()});
     Scene3D view{.width = layer_width,
                  .height = layer_height,
-                 .most_elements = 4,
+                 .max_elements = 4,
                  .layers = {{.key = "row", .size_px = 5}}};
     const auto picture = draw(view);
     EXPECT_EQ(picture.layers[0].stride, 3u);

@@ -75,7 +75,7 @@ const gl::Program& bind_layer(const PassContext& p, const Additive& additive, co
 }
 
 void splat(graph::GraphBuilder& builder, Additive& additive) {
-    additive.splatted = declare_stack(builder, additive, additive_text("additive.splatted"));
+    additive.splatted = declare_stack(builder, additive, builder.text_of_output("additive.splatted"));
     if (additive.is_light() && additive.parameters().transport.materials != Transport::Materials::lambert)
         additive.glossy = declare_stack(builder, additive,
                                         {.key = "additive.glossy",
@@ -100,7 +100,7 @@ ImageRef resolve(graph::GraphBuilder& builder, const Additive& additive, const L
                  const LevelSums& glossy, graph::ResourceText text) {
     const auto format = additive.is_light() ? gl::Format::rgba32f : gl::Format::r32f;
     const auto& gbuffer = additive.receivers.gbuffer;
-    const auto sum = builder.image({.text = additive_text("additive.sum"), .format = format});
+    const auto sum = builder.output("additive.sum", {.format = format});
     const auto result = builder.image({.text = std::move(text), .format = format});
     auto pass = builder.pass("add levels");
     read_levels(pass, "levels_texture", sums);

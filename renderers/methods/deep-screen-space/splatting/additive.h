@@ -20,9 +20,6 @@ LevelSums blur_levels(graph::GraphBuilder& builder, const passes::GBuffer& gbuff
 /// Declares "additive.levels", the levels unshuffled, for people to look at.
 void show_unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, graph::ImageRef stack);
 
-/// What the output with this key says about itself.
-graph::ResourceText additive_text(const std::string& key);
-
 /// splat_additive() with defines of additive.frag that are wrong; for tests.
 graph::ImageRef splat_additive_mutated(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                                        const passes::GBuffer& gbuffer, const Hierarchy& hierarchy,

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "renderers/graph/output_text.h"
 #include "renderers/methods/deep-screen-space/splatting/additive.h"
 
 namespace ir::methods::deep_screen_space {
@@ -60,11 +59,8 @@ LevelSums blur_levels(graph::GraphBuilder& builder, const passes::GBuffer& gbuff
 }
 
 void show_unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, ImageRef stack) {
-    graph::ImageDesc desc;
-    desc.text = additive_text("additive.levels");
-    desc.format = format_of(builder, stack);
-    desc.layers = hierarchy.levels;
-    const auto levels = builder.image(std::move(desc));
+    const auto levels =
+        builder.output("additive.levels", {.format = format_of(builder, stack), .layers = hierarchy.levels});
     builder.pass("unshuffle levels")
         .reads("places_texture", hierarchy.places)
         .reads("stack", stack)
@@ -104,10 +100,6 @@ std::vector<OutputDescription> additive_outputs() {
                 "it, level.",
          .active_when = additive},
     };
-}
-
-graph::ResourceText additive_text(const std::string& key) {
-    return graph::text_of(additive_outputs(), key);
 }
 
 }  // namespace ir::methods::deep_screen_space

@@ -3,26 +3,21 @@
 #include <bit>
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/deep-screen-space/splatting/hierarchy_outputs.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
 
 graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, int levels) {
-    graph::ImageDesc desc;
-    desc.text = hierarchy_text(key);
-    desc.format = gl::Format::rgba32f;
-    desc.levels = levels;
-    return builder.image(std::move(desc));
+    return builder.output(key, {.format = gl::Format::rgba32f, .levels = levels});
 }
 
 void reduce(const graph::PassContext& p, const Hierarchy& hierarchy, int level) {
     gl::ProgramSource source{{"methods/deep-screen-space/splatting/bounds.comp"}};
     if (level == 0) source.defines["FIRST"] = "1";
-    p.bind("least_image", hierarchy.least, level);
-    p.bind("most_image", hierarchy.most, level);
-    p.bind("finer_least", hierarchy.least, level - 1);
-    p.bind("finer_most", hierarchy.most, level - 1);
+    p.bind("min_image", hierarchy.least, level);
+    p.bind("max_image", hierarchy.most, level);
+    p.bind("finer_min", hierarchy.least, level - 1);
+    p.bind("finer_max", hierarchy.most, level - 1);
     const auto& program = p.use(source);
     const auto shape = p.shape(hierarchy.least);
     program.dispatch(shape.level_width(level), shape.level_height(level));

@@ -6,11 +6,7 @@ namespace {
 
 graph::ImageRef declare_of_samples(graph::GraphBuilder& builder, const std::string& key, gl::Format format,
                                    int samples) {
-    graph::ImageDesc desc;
-    desc.text = visible_text(key);
-    desc.format = format;
-    desc.layers = samples;
-    return builder.image(std::move(desc));
+    return builder.output(key, {.format = format, .layers = samples});
 }
 
 const gl::Program& use(const graph::PassContext& p, const VisibleSplats& visible) {

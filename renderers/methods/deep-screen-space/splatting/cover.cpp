@@ -5,12 +5,10 @@
 namespace ir::methods::deep_screen_space {
 
 graph::ImageRef count_cover(graph::GraphBuilder& builder, const Splats& splats, const std::string& weight) {
-    graph::ImageDesc desc;
-    desc.text = additive_text("splats.cover");
-    desc.format = gl::Format::rg32f;
-    desc.extent = graph::Extent::fixed(splats.hierarchy.width, splats.hierarchy.height);
-    desc.layers = splats.samples * splats.hierarchy.levels;
-    const auto cover = builder.image(std::move(desc));
+    const auto cover = builder.output(
+        "splats.cover", {.format = gl::Format::rg32f,
+                         .extent = graph::Extent::fixed(splats.hierarchy.width, splats.hierarchy.height),
+                         .layers = splats.samples * splats.hierarchy.levels});
     gl::ProgramSource source{
         {"methods/deep-screen-space/splatting/splat.vert", "methods/deep-screen-space/splatting/cover.frag"}};
     if (!weight.empty()) source.defines["WEIGHT"] = weight;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "renderers/gl/dispatch_items.h"
-#include "renderers/graph/output_text.h"
 #include "renderers/methods/deep-screen-space/random_seed.h"
 #include "renderers/methods/deep-screen-space/splatting/explain_records.h"
 #include "renderers/methods/deep-screen-space/splatting/folder.h"
@@ -26,7 +25,7 @@ struct Explained {
 
 Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputKind kind,
                   std::vector<graph::Field> fields, std::uint64_t elements) {
-    const auto text = graph::text_of(explanation_outputs(), "splats.explain." + what);
+    const auto text = builder.text_of_output("splats.explain." + what);
     Explained e;
     e.elements = builder.buffer({.text = text,
                                  .kind = kind,
@@ -116,11 +115,9 @@ void explain_pixel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
 }
 
 graph::BufferRef choose_surfel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
-    const auto choice =
-        builder.buffer({.text = graph::text_of(explanation_outputs(), "splats.explain.choice"),
-                        .fields = {{"closeness"}, {"surfel", graph::FieldType::u32}},
-                        .elements = 1,
-                        .cleared = true});
+    const auto choice = builder.output(
+        "splats.explain.choice",
+        {.fields = {{"closeness"}, {"surfel", graph::FieldType::u32}}, .elements = 1, .cleared = true});
     for (const char* find : {"1", "2"})
         builder.pass(std::string("choose the surfel, step ") + find)
             .reads("Surfels", visible.splats.surfels)
@@ -144,11 +141,7 @@ void explain_surfel(graph::GraphBuilder& builder, const VisibleSplats& visible) 
     const auto choice = choose_surfel(builder, visible);
     const auto sums = declare(builder, "surfel", OutputKind::glyphs, surfel_sum_fields(),
                               static_cast<std::uint64_t>(levels));
-    graph::ImageDesc desc;
-    desc.text = graph::text_of(explanation_outputs(), "splats.explain.cover");
-    desc.format = gl::Format::r16f;
-    desc.layers = levels;
-    const auto cover = builder.image(std::move(desc));
+    const auto cover = builder.output("splats.explain.cover", {.format = gl::Format::r16f, .layers = levels});
     auto pass = builder.pass("explain splats of the surfel");
     read_splats(pass, visible);
     pass.reads("Choice", choice)

@@ -3,7 +3,6 @@
 #include "renderers/methods/deep-screen-space/splatting.h"
 #include "renderers/methods/deep-screen-space/splatting/bounds.h"
 #include "renderers/methods/deep-screen-space/splatting/folder.h"
-#include "renderers/methods/deep-screen-space/splatting/hierarchy_outputs.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
@@ -16,14 +15,11 @@ int padded(int size, int levels) {
 graph::ImageRef declare(graph::GraphBuilder& builder, const Hierarchy& hierarchy, const std::string& key,
                         gl::Format format, const std::string& name = {},
                         const std::string& fingerprint = {}) {
-    graph::ImageDesc desc;
-    desc.name = name;
-    desc.text = hierarchy_text(key);
-    desc.format = format;
-    desc.extent = graph::Extent::fixed(hierarchy.width, hierarchy.height);
-    desc.layers = hierarchy.levels;
-    desc.fingerprint = fingerprint;
-    return builder.image(std::move(desc));
+    return builder.output(key, {.name = name,
+                                .format = format,
+                                .extent = graph::Extent::fixed(hierarchy.width, hierarchy.height),
+                                .layers = hierarchy.levels,
+                                .fingerprint = fingerprint});
 }
 
 void lay_out(graph::GraphBuilder& builder, Hierarchy& hierarchy, unsigned seed) {

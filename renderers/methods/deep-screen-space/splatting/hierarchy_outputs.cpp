@@ -1,6 +1,4 @@
-#include "renderers/methods/deep-screen-space/splatting/hierarchy_outputs.h"
 
-#include "renderers/graph/output_text.h"
 #include "renderers/methods/deep-screen-space/splatting.h"
 
 namespace ir::methods::deep_screen_space {
@@ -52,10 +50,6 @@ std::vector<OutputDescription> hierarchy_outputs() {
          .doc =
              "Greatest x, y and z of all surfaces seen below a texel, on each mip level; -3e38: no surface."},
     };
-}
-
-graph::ResourceText hierarchy_text(const std::string& key) {
-    return graph::text_of(hierarchy_outputs(), key);
 }
 
 }  // namespace ir::methods::deep_screen_space

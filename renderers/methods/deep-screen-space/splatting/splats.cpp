@@ -13,7 +13,7 @@ using graph::PassContext;
 /// Of the surfels: so finely can each layer's work be sliced.
 constexpr std::int64_t parts = 256;
 /// Surfels whose rectangles are known at a time.
-constexpr std::uint64_t most_at_once = 1 << 16;
+constexpr std::uint64_t max_at_once = 1 << 16;
 /// Without mip levels in its sampler a texture has one.
 constexpr scene::Sampler all_levels{scene::Wrap::clamp_to_edge, scene::Wrap::clamp_to_edge,
                                     scene::Filter::nearest, scene::Filter::nearest, true};
@@ -74,8 +74,8 @@ void find_rectangles(const PassContext& p, const Splats& splats, const SplatLaye
 
 void draw_layer(const PassContext& p, const Splats& splats, const SplatLayer& layer, const BindLayer& bind) {
     const auto& program = bind(p, layer);
-    for (auto first = layer.first; first < layer.end; first += most_at_once) {
-        const auto end = std::min(layer.end, first + most_at_once);
+    for (auto first = layer.first; first < layer.end; first += max_at_once) {
+        const auto end = std::min(layer.end, first + max_at_once);
         find_rectangles(p, splats, layer, first, end);
         p.use(program);
         program.set("first_surfel", static_cast<unsigned>(first));
@@ -147,7 +147,7 @@ Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, 
                   .label = "Rectangles of splats",
                   .doc = "First place of the surfels drawn last, and the one after the last: x + 65536 y."},
          .fields = {{"first", FieldType::u32}, {"after", FieldType::u32}},
-         .elements = most_at_once});
+         .elements = max_at_once});
     splats.command = builder.buffer({.text = {.key = "splats.command",
                                               .label = "Command of the draw",
                                               .doc = "Vertices of the last draw of splats."},
@@ -173,8 +173,8 @@ void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer&
     pass.reads("Surfels", splats.surfels)
         .reads("Stored", splats.stored)
         .reads(splats.hierarchy.layout, splats.hierarchy.positions, splats.hierarchy.normals)
-        .reads("least_texture", splats.hierarchy.least, all_levels)
-        .reads("most_texture", splats.hierarchy.most, all_levels)
+        .reads("min_texture", splats.hierarchy.least, all_levels)
+        .reads("max_texture", splats.hierarchy.most, all_levels)
         .writes("Rectangles", splats.rectangles)
         .writes("Draw", splats.command);
     if (is_counted(splats)) pass.counts("Drawn", splats.drawn).counts("Culled", splats.culled);

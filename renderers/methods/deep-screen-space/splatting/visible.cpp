@@ -7,12 +7,10 @@ namespace {
 
 graph::ImageRef declare_layers(graph::GraphBuilder& builder, const Splats& splats, const std::string& key,
                                gl::Format format) {
-    graph::ImageDesc desc;
-    desc.text = visible_text(key);
-    desc.format = format;
-    desc.extent = graph::Extent::fixed(splats.hierarchy.width, splats.hierarchy.height);
-    desc.layers = splats.samples * splats.hierarchy.levels;
-    return builder.image(std::move(desc));
+    return builder.output(key,
+                          {.format = format,
+                           .extent = graph::Extent::fixed(splats.hierarchy.width, splats.hierarchy.height),
+                           .layers = splats.samples * splats.hierarchy.levels});
 }
 
 /// Of a stack's layer.

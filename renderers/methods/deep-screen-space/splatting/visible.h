@@ -28,9 +28,6 @@ passes::bounce::Samples splat_visible_mutated(graph::GraphBuilder& builder, cons
                                               const Parameters& parameters,
                                               const std::map<std::string, std::string>& mutation);
 
-/// The image or buffer's text, by its key among visible_outputs().
-graph::ResourceText visible_text(const std::string& key);
-
 /// Sets the uniforms of shaders/methods/deep-screen-space/splatting/visible_level.glsl.
 void set_splat_level(const gl::Program& program, const Splats& splats);
 

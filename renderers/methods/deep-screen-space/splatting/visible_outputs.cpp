@@ -1,4 +1,3 @@
-#include "renderers/graph/output_text.h"
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 
 namespace ir::methods::deep_screen_space {
@@ -81,10 +80,6 @@ std::vector<OutputDescription> visible_outputs() {
     for (auto& output : of_levels()) outputs.push_back(std::move(output));
     for (auto& output : outputs) output.active_when = {"visibility", {true}};
     return outputs;
-}
-
-graph::ResourceText visible_text(const std::string& key) {
-    return graph::text_of(visible_outputs(), key);
 }
 
 }  // namespace ir::methods::deep_screen_space

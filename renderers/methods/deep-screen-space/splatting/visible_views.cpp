@@ -19,11 +19,10 @@ struct LayersView {
 void show_layers(graph::GraphBuilder& builder, const VisibleSplats& visible, const LayersView& view) {
     const auto& splats = visible.splats;
     graph::ImageDesc desc;
-    desc.text = visible_text(view.key);
     desc.format = view.format;
     desc.layers = splats.samples * splats.hierarchy.levels;
     if (!view.unshuffled) desc.extent = graph::Extent::fixed(splats.hierarchy.width, splats.hierarchy.height);
-    const auto image = builder.image(std::move(desc));
+    const auto image = builder.output(view.key, std::move(desc));
     auto pass = builder.pass(view.pass);
     for (const auto& [name, texture] : view.textures) pass.reads(name, texture);
     if (view.reads_surfels) pass.reads("Surfels", splats.surfels);
@@ -35,11 +34,8 @@ void show_layers(graph::GraphBuilder& builder, const VisibleSplats& visible, con
 }
 
 void show_epsilon(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ImageRef distance) {
-    graph::ImageDesc desc;
-    desc.text = visible_text("splats.epsilon");
-    desc.format = gl::Format::r32f;
-    desc.layers = visible.splats.samples;
-    const auto image = builder.image(std::move(desc));
+    const auto image =
+        builder.output("splats.epsilon", {.format = gl::Format::r32f, .layers = visible.splats.samples});
     auto pass = builder.pass("implied epsilon");
     pass.reads("nearest", visible.nearest)
         .reads("levels", visible.hit_level)

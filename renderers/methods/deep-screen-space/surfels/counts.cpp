@@ -1,6 +1,5 @@
 #include "renderers/methods/deep-screen-space/surfels/counts.h"
 
-#include "renderers/graph/output_text.h"
 #include "renderers/methods/deep-screen-space/surfels/view.h"
 
 namespace ir::methods::deep_screen_space {
@@ -36,17 +35,16 @@ void count_surfels(graph::GraphBuilder& builder, const Patches& patches, const G
                    const Surfels& surfels, const Parameters& parameters) {
     const auto of_fine = add_up(builder, "fine", true, fine.buffer, fine.count, parameters);
     const auto of_kept = add_up(builder, "kept", false, surfels.records, surfels.count, parameters);
-    const auto row = builder.buffer({.text = graph::text_of(surfel_outputs(), "surfels.counts"),
-                                     .fields = {{"triangles", FieldType::u32},
-                                                {"left", FieldType::u32},
-                                                {"patches", FieldType::u32},
-                                                {"fine", FieldType::u32},
-                                                {"kept", FieldType::u32},
-                                                {"fine_area"},
-                                                {"kept_area"},
-                                                {"fine_part"},
-                                                {"kept_part"}},
-                                     .elements = 1});
+    const auto row = builder.output("surfels.counts", {.fields = {{"triangles", FieldType::u32},
+                                                                  {"left", FieldType::u32},
+                                                                  {"patches", FieldType::u32},
+                                                                  {"fine", FieldType::u32},
+                                                                  {"kept", FieldType::u32},
+                                                                  {"fine_area"},
+                                                                  {"kept_area"},
+                                                                  {"fine_part"},
+                                                                  {"kept_part"}},
+                                                       .elements = 1});
     builder.pass("count surfels")
         .reads("FineSums", of_fine)
         .reads("KeptSums", of_kept)

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "renderers/core/error.h"
-#include "renderers/graph/output_text.h"
 #include "renderers/methods/deep-screen-space/random_seed.h"
 #include "renderers/methods/deep-screen-space/surfels/capture.h"
 #include "renderers/methods/deep-screen-space/surfels/view.h"
@@ -28,14 +27,14 @@ gl::ProgramSource source_of(const Parameters& parameters) {
 /// Points of one draw, but for those of its last patch: llvmpipe numbers the vertices that a draw is
 /// tessellated into by 16 bits, and without a word makes the first ones again.
 constexpr std::int64_t points_of_draw = 1 << 15;
-constexpr std::int64_t most_draws = std::int64_t{1} << 11;
+constexpr std::int64_t max_draws = std::int64_t{1} << 11;
 
 /// Draws of each part of the pass.
 std::int64_t draws_of_part(const PassContext& context, graph::BufferRef fine) {
-    if (context.capacity(fine) > points_of_draw * most_draws)
+    if (context.capacity(fine) > points_of_draw * max_draws)
         throw Error("deep screen space: more than 2^26 fine surfels; raise surfel_radius or fine_area");
     const auto draws = static_cast<std::int64_t>(context.capacity(fine)) / points_of_draw + 1;
-    return (std::min(most_draws, draws) + packing_parts - 1) / packing_parts;
+    return (std::min(max_draws, draws) + packing_parts - 1) / packing_parts;
 }
 
 void write_commands(const PassContext& context, const Patches& patches, const Growing& fine) {
@@ -68,7 +67,7 @@ void draw(const PassContext& context, graph::BufferRef commands, std::int64_t fi
 
 Growing declare_fine(graph::GraphBuilder& builder, std::uint64_t reserve) {
     return growing(builder,
-                   {.text = graph::text_of(surfel_outputs(), "surfels.fine"),
+                   {.text = builder.text_of_output("surfels.fine"),
                     .kind = OutputKind::glyphs,
                     .fields = {{"centre", FieldType::f32, 3},
                                {"triangle", FieldType::u32},
@@ -94,7 +93,7 @@ void tessellate(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                                    {"instances", FieldType::u32},
                                    {"first_vertex", FieldType::u32},
                                    {"base_instance", FieldType::u32}},
-                        .elements = most_draws});
+                        .elements = max_draws});
     const auto capture = std::make_shared<std::unique_ptr<Capture>>();
     builder.pass("fine surfels")
         .reads(scene.positions, scene.indices)

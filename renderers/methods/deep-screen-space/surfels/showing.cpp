@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "renderers/graph/output_text.h"
 #include "renderers/methods/deep-screen-space/surfels/packing.h"
 #include "renderers/methods/deep-screen-space/surfels/view.h"
 
@@ -13,7 +12,7 @@ using graph::FieldType;
 void show_surfels(graph::GraphBuilder& builder, const Surfels& surfels, std::uint64_t reserve,
                   const Parameters& parameters) {
     const auto shown = growing(builder,
-                               {.text = graph::text_of(surfel_outputs(), "surfels"),
+                               {.text = builder.text_of_output("surfels"),
                                 .kind = OutputKind::glyphs,
                                 .fields = {{"centre", FieldType::f32, 3},
                                            {"surfel", FieldType::u32},

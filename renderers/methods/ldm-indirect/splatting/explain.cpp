@@ -21,12 +21,11 @@ struct Explanation {
 graph::BufferRef declare_buffer(graph::GraphBuilder& builder, const std::string& key, OutputKind kind,
                                 std::vector<graph::Field> fields, std::uint64_t elements,
                                 bool cleared = false) {
-    return builder.buffer({.text = text_of_output(key),
-                           .kind = kind,
-                           .fields = std::move(fields),
-                           .elements = elements,
-                           .growable = true,
-                           .cleared = cleared});
+    return builder.output(key, {.kind = kind,
+                                .fields = std::move(fields),
+                                .elements = elements,
+                                .growable = true,
+                                .cleared = cleared});
 }
 
 graph::CounterRef count_of(graph::GraphBuilder& builder, const std::string& key, const std::string& label,

@@ -1,35 +1,31 @@
 #include "renderers/methods/ldm-indirect/splatting/outputs.h"
 
-#include "renderers/graph/output_text.h"
+#include "renderers/passes/direct/direct_light.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
 
 std::vector<OutputDescription> pictures() {
-    return {
-        {.key = "radiance",
-         .label = "Radiance",
-         .semantic = Semantic::radiance,
-         .unit = "W/(m² sr)",
-         .doc = "Towards the eye: emission, direct light and indirect light, as the paths say."},
-        {.key = "indirect.irradiance",
-         .label = "Splatted irradiance",
-         .semantic = Semantic::irradiance,
-         .unit = "W/m²",
-         .doc = "Sum of the photons' footprints at the pixel; with direct light where photons carry it. "
-                "A: how many photons add to the pixel."},
-        {.key = "indirect.radiance",
-         .label = "Indirect radiance",
-         .semantic = Semantic::radiance,
-         .unit = "W/(m² sr)",
-         .doc = "What the pixel's surface reflects of the splatted irradiance, ρ/π of it."},
-        {.key = "direct.radiance",
-         .label = "Direct radiance",
-         .semantic = Semantic::radiance,
-         .unit = "W/(m² sr)",
-         .doc = "Direct light by rasterisation with shadow maps.",
-         .active_when = {"direct", {std::string("rasterisation")}}},
-        {.key = "valid", .label = "Valid", .semantic = Semantic::mask, .doc = "1 where the result counts."}};
+    auto direct = passes::direct_output();
+    direct.active_when = {"direct", {std::string("rasterisation")}};
+    return {{.key = "radiance",
+             .label = "Radiance",
+             .semantic = Semantic::radiance,
+             .unit = "W/(m² sr)",
+             .doc = "Towards the eye: emission, direct light and indirect light, as the paths say."},
+            {.key = "indirect.irradiance",
+             .label = "Splatted irradiance",
+             .semantic = Semantic::irradiance,
+             .unit = "W/m²",
+             .doc = "Sum of the photons' footprints at the pixel; with direct light where photons carry it. "
+                    "A: how many photons add to the pixel."},
+            {.key = "indirect.radiance",
+             .label = "Indirect radiance",
+             .semantic = Semantic::radiance,
+             .unit = "W/(m² sr)",
+             .doc = "What the pixel's surface reflects of the splatted irradiance, ρ/π of it."},
+            direct,
+            passes::valid_output()};
 }
 
 const std::string no_surface = "the pixel shows no surface";
@@ -85,15 +81,8 @@ std::vector<OutputDescription> splatting_outputs() {
     return all;
 }
 
-graph::ResourceText text_of_output(const std::string& key) {
-    return graph::text_of(splatting_outputs(), key);
-}
-
 graph::ImageRef output_image(graph::GraphBuilder& builder, const std::string& key) {
-    graph::ImageDesc desc;
-    desc.text = text_of_output(key);
-    desc.format = gl::Format::rgba32f;
-    return builder.image(std::move(desc));
+    return builder.output(key, {.format = gl::Format::rgba32f});
 }
 
 }  // namespace ir::methods::ldm_indirect

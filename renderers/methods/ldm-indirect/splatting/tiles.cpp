@@ -10,8 +10,8 @@ namespace {
 constexpr int tile = 16;                    ///< of gather_bins.comp
 constexpr int rows = 8;                     ///< pixels of an invocation; divides tile
 constexpr unsigned columns = 1024;          ///< parts of the photons that are binned side by side
-constexpr int most_bins = 4096;             ///< so that counts take 16 MiB at most
-constexpr std::int64_t most_turns = 60000;  ///< llvmpipe ends all loops of an invocation after 65,535
+constexpr int max_bins = 4096;              ///< so that counts take 16 MiB at most
+constexpr std::int64_t max_turns = 60000;   ///< llvmpipe ends all loops of an invocation after 65,535
 constexpr std::int64_t round_size = 49152;  ///< entries of a list that one dispatch sums
 constexpr std::uint64_t expected_entries = 1 << 16;
 
@@ -26,7 +26,7 @@ Bins bins_of(const scene::View& view) {
     for (bins.side = tile;; bins.side *= 2) {
         bins.across = (view.width + bins.side - 1) / bins.side;
         bins.down = (view.height + bins.side - 1) / bins.side;
-        if (bins.count() <= most_bins) return bins;
+        if (bins.count() <= max_bins) return bins;
     }
 }
 
@@ -49,7 +49,7 @@ void bin(const graph::PassContext& p, graph::Slice slice, const SplatTask& task,
     const auto capacity = static_cast<std::int64_t>(p.capacity(task.photons.records));
     const std::int64_t per_column = (capacity + columns - 1) / columns;
     const auto end = per_column * slice.end / photon_parts;
-    const auto step = std::max<std::int64_t>(1, most_turns / (lists.bins.count() + lists.bins.down + 32));
+    const auto step = std::max<std::int64_t>(1, max_turns / (lists.bins.count() + lists.bins.down + 32));
     for (auto first = per_column * slice.begin / photon_parts; first < end; first += step) {
         program.set("first_of_column", static_cast<unsigned>(first));
         program.set("end_of_column", static_cast<unsigned>(std::min(end, first + step)));

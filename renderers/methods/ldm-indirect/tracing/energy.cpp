@@ -1,7 +1,6 @@
 #include "renderers/methods/ldm-indirect/tracing/energy.h"
 
 #include "renderers/gl/dispatch_items.h"
-#include "renderers/graph/output_text.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -46,9 +45,7 @@ void sum_energy(graph::GraphBuilder& builder, const Primaries& primaries, bool s
                                                         std::to_string(block_photons) + " photons."},
                                         .fields = row_fields(),
                                         .elements = block_count * energy_rows});
-    const auto table = builder.buffer({.text = graph::text_of(energy_outputs(), "indirect.energy"),
-                                       .fields = row_fields(),
-                                       .elements = energy_rows});
+    const auto table = builder.output("indirect.energy", {.fields = row_fields(), .elements = energy_rows});
     auto sum = builder.pass("sum energy");
     sum.reads("Primaries", primaries.records).reads("AllShares", primaries.shares).writes("Blocks", blocks);
     if (direct_fates) sum.reads("Fates", *direct_fates);

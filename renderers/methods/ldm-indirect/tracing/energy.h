@@ -32,8 +32,8 @@ inline constexpr int energy_rows = 22;
 /// Primary photons that are summed in one invocation, before one more adds up the sums: both loops stay below
 /// the 65,535 turns after which software drivers leave a loop.
 constexpr std::uint64_t photons_of_energy_block(std::uint64_t primary_photons) {
-    constexpr std::uint64_t least = 64, most_blocks = 32768;
-    return std::max(least, (primary_photons + most_blocks - 1) / most_blocks);
+    constexpr std::uint64_t least = 64, max_blocks = 32768;
+    return std::max(least, (primary_photons + max_blocks - 1) / max_blocks);
 }
 
 /// Declares the table and its counters. `splits`: whether photons are split at all; `direct_fates`: where

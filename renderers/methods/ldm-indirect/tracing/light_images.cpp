@@ -24,8 +24,8 @@ std::vector<std::string> LightViews::notes() const {
     if (!missing.empty())
         result.push_back("photons come from point, spot and directional lights only; none from " + missing);
     if (beyond > 0)
-        result.push_back("photons come from the first " + std::to_string(most_lights) + " lights or " +
-                         std::to_string(most_layers) + " images; " + counted(beyond, "light") +
+        result.push_back("photons come from the first " + std::to_string(max_lights) + " lights or " +
+                         std::to_string(max_layers) + " images; " + counted(beyond, "light") +
                          " beyond emit none");
     return result;
 }
@@ -33,9 +33,9 @@ std::vector<std::string> LightViews::notes() const {
 LightViews views_of_lights(const scene::Scene& scene, const scene::World& world, int resolution) {
     LightViews result;
     int end = 0;  // lights before this one emit
-    for (int layers = 0; end < std::min<int>(static_cast<int>(world.lights.size()), most_lights); ++end) {
+    for (int layers = 0; end < std::min<int>(static_cast<int>(world.lights.size()), max_lights); ++end) {
         layers += passes::shadow_layers(world.lights[static_cast<std::size_t>(end)]);
-        if (layers > most_layers) break;
+        if (layers > max_layers) break;
     }
     for (int i = 0; i < static_cast<int>(world.lights.size()); ++i) {
         const bool is_punctual = passes::shadow_layers(world.lights[static_cast<std::size_t>(i)]) > 0;
@@ -64,7 +64,7 @@ passes::Rsm draw_light_images(graph::GraphBuilder& builder, const passes::SceneB
                              .opaque_only = parameters.transport.materials == Transport::Materials::lambert,
                              .normal_maps = parameters.transport.normal_maps,
                              .geometric_normal = true,
-         .exact_albedo = true});
+                             .exact_albedo = true});
 }
 
 }  // namespace ir::methods::ldm_indirect

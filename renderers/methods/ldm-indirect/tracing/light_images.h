@@ -6,9 +6,9 @@
 namespace ir::methods::ldm_indirect {
 
 /// Lights that a photon's record can name.
-inline constexpr int most_lights = 256;
+inline constexpr int max_lights = 256;
 /// Layers that every device has in an image.
-inline constexpr int most_layers = 1024;
+inline constexpr int max_layers = 1024;
 
 /// The views of the lights that emit photons, and what is left out.
 struct LightViews {

@@ -112,13 +112,9 @@ void Splitter::trace(GraphBuilder& builder, const Part& part) const {
         program.set("group_count", static_cast<unsigned>(part.groups));
         program.set("first_primary", static_cast<unsigned>(part.first));
         program.set("chunk", static_cast<unsigned>(part.chunk));
-        static_assert(sizeof(passes::ldm::MapFrame) == 6 * sizeof(glm::vec4));
-        const auto rows = context.api().GetUniformLocation(program.name(), "frame_rows");
         for (std::int64_t group = 0; group < part.groups; ++group) {
             const auto first = group * group_maps, count = std::min(group_maps, part.batch_maps - first);
-            const auto frame = static_cast<std::size_t>(self.maps_->first_map(part.batch) + first);
-            context.api().ProgramUniform4fv(program.name(), rows, static_cast<GLsizei>(6 * count),
-                                            &self.maps_->frames[frame].u.x);
+            passes::ldm::set_frames(program, *self.maps_, self.maps_->first_map(part.batch) + first, count);
             program.set("map_group", static_cast<unsigned>(group));
             program.set("first_map", static_cast<unsigned>(first));
             program.set("map_count", static_cast<unsigned>(count));

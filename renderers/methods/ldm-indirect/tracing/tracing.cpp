@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "renderers/core/error.h"
-#include "renderers/graph/output_text.h"
 #include "renderers/methods/ldm-indirect/tracing/energy.h"
 #include "renderers/methods/ldm-indirect/tracing/splitting.h"
 #include "renderers/methods/ldm-indirect/tracing/views.h"
@@ -24,15 +23,15 @@ bool has_direct_photons(const Parameters& parameters) {
 }
 
 /// As many as there can be.
-std::uint64_t most_photons(const Primaries& primaries, const Parameters& parameters) {
+std::uint64_t max_photons(const Primaries& primaries, const Parameters& parameters) {
     const auto maps = static_cast<std::uint64_t>(parameters.maps.directions);
     return primaries.count * ((has_indirect(parameters) ? maps : 0) + has_direct_photons(parameters));
 }
 
 /// Counters hold 32 bits, scans 2^26 items.
 void refuse_beyond_counters(const Primaries& primaries, std::uint64_t most, const Parameters& parameters) {
-    constexpr std::uint64_t most_primaries = std::uint64_t{1} << 26;
-    if (primaries.count <= most_primaries && most <= std::numeric_limits<std::uint32_t>::max()) return;
+    constexpr std::uint64_t max_primaries = std::uint64_t{1} << 26;
+    if (primaries.count <= max_primaries && most <= std::numeric_limits<std::uint32_t>::max()) return;
     throw Error("indirect light: " + std::to_string(primaries.count) + " photons of lights, up to " +
                 std::to_string(most) + " after they are split into " +
                 std::to_string(parameters.maps.directions) +
@@ -40,20 +39,17 @@ void refuse_beyond_counters(const Primaries& primaries, std::uint64_t most, cons
 }
 
 /// Of which memory is reserved at first: 256 MiB. What is stored beyond is found by growing once.
-constexpr std::uint64_t most_reserved = std::uint64_t{1} << 22;
+constexpr std::uint64_t max_reserved = std::uint64_t{1} << 22;
 
 std::uint64_t reserved_photons(std::uint64_t most, const Parameters& parameters) {
     const double part = static_cast<double>(most) * static_cast<double>(parameters.reserve);
-    return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(part), 1, most_reserved);
+    return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(part), 1, max_reserved);
 }
 
 Photons declare_photons(graph::GraphBuilder& builder, std::uint64_t reserved) {
     Photons photons;
-    photons.records = builder.buffer({.text = graph::text_of(tracing_outputs(), "indirect.photons"),
-                                      .kind = OutputKind::glyphs,
-                                      .fields = photon_fields(),
-                                      .elements = reserved,
-                                      .growable = true});
+    photons.records = builder.output("indirect.photons",
+                                     {.fields = photon_fields(), .elements = reserved, .growable = true});
     photons.count = builder.counter({.key = "indirect.count",
                                      .label = "Photons stored",
                                      .doc = "Photons that the camera sees, which are splatted.",
@@ -73,7 +69,7 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
     const auto images = draw_light_images(builder, scene, parameters);
     const auto maps = ldm::declare_maps(builder, ldm::options_of(parameters.maps));
     const auto primaries = emit_photons(builder, scene, images, *maps);
-    const auto most = most_photons(primaries, parameters);
+    const auto most = max_photons(primaries, parameters);
     refuse_beyond_counters(primaries, most, parameters);
     const auto photons = declare_photons(builder, reserved_photons(most, parameters));
     begin_photons(builder, photons);

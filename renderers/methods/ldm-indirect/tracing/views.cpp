@@ -1,7 +1,6 @@
 #include "renderers/methods/ldm-indirect/tracing/views.h"
 
 #include "renderers/gl/dispatch_items.h"
-#include "renderers/graph/output_text.h"
 #include "renderers/passes/scan/scan.h"
 
 namespace ir::methods::ldm_indirect {
@@ -16,13 +15,7 @@ constexpr std::int64_t first_slice = 4096;
 
 graph::BufferRef glyphs(graph::GraphBuilder& builder, const std::string& key,
                         std::vector<graph::Field> fields, std::uint64_t elements) {
-    graph::BufferDesc desc;
-    desc.text = graph::text_of(view_outputs(), key);
-    desc.kind = OutputKind::glyphs;
-    desc.fields = std::move(fields);
-    desc.elements = elements;
-    desc.growable = true;
-    return builder.buffer(std::move(desc));
+    return builder.output(key, {.fields = std::move(fields), .elements = elements, .growable = true});
 }
 
 }  // namespace

@@ -1,19 +1,19 @@
 #include "renderers/methods/photon-mapping/emission.h"
 
 #include "renderers/core/error.h"
+#include "renderers/methods/photon-mapping/emission/from_rsm.h"
 #include "renderers/methods/photon-mapping/emission/points.h"
-#include "renderers/methods/photon-mapping/emission/texts.h"
 #include "renderers/methods/photon-mapping/emission/traced.h"
 #include "renderers/methods/photon-mapping/emission/views.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
 
-constexpr int most_bounces = 8;  ///< bounces fit 4 bits of a photon's record, the pipeline is built for 8
+constexpr int max_bounces = 8;  ///< bounces fit 4 bits of a photon's record, the pipeline is built for 8
 
 void check(const Parameters& parameters) {
-    if (parameters.transport.max_bounces > most_bounces)
-        throw UsageError("max_bounces: photon-mapping traces at most " + std::to_string(most_bounces) +
+    if (parameters.transport.max_bounces > max_bounces)
+        throw UsageError("max_bounces: photon-mapping traces at most " + std::to_string(max_bounces) +
                          " bounces, not " + std::to_string(parameters.transport.max_bounces));
     if (parameters.photon_far > 0 && parameters.photon_far < parameters.photon_near)
         throw UsageError("photon_far: nothing lies between the photon planes at " +

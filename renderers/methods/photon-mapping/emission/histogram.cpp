@@ -7,7 +7,7 @@ namespace ir::methods::photon_mapping {
 namespace {
 
 /// Below, χ² is not approximated by its distribution.  [Cochran54]
-constexpr double least_expected = 5;
+constexpr double min_expected = 5;
 
 struct ChiSquare {
     double sum = 0, expected = 0, found = 0;  ///< of the pool that is open
@@ -16,7 +16,7 @@ struct ChiSquare {
     void add(const HistogramCell& cell) {
         expected += cell.expected;
         found += cell.found;
-        if (expected >= least_expected) close();
+        if (expected >= min_expected) close();
     }
     void close() {
         if (expected > 0) {

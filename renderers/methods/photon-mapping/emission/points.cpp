@@ -5,7 +5,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/gl/dispatch_items.h"
-#include "renderers/methods/photon-mapping/emission/texts.h"
+#include "renderers/methods/photon-mapping/emission/from_rsm.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/passes/scan/scan.h"
 
@@ -65,19 +65,17 @@ EmissionPoints declare_points(graph::GraphBuilder& builder, const Sources& sourc
     samples.paths = points.count * static_cast<std::uint64_t>(parameters.photons_per_point);
     if (samples.paths > 0) samples.power_unit = sources.flux / static_cast<float>(samples.paths);
     const double reserved = std::ceil(static_cast<double>(parameters.reserve) * static_cast<double>(asked));
-    samples.points =
-        builder.buffer({.text = graph::text_of(point_outputs(), "photons.samples"),
-                        .kind = OutputKind::point_set,
-                        .fields = sample_point_fields(),
-                        .elements = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(reserved)),
-                        .growable = true});
+    samples.points = builder.output(
+        "photons.samples", {.fields = sample_point_fields(),
+                            .elements = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(reserved)),
+                            .growable = true});
     samples.count = builder.counter({.key = "photons.sample_count",
                                      .label = "Sample points",
                                      .doc = "Points of the emission sets that survive.",
                                      .growth_of = samples.points});
-    samples.sources = builder.buffer({.text = graph::text_of(point_outputs(), "photons.sources"),
-                                      .fields = source_fields(),
-                                      .elements = std::max<std::uint64_t>(1, sources.elements.size())});
+    samples.sources = builder.output(
+        "photons.sources",
+        {.fields = source_fields(), .elements = std::max<std::uint64_t>(1, sources.elements.size())});
     points.candidates = words(builder,
                               {.key = "emission.candidates",
                                .label = "Emission points",
@@ -174,6 +172,7 @@ std::vector<OutputDescription> point_outputs() {
                     "roughness; origin: texel x and y, layer, metalness; see records.h."},
             {.key = "photons.sources",
              .label = "Sources of photons",
+             .kind = OutputKind::table,
              .doc = "One element per layer of the RSM, or per light whose rays are traced: its place, "
                     "direction, light, intensity, flux (W, mean of the channels), and which points of the "
                     "emission set it has."}};

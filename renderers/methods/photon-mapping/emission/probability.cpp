@@ -3,7 +3,7 @@
 #include <bit>
 #include <sstream>
 
-#include "renderers/methods/photon-mapping/emission/texts.h"
+#include "renderers/methods/photon-mapping/emission/from_rsm.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -57,14 +57,12 @@ EmissionMaps haar_pyramid(graph::GraphBuilder& builder, graph::ImageRef map, int
     maps.resolution = resolution;
     maps.levels = std::bit_width(static_cast<unsigned>(resolution)) - 1;
     maps.layers = layers;
-    graph::ImageDesc desc;
-    desc.text = graph::text_of(probability_outputs(), "emission.haar");
-    desc.format = gl::Format::rgba32f;
-    desc.extent = graph::Extent::fixed(resolution / 2, resolution / 2);
-    desc.levels = maps.levels;
-    desc.layers = layers;
-    desc.fingerprint = fingerprint;
-    maps.haar = builder.image(std::move(desc));
+    maps.haar =
+        builder.output("emission.haar", {.format = gl::Format::rgba32f,
+                                         .extent = graph::Extent::fixed(resolution / 2, resolution / 2),
+                                         .levels = maps.levels,
+                                         .layers = layers,
+                                         .fingerprint = fingerprint});
     if (resolution > small_size)
         builder.pass("Haar pyramid").reads(map).writes(maps.haar).execute([=](PassContext& p) {
             make_large_levels(p, maps);
@@ -82,13 +80,11 @@ EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuff
     if (!rsm.fingerprint.empty())
         fingerprint << rsm.fingerprint << " model " << static_cast<int>(parameters.transport.materials)
                     << " from " << parameters.photon_near << " to " << parameters.photon_far;
-    graph::ImageDesc desc;
-    desc.text = graph::text_of(probability_outputs(), "emission.probability");
-    desc.format = gl::Format::r32f;
-    desc.extent = graph::Extent::fixed(rsm.resolution, rsm.resolution);
-    desc.layers = rsm.layers;
-    desc.fingerprint = fingerprint.str();
-    const auto map = builder.image(std::move(desc));
+    const auto map = builder.output("emission.probability",
+                                    {.format = gl::Format::r32f,
+                                     .extent = graph::Extent::fixed(rsm.resolution, rsm.resolution),
+                                     .layers = rsm.layers,
+                                     .fingerprint = fingerprint.str()});
     auto pass = builder.pass("emission probability");
     passes::reads_rsm(pass, rsm, scene);
     pass.writes("probability", map)

@@ -104,7 +104,7 @@ std::vector<std::string> Sources::notes() const {
     if (!missing.empty())
         result.push_back("photons come from point, spot and directional lights only; none from " + missing);
     if (beyond > 0)
-        result.push_back("photons come from the first " + std::to_string(most_sources) + " maps of lights; " +
+        result.push_back("photons come from the first " + std::to_string(max_sources) + " maps of lights; " +
                          counted(beyond, "light") + " beyond emit none");
     return result;
 }
@@ -118,7 +118,7 @@ Sources layers_of_lights(const scene::Scene& scene, const scene::World& world, i
         const bool is_first = sources.views.empty() || sources.views.back().light != view.light;
         if (is_first && view.light != light_beyond) {
             layers += passes::shadow_layers(light);
-            if (layers > most_sources) {
+            if (layers > max_sources) {
                 light_beyond = view.light;
                 layers -= passes::shadow_layers(light);
                 ++sources.beyond;
@@ -141,7 +141,7 @@ Sources traced_lights(const scene::Scene& scene, const scene::World& world) {
     for (int i = 0; i < static_cast<int>(world.lights.size()); ++i) {
         const auto& light = world.lights[static_cast<std::size_t>(i)];
         if (!is_punctual(light)) continue;
-        if (sources.elements.size() == most_sources) {
+        if (sources.elements.size() == max_sources) {
             ++sources.beyond;
             continue;
         }

@@ -12,7 +12,7 @@
 namespace ir::methods::photon_mapping {
 
 /// Layers that a sample point's record can name (6 bits).
-inline constexpr int most_sources = 64;
+inline constexpr int max_sources = 64;
 
 /// Where photons come from: a layer of the RSM, or a light whose rays are traced. Equals struct Source of
 /// shaders/methods/photon-mapping/records.glsl.
@@ -32,7 +32,7 @@ std::vector<graph::Field> source_fields();
 
 /// The lights that emit photons, and why others do not.
 struct Sources {
-    std::vector<SourceData> elements;                   ///< at most most_sources
+    std::vector<SourceData> elements;                   ///< at most max_sources
     std::vector<passes::ShadowViewData> views;          ///< of the RSM's layers, as many; empty where traced
     float flux = 0;                                     ///< W, of all together
     int areas = 0, emissive_triangles = 0, beyond = 0;  ///< lights that are left out; see notes()

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "renderers/gl/dispatch_items.h"
+#include "renderers/methods/photon-mapping/emission/from_rsm.h"
 #include "renderers/methods/photon-mapping/emission/histogram.h"
-#include "renderers/methods/photon-mapping/emission/texts.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -13,11 +13,11 @@ using graph::FieldType;
 using graph::PassContext;
 
 /// Elements of "emission.samples"; beyond, every n-th point is shown.
-constexpr std::uint64_t most_elements = 1 << 20;
+constexpr std::uint64_t max_elements = 1 << 20;
 /// Points that are shown where no light is: the set as it would be.
 constexpr std::uint64_t points_without_light = 256;
 /// Texels a side of "emission.points" at least, so that points stay apart.
-constexpr int least_picture = 256;
+constexpr int min_picture = 256;
 
 /// What is shown of the points on their way.
 struct Shown {
@@ -39,7 +39,7 @@ Shown shown_points(const Inspection& inspection, const Sources& sources, const E
     shown.steps = all ? count : 1;
     shown.points = points.count > 0 ? points.count : points_without_light;
     if (!all_steps)
-        while (shown.points / shown.stride * static_cast<std::uint64_t>(shown.steps) > most_elements)
+        while (shown.points / shown.stride * static_cast<std::uint64_t>(shown.steps) > max_elements)
             shown.stride += 2;
     return shown;
 }
@@ -62,16 +62,14 @@ void show_samples(graph::GraphBuilder& builder, const Sources& sources, const Em
     const auto shown = shown_points(builder.inputs().inspection, sources, maps, points, false);
     const auto steps = static_cast<std::uint64_t>(shown.steps);
     const auto elements = (shown.points + shown.stride - 1) / shown.stride * steps;
-    const auto buffer = builder.buffer({.text = graph::text_of(view_outputs(), "emission.samples"),
-                                        .kind = OutputKind::point_set,
-                                        .fields = {{"place", FieldType::f32, 3},
-                                                   {source_selector, FieldType::u32},
-                                                   {warp_selector, FieldType::u32},
-                                                   {"point", FieldType::u32},
-                                                   {"survives", FieldType::u32},
-                                                   {"probability", FieldType::f32}},
-                                        .elements = elements,
-                                        .growable = true});
+    const auto buffer = builder.output("emission.samples", {.fields = {{"place", FieldType::f32, 3},
+                                                                       {source_selector, FieldType::u32},
+                                                                       {warp_selector, FieldType::u32},
+                                                                       {"point", FieldType::u32},
+                                                                       {"survives", FieldType::u32},
+                                                                       {"probability", FieldType::f32}},
+                                                            .elements = elements,
+                                                            .growable = true});
     const auto count = builder.counter(
         {.key = "emission.samples_shown", .label = "Emission points shown", .growth_of = buffer});
     builder.pass("show emission points")
@@ -98,13 +96,10 @@ void show_picture(graph::GraphBuilder& builder, const Sources& sources, const Em
                   const EmissionPoints& points, const Parameters& parameters) {
     auto shown = shown_points(builder.inputs().inspection, sources, maps, points, true);
     shown.source = std::max(0, shown.source);
-    const int size = std::max(least_picture, maps.resolution);
-    graph::ImageDesc desc;
-    desc.text = graph::text_of(view_outputs(), "emission.points");
-    desc.format = gl::Format::rgba16f;
-    desc.extent = graph::Extent::fixed(size, size);
-    desc.layers = shown.steps;
-    const auto image = builder.image(std::move(desc));
+    const int size = std::max(min_picture, maps.resolution);
+    const auto image = builder.output(
+        "emission.points",
+        {.format = gl::Format::rgba16f, .extent = graph::Extent::fixed(size, size), .layers = shown.steps});
     builder.pass("draw emission points")
         .reads("Sources", points.samples.sources)
         .reads("Candidates", points.candidates)
@@ -135,14 +130,14 @@ void show_histogram(graph::GraphBuilder& builder, const Sources& sources, const 
                     const EmissionPoints& points, const Parameters& parameters) {
     const auto shown = shown_points(builder.inputs().inspection, sources, maps, points, false);
     const int source = std::max(0, shown.source);
-    const auto table = builder.buffer({.text = graph::text_of(view_outputs(), "emission.histogram"),
-                                       .fields = {{"x", FieldType::i32},
-                                                  {"y", FieldType::i32},
-                                                  {"expected"},
-                                                  {"found"},
-                                                  {"chi_square"},
-                                                  {"degrees", FieldType::i32}},
-                                       .elements = histogram_cells * histogram_cells + 1});
+    const auto table =
+        builder.output("emission.histogram", {.fields = {{"x", FieldType::i32},
+                                                         {"y", FieldType::i32},
+                                                         {"expected"},
+                                                         {"found"},
+                                                         {"chi_square"},
+                                                         {"degrees", FieldType::i32}},
+                                              .elements = histogram_cells * histogram_cells + 1});
     const bool warps = parameters.emission == Emission::importance;
     builder.pass("emission histogram", graph::Queue::cpu)
         .reads(maps.probability, points.candidates)
@@ -191,6 +186,7 @@ std::vector<OutputDescription> view_outputs() {
          .active_when = from_rsm()},
         {.key = "emission.histogram",
          .label = "Points against the map",
+         .kind = OutputKind::table,
          .doc = "In 16 x 16 cells of the map chosen (of all maps the first) the number of points that its "
                 "emission probabilities "
                 "expect, and that were found. The last row (x and y are -1) is the sum: all points, chi "
@@ -204,7 +200,7 @@ std::vector<SelectorDescription> emission_selectors() {
     return {{.key = source_selector,
              .label = "Map of a light",
              .doc = "The layer of the reflective shadow map whose emission points are shown.",
-             .count = std::to_string(most_sources)},
+             .count = std::to_string(max_sources)},
             {.key = warp_selector,
              .label = "Step of warping",
              .doc = "0: the emission set as it is; then horizontally and vertically in turns, from the whole "

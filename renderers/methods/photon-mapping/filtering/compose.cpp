@@ -19,13 +19,6 @@ struct ComposeInputs {
     glm::vec3 background{0};
 };
 
-graph::ImageRef declare_image(graph::GraphBuilder& builder, graph::ResourceText text, gl::Format format) {
-    graph::ImageDesc desc;
-    desc.text = std::move(text);
-    desc.format = format;
-    return builder.image(desc);
-}
-
 void declare_irradiance_reads(graph::PassBuilder& pass, const ComposeInputs& in) {
     pass.reads("value_image", in.filtered.irradiance)
         .reads("direction_image", in.filtered.direction)
@@ -69,9 +62,7 @@ gl::ProgramSource radiance_source(const ComposeInputs& in) {
 }
 
 void reflect(graph::GraphBuilder& builder, const ComposeInputs& in) {
-    const auto result = declare_image(
-        builder, {"radiance", "Radiance", "Towards the eye", Semantic::radiance, "W/(m² sr)", {}},
-        gl::Format::rgba32f);
+    const auto result = builder.output("radiance", {.format = gl::Format::rgba32f});
     auto pass = builder.pass("radiance");
     pass.reads(in.gbuffer.geometric_normal, in.gbuffer.albedo, in.gbuffer.material, in.gbuffer.position,
                in.scene.materials);
@@ -99,13 +90,9 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
     if (paths != Paths::indirect)
         in.direct =
             passes::direct_light(builder, scene, gbuffer, {.materials = parameters.transport.materials});
-    const auto irradiance = declare_image(
-        builder,
-        {"irradiance", "Irradiance", "On surfaces as they are shaded", Semantic::irradiance, "W/m²", {}},
-        gl::Format::rgba32f);
+    const auto irradiance = builder.output("irradiance", {.format = gl::Format::rgba32f});
     show(builder, in, irradiance, "irradiance", "");
-    const auto flicker = declare_image(
-        builder, {"history.flicker", "Spread of directions", "1 - |Σ w ω| / Σ w"}, gl::Format::r32f);
+    const auto flicker = builder.output("history.flicker", {.format = gl::Format::r32f});
     show(builder, in, flicker, "spread of directions", "FLICKER");
     reflect(builder, in);
 }

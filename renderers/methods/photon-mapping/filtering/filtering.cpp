@@ -5,11 +5,11 @@
 namespace ir::methods::photon_mapping {
 namespace {
 
-constexpr std::int64_t most_passes = 6;
+constexpr std::int64_t max_passes = 6;
 
 Condition at_least(std::int64_t passes) {
     Condition condition{"filter_passes", {}};
-    for (auto i = passes; i <= most_passes; ++i) condition.values.emplace_back(i);
+    for (auto i = passes; i <= max_passes; ++i) condition.values.emplace_back(i);
     return condition;
 }
 
@@ -103,7 +103,7 @@ std::vector<OutputDescription> filtering_outputs() {
 std::vector<Stage> filtering_stages() {
     std::vector<Stage> stages{{"splat.irradiance", 0, "Unfiltered", {}},
                               {"filter.temporal", 0, "Temporal filter", {}}};
-    for (std::int64_t i = 1; i <= most_passes; ++i)
+    for (std::int64_t i = 1; i <= max_passes; ++i)
         stages.push_back({"filter.scaling", static_cast<int>(i), "Spatial filter, pass " + std::to_string(i),
                           at_least(i)});
     stages.push_back({"irradiance", 0, "Final", {}});

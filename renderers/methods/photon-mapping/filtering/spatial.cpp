@@ -16,16 +16,11 @@ struct Step {
 
 struct View {
     const char* key;
-    const char* label;
-    const char* doc;
     const char* define;
     bool has_input;  ///< layer 0 is what the transform starts from
 };
-constexpr std::array views{
-    View{"filter.scaling", "Scaling coefficients", "S_i; A: x of the direction", "SCALING", true},
-    View{"filter.detail", "Details", "D_i; A: x of the direction", "DETAIL", false},
-    View{"filter.clipped", "Clipped details", "D_i within ± CSB_i; A: x of the direction", "CLIPPED", false},
-    View{"filter.bound", "Bounds of details", "CSB_i; A: x of the direction", "BOUND", false}};
+constexpr std::array views{View{"filter.scaling", "SCALING", true}, View{"filter.detail", "DETAIL", false},
+                           View{"filter.clipped", "CLIPPED", false}, View{"filter.bound", "BOUND", false}};
 
 /// Rows of groups that cover the view: those of a block of group_size · stride pixels take turns.
 std::int64_t covering_groups(int pixels, int stride) {
@@ -46,6 +41,10 @@ void run(const graph::PassContext& context, const Step& step, const Parameters& 
     set(program);
     program.dispatch(covering_groups(context.inputs().view.width, stride) * group_size,
                      (slice.end - slice.begin) * group_size);
+}
+
+graph::ResourceText scratch(const std::string& key, const std::string& label, const std::string& doc) {
+    return {key, label, doc + " A: x of the direction.", Semantic::irradiance, "W/m²"};
 }
 
 void declare_step(graph::GraphBuilder& builder, const Step& step, const Parameters& parameters) {
@@ -86,10 +85,8 @@ class LevelViews {
     LevelViews(graph::GraphBuilder& builder, const Parameters& parameters)
         : builder_(builder), parameters_(parameters) {
         for (std::size_t i = 0; i < views.size(); ++i) {
-            graph::ImageDesc desc;
-            desc.text = {views[i].key, views[i].label, views[i].doc, Semantic::irradiance, "W/m²", {}};
-            desc.layers = parameters.filter_passes + (views[i].has_input ? 1 : 0);
-            if (desc.layers > 0) stacks_[i] = builder.image(desc);
+            const int layers = parameters.filter_passes + (views[i].has_input ? 1 : 0);
+            if (layers > 0) stacks_[i] = builder.output(views[i].key, {.layers = layers});
         }
     }
     /// Before the step overwrites what its predecessor left.
@@ -119,11 +116,13 @@ Signal smooth(graph::GraphBuilder& builder, graph::ImageRef surfaces, const Sign
     step.from = input;
     views.show_input(step);
     if (passes == 0) return input;
-    step.sum = declare_signal(builder, "filter.irradiance", "Filtered irradiance", "After all filters.");
+    step.sum =
+        declare_signal(builder, scratch("filter.irradiance", "Filtered irradiance", "After all filters."));
     std::array<Signal, 2> levels;
     const char* const names[] = {"filter.odd_level", "filter.even_level"};
     for (int i = 0; i < std::min(2, passes - 1); ++i)
-        levels[i] = declare_signal(builder, names[i], "Level of the transform", "Overwritten in turns.");
+        levels[i] =
+            declare_signal(builder, scratch(names[i], "Level of the transform", "Overwritten in turns."));
     for (int i = 0; i < passes; ++i) {
         step.index = i;
         step.is_first = i == 0, step.is_last = i == passes - 1;

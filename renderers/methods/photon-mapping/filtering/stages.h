@@ -20,8 +20,8 @@ struct Signal {
 /// Extent of the work groups of all shaders of the filter, in both directions.
 constexpr int group_size = 16;
 
-Signal declare_signal(graph::GraphBuilder& builder, const std::string& key, const std::string& label,
-                      const std::string& doc);
+/// `text` is that of the value.
+Signal declare_signal(graph::GraphBuilder& builder, const graph::ResourceText& text);
 
 /// "filter.surfaces" rg32ui: normal and depth of each pixel, as filtering/surface.glsl packs them.
 graph::ImageRef pack_surfaces(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer);

@@ -18,15 +18,12 @@ void set_edges(const graph::PassContext& context, const gl::Program& program, co
     program.set("sigma_normal", parameters.sigma_normal);
 }
 
-Signal declare_signal(graph::GraphBuilder& builder, const std::string& key, const std::string& label,
-                      const std::string& doc) {
-    graph::ImageDesc value, direction;
-    value.text = {key, label, doc + " A: x of the direction.", Semantic::irradiance, "W/m²", {}};
-    value.format = gl::Format::rgba32f;
-    direction.text = {key + "_direction", label + ": direction",
-                      "y and z of the sum of directions to the light, weighted by R + G + B"};
-    direction.format = gl::Format::rg32f;
-    return {builder.image(value), builder.image(direction)};
+Signal declare_signal(graph::GraphBuilder& builder, const graph::ResourceText& text) {
+    const graph::ResourceText direction{
+        text.key + "_direction", text.label + ": direction",
+        "y and z of the sum of directions to the light, weighted by R + G + B"};
+    return {builder.image({.text = text, .format = gl::Format::rgba32f}),
+            builder.image({.text = direction, .format = gl::Format::rg32f})};
 }
 
 graph::ImageRef pack_surfaces(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer) {

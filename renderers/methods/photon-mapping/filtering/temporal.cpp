@@ -50,12 +50,9 @@ const gl::Program& use(const graph::PassContext& context, const TemporalInputs& 
     return program;
 }
 
-void show(graph::GraphBuilder& builder, const TemporalInputs& in, graph::ResourceText text, bool is_weight) {
-    graph::ImageDesc desc;
-    desc.text = std::move(text);
-    desc.format = gl::Format::r32f;
-    const auto view = builder.image(desc);
-    auto pass = builder.pass(desc.text.label);
+void show(graph::GraphBuilder& builder, const TemporalInputs& in, const std::string& key, bool is_weight) {
+    const auto view = builder.output(key, {.format = gl::Format::r32f});
+    auto pass = builder.pass(builder.text_of_output(key).label);
     declare_reads(pass, in);
     pass.writes("view", view);
     execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
@@ -70,8 +67,7 @@ void show(graph::GraphBuilder& builder, const TemporalInputs& in, graph::Resourc
 
 Signal accumulate(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, graph::ImageRef surfaces,
                   const Splat& splat, const Parameters& parameters) {
-    const auto result = declare_signal(builder, "filter.temporal", "After the temporal filter",
-                                       "The estimate at the view's resolution, averaged over frames.");
+    const auto result = declare_signal(builder, builder.text_of_output("filter.temporal"));
     const TemporalInputs in{gbuffer, surfaces, splat, result, parameters};
     const auto overflow =
         builder.counter({.key = "splat.overflow",
@@ -89,9 +85,8 @@ Signal accumulate(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, 
         dispatch_rows(context, program, slice);
     });
     if (!parameters.temporal) return result;
-    show(builder, in, {"history.weight", "Weight of history", "α; 0: rejected"}, true);
-    show(builder, in, {"history.ghosting", "Ghosting", "Part of a pixel that the present does not explain"},
-         false);
+    show(builder, in, "history.weight", true);
+    show(builder, in, "history.ghosting", false);
     return result;
 }
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/photon-mapping/splatting/outputs.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -48,21 +47,18 @@ struct Explanation {
 
 Explanation declare(graph::GraphBuilder& builder) {
     Explanation e;
-    e.photons = builder.buffer({.text = text_of_output("splat.explain.photons"),
-                                .kind = OutputKind::glyphs,
-                                .fields = explained_photon_fields(),
-                                .elements = expected_photons,
-                                .growable = true});
-    e.sum = builder.buffer({.text = text_of_output("splat.explain.sum"),
-                            .fields = {{"texel_x", FieldType::u32},
-                                       {"texel_y", FieldType::u32},
-                                       {"photons", FieldType::u32},
-                                       {"gathered", FieldType::f32, 3},
-                                       {"pixel", FieldType::f32, 3},
-                                       {"difference", FieldType::f32, 3}},
-                            .elements = 1,
-                            .growable = true,
-                            .cleared = true});
+    e.photons =
+        builder.output("splat.explain.photons",
+                       {.fields = explained_photon_fields(), .elements = expected_photons, .growable = true});
+    e.sum = builder.output("splat.explain.sum", {.fields = {{"texel_x", FieldType::u32},
+                                                            {"texel_y", FieldType::u32},
+                                                            {"photons", FieldType::u32},
+                                                            {"gathered", FieldType::f32, 3},
+                                                            {"pixel", FieldType::f32, 3},
+                                                            {"difference", FieldType::f32, 3}},
+                                                 .elements = 1,
+                                                 .growable = true,
+                                                 .cleared = true});
     e.photon_count = builder.counter({.key = "splat.explain.photon_count",
                                       .label = "Photons that light the pixel",
                                       .growth_of = e.photons});

@@ -1,5 +1,3 @@
-#include "renderers/methods/photon-mapping/splatting/outputs.h"
-#include "renderers/graph/output_text.h"
 
 #include <stdexcept>
 
@@ -57,10 +55,6 @@ std::vector<OutputDescription> splatting_outputs() {
                 "each kernel in half precision. Empty while no pixel is picked.",
          .explains = true},
     };
-}
-
-graph::ResourceText text_of_output(const std::string& key) {
-    return graph::text_of(splatting_outputs(), key);
 }
 
 }  // namespace ir::methods::photon_mapping

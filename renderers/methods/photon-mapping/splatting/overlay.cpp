@@ -3,21 +3,20 @@
 #include <algorithm>
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/photon-mapping/splatting/outputs.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
 
 /// Rows of a picture for each pixel of a dot's side, and the least side: single pixels are overlooked.
-constexpr int rows_of_a_dot = 360, least_dot = 2;
+constexpr int rows_of_a_dot = 360, min_dot = 2;
 
 void mark_dots(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons,
                graph::ImageRef dots) {
     if (slice.first) p.clear(dots);
     const auto& program = p.use({{"methods/photon-mapping/splatting/overlay_dots.comp"}});
     set_splat_view(program, p.inputs(), 1);
-    program.set("dot_size", std::max(least_dot, p.inputs().view.height / rows_of_a_dot));
+    program.set("dot_size", std::max(min_dot, p.inputs().view.height / rows_of_a_dot));
     dispatch_photons(p, program, photons, slice);
 }
 
@@ -25,18 +24,14 @@ void mark_dots(const graph::PassContext& p, graph::Slice slice, const StoredPhot
 
 void draw_overlay(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
                   const StoredPhotons& photons) {
-    graph::ImageDesc desc;
-    desc.text = {.key = "photons.dots",
-                 .label = "Dots of photons",
-                 .doc =
-                     "The bounce in the low four bits, above it the random number by which this photon's "
-                     "dot won; 0: none.",
-                 .semantic = Semantic::id};
-    desc.format = gl::Format::r32ui;
-    const auto dots = builder.image(desc);
-    desc.text = text_of_output("photons.overlay");
-    desc.format = gl::Format::rgba16f;
-    const auto overlay = builder.image(desc);
+    const auto dots = builder.image(
+        {.text = {.key = "photons.dots",
+                  .label = "Dots of photons",
+                  .doc = "The bounce in the low four bits, above it the random number by which this photon's "
+                         "dot won; 0: none.",
+                  .semantic = Semantic::id},
+         .format = gl::Format::r32ui});
+    const auto overlay = builder.output("photons.overlay", {.format = gl::Format::rgba16f});
     builder.pass("mark photons")
         .reads(gbuffer.position)
         .reads("Photons", photons.records)

@@ -1,7 +1,6 @@
 #include "renderers/methods/photon-mapping/splatting.h"
 
 #include "renderers/methods/photon-mapping/splatting/explain.h"
-#include "renderers/methods/photon-mapping/splatting/outputs.h"
 #include "renderers/methods/photon-mapping/splatting/overlay.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
 #include "renderers/methods/photon-mapping/splatting/tiles.h"
@@ -11,11 +10,8 @@ namespace {
 
 graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl::Format format,
                         int divisor) {
-    graph::ImageDesc desc;
-    desc.text = text_of_output(key);
-    desc.format = format;
-    desc.extent = graph::Extent::view(1.0f / static_cast<float>(divisor));
-    return builder.image(std::move(desc));
+    return builder.output(
+        key, {.format = format, .extent = graph::Extent::view(1.0f / static_cast<float>(divisor))});
 }
 
 }  // namespace

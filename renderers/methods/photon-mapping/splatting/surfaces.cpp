@@ -1,7 +1,6 @@
 #include "renderers/methods/photon-mapping/splatting/surfaces.h"
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/photon-mapping/splatting/outputs.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 
@@ -38,7 +37,7 @@ void draw(const graph::PassContext& p, const SplatSurfaces& s) {
 SplatSurfaces splat_surfaces(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, int divisor) {
     SplatSurfaces s;
     s.divisor = divisor;
-    s.depth = declare(builder, gl::Format::r32f, divisor, text_of_output("splat.depth"));
+    s.depth = declare(builder, gl::Format::r32f, divisor, builder.text_of_output("splat.depth"));
     s.stencil = declare(builder, gl::Format::depth32f, divisor,
                         {"splat.stencil", "Stencil of the splatting",
                          "Reversed depth of the closest surface: what lies behind it is not drawn. 1: "

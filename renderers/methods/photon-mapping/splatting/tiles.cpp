@@ -1,7 +1,6 @@
 #include "renderers/methods/photon-mapping/splatting/tiles.h"
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/photon-mapping/splatting/outputs.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
 
 namespace ir::methods::photon_mapping {
@@ -11,11 +10,8 @@ graph::ImageRef count_tiles(graph::GraphBuilder& builder, const StoredPhotons& p
     const int divisor = divisor_of(parameters.splat_resolution);
     const auto tiles = (texels_of(builder.inputs().view, divisor) + parameters.tile_size - 1) /
                        glm::ivec2(parameters.tile_size);
-    graph::ImageDesc desc;
-    desc.text = text_of_output("splat.tiles");
-    desc.format = gl::Format::r32ui;
-    desc.extent = graph::Extent::fixed(tiles.x, tiles.y);
-    const auto image = builder.image(desc);
+    const auto image = builder.output(
+        "splat.tiles", {.format = gl::Format::r32ui, .extent = graph::Extent::fixed(tiles.x, tiles.y)});
     builder.pass("count photons of tiles")
         .reads("Photons", photons.records)
         .reads("Stored", photons.stored)

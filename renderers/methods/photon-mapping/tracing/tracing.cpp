@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "renderers/graph/output_text.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/methods/photon-mapping/tracing/wavefront.h"
@@ -30,13 +29,6 @@ const std::vector<Field> location_fields{{"position", FieldType::f32, 3},
                                          {"light", FieldType::u32},
                                          {"seed", FieldType::u32}};
 
-graph::BufferDesc described(const std::string& key, OutputKind kind) {
-    graph::BufferDesc desc;
-    desc.text = graph::text_of(tracing_outputs(), key);
-    desc.kind = kind;
-    return desc;
-}
-
 /// As many as memory is reserved for at first: the buffer grows.
 std::uint64_t reserved_photons(const SamplePoints& samples, const Parameters& parameters) {
     return std::max<std::uint64_t>(
@@ -62,10 +54,8 @@ Photons declare_photons(GraphBuilder& builder, const SamplePoints& samples, cons
 }
 
 void declare_tally(GraphBuilder& builder, const Wavefront& wavefront, float power_unit) {
-    auto desc = described("photons.tally", OutputKind::table);
-    desc.fields = tally_fields;
-    desc.elements = static_cast<std::uint64_t>(wavefront.rows());
-    const auto table = builder.buffer(std::move(desc));
+    const auto table = builder.output(
+        "photons.tally", {.fields = tally_fields, .elements = static_cast<std::uint64_t>(wavefront.rows())});
     auto pass = builder.pass("tally photons");
     pass.reads("Sums", wavefront.sums()).writes("Table", table);
     pass.counts("RayCounter", builder.counter({.key = "photons.rays", .label = "Rays of photons"}))
@@ -85,13 +75,13 @@ void declare_tally(GraphBuilder& builder, const Wavefront& wavefront, float powe
 }
 
 void locate(const PassContext& context, const Photons& photons, graph::BufferRef locations, Slice slice) {
-    constexpr std::int64_t most_at_once = std::int64_t{1} << 21;
+    constexpr std::int64_t max_at_once = std::int64_t{1} << 21;
     const auto& program = context.use({{"methods/photon-mapping/tracing/locations.comp"}});
     program.set("capacity", static_cast<unsigned>(
                                 std::min(context.capacity(locations), context.capacity(photons.records))));
     program.set("power_unit", photons.power_unit);
-    for (auto first = slice.begin; first < slice.end; first += most_at_once) {
-        const auto end = std::min(slice.end, first + most_at_once);
+    for (auto first = slice.begin; first < slice.end; first += max_at_once) {
+        const auto end = std::min(slice.end, first + max_at_once);
         program.set("first", static_cast<unsigned>(first));
         program.set("end", static_cast<unsigned>(end));
         program.dispatch(end - first);
@@ -100,11 +90,8 @@ void locate(const PassContext& context, const Photons& photons, graph::BufferRef
 
 void declare_locations(GraphBuilder& builder, const Photons& photons, std::uint64_t most,
                        std::uint64_t reserved) {
-    auto desc = described("photons.locations", OutputKind::point_set);
-    desc.fields = location_fields;
-    desc.elements = reserved;
-    desc.growable = true;
-    const auto locations = builder.buffer(std::move(desc));
+    const auto locations = builder.output(
+        "photons.locations", {.fields = location_fields, .elements = reserved, .growable = true});
     const auto located = builder.counter(
         {.key = "photons.located", .label = "Photons shown in space", .growth_of = locations});
     builder.pass("photon locations")

@@ -18,9 +18,9 @@ using graph::GraphBuilder;
 using graph::PassContext;
 using graph::Slice;
 
-constexpr int most_bounces = 15;  ///< what a photon has bits for
+constexpr int max_bounces = 15;  ///< what a photon has bits for
 /// Mirrors that one path may meet, where the scene has any; each costs a wavefront.
-constexpr int most_mirrors = 4;
+constexpr int max_mirrors = 4;
 constexpr std::int64_t first_slice = 4096;
 constexpr std::uint64_t sums_words = 12 * 16;  ///< tally.glsl
 
@@ -32,8 +32,8 @@ bool may_be_mirror(const scene::Material& m, Transport::Materials model) {
 }
 
 void note_limits(GraphBuilder& builder, const Transport& transport) {
-    if (transport.max_bounces > most_bounces)
-        builder.note("photons are traced over " + std::to_string(most_bounces) + " of " +
+    if (transport.max_bounces > max_bounces)
+        builder.note("photons are traced over " + std::to_string(max_bounces) + " of " +
                      std::to_string(transport.max_bounces) + " bounces; set max_bounces lower");
     if (transport.min_bounces > transport.max_bounces && transport.paths != Transport::Paths::direct)
         builder.note("no photon is stored: min_bounces exceeds max_bounces; raise max_bounces");
@@ -88,12 +88,12 @@ Wavefront::Wavefront(GraphBuilder& builder, const passes::SceneBuffers& scene, c
     : scene_(scene), samples_(samples), parameters_(parameters) {
     const auto& transport = parameters.transport;
     note_limits(builder, transport);
-    bounces_ = std::min(transport.max_bounces, most_bounces);
+    bounces_ = std::min(transport.max_bounces, max_bounces);
     const auto& materials = builder.inputs().scene->materials;
     const bool has_mirrors = std::any_of(materials.begin(), materials.end(), [&](const auto& m) {
         return may_be_mirror(m, transport.materials);
     });
-    mirrors_ = has_mirrors ? most_mirrors : 0;
+    mirrors_ = has_mirrors ? max_mirrors : 0;
     surfaces_ = passes::hit_surfaces(builder, scene);
     rays_ = passes::declare_rays(builder, "photons", samples.paths);
     paths_ =
@@ -176,7 +176,7 @@ void Wavefront::land(GraphBuilder& builder, int number, const Photons& photons) 
             program.set("last_surface", static_cast<unsigned>(self.surfaces()));
             program.set("min_bounces", static_cast<unsigned>(parameters.transport.min_bounces));
             program.set("max_bounces", static_cast<unsigned>(self.bounces_));
-            program.set("most_mirrors", static_cast<unsigned>(self.mirrors_));
+            program.set("max_mirrors", static_cast<unsigned>(self.mirrors_));
             program.set("normal_maps", parameters.transport.normal_maps);
             program.set("culling", parameters.culling);
             const auto view = culling_view(inputs.view, parameters, inputs.world->bounds.radius());

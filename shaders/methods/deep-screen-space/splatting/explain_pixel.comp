@@ -6,13 +6,13 @@ layout(local_size_x = 64) in;
 /// As fields of "splats.explain.candidates".
 struct Candidate {
     float centre[3], normal[3], radius;
-    uint surfel, sample_index, level, shell, outcome;
+    uint surfel, sample_, level, shell, outcome;
     float distance_m, z;
 };
 layout(std430) writeonly buffer Candidates { Candidate candidates[]; };
 /// As fields of "splats.explain.levels"; the host fills in what was found.
 struct LevelSum {
-    uint sample_index, level, splats, outcomes[5], found, kept, is_nearest;
+    uint sample_, level, splats, outcomes[5], found, kept, nearest;
     float found_z, kept_z;
 };
 layout(std430) buffer Sums { LevelSum sums[]; };
@@ -49,7 +49,7 @@ void explain(Surfel s, uint index, int level, int sample_index, ivec2 place, vec
 void begin_sums() {
     for (int row = 0; row < samples * levels && row < sums.length(); ++row) {
         ivec3 at = ivec3(place_of(picked, row % levels), row);
-        sums[row].sample_index = uint(row / levels);
+        sums[row].sample_ = uint(row / levels);
         sums[row].level = uint(row % levels);
         sums[row].kept = texelFetch(winners, at, 0).x;
         sums[row].kept_z = texelFetch(depths, at, 0).x;

@@ -23,7 +23,7 @@ void main() {
     vertex.ac = c - a;
     vertex.normal_ws = triangle_plane(a, b, c).normal;
     float area = 0.5 * length(cross(b - a, c - a));
-    vertex.surfel_area = area / (float(p.m) * float(p.m) * float(tessellated_points(p.level)));
-    vertex.words = uvec4(p.triangle, p.m, p.place, uint(gl_VertexID));
+    vertex.surfel_area = area / (float(p.splits) * float(p.splits) * float(tessellated_points(p.level)));
+    vertex.words = uvec4(p.triangle, p.splits, p.place, uint(gl_VertexID));
     vertex.level = p.level;
 }

@@ -82,7 +82,7 @@ float distance_to(vec3 p, vec3 a, vec3 b, vec3 c) {
 }
 
 /// Not more than the least ideal area on the triangle: the ideal distance is the larger one of two convex ones.
-float least_ideal_area(vec3 a, vec3 b, vec3 c) {
+float min_ideal_area(vec3 a, vec3 b, vec3 c) {
     vec3 along = vec3(dot(a - ideal_eye_ws, ideal_axis_ws), dot(b - ideal_eye_ws, ideal_axis_ws),
                       dot(c - ideal_eye_ws, ideal_axis_ws));
     float least = max(min(along.x, min(along.y, along.z)), ideal_corner_cosine * distance_to(ideal_eye_ws, a, b, c));
@@ -96,17 +96,17 @@ vec3 corner_ws(Corners c, Patch p, vec2 uv) {
 
 /// Surfels that a part of the triangle needs.
 float surfels_of(Corners c, Patch p) {
-    float ideal = least_ideal_area(corner_ws(c, p, vec2(0)), corner_ws(c, p, vec2(1, 0)), corner_ws(c, p, vec2(0, 1)));
-    return area_of(c) / (float(p.m) * float(p.m) * fine_part * ideal);
+    float ideal = min_ideal_area(corner_ws(c, p, vec2(0)), corner_ws(c, p, vec2(1, 0)), corner_ws(c, p, vec2(0, 1)));
+    return area_of(c) / (float(p.splits) * float(p.splits) * fine_part * ideal);
 }
 
 /// Into how many parts along each side; in the first round at most half of the way, as the parts' distances differ.
 uint splits_of(Corners c, Patch p) {
-    float needed = sqrt(surfels_of(c, p) / float(tessellated_points(MOST_LEVEL)));
+    float needed = sqrt(surfels_of(c, p) / float(tessellated_points(MAX_LEVEL)));
 #if ROUND == 1
     if (needed > 4.0) needed = sqrt(needed);
 #endif
-    return uint(clamp(ceil(needed), 1.0, float(MOST_SPLITS)));
+    return uint(clamp(ceil(needed), 1.0, float(MAX_SPLITS)));
 }
 
 bool is_culled(Corners c, Patch p) {

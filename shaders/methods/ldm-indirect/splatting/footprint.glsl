@@ -30,7 +30,7 @@ struct Footprint {
 };
 
 /// Narrower ellipses are taken for lines.
-const float least_ratio = 1e-6;
+const float min_ratio = 1e-6;
 
 const uint MENDED_SHORT = 1u, MENDED_LONG = 2u, MENDED_DEGENERATE = 4u, NOT_FINITE = 8u;
 
@@ -89,9 +89,9 @@ Footprint footprint_of(Photon photon) {
     float least = least_axis_pixels * pixel_at(f.centre_ws), most = max(longest_axis, least);
     if (shorter < least) f.mended |= MENDED_SHORT;
     if (longer > most) f.mended |= MENDED_LONG;
-    if (!(shorter > least_ratio * longer)) f.mended |= MENDED_DEGENERATE;
+    if (!(shorter > min_ratio * longer)) f.mended |= MENDED_DEGENERATE;
     longer = clamp(longer, max(least, 1e-9), most);
-    shorter = clamp(shorter, max(least, least_ratio * longer), longer);
+    shorter = clamp(shorter, max(least, min_ratio * longer), longer);
     f.p_ws = longer * (direction.x * frame[0] + direction.y * frame[1]);
     f.q_ws = shorter * (direction.x * frame[1] - direction.y * frame[0]);
     // a = a' √|D_u x × D_v x| in M: the kernel ends so far from the plane

@@ -2,7 +2,7 @@
 
 /// Below this |d·n| a transferred differential is called degenerate. The normals that records hold are wrong by up to
 /// 9e-5, a tenth of it.
-const float LEAST_FACING = 1e-3;
+const float MIN_FACING = 1e-3;
 
 /// Derivative of d = v / |v| where v changes by `change`. [Igehy99 eq. 8]
 vec3 normalised_change(vec3 v, vec3 change) {

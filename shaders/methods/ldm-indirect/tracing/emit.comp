@@ -94,7 +94,7 @@ void arrive(inout Primary p, ivec2 texel, int layer) {
     p.reflectance = diffuse_reflectance(texelFetch(rsm_albedo_roughness, ivec3(texel, layer), 0).rgb, shading.w);
     p.position_ws += p.path_length * p.direction_ws;
     p.cosine_sum = max(cosines(p.shading_ws), 1e-20);
-    if (dot(p.direction_ws, p.normal_ws) > -LEAST_FACING) {
+    if (dot(p.direction_ws, p.normal_ws) > -MIN_FACING) {
         p.fate = PRIMARY_DEGENERATE;
         p.axis_u = p.axis_v = vec3(0);
         return;

@@ -53,7 +53,7 @@ float entry_error(vec3 normal, vec3 direction, vec3 step_u, vec3 step_v) {
 /// their borders and behind things by what reaches over from there.
 Landing unseen_landing(bool is_inside, vec3 origin, vec3 direction, float distance, vec3 normal, Spread spread) {
     if (bool(params.reject_hidden)) return Landing(is_inside ? CAUSE_HIDDEN : CAUSE_OUTSIDE, distance, vec3(0));
-    float longer = (spread.at_start + distance * spread.by_distance) / max(-dot(normal, direction), LEAST_FACING);
+    float longer = (spread.at_start + distance * spread.by_distance) / max(-dot(normal, direction), MIN_FACING);
     if (!is_inside && !may_reach_view(origin + distance * direction, longer))
         return Landing(CAUSE_OUTSIDE, distance, vec3(0));
     return Landing(CAUSE_STORED_HIDDEN, distance, normal);
@@ -82,10 +82,10 @@ Landing landing(vec3 origin, vec3 direction, float distance, float error, vec3 s
         vec4 seen = texelFetch(gbuffer_position, pixel, 0);
         float facing = dot(normal, direction), gap = dot(normal, seen.xyz - place);
         bool is_near = abs(gap) <= params.visibility_tolerance * seen.w;
-        if (!is_inside && facing > -LEAST_FACING) break;
-        if (is_near && facing > LEAST_FACING) return Landing(CAUSE_BACK, distance, vec3(0));
-        if (is_near && abs(facing) <= LEAST_FACING) return Landing(CAUSE_DEGENERATE, distance, vec3(0));
-        if (abs(facing) <= LEAST_FACING) break;
+        if (!is_inside && facing > -MIN_FACING) break;
+        if (is_near && facing > MIN_FACING) return Landing(CAUSE_BACK, distance, vec3(0));
+        if (is_near && abs(facing) <= MIN_FACING) return Landing(CAUSE_DEGENERATE, distance, vec3(0));
+        if (abs(facing) <= MIN_FACING) break;
         float next = max(moved + gap / facing, 0.0);
         float allowed = error + entry_error(normal, direction, step_u, step_v);
         bool is_explained = abs(next - distance) <= allowed;

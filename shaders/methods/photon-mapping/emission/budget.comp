@@ -12,7 +12,7 @@ uniform int levels;
 
 uniform uint points, source_count;
 
-const uint MOST_SOURCES = 64u;
+const uint MAX_SOURCES = 64u;
 
 float weight_of(uint source) {
     float weight = max(sources[source].flux, 0.0);
@@ -23,7 +23,7 @@ float weight_of(uint source) {
 }
 
 void main() {
-    float weights[MOST_SOURCES], remainders[MOST_SOURCES];
+    float weights[MAX_SOURCES], remainders[MAX_SOURCES];
     float sum = 0.0;
     for (uint i = 0u; i < source_count; ++i) {
         weights[i] = weight_of(i);

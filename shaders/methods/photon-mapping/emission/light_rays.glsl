@@ -19,9 +19,9 @@ float extent_of(Light light) {
     return TWO_PI * (1.0 - (light.type == LIGHT_SPOT ? light.cos_outer : -1.0));
 }
 
-/// Unit direction whose cosine to the axis is even in [least_cosine, 1].
-vec3 direction_in_cone(vec3 axis, float least_cosine, vec2 u) {
-    float height = u.x * (1.0 - least_cosine), cosine = 1.0 - height;
+/// Unit direction whose cosine to the axis is even in [min_cosine, 1].
+vec3 direction_in_cone(vec3 axis, float min_cosine, vec2 u) {
+    float height = u.x * (1.0 - min_cosine), cosine = 1.0 - height;
     float sine = sqrt(max(height * (2.0 - height), 0.0)), angle = TWO_PI * u.y;
     return normalize(frame_of(axis) * vec3(sine * cos(angle), sine * sin(angle), cosine));
 }

@@ -14,7 +14,7 @@ layout(std430) writeonly buffer Bases { uint bases[]; };
 layout(std430) readonly buffer StoredCount { uint stored_count; };
 
 uniform uint surface_number, last_surface;  // along the path, mirrors included; from 1
-uniform uint min_bounces, max_bounces, most_mirrors;
+uniform uint min_bounces, max_bounces, max_mirrors;
 uniform bool normal_maps;
 uniform bool culling;
 uniform mat4 frustum_sides;
@@ -22,7 +22,7 @@ uniform vec4 eye_ws;
 uniform float kernel_reach, texel_reach;
 
 /// Where interpolated or mapped normals lean away, light at grazing angles would be multiplied without bound.
-const float MOST_CORRECTION = 8.0;
+const float MAX_CORRECTION = 8.0;
 
 Photon photon_at(HitSurface surface, Path path, Ray ray) {
     bool normal_below, direction_below;
@@ -75,13 +75,13 @@ Ray go_on(inout Path path, HitSurface surface, vec3 from_ws) {
     if (bounce >= max_bounces && !scattered.is_specular) return no_ray();
     if (!scattered.is_specular)
         scattered.weight *= shading_normal_correction(scatterer.n, scatterer.geometric_n, from_ws,
-                                                      scattered.direction_ws, MOST_CORRECTION);
+                                                      scattered.direction_ws, MAX_CORRECTION);
     scattered.weight *= opaque_part(surface);
     if (!scatter_path(path, scattered, power_of(path), surface_number, unit_float(words.w))) {
         count(bounce, TALLY_ABSORBED);
         return no_ray();
     }
-    if (surface_number == last_surface || mirrors_of(path) > most_mirrors) {
+    if (surface_number == last_surface || mirrors_of(path) > max_mirrors) {
         count(bounce, TALLY_CUT);
         return no_ray();
     }

@@ -43,7 +43,7 @@ uvec4 random_words(Path path, uint surface, uint purpose) {
 
 float offset_of_rays(vec3 position_ws) {
     vec3 size = abs(position_ws);
-    // least_ray_offset_m and relative_ray_offset of renderers/passes/raytracing/ray_offset.h
+    // min_ray_offset_m and relative_ray_offset of renderers/passes/raytracing/ray_offset.h
     return 1e-6 + 32.0 / 8388608.0 * max(size.x, max(size.y, size.z));
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "renderers/core/condition.h"
-#include "renderers/graph/output_text.h"
 
 namespace ir::methods::photon_mapping {
 

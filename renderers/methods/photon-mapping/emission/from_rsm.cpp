@@ -1,4 +1,4 @@
-#include "renderers/methods/photon-mapping/emission/texts.h"
+#include "renderers/methods/photon-mapping/emission/from_rsm.h"
 
 namespace ir::methods::photon_mapping {
 

@@ -2,24 +2,15 @@
 
 #include <atomic>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "renderers/graph/graph.h"
+#include "renderers/graph/cache.h"
 #include "renderers/graph/plan.h"
-#include "renderers/graph/pool.h"
 
 namespace ir::graph {
-
-/// A host object and the contents it stands for.
-struct StoredObject {
-    std::shared_ptr<void> object;
-    std::uint64_t bytes = 0;
-    std::string fingerprint;
-};
 
 /// What a frame would take on the device.
 struct MemoryPlan {
@@ -36,85 +27,43 @@ struct MemoryPlan {
 MemoryPlan memory_of(const GraphBuilder& builder, const Plan& plan,
                      const std::function<std::uint64_t(const BufferDesc&)>& elements);
 
-/// As long as this stays equal, a frame is divided into as many batches as the one before, and items take as
-/// long as they did.
-struct WorkKey {
-    std::string method;
-    Settings settings;
-    std::string world;
-    int width = 0, height = 0;
-    std::uint64_t budget = 0;
-    bool operator==(const WorkKey&) const = default;
-};
-
 WorkKey work_of(const Method& method, const Settings& settings, const FrameInputs& inputs,
                 const FrameOptions& options);
 /// Patterns of what a frame keeps: what is asked for, the main result and its mask.
 std::vector<std::string> wanted_of(const Method& method, const Settings& settings,
                                    const FrameOptions& options);
 
-/// What a Graph keeps, and what the frame in flight needs. PassContext works on it.
-struct Graph::State {
-    State(gl::Device& d, gl::Context* c, gl::ProgramLibrary* p)
-        : device(d), context(c), programs(p), pool(d) {}
+/// A frame in flight, or an explanation of the one before, and what is its own. PassContext works on it.
+struct Frame {
+    Frame(GraphCache& c, const Method& m, const Settings& s, const FrameInputs& i, const FrameOptions& o)
+        : cache(c), method(&m), settings(&s), inputs(&i), options(&o) {
+        cache.is_running = true;
+    }
+    ~Frame() { cache.is_running = false; }
+    Frame(const Frame&) = delete;
 
-    gl::Device& device;
-    gl::Context* context;
-    gl::ProgramLibrary* programs;
-    Pool pool;
-    std::map<std::string, StoredObject> objects;
-    std::map<std::string, BufferDesc> buffer_descs;        ///< of the last frame
-    std::map<std::string, std::uint64_t> elements_in_use;  ///< by buffer key, of the last finished frame
-    std::vector<std::pair<scene::Sampler, GLuint>> samplers;
-    GLuint empty_vertex_array = 0;
-    std::vector<GLuint> framebuffers;  ///< of the running pass
-
-    // Learned from frame to frame.
-    std::map<std::string, std::uint64_t> grown;      ///< capacity by buffer key
-    std::map<std::string, std::uint64_t> estimates;  ///< for which the capacity was learned
-    std::map<std::string, double> items_per_ms;      ///< by pass, for slices
-    std::map<std::string, std::vector<std::uint64_t>> counts_of_passes;  ///< for passes that are skipped
-    WorkKey work_key;
-    int batches = 1;
-    int growths = 0;
-    std::vector<std::string> committed;  ///< wanted of the frame whose contents are there; empty: none
-
-    // The frame in flight.
-    const Method* method = nullptr;
-    const Settings* settings = nullptr;
-    const FrameInputs* inputs = nullptr;
-    const FrameOptions* options = nullptr;
+    GraphCache& cache;
+    const Method* method;
+    const Settings* settings;
+    const FrameInputs* inputs;
+    const FrameOptions* options;
     GraphBuilder* builder = nullptr;
     Plan plan;
     std::vector<bool> cached, ran;           ///< passes that need not run; that ran in this attempt
     std::vector<Physical*> images, buffers;  ///< by index of the builder; null where culled
-    gl::Name counter_buffer = 0;
-    std::uint64_t counter_capacity = 0;
     std::unique_ptr<std::atomic<std::uint32_t>[]> host_counters;
-    gl::Name parameter_buffer = 0;
-    std::uint64_t parameter_bytes = 0;
-    std::map<gl::ProgramSource, const gl::Program*> programs_with_parameters;
     CancelToken never_cancelled;
     std::vector<double> views_ms;  ///< by pass: spent on views between its slices
+    FrameInputs anew;              ///< of a frame whose restored history does not fit
 
-    std::map<std::string, double> figures;  ///< PassContext::set_figure
-    std::vector<std::string> warnings;      ///< PassContext::warn
-
-    std::optional<History> restored;  ///< for the next frame
-    FrameInputs anew;                 ///< of a frame whose restored history does not fit
-
-    FrameReport report;
-
-    ~State();
     const CancelToken& cancel() const { return options->cancel ? *options->cancel : never_cancelled; }
 
     // graph.cpp: a frame
-    void begin_frame(const Method& m, const Settings& s, const FrameInputs& i, const FrameOptions& o);
-    void run_attempts(Graph& graph, const std::vector<std::string>& wanted);
+    void begin();
+    void run_attempts(const std::vector<std::string>& wanted);
     bool divide_further();
-    void run_passes(Graph& graph);
+    void run_passes();
     void resolve_times();
-    void end_frame();
 
     // history.cpp: contents from elsewhere as those of the previous frame
     const History::Entry* restored_entry(const std::string& key) const;
@@ -135,8 +84,8 @@ struct Graph::State {
     bool may_run_again(const Pass& pass, std::size_t index, const Again& again) const;
     bool is_held(const Pass::Access& access, const Plan& before) const;
     bool has_known_counts(const Again& again) const;
-    bool run_again(Graph& graph, const std::vector<std::string>& wanted);
-    void run_passes_again(Graph& graph, const Again& again);
+    bool run_again(const std::vector<std::string>& wanted);
+    void run_passes_again(const Again& again);
     void allocate_again(const Again& again);
     void report_what_is_left();
 
@@ -165,15 +114,13 @@ struct Graph::State {
     std::vector<std::uint64_t> read_counters();
 
     // run_pass.cpp
-    PassReport run_pass(Graph& graph, const Pass& pass, std::size_t index);
+    PassReport run_pass(const Pass& pass, std::size_t index);
     void prepare_access(const Pass& pass, const Pass::Access& access);
     int run_slices(const Pass& pass, std::size_t index, PassContext& pass_context);
     void serve_views(bool on_gl, std::size_t index);
     void drop_contents(const Pass& pass);
 
     void fill_report(const std::vector<std::uint64_t>& counts);
-    void reset_gl_state() const;
-    void delete_framebuffers();
 };
 
 /// A frame that still overflows then never ends.
