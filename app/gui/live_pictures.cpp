@@ -32,7 +32,7 @@ double end_of(const projects::OpenProject& project, const std::string& source) {
     }
 }
 
-std::string text_of(const Want& want) {
+std::string signature_of(const Want& want) {
     std::string text;
     for (const auto& part : want.parts)
         text += part.key + '/' + std::to_string(part.level) + '/' + std::to_string(part.layer) + '\n';
@@ -190,7 +190,7 @@ void LivePictures::send_if_changed(const std::string& id, Entry& entry) {
     const auto pose = session_.moved_pose(id);
     const auto wanted = pose ? with_pose(*entry.experiment, *pose) : *entry.experiment;
     const auto again = " again " + std::to_string(entry.frames_again);
-    const auto text = signature(wanted) + again + "\n" + text_of(entry.want);
+    const auto text = signature(wanted) + again + "\n" + signature_of(entry.want);
     if (text == entry.signature) return;
     entry.signature = text;
     send(id, entry, wanted);

@@ -1,18 +1,40 @@
 #include "app/gui/main_window.h"
 
 #include <QCloseEvent>
+#include <QDesktopServices>
 #include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
 #include <QUrl>
+#include <QVBoxLayout>
 
+#include "app/engine/version.h"
+#include "app/gui/text_of.h"
+#include "widgets/panels/shortcuts_dialog.h"
 #include "widgets/style/icons.h"
 
 namespace ir::gui {
+namespace {
+
+/// Its size is asked neither of the panels that share its place nor of the window.
+QScrollArea* scrolled(QWidget* panel) {
+    auto* scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(panel);
+    scroll->setWidgetResizable(true);
+    return scroll;
+}
+
+}  // namespace
 
 MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Options& options)
-    : options_(options),
-      recent_(options.remember),
-      samples_(options.remember),
+    : remember_(options.remember),
       renderer_(renderer),
       session_(registry),
       kept_(session_),
@@ -22,50 +44,317 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       workspace_(session_, live_, renderer, images_, kept_, options.surface),
       inspector_(session_, live_, renderer, workspace_),
       metrics_(session_, live_, workspace_),
-      references_(session_, live_, workspace_),
-      exports_(session_, live_, renderer, workspace_) {
+      banners_(new widgets::BannerStack),
+      references_(session_, live_, workspace_, *banners_),
+      exports_(session_, live_, renderer, workspace_),
+      welcome_(new widgets::WelcomePage),
+      pages_(new QStackedWidget),
+      messages_(new widgets::MessagesPanel),
+      display_(new widgets::DisplayPanel),
+      status_(new StatusLine(session_, live_)),
+      device_label_(new QLabel(tr("starting …"))),
+      notices_(*status_, *messages_, *banners_),
+      document_(new DocumentDock(session_, scenes_, workspace_)),
+      results_(new ResultsDock(session_, live_, renderer_, workspace_, kept_)),
+      plots_(new PlotsDock(session_, options.machine, options.study_runner)),
+      benchmarks_(new BenchmarkDock(session_, options.benchmark_runner
+                                                  ? options.benchmark_runner
+                                                  : engine::benchmark_runner(options.machine))),
+      parameters_(new ParameterDock(session_, scenes_, notices_)),
+      scene_(new SceneDock(session_, scenes_)),
+      lists_(session_, live_, workspace_),
+      actions_(*this),
+      docks_(*this, workspace_.area(), actions_),
+      files_(*this, session_, workspace_, notices_, *welcome_, actions_, options.remember),
+      export_(*this, session_, renderer_, workspace_, exports_, notices_, actions_),
+      edits_(session_, *document_, actions_),
+      result_actions_(session_, live_, playback_, workspace_, references_, *results_, *document_, actions_),
+      timeline_(new TimelineDock(session_, live_, playback_, actions_)),
+      views_(session_, live_, playback_, scenes_, workspace_, inspector_, *display_, actions_),
+      project_banners_(*this, session_, live_, *banners_) {
     setObjectName(QStringLiteral("main"));
     setWindowIcon(widgets::icon("app"));
     setAcceptDrops(true);
-    setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    make_centre();
+    add_actions();
+    make_centre(options.surface == widgets::ImageView::Surface::best);
     make_docks();
     make_status_bar();
-    make_file_actions();
-    make_export_actions();
-    make_edit_actions();
-    make_result_actions();
-    make_timeline_actions();
-    make_view_actions();
-    make_display_actions();
-    make_arrangement_actions();
-    make_compare_actions();
-    make_inspect_actions();
-    make_tool_actions();
-    make_window_actions();
     make_menus();
     make_toolbar();
-    connect_session();
-    connect_panels();
-    connect_views();
-    connect_results();
-    connect_plots();
-    connect_benchmarks();
-    connect_timeline();
-    restore_window();
-    update_document();
+    join_session();
+    join_pictures();
+    join_panels();
+    resize(1440, 900);
+    docks_.restore_default();
+    if (remember_) docks_.restore();
+    update_frame();
 }
 
-MainWindow::~MainWindow() {
-    // Last words of the parts would reach half-destroyed widgets.
-    for (QObject* part :
-         {static_cast<QObject*>(&session_), static_cast<QObject*>(&renderer_), static_cast<QObject*>(&live_),
-          static_cast<QObject*>(&workspace_), static_cast<QObject*>(&inspector_),
-          static_cast<QObject*>(&kept_), static_cast<QObject*>(results_), static_cast<QObject*>(plots_),
-          static_cast<QObject*>(benchmarks_), static_cast<QObject*>(&metrics_),
-          static_cast<QObject*>(&scenes_), static_cast<QObject*>(&playback_)})
-        part->disconnect(this);
+void MainWindow::add_actions() {
+    using K = QKeySequence;
+    auto* cancel = actions_.add("cancel", tr("&Cancel rendering"), "cancel", {K(Qt::Key_Escape)},
+                                [this] { live_.cancel(); });
+    const auto update_cancel = [this, cancel] { cancel->setEnabled(!live_.is_settled()); };
+    connect(&live_, &LivePictures::state_changed, &joins_, update_cancel);
+    follow(session_, &joins_, update_cancel);
+    update_cancel();
+    enable_with_experiment(session_, {actions_.add("rerun", tr("Render &again"), "rerun", {K(Qt::Key_F5)},
+                                                   [this] { live_.render_again(); })});
+    actions_.add("shaders", tr("Reload &shaders"), nullptr, {K(Qt::SHIFT | Qt::Key_F5)},
+                 [this] { renderer_.reload_shaders(); });
+    actions_.add("layout-default", tr("Restore Default &Layout"), nullptr,
+                 {K(Qt::CTRL | Qt::SHIFT | Qt::Key_L)}, [this] { docks_.restore_default(); });
+    actions_.add_switch("full-screen", tr("F&ull screen"), nullptr, {K(Qt::Key_F11)}, false,
+                        [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
+    actions_.add("shortcuts", tr("&Keyboard shortcuts …"), nullptr, {K(Qt::Key_F1)},
+                 [this] { show_shortcuts(); });
+    actions_.add("about", tr("&About Interreflect"), nullptr, {}, [this] { show_about(); });
+}
+
+void MainWindow::make_centre(bool wants_opengl) {
+    auto* centre = new QWidget;
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(banners_);
+    layout->addWidget(pages_, 1);
+    pages_->addWidget(welcome_);
+    pages_->addWidget(&workspace_.area());
+    setCentralWidget(centre);
+    if (wants_opengl && !widgets::has_opengl())
+        banners_->show_banner(QStringLiteral("opengl"), widgets::BannerStack::Kind::note,
+                              tr("This screen offers no OpenGL 3.3; pictures are painted by the processor. "
+                                 "All functions work, only slower."));
+}
+
+void MainWindow::make_docks() {
+    using K = QKeySequence;
+    display_->setMinimumWidth(300);
+    docks_.add("parameters", tr("Parameters"), parameters_, K(Qt::CTRL | Qt::Key_1));
+    docks_.add("project", tr("Project"), document_, K(Qt::CTRL | Qt::Key_2));
+    docks_.add("display", tr("Display"), display_, K(Qt::CTRL | Qt::Key_3));
+    docks_.add("scene", tr("Scene"), scene_, K(Qt::CTRL | Qt::Key_4));
+    docks_.add("buffers", tr("Buffers"), &lists_.buffers(), K(Qt::CTRL | Qt::Key_5));
+    docks_.add("inspector", tr("Inspector"), &inspector_.panel(), K(Qt::CTRL | Qt::Key_6));
+    docks_.add("explain", tr("Explain"), &inspector_.explain_panel(), K(Qt::CTRL | Qt::Key_7));
+    docks_.add("metrics", tr("Metrics"), &metrics_.panel(), K(Qt::CTRL | Qt::SHIFT | Qt::Key_M));
+    docks_.add("timings", tr("Timings"), &lists_.timings(), K(Qt::CTRL | Qt::Key_8));
+    docks_.add("messages", tr("Messages"), messages_, K(Qt::CTRL | Qt::Key_9));
+    docks_.add("results", tr("Results"), results_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
+    docks_.add("plots", tr("Plots"), scrolled(plots_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
+    docks_.add("timeline", tr("Timeline"), scrolled(timeline_), K(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
+    docks_.add("benchmarks", tr("Benchmarks"), benchmarks_, K(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
+    // Panels behind tabs and closed ones ask for nothing.
+    connect(&docks_, &DockLayout::seen_changed, &joins_, [this] {
+        inspector_.set_visible(docks_.is_seen("inspector"), docks_.is_seen("explain"));
+        inspector_.set_thumbnails_wanted(docks_.is_seen("buffers"));
+        results_->set_visible_to_user(docks_.is_seen("results"));
+        plots_->set_visible_to_user(docks_.is_seen("plots"));
+        metrics_.set_visible(docks_.is_seen("metrics"));
+    });
+}
+
+void MainWindow::make_status_bar() {
+    connect(status_, &StatusLine::cancel_wanted, &joins_, [this] { live_.cancel(); });
+    device_label_->setObjectName(QStringLiteral("device"));
+    statusBar()->addWidget(status_, 1);
+    statusBar()->addPermanentWidget(device_label_);
+}
+
+void MainWindow::make_menus() {
+    auto* file = menuBar()->addMenu(tr("&File"));
+    actions_.fill(file, {"new", "open"});
+    file->addMenu(files_.recent_menu());
+    actions_.fill(file, {"", "save", "save-as", ""});
+    actions_.fill(file->addMenu(tr("&Export")),
+                  {"export-view", "export-buffer", "export-values", "", "export-all"});
+    actions_.fill(file, {"", "close", "quit"});
+    actions_.fill(menuBar()->addMenu(tr("&Edit")),
+                  {"undo", "redo", "", "experiment-add", "experiment-duplicate", "experiment-rename",
+                   "experiment-remove", "match", "", "scene-add", "image-add", "bookmark", "comparison-add"});
+    auto* experiment = new QMenu(this);
+    actions_.fill(experiment, {"experiment-add", "experiment-duplicate", "experiment-rename",
+                               "experiment-remove", "", "match", "keep"});
+    experiment->setToolTipsVisible(true);
+    parameters_->set_menu(experiment);
+    actions_.fill(menuBar()->addMenu(tr("&View")), {"inspect",
+                                                    "orbit",
+                                                    "fly",
+                                                    "rectangle",
+                                                    "",
+                                                    "fit",
+                                                    "actual",
+                                                    "zoom-in",
+                                                    "zoom-out",
+                                                    "",
+                                                    "grid",
+                                                    "legend",
+                                                    "marks",
+                                                    "zebra",
+                                                    "",
+                                                    "brighter",
+                                                    "darker",
+                                                    "display-reset",
+                                                    "",
+                                                    "buffer-main",
+                                                    "buffer-next",
+                                                    "buffer-previous",
+                                                    "stages",
+                                                    "",
+                                                    "explain",
+                                                    "explain-nothing",
+                                                    "pin"});
+    actions_.fill(menuBar()->addMenu(tr("&Compare")),
+                  {"mode-single", "mode-side-by-side", "mode-wipe", "mode-flip", "mode-difference",
+                   "mode-stages", "", "swap", "link", "", "comparison-add"});
+    auto* render = menuBar()->addMenu(tr("&Render"));
+    actions_.fill(
+        render, {"cancel", "rerun", "shaders", "", "play", "step-forward", "step-back", "", "match", "keep"});
+    render->setToolTipsVisible(true);
+    auto* window = menuBar()->addMenu(tr("&Window"));
+    actions_.fill(window, {"views-1", "views-2", "views-2-stacked", "views-3", "views-4", "", "view-open",
+                           "view-close", "view-next", "view-previous", ""});
+    docks_.fill(window);
+    actions_.fill(window, {"", "layout-default", "full-screen"});
+    actions_.fill(menuBar()->addMenu(tr("&Help")), {"shortcuts", "about"});
+}
+
+void MainWindow::make_toolbar() {
+    auto* bar = addToolBar(tr("Main tools"));
+    bar->setObjectName(QStringLiteral("toolbar"));
+    bar->setIconSize(QSize(18, 18));
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    actions_.fill(bar,
+                  {"new",    "open",    "save",      "",        "undo",    "redo",    "",        "inspect",
+                   "orbit",  "fly",     "rectangle", "",        "fit",     "actual",  "zoom-in", "zoom-out",
+                   "grid",   "",        "views-1",   "views-2", "views-3", "views-4", "link",    "",
+                   "stages", "explain", "bookmark",  "",        "rerun",   "cancel"});
+}
+
+void MainWindow::join_session() {
+    connect(&session_, &Session::project_replaced, &joins_, [this] {
+        if (!session_.has_project()) scenes_.clear();
+        update_frame();  // before the views, which want to be seen and have the focus
+        load_memory();
+        project_banners_.update();
+    });
+    connect(&session_, &Session::document_changed, &joins_, [this] { update_frame(); });
+    connect(&session_, &Session::memory_wanted, &joins_, [this] { save_memory(); });
+    connect(&files_, &FileController::ending, &joins_, [this] { document_->commit(); });
+    connect(&project_banners_, &ProjectBanners::save_as_wanted, &files_, &FileController::save_as);
+}
+
+void MainWindow::join_pictures() {
+    connect(&live_, &LivePictures::composition_resolved, &joins_,
+            [this](const std::vector<scene::Part>& parts) {
+                scenes_.set_place("scene:" + session_.experiment()->scene);
+                scenes_.choose(parts);
+            });
+    connect(&session_, &Session::message, &notices_, &Notices::add);
+    connect(&live_, &LivePictures::message, &notices_, &Notices::add);
+    connect(&scenes_, &SceneShelf::message, &notices_, &Notices::add);
+    connect(&renderer_, &Renderer::messages_arrived, &joins_, [this](const std::vector<Message>& messages) {
+        for (const auto& each : messages) notices_.add(each);
+    });
+    connect(&renderer_, &Renderer::ready, &joins_,
+            [this](const std::string& backend, const std::string& device) {
+                device_label_->setText(
+                    QStringLiteral("%1 · %2").arg(text_of(backend).toUpper(), text_of(device)));
+                banners_->hide_banner(QStringLiteral("device"));
+            });
+    connect(&renderer_, &Renderer::no_device, &joins_, [this](const std::string& error) {
+        device_label_->setText(tr("no device"));
+        notices_.fail(QStringLiteral("device"), "gl", text_of(error));
+    });
+}
+
+void MainWindow::join_panels() {
+    connect(messages_, &widgets::MessagesPanel::go_to, &joins_,
+            [this](const Message& message) { go_to(message); });
+    connect(scene_, &SceneDock::camera_chosen, parameters_, &ParameterDock::use_scene_camera);
+    connect(&edits_, &EditController::edit_wanted, &joins_, [this] { edit_in_document(); });
+    connect(&document_->tree(), &widgets::ProjectPanel::item_activated, &joins_,
+            [this](const widgets::ItemRef& item) {
+                if (item.kind == widgets::ItemKind::plot) show_plot(item.id.toStdString());
+            });
+    connect(plots_, &PlotsDock::loaded, &joins_,
+            [this](const QString& experiment) { session_.select_experiment(experiment.toStdString()); });
+    connect(plots_, &PlotsDock::edit_wanted, &joins_, [this](const QString& plot) {
+        document_->select({widgets::ItemKind::plot, plot});
+        edit_in_document();
+    });
+    notices_.follow(*results_, "results");
+    notices_.follow(*plots_, "plots");
+    notices_.follow(*benchmarks_, "benchmarks");
+}
+
+void MainWindow::save_memory() {
+    auto& memory = session_.memory();
+    workspace_.save(memory);
+    inspector_.save(memory);
+    metrics_.save(memory);
+    plots_->save(memory);
+    benchmarks_->save(memory);
+    playback_.save(memory);
+}
+
+void MainWindow::load_memory() {
+    const auto& memory = session_.memory();
+    workspace_.load(memory);
+    inspector_.load(memory);
+    metrics_.load(memory);
+    plots_->load(memory);
+    benchmarks_->load(memory);
+    playback_.load(memory);
+}
+
+/// The page, and the title.
+void MainWindow::update_frame() {
+    const bool has_project = session_.has_project();
+    pages_->setCurrentIndex(has_project ? 1 : 0);
+    docks_.show(has_project);
+    if (!has_project) {
+        setWindowModified(false);
+        return setWindowTitle(tr("Interreflect"));
+    }
+    const auto& project = session_.open_project();
+    const QString name = text_of(session_.document().name.empty() ? "untitled" : session_.document().name);
+    const QString place =
+        project.folder().empty() ? tr("not saved yet") : text_of(project.folder().filename().string());
+    setWindowTitle(tr("%1[*] (%2)%3 – Interreflect")
+                       .arg(name, place, project.is_read_only() ? tr(", read-only") : QString()));
+    setWindowModified(project.is_dirty());
+}
+
+void MainWindow::edit_in_document() {
+    docks_.raise("project");
+    document_->editor().setFocus();
+}
+
+void MainWindow::show_plot(const std::string& id) {
+    docks_.raise("plots");
+    plots_->set_visible_to_user(true);
+    plots_->show_plot(id);
+}
+
+/// From a message to where it can be mended: a file's line, an item of the project, a buffer.
+void MainWindow::go_to(const Message& message) {
+    const QString place = text_of(message.place);
+    const QFileInfo file(place.section(QLatin1Char(':'), 0, 0));
+    if (file.exists()) {
+        QDesktopServices::openUrl(QUrl::fromLocalFile(file.absoluteFilePath()));
+        return;
+    }
+    if (const auto item = widgets::ItemRef::from_key(place); item.is_valid()) {
+        docks_.raise("project");
+        if (item.kind == widgets::ItemKind::experiment) session_.select_experiment(item.id.toStdString());
+        return document_->select(item);
+    }
+    const auto* chosen = session_.experiment();
+    const auto result = chosen ? live_.result(chosen->id) : nullptr;
+    if (result && find_resource(result->report, message.place)) return workspace_.show_output(message.place);
+    docks_.raise("timings");
 }
 
 bool MainWindow::is_settled() const {
@@ -73,21 +362,22 @@ bool MainWindow::is_settled() const {
            metrics_.is_settled() && plots_->is_settled() && benchmarks_->is_settled();
 }
 
+void MainWindow::end_work() {
+    benchmarks_->cancel();
+    if (remember_) docks_.remember();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
     document_->commit();
-    if (!may_discard()) return event->ignore();
-    benchmarks_->cancel();
-    remember_window();
-    store_memory();
+    if (!files_.may_discard()) return event->ignore();
+    end_work();
     session_.close();
     event->accept();
 }
 
 void MainWindow::leave() {
     document_->commit();
-    benchmarks_->cancel();
-    remember_window();
-    store_memory();
+    end_work();
     session_.leave();
 }
 
@@ -106,19 +396,42 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    const QString path = event->mimeData()->urls().front().toLocalFile();
     event->acceptProposedAction();
-    const auto ends_with = [&](std::initializer_list<const char*> suffixes) {
-        for (const char* suffix : suffixes)
-            if (path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive)) return true;
-        return false;
+    files_.take(event->mimeData()->urls().front().toLocalFile());
+}
+
+void MainWindow::show_shortcuts() {
+    const QList<QPair<QString, QString>> gestures = {
+        {tr("Zoom the picture about the cursor"), tr("Wheel")},
+        {tr("Move the picture"), tr("Middle drag, Space+drag")},
+        {tr("Mark a pixel (Inspect)"), tr("Click")},
+        {tr("Explain a pixel (Inspect)"), tr("Shift+click")},
+        {tr("See one of several pictures (Wipe, Flip, Difference)"), tr("Hold 1 … 9")},
+        {tr("Choose two of a row to be compared (Stages)"), tr("1 … 9, 0 for none")},
+        {tr("Go on to the next picture (Flip)"), tr("Tab")},
+        {tr("Move the divider (Wipe)"), tr("Drag it")},
+        {tr("Move, resize the rectangle (Rectangle)"), tr("Drag, arrows; Shift+arrows")},
+        {tr("Clear the rectangle (Rectangle)"), tr("Esc, Del")},
+        {tr("Turn, slide, approach, frame (3D)"), tr("Drag, Shift+drag, wheel, double click")},
+        {tr("Choose what an element stands for (3D, sphere)"), tr("Click it")},
+        {tr("Turn the camera about its target (Orbit)"), tr("Drag")},
+        {tr("Look around (Fly)"), tr("Drag")},
+        {tr("Slide the camera (Orbit, Fly)"), tr("Shift+drag, right drag")},
+        {tr("Camera nearer or farther (Orbit, Fly)"), tr("Ctrl+wheel")},
+        {tr("Move the camera (Fly)"), tr("W A S D, Q E; Shift is faster")},
+        {tr("Load a point's setting (Plots)"), tr("Click, Enter")},
+        {tr("Walk through points (Plots)"), tr("Arrows, Home, End")},
     };
-    const bool writable = session_.has_project() && !session_.open_project().is_read_only();
-    if (writable && ends_with({".gltf", ".glb"}))
-        return void(run_file_step([&] { session_.add_scene(path.toStdString()); }, tr("Add scene")));
-    if (writable && ends_with({".exr", ".png", ".hdr", ".jpg", ".jpeg", ".tif", ".tiff"}))
-        return void(run_file_step([&] { session_.add_image(path.toStdString()); }, tr("Add image")));
-    if (may_discard()) open_path(path);
+    auto* dialog = new widgets::ShortcutsDialog(actions_.in_order(), gestures, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+}
+
+void MainWindow::show_about() {
+    QMessageBox::about(
+        this, tr("About Interreflect"),
+        tr("<b>Interreflect %1</b><p>A workbench for research on interactive global illumination.</p>")
+            .arg(QString::fromStdString(engine::version())));
 }
 
 }  // namespace ir::gui

@@ -11,18 +11,14 @@ constexpr const char* banner_name = "reference";
 
 }  // namespace
 
-References::References(Session& session, LivePictures& live, Workspace& workspace, QObject* parent)
-    : QObject(parent), session_(session), live_(live), workspace_(workspace) {
+References::References(Session& session, LivePictures& live, Workspace& workspace,
+                       widgets::BannerStack& banners)
+    : session_(session), live_(live), workspace_(workspace), banners_(banners) {
     connect(&session_, &Session::document_changed, this, &References::update_banner);
     connect(&session_, &Session::files_changed, this, &References::update_banner);
     connect(&session_, &Session::project_replaced, this, &References::update_banner);
     connect(&session_, &Session::experiment_selected, this, &References::update_banner);
     connect(&live_, &LivePictures::state_changed, this, &References::update_banner);
-}
-
-void References::set_banners(widgets::BannerStack* banners) {
-    banners_ = banners;
-    update_banner();
 }
 
 std::string References::shown() const {
@@ -66,14 +62,13 @@ void References::match(const std::string& experiment) {
 
 /// Of the experiment that is worked on, else of the first one.
 void References::update_banner() {
-    if (!banners_) return;
     const auto mismatched =
         session_.has_project()
             ? projects::mismatched_references(session_.document(), session_.registry(), animated_scenes())
             : std::vector<std::pair<std::string, std::string>>();
     if (mismatched.empty()) {
         shown_text_.clear();
-        return banners_->hide_banner(QLatin1String(banner_name));
+        return banners_.hide_banner(QLatin1String(banner_name));
     }
     const auto* chosen = session_.experiment();
     auto found = std::find_if(mismatched.begin(), mismatched.end(),
@@ -88,7 +83,7 @@ void References::update_banner() {
     std::vector<widgets::BannerStack::Action> actions;
     if (!session_.open_project().is_read_only())
         actions.push_back({tr("Match again"), [this, id = id] { match(id); }});
-    banners_->show_banner(QLatin1String(banner_name), widgets::BannerStack::Kind::warning, text, actions);
+    banners_.show_banner(QLatin1String(banner_name), widgets::BannerStack::Kind::warning, text, actions);
 }
 
 }  // namespace ir::gui

@@ -14,9 +14,7 @@ namespace ir::gui {
 class References : public QObject {
     Q_OBJECT
   public:
-    References(Session& session, LivePictures& live, Workspace& workspace, QObject* parent = nullptr);
-    /// Where warnings are shown.
-    void set_banners(widgets::BannerStack* banners);
+    References(Session& session, LivePictures& live, Workspace& workspace, widgets::BannerStack& banners);
 
     /// The experiment that the active view shows, else the one that is worked on; empty: none.
     std::string shown() const;
@@ -34,7 +32,7 @@ class References : public QObject {
     Session& session_;
     LivePictures& live_;
     Workspace& workspace_;
-    widgets::BannerStack* banners_ = nullptr;
+    widgets::BannerStack& banners_;
     QString shown_text_;
 };
 

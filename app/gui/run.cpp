@@ -41,7 +41,7 @@ void describe(CLI::App& command, Arguments& arguments) {
     command.add_option("project", arguments.project,
                        "Project folder, scene file (.gltf, .glb) or builtin:NAME to open");
     command.add_option("--layout", arguments.layout,
-                       "Arrangement of the docks: " + MainWindow::layout_names().join(", ").toStdString());
+                       "Arrangement of the docks: " + DockLayout::names().join(", ").toStdString());
     command.add_option("--screenshot", arguments.screenshot,
                        "Wait until everything shown is rendered, save the window as PNG and quit");
     command.add_option("--size", arguments.size, "Size of the window, or of the exported plot, WxH");
@@ -129,9 +129,9 @@ int run_window(const Arguments& arguments) {
     if (!arguments.size.empty()) {
         const auto size = projects::parse_size(arguments.size, "--size");
         window.resize(size.x, size.y);
-        if (!screenshot) window.fit_screen();
+        if (!screenshot) window.docks().fit_screen();
     }
-    if (!arguments.layout.empty()) window.apply_layout(QString::fromStdString(arguments.layout));
+    if (!arguments.layout.empty()) window.docks().apply(QString::fromStdString(arguments.layout));
     window.show();
     const auto project = QString::fromStdString(arguments.project);
     if (screenshot) take_screenshot(window, QString::fromStdString(arguments.screenshot));
@@ -182,9 +182,9 @@ int run(int argc, char** argv) {
         if (!arguments.backend.empty()) gl::parse_backend(arguments.backend);
         if (!arguments.size.empty()) projects::parse_size(arguments.size, "--size");
         if (!arguments.layout.empty() &&
-            !MainWindow::layout_names().contains(QString::fromStdString(arguments.layout)))
+            !DockLayout::names().contains(QString::fromStdString(arguments.layout)))
             throw UsageError("unknown layout '" + arguments.layout + "'; known are " +
-                             MainWindow::layout_names().join(", ").toStdString());
+                             DockLayout::names().join(", ").toStdString());
         if (arguments.exports()) check_plot_file(arguments.plot_file);
         check_display(arguments);
         // Off screen Qt says what is no news to anybody; stderr is for the one line that says what failed.

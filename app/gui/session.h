@@ -94,7 +94,6 @@ class Session : public QObject {
 
     /// session.json: neither undone nor dirty.
     projects::Json& memory() { return memory_; }
-    void save_memory();
     /// Writes unsaved changes beside the project, and session.json where it changed. A timer calls it, too.
     void autosave();
 
@@ -123,6 +122,8 @@ class Session : public QObject {
     bool is_open(const std::filesystem::path& folder) const;
     void adopt(std::unique_ptr<projects::OpenProject> project);
     bool changed(bool really);
+    void save_memory();
+    void write_memory();
     void report_project_messages();
     void poll_files();
 
@@ -139,5 +140,13 @@ class Session : public QObject {
     bool is_left_ = false;
     QTimer autosave_timer_;
 };
+
+/// Calls a slot of the receiver whenever there may be another project, document or experiment.
+template <class Receiver, class Slot>
+void follow(const Session& session, Receiver* receiver, Slot slot) {
+    for (const auto signal :
+         {&Session::project_replaced, &Session::document_changed, &Session::experiment_selected})
+        QObject::connect(&session, signal, receiver, slot);
+}
 
 }  // namespace ir::gui

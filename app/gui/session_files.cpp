@@ -162,6 +162,12 @@ void Session::save_as(const std::filesystem::path& path) {
 }
 
 void Session::save_memory() {
+    if (!project_) return;
+    emit memory_wanted();
+    write_memory();
+}
+
+void Session::write_memory() {
     if (!project_ || project_->folder().empty() || project_->is_read_only()) return;
     if (const auto* chosen = experiment()) memory_["experiment"] = chosen->id;
     try {
@@ -194,7 +200,7 @@ void Session::autosave() {
         return true;
     });
     emit memory_wanted();
-    if (memory_ != saved_memory_) save_memory();
+    if (memory_ != saved_memory_) write_memory();
 }
 
 }  // namespace ir::gui

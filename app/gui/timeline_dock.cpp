@@ -34,12 +34,8 @@ QString what_moves(const projects::Project& project, const projects::Motion& mot
 
 }  // namespace
 
-TimelineDock::TimelineDock(Session& session, LivePictures& live, Playback& playback, QWidget* parent)
-    : QWidget(parent),
-      session_(session),
-      live_(live),
-      playback_(playback),
-      panel_(new widgets::TimelinePanel) {
+TimelineDock::TimelineDock(Session& session, LivePictures& live, Playback& playback, Actions& actions)
+    : session_(session), live_(live), playback_(playback), panel_(new widgets::TimelinePanel) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(panel_);
@@ -54,6 +50,20 @@ TimelineDock::TimelineDock(Session& session, LivePictures& live, Playback& playb
     connect(&playback_, &Playback::changed, this, &TimelineDock::update_panel);
     connect(&live_, &LivePictures::state_changed, this, &TimelineDock::update_panel);
     update_panel();
+    add_actions(actions);
+}
+
+void TimelineDock::add_actions(Actions& actions) {
+    using K = QKeySequence;
+    actions.add("play", tr("&Play or pause"), "play", {K(Qt::Key_K)},
+                [this] { playback_.play(!playback_.is_playing()); });
+    actions.add("step-forward", tr("One frame &on"), "step-forward", {K(Qt::Key_Period)},
+                [this] { playback_.step(1); });
+    actions.add("step-back", tr("One frame &back"), "step-back", {K(Qt::Key_Comma)},
+                [this] { playback_.step(-1); });
+    connect(&playback_, &Playback::changed, this, [this, &actions] {
+        actions.enable({"play", "step-forward", "step-back"}, playback_.can_play());
+    });
 }
 
 std::vector<widgets::TimelineTrack> TimelineDock::tracks() const {

@@ -2,19 +2,21 @@
 
 #include <QWidget>
 
+#include "app/gui/actions.h"
 #include "app/gui/playback.h"
 #include "widgets/timeline/timeline_panel.h"
 
 namespace ir::gui {
 
-/// Joins the timeline's panel to time as it passes.
+/// Joins the timeline's panel, and keys, to time as it passes.
 class TimelineDock : public QWidget {
     Q_OBJECT
   public:
-    TimelineDock(Session& session, LivePictures& live, Playback& playback, QWidget* parent = nullptr);
+    TimelineDock(Session& session, LivePictures& live, Playback& playback, Actions& actions);
     widgets::TimelinePanel& panel() { return *panel_; }
 
   private:
+    void add_actions(Actions& actions);
     void update_panel();
     std::vector<widgets::TimelineTrack> tracks() const;
 

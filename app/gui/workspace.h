@@ -95,7 +95,6 @@ class Workspace : public QObject {
     void cursor_moved(QPoint pixel);
     void picked(QPoint pixel);
     void explain_wanted(QPoint pixel);
-    void element_clicked(const std::string& owner, const std::string& buffer, qint64 element);
     /// Of the active view.
     void export_values_wanted();
     void linked_changed(bool linked);
@@ -165,7 +164,9 @@ class Workspace : public QObject {
     void connect_space(int view, widgets::SpacePane& space);
     void update_space(int view);
     void request_space(int view, const widgets::SpaceScene& scene, QSize device_px, int oversampling);
+    std::optional<widgets::BufferReader> values_of(int view, int layer) const;
     QString hover_text(int view, int layer, qint64 element) const;
+    void choose_items(int view, int layer, qint64 element);
     void on_scene_view(std::shared_ptr<const engine::SceneViewResult> result);
     std::vector<widgets::AvailableBuffer> spatial_buffers(const std::string& owner) const;
 

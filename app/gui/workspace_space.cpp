@@ -109,28 +109,43 @@ void Workspace::connect_space(int view, SpacePane& space) {
             [this, view, &space](int layer, qint64 element) {
                 space.view().set_hover_values(hover_text(view, layer, element));
             });
-    connect(&space.view(), &SpaceView::element_clicked, this, [this, view](int layer, qint64 element) {
-        const auto& layers = state(view).space.layers;
-        if (layer < 0 || layer >= int(layers.size()) || element < 0) return;
-        emit element_clicked(state(view).a.owner, layers[std::size_t(layer)].key, element);
-    });
+    connect(&space.view(), &SpaceView::element_clicked, this,
+            [this, view](int layer, qint64 element) { choose_items(view, layer, element); });
 }
 
-/// Values of the element under the cursor, where its buffer was sent.
-QString Workspace::hover_text(int view, int layer, qint64 element) const {
+/// Of a layer's elements, where its buffer was sent.
+std::optional<widgets::BufferReader> Workspace::values_of(int view, int layer) const {
     const auto& layers = state(view).space.layers;
     const auto result = live_.result(state(view).a.owner);
-    if (layer < 0 || layer >= int(layers.size()) || element < 0 || !result) return {};
+    if (layer < 0 || layer >= int(layers.size()) || !result) return {};
     const auto found = result->buffers.find(layers[std::size_t(layer)].key);
     if (found == result->buffers.end()) return {};
-    const widgets::BufferData data{
-        found->second.fields, found->second.elements, {result, &found->second.bytes}};
-    const widgets::BufferReader reader(data);
+    const auto& buffer = found->second;
+    return widgets::BufferReader({buffer.fields, buffer.elements, {result, &buffer.bytes}});
+}
+
+QString Workspace::hover_text(int view, int layer, qint64 element) const {
+    const auto values = values_of(view, layer);
+    if (!values || element < 0 || element >= qint64(values->elements())) return {};
     QStringList lines;
-    for (std::size_t i = 0; i < reader.scalars().size() && element < qint64(reader.elements()); ++i)
-        lines << QString::fromStdString(reader.scalars()[i].name + " " +
-                                        reader.text(std::uint64_t(element), i));
+    for (std::size_t i = 0; i < values->scalars().size(); ++i)
+        lines << QString::fromStdString(values->scalars()[i].name + " " +
+                                        values->text(std::uint64_t(element), i));
     return lines.join(QLatin1Char('\n'));
+}
+
+/// A click on a direction of the sphere, on a photon, chooses the item that it stands for.
+void Workspace::choose_items(int view, int layer, qint64 element) {
+    const auto values = values_of(view, layer);
+    if (!values || element < 0 || element >= qint64(values->elements())) return;
+    const std::string owner = state(view).a.owner;  // the view may change meanwhile
+    auto now = inspection(owner);
+    for (const auto& selector : selectors(owner))
+        for (std::size_t i = 0; i < values->scalars().size(); ++i)
+            if (const auto& field = values->scalars()[i];
+                field.name == selector.key && field.type != FieldType::f32)
+                now.chosen[selector.key] = int(values->value(std::uint64_t(element), i));
+    set_inspection(owner, now);
 }
 
 void Workspace::update_space(int view) {

@@ -66,7 +66,7 @@ class BenchmarksWindowTest : public testing::Test {
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
         ASSERT_TRUE(window.open_path("builtin:cornell"));
-        window.apply_layout("benchmarks");
+        window.docks().apply("benchmarks");
         window.benchmarks().choose("photon-mapping");
         QTest::qWait(50);
     }
@@ -199,7 +199,7 @@ TEST(Benchmarks, ATinyOneRunsOnAMachineOfItsOwn) {
     MainWindow window{renderer, fake_registry(), {.remember = false}};
     window.show();
     ASSERT_TRUE(window.open_path("builtin:cornell"));
-    window.apply_layout("benchmarks");
+    window.docks().apply("benchmarks");
     auto& dock = window.benchmarks();
     dock.choose("view-normals-defaults");
     dock.panel().findChild<QSpinBox*>("repeats")->setValue(1);

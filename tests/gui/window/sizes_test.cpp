@@ -55,9 +55,9 @@ TEST_F(SizesTest, FourViewsInSpaceFitTheSmallestScreen) {
 /// 1920×1200 at twice the scale.
 TEST_F(SizesTest, OnASmallScreenPanelsOfBothSidesStandBehindEachOther) {
     const QRect available(0, 0, 960, 600);
-    window.fit(available);
+    window.docks().fit(available);
     show_four("cloud");
-    window.apply_layout("default");
+    window.docks().apply("default");
     trigger("views-4");
     for (int view = 0; view < 4; ++view) window.workspace().area().set_active(view);
     ASSERT_TRUE(settle());
@@ -65,8 +65,8 @@ TEST_F(SizesTest, OnASmallScreenPanelsOfBothSidesStandBehindEachOther) {
     auto* buffers = window.findChild<QDockWidget*>("buffers");
     EXPECT_FALSE(buffers->isHidden());
     EXPECT_EQ(window.dockWidgetArea(buffers), Qt::LeftDockWidgetArea);
-    window.fit(QRect(0, 0, 1920, 1200));
-    window.apply_layout("default");
+    window.docks().fit(QRect(0, 0, 1920, 1200));
+    window.docks().apply("default");
     EXPECT_EQ(window.dockWidgetArea(buffers), Qt::RightDockWidgetArea);
 }
 
@@ -74,7 +74,7 @@ TEST_F(WindowTest, ASmallScreenHasAnArrangementOfItsOwn) {
     const QRect small(0, 0, 960, 600), large(0, 0, 1920, 1200);
     const auto dock = [](MainWindow& of, const char* name) { return of.findChild<QDockWidget*>(name); };
     const auto area = [&] { return window.dockWidgetArea(dock(window, "buffers")); };
-    window.fit(small);
+    window.docks().fit(small);
     open_scene();  // after the start
     trigger("views-4");
     for (int view = 0; view < 4; ++view) {
@@ -86,18 +86,18 @@ TEST_F(WindowTest, ASmallScreenHasAnArrangementOfItsOwn) {
     EXPECT_LE(window.minimumSizeHint().width(), small.width());
     EXPECT_LE(window.minimumSizeHint().height(), 570);
     dock(window, "timings")->hide();
-    window.fit(large);
+    window.docks().fit(large);
     EXPECT_EQ(area(), Qt::RightDockWidgetArea);
     EXPECT_FALSE(dock(window, "timings")->isHidden());
     EXPECT_EQ(window.workspace().area().open_views().size(), 4u) << "views stay";
-    window.fit(small);
+    window.docks().fit(small);
     EXPECT_EQ(area(), Qt::LeftDockWidgetArea);
     EXPECT_TRUE(dock(window, "timings")->isHidden());
 
     for (const bool begins : {true, false}) {
         FakeRenderer another_renderer;
         MainWindow another(another_renderer, fake_registry(), {.remember = true});
-        another.fit(small);
+        another.docks().fit(small);
         ASSERT_TRUE(another.open_path("builtin:cornell"));
         EXPECT_EQ(dock(another, "timings")->isHidden(), !begins) << "remembered";
         dock(another, "timings")->hide();
@@ -154,7 +154,7 @@ TEST_F(WindowTest, OpensWithinTheScreen) {
 /// With the parameters of the methods that come with the program.
 TEST_F(WindowTest, ParametersNeverScrollSideways) {
     open_scene();
-    window.apply_layout("default");
+    window.docks().apply("default");
     auto* scroll = qobject_cast<QScrollArea*>(window.findChild<QDockWidget*>("parameters")->widget());
     ASSERT_TRUE(scroll);
     auto* panel = scroll->findChild<widgets::ParameterPanel*>();

@@ -234,12 +234,12 @@ TEST_F(WindowTest, DocksUndockAndRedockAndTheDefaultLayoutComesBack) {
 
 TEST_F(WindowTest, LayoutsAreNamed) {
     open_scene();
-    window.apply_layout("picture");
+    window.docks().apply("picture");
     EXPECT_FALSE(window.findChild<QDockWidget*>("messages")->isVisible());
-    window.apply_layout("inspect");
+    window.docks().apply("inspect");
     EXPECT_TRUE(window.findChild<QDockWidget*>("inspector")->isVisible());
     EXPECT_FALSE(window.findChild<QDockWidget*>("timings")->isVisible());
-    EXPECT_THROW(window.apply_layout("nonsense"), UsageError);
+    EXPECT_THROW(window.docks().apply("nonsense"), UsageError);
 }
 
 TEST_F(WindowTest, KeysBringACoveredPanelForwardAndHideTheOneInFront) {

@@ -1,8 +1,9 @@
+#include "app/gui/project_banners.h"
+
 #include <QFileDialog>
 #include <QMessageBox>
 
 #include "app/gui/dialog_folder.h"
-#include "app/gui/main_window.h"
 #include "projects/scene_files.h"
 
 namespace ir::gui {
@@ -17,37 +18,45 @@ projects::EditPtr no_edit() {
 
 }  // namespace
 
-void MainWindow::update_project_banners() {
+ProjectBanners::ProjectBanners(QWidget& window, Session& session, LivePictures& live,
+                               widgets::BannerStack& banners)
+    : window_(window), session_(session), live_(live), banners_(banners) {
+    connect(&session_, &Session::document_changed, this, &ProjectBanners::update_scene);
+    connect(&session_, &Session::files_changed, this, &ProjectBanners::update_scene);
+    connect(&session_, &Session::experiment_selected, this, &ProjectBanners::update_picture);
+    connect(&live_, &LivePictures::state_changed, this, &ProjectBanners::update_picture);
+}
+
+void ProjectBanners::update() {
     for (const char* name : {"read-only", "recovery", "scene", "check", "sample"})
-        banners_->hide_banner(QLatin1String(name));
+        banners_.hide_banner(QLatin1String(name));
     if (!session_.has_project()) return;
     const auto& project = session_.open_project();
     if (project.is_read_only())
-        banners_->show_banner(
-            QStringLiteral("read-only"), Kind::warning,
-            tr("Read-only: %1").arg(QString::fromStdString(project.read_only_reason())),
-            {{tr("Save as …"), [this] { save_as(); }},
-             {tr("Take over …"),
-              [this] {
-                  if (QMessageBox::question(this, tr("Take over"),
-                                            tr("Open for writing although another process holds the "
-                                               "project? Its unsaved changes may be lost.")) ==
-                      QMessageBox::Yes)
-                      session_.break_lock(), update_project_banners();
-              }}},
-            false);
+        banners_.show_banner(QStringLiteral("read-only"), Kind::warning,
+                             tr("Read-only: %1").arg(QString::fromStdString(project.read_only_reason())),
+                             {{tr("Save as …"), [this] { emit save_as_wanted(); }},
+                              {tr("Take over …"), [this] { take_over(); }}},
+                             false);
     if (project.recovery())
-        banners_->show_banner(
-            QStringLiteral("recovery"), Kind::warning, QString::fromStdString(project.recovery()->summary),
-            {{tr("Recover"), [this] { session_.take_recovery(), update_project_banners(); }},
-             {tr("Discard"), [this] { session_.discard_recovery(), update_project_banners(); }}},
-            false);
-    update_scene_banner();
+        banners_.show_banner(QStringLiteral("recovery"), Kind::warning,
+                             QString::fromStdString(project.recovery()->summary),
+                             {{tr("Recover"), [this] { session_.take_recovery(), update(); }},
+                              {tr("Discard"), [this] { session_.discard_recovery(), update(); }}},
+                             false);
+    update_scene();
+}
+
+void ProjectBanners::take_over() {
+    const auto answer = QMessageBox::question(&window_, tr("Take over"),
+                                              tr("Open for writing although another process holds the "
+                                                 "project? Its unsaved changes may be lost."));
+    if (answer == QMessageBox::Yes) session_.break_lock(), update();
 }
 
 /// The first scene of the document that is missing or has changed; missing ones first.
-void MainWindow::update_scene_banner() {
-    banners_->hide_banner(QStringLiteral("scene"));
+void ProjectBanners::update_scene() {
+    banners_.hide_banner(QStringLiteral("scene"));
     if (!session_.has_project()) return;
     const auto& open = session_.open_project();
     for (const auto wanted : {projects::FileState::missing, projects::FileState::changed})
@@ -58,20 +67,21 @@ void MainWindow::update_scene_banner() {
                 const QString source = QString::fromStdString(status.source);
                 const auto locate = [this, id = scene.id, i] { locate_scene(id, i); };
                 if (wanted == projects::FileState::missing)
-                    return banners_->show_banner(
+                    return banners_.show_banner(
                         QStringLiteral("scene"), Kind::error,
                         tr("The scene %1 is missing. The experiments that use it are kept.").arg(source),
                         {{tr("Locate …"), locate}}, false);
-                return banners_->show_banner(
+                return banners_.show_banner(
                     QStringLiteral("scene"), Kind::warning,
                     tr("The scene %1 has changed since the project was saved.").arg(source),
                     {{tr("Accept"), [this, id = scene.id] { accept_scene(id); }}, {tr("Locate …"), locate}});
             }
 }
 
-void MainWindow::locate_scene(const std::string& id, std::size_t part) {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Locate the scene"), dialog_folder(session_),
-                                                      tr("Scenes (*.gltf *.glb);;All files (*)"));
+void ProjectBanners::locate_scene(const std::string& id, std::size_t part) {
+    const QString file =
+        QFileDialog::getOpenFileName(&window_, tr("Locate the scene"), dialog_folder(session_),
+                                     tr("Scenes (*.gltf *.glb);;All files (*)"));
     if (file.isEmpty()) return;
     remember_folder_of(file);
     session_.edit([&](const projects::Project& project) {
@@ -81,10 +91,10 @@ void MainWindow::locate_scene(const std::string& id, std::size_t part) {
             project, projects::located(*scene, part, file.toStdString(), session_.open_project().folder()));
     });
     session_.look_at_files();
-    update_scene_banner();
+    update_scene();
 }
 
-void MainWindow::accept_scene(const std::string& id) {
+void ProjectBanners::accept_scene(const std::string& id) {
     session_.edit([&](const projects::Project& project) {
         const auto& open = session_.open_project();
         const auto* scene = projects::find_item(project.scenes, id);
@@ -92,18 +102,18 @@ void MainWindow::accept_scene(const std::string& id) {
         return projects::edits::change_scene(
             project, projects::with_current_hashes(*scene, open.folder(), &open.contents()));
     });
-    update_scene_banner();
+    update_scene();
 }
 
-void MainWindow::update_state_banner() {
+void ProjectBanners::update_picture() {
     using State = LivePictures::State;
     const auto* chosen = session_.experiment();
     const auto state = chosen ? live_.state(chosen->id) : State::absent;
     if (state == State::failed || state == State::blocked)
-        banners_->show_banner(QStringLiteral("render"), Kind::error,
-                              QString::fromStdString(live_.text(chosen->id)));
+        banners_.show_banner(QStringLiteral("render"), Kind::error,
+                             QString::fromStdString(live_.text(chosen->id)));
     else
-        banners_->hide_banner(QStringLiteral("render"));
+        banners_.hide_banner(QStringLiteral("render"));
 }
 
 }  // namespace ir::gui

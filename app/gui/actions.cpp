@@ -1,0 +1,64 @@
+#include "app/gui/actions.h"
+
+#include <QAction>
+#include <QWidget>
+#include <utility>
+
+#include "app/gui/session.h"
+#include "widgets/style/icons.h"
+
+namespace ir::gui {
+
+QAction* Actions::add(const QString& name, const QString& text, const char* icon,
+                      const QList<QKeySequence>& keys, std::function<void()> run) {
+    auto* action = new QAction(text, &window_);
+    action->setObjectName(name);
+    if (icon) action->setIcon(widgets::icon(icon));
+    action->setShortcuts(keys);
+    QString tip = text;
+    tip.remove(QLatin1Char('&'));
+    if (!keys.isEmpty()) tip += QStringLiteral(" (%1)").arg(keys.front().toString(QKeySequence::NativeText));
+    action->setToolTip(tip);
+    QObject::connect(action, &QAction::triggered, action, [run = std::move(run)] { run(); });
+    window_.addAction(action);
+    by_name_.insert(name, action);
+    in_order_ << action;
+    return action;
+}
+
+QAction* Actions::add_switch(const QString& name, const QString& text, const char* icon,
+                             const QList<QKeySequence>& keys, bool on, std::function<void(bool)> run) {
+    auto* action = add(name, text, icon, keys, [] {});
+    action->setCheckable(true);
+    action->setChecked(on);
+    QObject::connect(action, &QAction::toggled, action, std::move(run));
+    return action;
+}
+
+void Actions::enable(std::initializer_list<const char*> names, bool enabled) const {
+    for (const char* name : names) find(QLatin1String(name))->setEnabled(enabled);
+}
+
+void Actions::fill(QWidget* bar, std::initializer_list<const char*> names) const {
+    for (const char* name : names) {
+        auto* action = *name ? find(QLatin1String(name)) : new QAction(bar);
+        if (!*name) action->setSeparator(true);
+        bar->addAction(action);
+    }
+}
+
+void set_reason(QAction& action, const QString& why_not) {
+    const auto help = action.data().toString();
+    action.setEnabled(why_not.isEmpty());
+    action.setToolTip(why_not.isEmpty() ? help : QStringLiteral("%1.\n%2").arg(help, why_not));
+}
+
+void enable_with_experiment(const Session& session, const QList<QAction*>& actions) {
+    const auto update = [&session, actions] {
+        for (auto* action : actions) action->setEnabled(session.experiment() != nullptr);
+    };
+    follow(session, actions.front(), update);
+    update();
+}
+
+}  // namespace ir::gui

@@ -1,0 +1,237 @@
+#include "app/gui/dock_layout.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QScreen>
+#include <QSettings>
+#include <QStyle>
+#include <QTabWidget>
+#include <utility>
+
+#include "app/gui/actions.h"
+#include "app/gui/window_geometry.h"
+#include "renderers/core/error.h"
+#include "widgets/views/view_area.h"
+
+namespace ir::gui {
+namespace {
+
+/// Of remembered arrangements; that of small screens is another one.
+const QString docks_key = QStringLiteral("window/docks"),
+              small_docks_key = QStringLiteral("window/small-docks"),
+              geometry_key = QStringLiteral("window/geometry");
+
+const QString toggle_prefix = QStringLiteral("dock-");
+
+struct Layout {
+    const char* name;
+    QStringList docks;  ///< that are shown
+};
+
+const QList<Layout>& layouts() {
+    static const QList<Layout> all = {
+        {"default",
+         {"parameters", "project", "display", "scene", "buffers", "inspector", "explain", "metrics",
+          "timings", "messages", "results", "plots", "timeline", "benchmarks"}},
+        {"picture", {}},
+        {"parameters", {"parameters"}},
+        {"compare", {"display", "metrics"}},
+        {"results", {"results"}},
+        {"plots", {"plots"}},
+        {"timeline", {"timeline"}},
+        {"benchmarks", {"benchmarks"}},
+        {"inspect", {"display", "inspector", "buffers", "explain"}},
+        {"project", {"project"}},
+        {"scene", {"parameters", "scene"}},
+    };
+    return all;
+}
+
+bool is_in_front(const QDockWidget* dock) {
+    return dock && dock->isVisible() && !dock->visibleRegion().isEmpty();
+}
+
+void focus_into(QWidget* content) {
+    for (auto* child : content->findChildren<QWidget*>())
+        if (child->isVisible() && child->isEnabled() && (child->focusPolicy() & Qt::TabFocus))
+            return child->setFocus(Qt::ShortcutFocusReason);
+    content->setFocus(Qt::ShortcutFocusReason);
+}
+
+/// toggleViewAction() knows of hidden panels alone, not of those that a tab covers.
+void toggle(QDockWidget* dock) {
+    if (is_in_front(dock)) return dock->hide();
+    dock->show();
+    dock->raise();
+    focus_into(dock->widget());
+}
+
+}  // namespace
+
+DockLayout::DockLayout(QMainWindow& window, widgets::ViewArea& views, Actions& actions)
+    : window_(window), views_(views), actions_(actions) {
+    window_.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
+                           QMainWindow::AllowNestedDocks);
+    window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+}
+
+void DockLayout::add(const QString& name, const QString& title, QWidget* content, const QKeySequence& key) {
+    auto* dock = new QDockWidget(title, &window_);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    window_.addDockWidget(Qt::RightDockWidgetArea, dock);
+    auto* show = actions_.add(toggle_prefix + name, tr("Show %1").arg(title), nullptr, {key},
+                              [this, dock] { toggle(dock), look(); });
+    show->setCheckable(true);
+    connect(dock, &QDockWidget::visibilityChanged, this, &DockLayout::look);
+}
+
+QDockWidget* DockLayout::dock(const QString& name) const {
+    return window_.findChild<QDockWidget*>(name);
+}
+
+QList<QDockWidget*> DockLayout::docks() const {
+    return window_.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
+}
+
+QAction* DockLayout::toggle_of(const QDockWidget* dock) const {
+    return actions_.find(toggle_prefix + dock->objectName());
+}
+
+bool DockLayout::is_seen(const QString& name) const {
+    return is_in_front(dock(name));
+}
+
+void DockLayout::raise(const QString& name) const {
+    dock(name)->show();
+    dock(name)->raise();
+}
+
+void DockLayout::fill(QMenu* menu) const {
+    for (const auto* each : docks()) menu->addAction(toggle_of(each));
+}
+
+void DockLayout::look() {
+    const auto check = [this] {
+        emit seen_changed();
+        for (const auto* dock : docks()) toggle_of(dock)->setChecked(is_in_front(dock));
+    };
+    QMetaObject::invokeMethod(this, check, Qt::QueuedConnection);
+}
+
+void DockLayout::restore_default() {
+    arrange();
+    views_.arrange(widgets::ViewArea::Arrangement::one);
+}
+
+void DockLayout::arrange() {
+    is_hidden_ = false;
+    for (auto* each : docks()) {
+        each->setFloating(false);
+        window_.removeDockWidget(each);
+    }
+    const auto dock = [this](const char* name) { return this->dock(QLatin1String(name)); };
+    const auto tabify = [&](const char* first, const char* second) {
+        window_.tabifyDockWidget(dock(first), dock(second));
+    };
+    const auto begin_group = [&](const char* name, const char* before) {
+        if (is_cramped_) return tabify(before, name);
+        window_.addDockWidget(Qt::RightDockWidgetArea, dock(name));
+    };
+    window_.addDockWidget(Qt::LeftDockWidgetArea, dock("parameters"));
+    tabify("parameters", "project");
+    begin_group("display", "project");
+    tabify("display", "scene");
+    begin_group("buffers", "scene");
+    tabify("buffers", "inspector");
+    tabify("inspector", "explain");
+    tabify("explain", "metrics");
+    begin_group("timings", "metrics");
+    window_.addDockWidget(Qt::BottomDockWidgetArea, dock("messages"));
+    tabify("messages", "results");
+    tabify("results", "plots");
+    tabify("plots", "timeline");
+    tabify("timeline", "benchmarks");
+    for (auto* each : docks()) each->show();
+    for (const char* front : {"display", "buffers", "parameters", "messages"}) dock(front)->raise();
+    window_.resizeDocks({dock("parameters"), dock("buffers")}, {350, 400}, Qt::Horizontal);
+    window_.resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
+    window_.resizeDocks({dock("messages")}, {110}, Qt::Vertical);
+}
+
+QStringList DockLayout::names() {
+    QStringList names;
+    for (const auto& layout : layouts()) names << QLatin1String(layout.name);
+    return names;
+}
+
+void DockLayout::apply(const QString& name) {
+    for (const auto& layout : layouts()) {
+        if (name != QLatin1String(layout.name)) continue;
+        restore_default();
+        for (auto* each : docks()) each->setVisible(layout.docks.contains(each->objectName()));
+        if (name == QLatin1String("plots") || name == QLatin1String("benchmarks"))
+            window_.resizeDocks({dock(name)}, {window_.height() / 2}, Qt::Vertical);
+        return show(has_project_);
+    }
+    throw UsageError("unknown layout '" + name.toStdString() + "'; known are " +
+                     names().join(QStringLiteral(", ")).toStdString());
+}
+
+QByteArray DockLayout::arrangement() const {
+    return is_hidden_ ? hidden_ : window_.saveState(dock_version);
+}
+
+void DockLayout::set_cramped(bool cramped) {
+    if (cramped == is_cramped_) return;
+    is_cramped_ = cramped;
+    const auto own = std::exchange(other_, arrangement());
+    arrange();
+    window_.restoreState(own, dock_version);
+    show(has_project_);
+}
+
+void DockLayout::show(bool shown) {
+    has_project_ = shown;
+    if (shown == !is_hidden_) return;
+    is_hidden_ = !shown;
+    if (shown) {
+        window_.restoreState(hidden_, dock_version);
+        return;
+    }
+    hidden_ = window_.saveState(dock_version);
+    for (auto* each : docks()) each->hide();
+}
+
+void DockLayout::restore() {
+    const QSettings settings;
+    window_.restoreGeometry(settings.value(geometry_key).toByteArray());
+    window_.restoreState(settings.value(docks_key).toByteArray(), dock_version);
+    other_ = settings.value(small_docks_key).toByteArray();
+    fit_screen();
+}
+
+void DockLayout::remember() const {
+    QSettings settings;
+    settings.setValue(geometry_key, window_.saveGeometry());
+    settings.setValue(docks_key, is_cramped_ ? other_ : arrangement());
+    settings.setValue(small_docks_key, is_cramped_ ? arrangement() : other_);
+}
+
+void DockLayout::fit_screen() {
+    fit(window_.screen()->availableGeometry());
+}
+
+void DockLayout::fit(const QRect& available) {
+    const int title_bar = window_.style()->pixelMetric(QStyle::PM_TitleBarHeight);
+    const QSize room = available.adjusted(0, title_bar, 0, 0).size();
+    set_cramped(least_for_all_panels.boundedTo(room) != least_for_all_panels);
+    if (!window_.isMaximized() && !window_.isFullScreen())
+        window_.setGeometry(within(window_.geometry(), available, title_bar));
+}
+
+}  // namespace ir::gui

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QByteArray>
+#include <QObject>
+#include <QStringList>
+
+class QAction;
+class QDockWidget;
+class QKeySequence;
+class QMainWindow;
+class QMenu;
+class QRect;
+class QWidget;
+
+namespace ir::widgets {
+class ViewArea;
+}
+
+namespace ir::gui {
+
+class Actions;
+
+/// Bumped when docks are added or renamed, so that a remembered arrangement of other docks is not applied.
+inline constexpr int dock_version = 7;
+
+/// The window's docks: how they are arranged, on large and on small screens, and what is remembered of that.
+class DockLayout : public QObject {
+    Q_OBJECT
+  public:
+    DockLayout(QMainWindow& window, widgets::ViewArea& views, Actions& actions);
+    /// With an action "dock-NAME" that shows and hides it.
+    void add(const QString& name, const QString& title, QWidget* content, const QKeySequence& key);
+    /// Shown, and neither hidden nor covered by another tab.
+    bool is_seen(const QString& name) const;
+    void raise(const QString& name) const;
+    void fill(QMenu* menu) const;  ///< with the actions that show and hide docks
+
+    /// The default arrangement, with one view.
+    void restore_default();
+    static QStringList names();
+    /// An arrangement by its name. Throws UsageError that lists the known ones.
+    void apply(const QString& name);
+    /// The welcome page stands alone; with a project the docks come back as they were.
+    void show(bool shown);
+    /// Arranges the window for what a screen has for windows. One that has less than least_for_all_panels
+    /// (window_geometry.h) has an arrangement of its own: the panels of both sides stand behind each other,
+    /// so that four views of whatever project find room beside them.
+    void fit(const QRect& available);
+    void fit_screen();  ///< fit() for the screen that the window is on
+    void restore();     ///< what remember() has written, in this run or before
+    void remember() const;
+
+  signals:
+    /// Other docks may be seen now.
+    void seen_changed();
+
+  private:
+    QDockWidget* dock(const QString& name) const;
+    QList<QDockWidget*> docks() const;
+    QAction* toggle_of(const QDockWidget* dock) const;
+    void look();  ///< soon: visibility changes in the middle of rearrangements
+    void arrange();
+    QByteArray arrangement() const;  ///< as it is with a project
+    void set_cramped(bool cramped);
+
+    QMainWindow& window_;
+    widgets::ViewArea& views_;
+    Actions& actions_;
+    QByteArray hidden_;  ///< the arrangement while the welcome page is shown
+    QByteArray other_;   ///< that of small screens on a large one, and the other way round
+    bool has_project_ = false, is_hidden_ = false, is_cramped_ = false;
+};
+
+}  // namespace ir::gui

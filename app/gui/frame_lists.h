@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <map>
+#include <string>
+
+#include "app/gui/workspace.h"
+#include "widgets/panels/rows_panel.h"
+
+namespace ir::gui {
+
+/// What the newest frame of the chosen experiment consists of: its buffers, and times and counters of its
+/// passes. A click on a buffer shows it.
+class FrameLists : public QObject {
+    Q_OBJECT
+  public:
+    FrameLists(Session& session, LivePictures& live, Workspace& workspace);
+    widgets::RowsPanel& buffers() { return *buffers_; }
+    QWidget& timings() { return *timings_and_counters_; }
+
+  private:
+    void clear();
+    void update();
+
+    Session& session_;
+    LivePictures& live_;
+    Workspace& workspace_;
+    widgets::RowsPanel *buffers_, *timings_, *counters_;
+    QWidget* timings_and_counters_;
+    std::map<std::string, QImage> thumbnails_;
+};
+
+}  // namespace ir::gui

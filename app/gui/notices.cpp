@@ -1,0 +1,28 @@
+#include "app/gui/notices.h"
+
+#include <exception>
+
+namespace ir::gui {
+
+using Kind = widgets::BannerStack::Kind;
+
+void Notices::fail(const QString& banner, const std::string& source, const QString& error) {
+    add({Severity::error, source, error.toStdString()});
+    banners_.show_banner(banner, Kind::error, error);
+}
+
+bool Notices::attempt(const std::function<void()>& work, const QString& what) {
+    const auto banner = QStringLiteral("file");
+    try {
+        work();
+        banners_.hide_banner(banner);
+        return true;
+    } catch (const std::exception& error) {
+        add({Severity::error, "project", error.what()});
+        banners_.show_banner(banner, Kind::error,
+                             QStringLiteral("%1: %2").arg(what, QString::fromUtf8(error.what())));
+        return false;
+    }
+}
+
+}  // namespace ir::gui

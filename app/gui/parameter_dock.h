@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QScrollArea>
+
+#include "app/gui/notices.h"
+#include "app/gui/scene_shelf.h"
+#include "widgets/parameters/experiment_panel.h"
+#include "widgets/parameters/parameter_panel.h"
+
+namespace ir::gui {
+
+/// The experiment that is worked on: what it is made of and its method's parameters, joined to the session.
+class ParameterDock : public QScrollArea {
+    Q_OBJECT
+  public:
+    ParameterDock(Session& session, SceneShelf& scenes, Notices& notices);
+    /// Of the button beside the experiment's name.
+    void set_menu(QMenu* menu) { experiment_->set_menu(menu); }
+    /// A camera of the scene's file, by way of a camera of the document that stands for it.
+    void use_scene_camera(const QString& name);
+
+  private:
+    void connect_experiment();
+    void connect_parameters();
+    void choose_method(const QString& method);
+    void choose_camera(const QString& id);
+    void update_panels();
+    widgets::ExperimentFields fields() const;
+    /// An edit of the experiment: `make` gets the document and the experiment's id.
+    template <class Make>
+    bool edit(Make make) {
+        const auto* chosen = session_.experiment();
+        const std::string id = chosen ? chosen->id : std::string();
+        return session_.edit([&](const projects::Project& project) { return make(project, id); });
+    }
+
+    Session& session_;
+    SceneShelf& scenes_;
+    Notices& notices_;
+    widgets::ExperimentPanel* experiment_;
+    widgets::ParameterPanel* parameters_;
+};
+
+}  // namespace ir::gui
