@@ -1,6 +1,6 @@
 # Writes LIST, a script that adds one entry of ctest for each suite of the GoogleTest program PROGRAM; where several
 # tests of a suite share parameters, one for each parameter. A process per test would make contexts, shaders and scenes
-# anew each time.
+# anew each time. LAUNCHER, where it is not empty, starts the program.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE ";" "," listing "${listing}")
@@ -8,7 +8,7 @@ string(REPLACE "\n" ";" lines "${listing}")
 set(script "")
 
 function(add_entry name filter)
-  string(APPEND script "add_test([=[${PREFIX}${name}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${filter}]=] --gtest_brief=1)\n"
+  string(APPEND script "add_test([=[${PREFIX}${name}]=] ${LAUNCHER} [=[${PROGRAM}]=] [=[--gtest_filter=${filter}]=] --gtest_brief=1)\n"
                        "set_tests_properties([=[${PREFIX}${name}]=] PROPERTIES ${PROPERTIES})\n")
   set(script "${script}" PARENT_SCOPE)
 endfunction()

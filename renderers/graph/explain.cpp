@@ -38,32 +38,54 @@ std::vector<std::string> joined(std::vector<std::string> patterns, const std::ve
     return patterns;
 }
 
+/// Some passes of the committed frame again, on its contents.
+class Explanation {
+  public:
+    explicit Explanation(Frame& frame) : frame_(frame) {}
+    /// Graph::explain().
+    bool run_again(const std::vector<std::string>& wanted);
+
+  private:
+    struct Again {
+        Plan before;               ///< what the committed frame holds
+        std::vector<bool> passes;  ///< that run, of the frame's plan
+    };
+    std::optional<Again> plan_again(const std::vector<std::string>& wanted);
+    bool may_run_again(const Pass& pass, std::size_t index, const Again& again) const;
+    bool is_held(const Pass::Access& access, const Plan& before) const;
+    bool has_known_counts(const Again& again) const;
+    void run_passes_again(const Again& again);
+    void allocate_again(const Again& again);
+    void report_what_is_left();
+    Frame& frame_;
+};
+
 }  // namespace
 
 /// Whether the resource is in the pool as the committed frame left it.
-bool Frame::is_held(const Pass::Access& access, const Plan& before) const {
+bool Explanation::is_held(const Pass::Access& access, const Plan& before) const {
     if (access.kind == Kind::object)
-        return cache.objects.count(builder->objects()[access.index].text.key) > 0;
+        return frame_.cache.objects.count(frame_.builder->objects()[access.index].text.key) > 0;
     if (access.kind == Kind::image) {
-        const auto& desc = builder->images()[access.index];
-        const auto* physical = cache.pool.find(desc.text.key);
-        return physical && physical->is_image && physical->shape == resolve(desc, inputs->view) &&
+        const auto& desc = frame_.builder->images()[access.index];
+        const auto* physical = frame_.cache.pool.find(desc.text.key);
+        return physical && physical->is_image && physical->shape == resolve(desc, frame_.inputs->view) &&
                physical->history == before.image_history[access.index] && physical->has_contents();
     }
-    const auto& desc = builder->buffers()[access.index];
-    const auto* physical = cache.pool.find(desc.text.key);
+    const auto& desc = frame_.builder->buffers()[access.index];
+    const auto* physical = frame_.cache.pool.find(desc.text.key);
     return physical && !physical->is_image &&
            physical->element_bytes == static_cast<std::uint64_t>(stride(desc)) &&
-           physical->capacity == capacity_of(desc) &&
+           physical->capacity == frame_.capacity_of(desc) &&
            physical->history == before.buffer_history[access.index] && physical->has_contents();
 }
 
-bool Frame::may_run_again(const Pass& pass, std::size_t index, const Again& again) const {
+bool Explanation::may_run_again(const Pass& pass, std::size_t index, const Again& again) const {
     const auto& before = again.before;
     for (const auto& access : pass.accesses) {
         if (access.write) {
             // Running again must neither change what the frame computed nor what the next one builds on.
-            if (is_live(before, access) || has_history(plan, access)) return false;
+            if (is_live(before, access) || has_history(frame_.plan, access)) return false;
             continue;
         }
         if (!is_live(before, access)) continue;  // made by a pass that runs again, too
@@ -72,27 +94,27 @@ bool Frame::may_run_again(const Pass& pass, std::size_t index, const Again& agai
             if (!has_history(before, access)) return false;
             continue;
         }
-        for (std::size_t later = index + 1; later < builder->passes().size(); ++later)
+        for (std::size_t later = index + 1; later < frame_.builder->passes().size(); ++later)
             if (before.pass_live[later])
-                for (const auto& other : builder->passes()[later].accesses)
+                for (const auto& other : frame_.builder->passes()[later].accesses)
                     if (other.write && other.kind == access.kind && other.index == access.index) return false;
     }
     return true;
 }
 
-bool Frame::has_known_counts(const Again& again) const {
-    std::vector<bool> known(builder->counters().size());
-    for (std::size_t i = 0; i < builder->passes().size(); ++i) {
-        const auto& pass = builder->passes()[i];
+bool Explanation::has_known_counts(const Again& again) const {
+    std::vector<bool> known(frame_.builder->counters().size());
+    for (std::size_t i = 0; i < frame_.builder->passes().size(); ++i) {
+        const auto& pass = frame_.builder->passes()[i];
         if (!again.before.pass_live[i] || pass.counters.empty()) continue;
-        const auto counted = cache.counts_of_passes.find(pass.name);
-        if (counted == cache.counts_of_passes.end() || counted->second.size() != pass.counters.size())
+        const auto counted = frame_.cache.counts_of_passes.find(pass.name);
+        if (counted == frame_.cache.counts_of_passes.end() || counted->second.size() != pass.counters.size())
             return false;
         for (const auto counter : pass.counters) known[counter.index] = true;
     }
     // A counter starts at zero: what adds to one of the frame's own would count wrongly.
-    for (std::size_t i = 0; i < builder->passes().size(); ++i)
-        for (const auto counter : builder->passes()[i].counters)
+    for (std::size_t i = 0; i < frame_.builder->passes().size(); ++i)
+        for (const auto counter : frame_.builder->passes()[i].counters)
             if (again.passes[i] && known[counter.index]) return false;
     return true;
 }
@@ -112,21 +134,21 @@ void Frame::remember_committed(std::vector<std::string> wanted) {
     }
 }
 
-std::optional<Frame::Again> Frame::plan_again(const std::vector<std::string>& wanted) {
-    const auto explains = explanations(method->description);
+std::optional<Explanation::Again> Explanation::plan_again(const std::vector<std::string>& wanted) {
+    const auto explains = explanations(frame_.method->description);
     Again again;
-    again.before = make_plan(*builder, cache.committed, explains);
-    const auto all = joined(cache.committed, wanted);
+    again.before = make_plan(*frame_.builder, frame_.cache.committed, explains);
+    const auto all = joined(frame_.cache.committed, wanted);
     // Explanations that nobody asks for any more are left alone.
     std::vector<std::string> unwanted;
     for (const auto& key : explains)
         if (std::none_of(wanted.begin(), wanted.end(),
                          [&](const auto& pattern) { return matches(pattern, key); }))
             unwanted.push_back(key);
-    plan = make_plan(*builder, all, unwanted);
-    const auto& passes = builder->passes();
+    frame_.plan = make_plan(*frame_.builder, all, unwanted);
+    const auto& passes = frame_.builder->passes();
     for (std::size_t i = 0; i < passes.size(); ++i)
-        again.passes.push_back(plan.pass_live[i] && !again.before.pass_live[i]);
+        again.passes.push_back(frame_.plan.pass_live[i] && !again.before.pass_live[i]);
     for (std::size_t i = 0; i < passes.size(); ++i)
         if (again.passes[i] && !may_run_again(passes[i], i, again)) return {};
     // What a pass of the frame itself writes cannot be had anew.
@@ -136,49 +158,50 @@ std::optional<Frame::Again> Frame::plan_again(const std::vector<std::string>& wa
                 return true;
         return false;
     };
-    if (asked_of_frame(builder->images(), again.before.image_live) ||
-        asked_of_frame(builder->buffers(), again.before.buffer_live) || !has_known_counts(again) ||
-        !fits(plan_memory()))
+    if (asked_of_frame(frame_.builder->images(), again.before.image_live) ||
+        asked_of_frame(frame_.builder->buffers(), again.before.buffer_live) || !has_known_counts(again) ||
+        !frame_.fits(frame_.plan_memory()))
         return {};
     return again;
 }
 
-void Frame::allocate_again(const Again& again) {
-    cache.pool.begin_attempt();
-    cache.buffer_descs.clear();
-    for (const auto& desc : builder->buffers()) cache.buffer_descs[desc.text.key] = desc;
-    images.assign(builder->images().size(), nullptr);
-    buffers.assign(builder->buffers().size(), nullptr);
-    for (std::size_t i = 0; i < images.size(); ++i) {
-        const auto& desc = builder->images()[i];
+void Explanation::allocate_again(const Again& again) {
+    frame_.cache.pool.begin_attempt();
+    frame_.cache.buffer_descs.clear();
+    for (const auto& desc : frame_.builder->buffers()) frame_.cache.buffer_descs[desc.text.key] = desc;
+    frame_.images.assign(frame_.builder->images().size(), nullptr);
+    frame_.buffers.assign(frame_.builder->buffers().size(), nullptr);
+    for (std::size_t i = 0; i < frame_.images.size(); ++i) {
+        const auto& desc = frame_.builder->images()[i];
         if (again.before.image_live[i])
-            images[i] = cache.pool.find(desc.text.key);
-        else if (plan.image_live[i])
-            images[i] = &cache.pool.image(desc.text.key, desc.text.label, resolve(desc, inputs->view), false);
+            frame_.images[i] = frame_.cache.pool.find(desc.text.key);
+        else if (frame_.plan.image_live[i])
+            frame_.images[i] = &frame_.cache.pool.image(desc.text.key, desc.text.label,
+                                                        resolve(desc, frame_.inputs->view), false);
     }
-    for (std::size_t i = 0; i < buffers.size(); ++i) {
-        const auto& desc = builder->buffers()[i];
+    for (std::size_t i = 0; i < frame_.buffers.size(); ++i) {
+        const auto& desc = frame_.builder->buffers()[i];
         if (again.before.buffer_live[i])
-            buffers[i] = cache.pool.find(desc.text.key);
-        else if (plan.buffer_live[i])
-            buffers[i] = &cache.pool.buffer(desc.text.key, desc.text.label, stride(desc), capacity_of(desc),
-                                            desc.elements, false);
+            frame_.buffers[i] = frame_.cache.pool.find(desc.text.key);
+        else if (frame_.plan.buffer_live[i])
+            frame_.buffers[i] = &frame_.cache.pool.buffer(desc.text.key, desc.text.label, stride(desc),
+                                                          frame_.capacity_of(desc), desc.elements, false);
     }
 }
 
-void Frame::run_passes_again(const Again& again) {
-    const auto& passes = builder->passes();
+void Explanation::run_passes_again(const Again& again) {
+    const auto& passes = frame_.builder->passes();
     allocate_again(again);
-    prepare_counters();
-    prepare_parameters();
-    find_cached_passes();
+    frame_.prepare_counters();
+    frame_.prepare_parameters();
+    frame_.find_cached_passes();
     for (std::size_t i = 0; i < passes.size(); ++i) {
-        if (again.before.pass_live[i]) cached[i] = true;  // for its counters
-        if (again.passes[i] && !cached[i]) drop_contents(passes[i]);
+        if (again.before.pass_live[i]) frame_.cached[i] = true;  // for its counters
+        if (again.passes[i] && !frame_.cached[i]) frame_.drop_contents(passes[i]);
     }
-    const auto rows_before = std::move(cache.report.passes);
-    cache.report.passes.clear();
-    views_ms.assign(passes.size(), 0);
+    const auto rows_before = std::move(frame_.cache.report.passes);
+    frame_.cache.report.passes.clear();
+    frame_.views_ms.assign(passes.size(), 0);
     for (std::size_t i = 0; i < passes.size(); ++i) {
         PassReport row;
         const auto old = std::find_if(rows_before.begin(), rows_before.end(),
@@ -186,46 +209,48 @@ void Frame::run_passes_again(const Again& again) {
         if (old != rows_before.end()) row = *old;
         row.name = passes[i].name;
         row.queue = passes[i].queue == Queue::gl ? "gl" : "cpu";
-        row.culled = !plan.pass_live[i];
+        row.culled = !frame_.plan.pass_live[i];
         row.reads.clear();
         row.writes.clear();
-        cache.report.passes.push_back(std::move(row));
+        frame_.cache.report.passes.push_back(std::move(row));
     }
     for (std::size_t i = 0; i < passes.size(); ++i)
-        if (again.passes[i] && !cached[i]) cache.report.passes[i] = run_pass(passes[i], i);
-    resolve_times();
+        if (again.passes[i] && !frame_.cached[i])
+            frame_.cache.report.passes[i] = frame_.run_pass(passes[i], i);
+    frame_.resolve_times();
 }
 
-bool Frame::run_again(const std::vector<std::string>& wanted) {
+bool Explanation::run_again(const std::vector<std::string>& wanted) {
     for (int attempt = 0; attempt <= max_growths_per_frame; ++attempt) {
-        GraphBuilder declared(method->description, *inputs, cache.batches, cache.device.max_buffer_bytes());
-        builder = &declared;
-        method->setup(declared, *settings);
+        GraphBuilder declared(frame_.method->description, *frame_.inputs, frame_.cache.batches,
+                              frame_.cache.device.max_buffer_bytes());
+        frame_.builder = &declared;
+        frame_.method->setup(declared, *frame_.settings);
         const auto again = plan_again(wanted);
         if (!again) return false;
-        const auto rows_before = cache.report.passes;
+        const auto rows_before = frame_.cache.report.passes;
         try {
             run_passes_again(*again);
         } catch (...) {
-            drop_unsure_fingerprints();
-            cache.report.passes = rows_before;
+            frame_.drop_unsure_fingerprints();
+            frame_.cache.report.passes = rows_before;
             report_what_is_left();
             throw;
         }
-        const auto counts = read_counters();
-        const bool overflow = grow(counts);
-        if (overflow) drop_unsure_fingerprints();
-        fill_report(counts);
-        if (!overflow) return remember_committed(joined(cache.committed, wanted)), true;
+        const auto counts = frame_.read_counters();
+        const bool overflow = frame_.grow(counts);
+        if (overflow) frame_.drop_unsure_fingerprints();
+        frame_.fill_report(counts);
+        if (!overflow) return frame_.remember_committed(joined(frame_.cache.committed, wanted)), true;
     }
-    throw Error("method '" + method->description.id + "': buffers still overflow after " +
+    throw Error("method '" + frame_.method->description.id + "': buffers still overflow after " +
                 std::to_string(max_growths_per_frame) + " growths; please report this");
 }
 
-void Frame::report_what_is_left() {
-    for (auto& resource : cache.report.resources) {
+void Explanation::report_what_is_left() {
+    for (auto& resource : frame_.cache.report.resources) {
         if (resource.format == "object") continue;
-        const auto* physical = cache.pool.find(resource.key);
+        const auto* physical = frame_.cache.pool.find(resource.key);
         resource.available = resource.available && physical && physical->has_contents();
     }
 }
@@ -241,7 +266,7 @@ bool Graph::explain(const Method& method, const Settings& settings, const FrameI
         explicit Previous(Pool& p) : pool(p) { pool.show_previous(); }
         ~Previous() { pool.hide_previous(); }
     } previous(cache_->pool);
-    return frame.run_again(wanted_of(method, settings, options));
+    return Explanation(frame).run_again(wanted_of(method, settings, options));
 }
 
 }  // namespace ir::graph

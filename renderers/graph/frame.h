@@ -74,20 +74,8 @@ struct Frame {
     void begin_anew();
     void put_restored();
 
-    // explain.cpp: some passes again on the contents of the committed frame
-    struct Again {
-        Plan before;               ///< what the committed frame holds
-        std::vector<bool> passes;  ///< that run, of `plan`
-    };
+    /// For explanations, which run on what is there then.
     void remember_committed(std::vector<std::string> wanted);
-    std::optional<Again> plan_again(const std::vector<std::string>& wanted);
-    bool may_run_again(const Pass& pass, std::size_t index, const Again& again) const;
-    bool is_held(const Pass::Access& access, const Plan& before) const;
-    bool has_known_counts(const Again& again) const;
-    bool run_again(const std::vector<std::string>& wanted);
-    void run_passes_again(const Again& again);
-    void allocate_again(const Again& again);
-    void report_what_is_left();
 
     // frame_memory.cpp
     std::uint64_t capacity_of(const BufferDesc& desc) const;

@@ -8,8 +8,6 @@
 namespace ir::scene::builtin {
 namespace {
 
-constexpr float crease = 0.82f;  ///< cosine of the bend that stays sharp, 35°
-
 struct ProfilePoint {
     glm::vec2 position, normal;
     float distance;  ///< along the profile

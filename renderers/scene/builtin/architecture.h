@@ -8,6 +8,8 @@
 /// Parts of buildings, in metres, added to a MeshBuilder in its current space.
 namespace ir::scene::builtin {
 
+inline constexpr float crease = 0.82f;  ///< cosine of the bend that stays sharp, 35°
+
 /// A cross section: the solid lies to the left of the way, so for a profile of (radius, height) that climbs,
 /// outside is at larger radii. Bends above 35° stay sharp.
 using Profile = std::vector<glm::vec2>;

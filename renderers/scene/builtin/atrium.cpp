@@ -96,7 +96,7 @@ Materials add_materials(Scene& scene) {
 
 }  // namespace atrium_parts
 
-namespace {
+namespace atrium_scene {
 
 Scene make(const Values& values) {
     using namespace atrium_parts;
@@ -114,7 +114,7 @@ Scene make(const Values& values) {
     return scene;
 }
 
-}  // namespace
+}  // namespace atrium_scene
 
 Description atrium() {
     return {"atrium",
@@ -122,7 +122,7 @@ Description atrium() {
             "A court with two storeys of colonnades, vaults, drapes and a fountain (30 x 18 x 12 m).",
             {{"detail", 1, 0.05, 4, "",
               "scales the triangles of curved surfaces; 260 000 in all at 1, 1 000 000 at 4"}},
-            make};
+            atrium_scene::make};
 }
 
 }  // namespace ir::scene::builtin

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "renderers/scene/builtin/detail.h"
 #include "renderers/scene/builtin/mesh_builder.h"
 
 /// Measures and parts of the atrium; metres.
@@ -29,17 +30,6 @@ struct Side {
     float wall_half;  ///< half length of the outer wall
 };
 const std::array<Side, 4>& sides();
-
-/// Numbers of segments at a level of detail, which scales the triangles of curved surfaces and plants.
-struct Detail {
-    float scale = 1;
-    int segments(int base, int least) const {
-        return std::max(least, static_cast<int>(std::lround(base * std::sqrt(scale))));
-    }
-    /// Small ornaments are left out or simplified below a quarter of the full detail.
-    bool is_plain() const { return scale < 0.25f; }
-    int count(int base) const { return std::max(1, static_cast<int>(std::lround(base * scale))); }
-};
 
 struct Materials {
     int limestone, plaster, vault, bricks, tiles, paving, wood, roof, iron, bronze, lamp, water, leaf, grille;

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "renderers/scene/builtin/detail.h"
 #include "renderers/scene/builtin/mesh_builder.h"
 
 /// Measures and parts of the cathedral; metres. x along the nave towards the apse, z across, the floor at y =
@@ -29,15 +30,6 @@ constexpr float pier_axis(int i) {
     return -nave_end + bay * static_cast<float>(i);
 }
 constexpr float pier_z = 0.5f * (nave + arcade_back);
-
-struct Detail {
-    float scale = 1;
-    int segments(int base, int least) const {
-        return std::max(least, static_cast<int>(std::lround(base * std::sqrt(scale))));
-    }
-    /// The smallest ornaments are left out.
-    bool is_plain() const { return scale < 0.06f; }
-};
 
 struct Materials {
     int stone, pale, vault, tiles, marble, wood, bronze, cloth, wax;

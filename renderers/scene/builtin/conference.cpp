@@ -56,7 +56,7 @@ void add_room(Scene& scene, const Materials& m, const std::vector<glm::vec3>& la
 
 }  // namespace conference_parts
 
-namespace {
+namespace conference_scene {
 
 using namespace conference_parts;
 
@@ -129,7 +129,7 @@ Scene make(const Values& values) {
     return scene;
 }
 
-}  // namespace
+}  // namespace conference_scene
 
 Description conference() {
     return {"conference",
@@ -138,7 +138,7 @@ Description conference() {
             {{"detail", 1, 0.1, 4, "", "scales the triangles of rounded parts; 56 000 in all at 1"},
              {"emission", 1, 0, 1000, "", "scales the glow of the lamps' panels, 3 % of the light at 1"},
              {"lights", 4, 1, 8, "", "number of lamps, in whole numbers; together they are as bright"}},
-            make};
+            conference_scene::make};
 }
 
 }  // namespace ir::scene::builtin

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "renderers/scene/builtin/detail.h"
 #include "renderers/scene/builtin/mesh_builder.h"
 
 /// Measures and parts of the conference room; metres.
@@ -14,14 +15,6 @@ constexpr float wall = 0.2f;       ///< thickness
 constexpr float recess = 0.15f;    ///< of the lamps into the ceiling
 constexpr float lamp_half = 0.3f;  ///< half side of a recess
 constexpr float table_top = 0.75f;
-
-/// Segments of rounded parts at a level of detail.
-struct Detail {
-    float scale = 1;
-    int segments(int base, int least) const {
-        return std::max(least, static_cast<int>(std::lround(base * std::sqrt(scale))));
-    }
-};
 
 struct Materials {
     int wall, carpet, ceiling, panelling, table, door, metal, black, pane, blind, board, lamp, paper, china,

@@ -11,7 +11,7 @@
 #include "renderers/scene/builtin/registry.h"
 
 namespace ir::scene::builtin {
-namespace {
+namespace cornell_scene {
 
 /// From the published millimetres.
 glm::vec3 metres(float x, float y, float z) {
@@ -90,7 +90,7 @@ Scene make(const Values& values) {
     return scene;
 }
 
-}  // namespace
+}  // namespace cornell_scene
 
 Description cornell() {
     return {"cornell",
@@ -98,7 +98,7 @@ Description cornell() {
             "The Cornell box (0.55 m) with its lamp as an emitter and as a spot light.",
             {{"emission", 1, 0, 1000, "", "scales the lamp's radiance"},
              {"light", 1, 0, 1000, "", "scales the spot light under the lamp; 0 leaves it out"}},
-            make};
+            cornell_scene::make};
 }
 
 }  // namespace ir::scene::builtin

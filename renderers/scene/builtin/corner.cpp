@@ -15,7 +15,7 @@
 #include "renderers/scene/builtin/registry.h"
 
 namespace ir::scene::builtin {
-namespace {
+namespace corner_scene {
 
 glm::mat4 rotation(const Values& values) {
     const auto angle = [&](const char* key) { return glm::radians(static_cast<float>(values.at(key))); };
@@ -65,17 +65,17 @@ Option angle(const char* key, const char* doc) {
     return {key, 0, -360, 360, "degrees", doc};
 }
 
-}  // namespace
+}  // namespace corner_scene
 
 Description corner() {
     return {"corner",
             1,
             "Two squares at right angles, turned as one likes.",
             {{"size", 4, 0.01, 1000, "m", "side of the squares"},
-             angle("yaw", "turns about y, last"),
-             angle("pitch", "turns about x, second"),
-             angle("roll", "turns about z, first")},
-            make};
+             corner_scene::angle("yaw", "turns about y, last"),
+             corner_scene::angle("pitch", "turns about x, second"),
+             corner_scene::angle("roll", "turns about z, first")},
+            corner_scene::make};
 }
 
 }  // namespace ir::scene::builtin

@@ -53,7 +53,7 @@ void add_halls(Scene& scene) {
 
 }  // namespace corridor_parts
 
-namespace {
+namespace corridor_scene {
 
 using namespace corridor_parts;
 
@@ -72,7 +72,7 @@ Scene make(const Values& values) {
     return scene;
 }
 
-}  // namespace
+}  // namespace corridor_scene
 
 Description corridor() {
     return {"corridor",
@@ -80,7 +80,7 @@ Description corridor() {
             "Three dark halls with doorways, through which a lamp flies (19 x 3.2 x 4 m, 8 s).",
             {{"detail", 1, 0.1, 4, "", "scales the triangles of round things; 14 000 in all at 1"},
              {"seconds", 8, 1, 60, "s", "how long the flight takes"}},
-            make,
+            corridor_scene::make,
             [](const Values& values) { return values.at("seconds"); }};
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "renderers/scene/builtin/detail.h"
 #include "renderers/scene/builtin/mesh_builder.h"
 
 /// Measures and parts of the corridor; metres. Three halls in a row along x.
@@ -21,14 +22,6 @@ struct Doorway {
     float low_z, high_z, height;
 };
 constexpr Doorway doorways[2] = {{0, -1.5f, -0.1f, 2.2f}, {1, 0.2f, 1.4f, 2.1f}};
-
-/// Segments of round things at a level of detail.
-struct Detail {
-    float scale = 1;
-    int segments(int base, int least) const {
-        return std::max(least, static_cast<int>(std::lround(base * std::sqrt(scale))));
-    }
-};
 
 void add_halls(Scene& scene);
 void add_things(Scene& scene, const Detail& detail);             // what stands in the halls

@@ -15,7 +15,7 @@
 #include "renderers/scene/builtin/registry.h"
 
 namespace ir::scene::builtin {
-namespace {
+namespace crevice_scene {
 
 constexpr glm::vec3 block_size{2.4f, 0.8f, 1.2f};
 constexpr float thick = 0.16f;         ///< of all walls but the thin ones, metres
@@ -56,14 +56,14 @@ Scene make(const Values& values) {
     return scene;
 }
 
-}  // namespace
+}  // namespace crevice_scene
 
 Description crevice() {
     return {"crevice",
             1,
             "Four closed chambers behind walls of 4, 2, 1 and ½ texel: whatever is open there has leaked.",
             {{"texel", 0.014, 0.0005, 0.03, "m", "size of a map's texel; 2.8 m / resolution"}},
-            make};
+            crevice_scene::make};
 }
 
 }  // namespace ir::scene::builtin

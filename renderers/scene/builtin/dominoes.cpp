@@ -72,7 +72,7 @@ std::vector<Place> row() {
 
 }  // namespace dominoes_parts
 
-namespace {
+namespace dominoes_scene {
 
 using namespace dominoes_parts;
 
@@ -171,14 +171,14 @@ Scene make(const Values& values) {
     return scene;
 }
 
-}  // namespace
+}  // namespace dominoes_scene
 
 Description dominoes() {
     return {"dominoes",
             1,
             "Colourful dominoes in a winding row on a floor of shining metal (0.5 x 0.4 m).",
             {{"roughness", 0.12, 0.02, 1, "", "of the floor"}},
-            make};
+            dominoes_scene::make};
 }
 
 }  // namespace ir::scene::builtin

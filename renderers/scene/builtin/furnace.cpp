@@ -10,7 +10,7 @@
 #include "renderers/scene/builtin/registry.h"
 
 namespace ir::scene::builtin {
-namespace {
+namespace furnace_scene {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -73,7 +73,7 @@ Scene make(const Values& values) {
     return scene;
 }
 
-}  // namespace
+}  // namespace furnace_scene
 
 Description furnace() {
     return {"furnace",
@@ -82,7 +82,7 @@ Description furnace() {
             {{"albedo", 0.5, 0, 1, "", "diffuse reflectance"},
              {"emission", 1, 0, 1000, "W/(m² sr)", "emitted radiance"},
              {"radius", 1, 0.01, 1000, "m", "radius of the sphere"}},
-            make};
+            furnace_scene::make};
 }
 
 }  // namespace ir::scene::builtin

@@ -134,7 +134,7 @@ Materials add_materials(Scene& scene) {
 
 }  // namespace graveyard_parts
 
-namespace {
+namespace graveyard_scene {
 
 Scene make(const Values& values) {
     using namespace graveyard_parts;
@@ -154,14 +154,14 @@ Scene make(const Values& values) {
     return scene;
 }
 
-}  // namespace
+}  // namespace graveyard_scene
 
 Description graveyard() {
     return {"graveyard",
             1,
             "Leaning gravestones, grass and a bare tree within a brick wall and an iron fence (24 x 26 m).",
             {{"detail", 1, 0.1, 8, "", "scales the triangles: 122 000 at 1, 976 000 at 8"}},
-            make};
+            graveyard_scene::make};
 }
 
 }  // namespace ir::scene::builtin

@@ -6,22 +6,11 @@
 #include <glm/glm.hpp>
 #include <span>
 
+#include "renderers/scene/builtin/detail.h"
 #include "renderers/scene/builtin/mesh_builder.h"
 
 /// Measures and parts of the graveyard; metres. x to the right along the back wall, z towards the viewer.
 namespace ir::scene::builtin::graveyard_parts {
-
-/// Numbers of segments at a level of detail.
-struct Detail {
-    float scale = 1;
-    int segments(int base, int least) const {
-        return std::max(least, static_cast<int>(std::lround(base * std::sqrt(scale))));
-    }
-    /// Coarse: bars are square, and edges sharp.
-    bool is_plain() const { return scale < 0.25f; }
-    float bevel(float width) const { return is_plain() ? 0 : width; }
-    int count(int base) const { return std::max(1, static_cast<int>(std::lround(base * scale))); }
-};
 
 struct Materials {
     int soil, grass, dry_grass, bricks, mortar, iron, bark, ivy, flower;

@@ -15,7 +15,7 @@
 #include "renderers/scene/builtin/solids.h"
 
 namespace ir::scene::builtin {
-namespace {
+namespace hairball_scene {
 
 using namespace hairball_parts;
 
@@ -62,14 +62,14 @@ Scene make(const Values& values) {
     return scene;
 }
 
-}  // namespace
+}  // namespace hairball_scene
 
 Description hairball() {
     return {"hairball",
             1,
             "A ball of thin curled hairs, 1 m across: many layers of small things.",
             {{"detail", 1, 0.02, 14, "", "scales the triangles: 200 000 at 1, 2.8 M at 14"}},
-            make};
+            hairball_scene::make};
 }
 
 }  // namespace ir::scene::builtin

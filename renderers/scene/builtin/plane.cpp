@@ -8,7 +8,7 @@
 #include "renderers/scene/builtin/registry.h"
 
 namespace ir::scene::builtin {
-namespace {
+namespace plane_scene {
 
 void add_cover(Scene& scene, float half, float height) {
     MeshBuilder b;
@@ -49,7 +49,7 @@ Scene make(const Values& values) {
     return scene;
 }
 
-}  // namespace
+}  // namespace plane_scene
 
 Description plane() {
     return {"plane",
@@ -57,7 +57,7 @@ Description plane() {
             "A square plane, and on demand a second one above it.",
             {{"size", 10, 0.01, 1000, "m", "side of the square"},
              {"cover", 0, 0, 1000, "m", "height of a second plane; 0 leaves it out"}},
-            make};
+            plane_scene::make};
 }
 
 }  // namespace ir::scene::builtin

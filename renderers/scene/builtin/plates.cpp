@@ -8,8 +8,6 @@
 namespace ir::scene::builtin {
 namespace {
 
-constexpr float crease = 0.82f;  ///< cosine of the bend that stays sharp, 35°
-
 /// A side of the outline, with the normals to shade its ends with.
 struct Side {
     glm::vec2 from, to, normal_from, normal_to;

@@ -20,7 +20,7 @@ int add_surface(Scene& scene, const std::string& name, glm::vec3 colour, float r
 
 }  // namespace still_life_parts
 
-namespace {
+namespace still_life_scene {
 
 using namespace still_life_parts;
 
@@ -76,14 +76,14 @@ Scene make(const Values& values) {
     return scene;
 }
 
-}  // namespace
+}  // namespace still_life_scene
 
 Description still_life() {
     return {"still-life",
             1,
             "Metals, plastics, glaze, cloth and fruit on a table in a corner of a room (3.8 x 2.7 x 3.4 m).",
             {{"detail", 1, 0.1, 4, "", "scales the triangles of round things; 65 000 in all at 1"}},
-            make};
+            still_life_scene::make};
 }
 
 }  // namespace ir::scene::builtin

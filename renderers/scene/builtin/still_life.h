@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "renderers/scene/builtin/detail.h"
 #include "renderers/scene/builtin/mesh_builder.h"
 
 /// Measures and parts of the still life; metres.
@@ -10,14 +11,6 @@ namespace ir::scene::builtin::still_life_parts {
 /// Middle of the table's top.
 constexpr glm::vec3 table_top{-0.1f, 0.74f, -0.5f};
 constexpr glm::vec2 table_half{0.78f, 0.46f};
-
-/// Segments of round things at a level of detail.
-struct Detail {
-    float scale = 1;
-    int segments(int base, int least) const {
-        return std::max(least, static_cast<int>(std::lround(base * std::sqrt(scale))));
-    }
-};
 
 void add_table(Scene& scene, const Detail& detail);    // with its cloth
 void add_fruit(Scene& scene, const Detail& detail);    // in a bowl on the cloth
