@@ -134,10 +134,10 @@ void DocumentDock::activate(const ItemRef& item) {
     const auto id = item.id.toStdString();
     switch (item.kind) {
         case ItemKind::experiment:
-            workspace_.show_owner(id);
+            workspace_.views().show_owner(id);
             return session_.select_experiment(id);
         case ItemKind::image:
-            return workspace_.show_owner("image:" + id);
+            return workspace_.views().show_owner("image:" + id);
         case ItemKind::comparison:
             if (const auto* comparison = projects::find_item(session_.document().comparisons, id))
                 workspace_.open_comparison(*comparison);

@@ -54,8 +54,9 @@ std::shared_ptr<const widgets::Picture> Exports::picture() const {
 }
 
 QString Exports::title() const {
-    const auto& owner = workspace_.active_state().a.owner;
-    return QString::fromStdString(workspace_.pictures().owner_name(owner) + " " + workspace_.shown_key());
+    const auto& owner = workspace_.views().active_state().a.owner;
+    return QString::fromStdString(workspace_.views().pictures().owner_name(owner) + " " +
+                                  workspace_.views().shown_key());
 }
 
 void Exports::save_view(const QString& file) const {
@@ -78,7 +79,7 @@ void Exports::save_values(const QString& file) const {
 }
 
 void Exports::save_all_buffers(const QString& file) const {
-    const auto& state = workspace_.active_state();
+    const auto& state = workspace_.views().active_state();
     const auto& owner = state.a.is_file() ? state.b.owner : state.a.owner;
     if (!session_.experiment(owner)) throw Error("the active view shows no experiment; choose one");
     if (!live_.result(owner)) throw Error("nothing has been rendered yet");

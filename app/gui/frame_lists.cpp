@@ -9,10 +9,10 @@ namespace ir::gui {
 
 using widgets::RowsPanel;
 
-FrameLists::FrameLists(Session& session, LivePictures& live, Workspace& workspace)
+FrameLists::FrameLists(Session& session, LivePictures& live, ViewModel& views)
     : session_(session),
       live_(live),
-      workspace_(workspace),
+      views_(views),
       buffers_(
           new RowsPanel(widgets::buffer_headings(), tr("Buffers appear when a frame has been rendered."))),
       timings_(new RowsPanel(widgets::timing_headings(), tr("Times appear when a frame has been rendered."))),
@@ -29,14 +29,14 @@ FrameLists::FrameLists(Session& session, LivePictures& live, Workspace& workspac
     numbers->addTab(counters_, tr("Counters"));
     timings_and_counters_ = numbers;
     connect(buffers_, &RowsPanel::row_clicked, this, [this](const QString& key) {
-        if (!key.startsWith(QStringLiteral("pass:"))) workspace_.show_output(key.toStdString());
+        if (!key.startsWith(QStringLiteral("pass:"))) views_.show_output(key.toStdString());
     });
     connect(&session_, &Session::project_replaced, this, &FrameLists::clear);
     connect(&session_, &Session::experiment_selected, this, [this] {
         thumbnails_.clear();
         update();
     });
-    connect(&workspace_, &Workspace::active_changed, this, &FrameLists::update);
+    connect(&views_, &ViewModel::active_changed, this, &FrameLists::update);
     connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
         if (session_.experiment() && session_.experiment()->id == id) update();
     });
@@ -60,7 +60,7 @@ void FrameLists::update() {
                                                   resource ? resource->colour_map : "", image);
         thumbnails_[key] = widgets::to_qimage(image, display);
     }
-    buffers_->set_rows(widgets::buffer_rows(result->report, thumbnails_, workspace_.shown_key()));
+    buffers_->set_rows(widgets::buffer_rows(result->report, thumbnails_, views_.shown_key()));
     timings_->set_rows(widgets::timing_rows(result->report));
     counters_->set_rows(widgets::counter_rows(result->report));
 }

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "app/gui/workspace.h"
+#include "app/gui/view_model.h"
 #include "widgets/panels/rows_panel.h"
 
 namespace ir::gui {
@@ -15,7 +15,7 @@ namespace ir::gui {
 class FrameLists : public QObject {
     Q_OBJECT
   public:
-    FrameLists(Session& session, LivePictures& live, Workspace& workspace);
+    FrameLists(Session& session, LivePictures& live, ViewModel& views);
     widgets::RowsPanel& buffers() { return *buffers_; }
     QWidget& timings() { return *timings_and_counters_; }
 
@@ -25,7 +25,7 @@ class FrameLists : public QObject {
 
     Session& session_;
     LivePictures& live_;
-    Workspace& workspace_;
+    ViewModel& views_;
     widgets::RowsPanel *buffers_, *timings_, *counters_;
     QWidget* timings_and_counters_;
     std::map<std::string, QImage> thumbnails_;

@@ -45,7 +45,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       inspector_(session_, live_, renderer, workspace_),
       metrics_(session_, live_, workspace_),
       banners_(new widgets::BannerStack),
-      references_(session_, live_, workspace_, *banners_),
+      references_(session_, live_, views(), *banners_),
       exports_(session_, live_, renderer, workspace_),
       welcome_(new widgets::WelcomePage),
       pages_(new QStackedWidget),
@@ -55,22 +55,22 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       device_label_(new QLabel(tr("starting …"))),
       notices_(*status_, *messages_, *banners_),
       document_(new DocumentDock(session_, scenes_, workspace_)),
-      results_(new ResultsDock(session_, live_, renderer_, workspace_, kept_)),
+      results_(new ResultsDock(session_, live_, renderer_, views(), kept_)),
       plots_(new PlotsDock(session_, options.machine, options.study_runner)),
       benchmarks_(new BenchmarkDock(session_, options.benchmark_runner
                                                   ? options.benchmark_runner
                                                   : engine::benchmark_runner(options.machine))),
       parameters_(new ParameterDock(session_, scenes_, notices_)),
       scene_(new SceneDock(session_, scenes_)),
-      lists_(session_, live_, workspace_),
+      lists_(session_, live_, views()),
       actions_(*this),
       docks_(*this, workspace_.area(), actions_),
       files_(*this, session_, workspace_, notices_, *welcome_, actions_, options.remember),
       export_(*this, session_, renderer_, workspace_, exports_, notices_, actions_),
       edits_(session_, *document_, actions_),
-      result_actions_(session_, live_, playback_, workspace_, references_, *results_, *document_, actions_),
+      result_actions_(session_, live_, playback_, views(), references_, *results_, *document_, actions_),
       timeline_(new TimelineDock(session_, live_, playback_, actions_)),
-      views_(session_, live_, playback_, scenes_, workspace_, inspector_, *display_, actions_),
+      view_actions_(session_, live_, playback_, scenes_, workspace_, inspector_, *display_, actions_),
       project_banners_(*this, session_, live_, *banners_) {
     setObjectName(QStringLiteral("main"));
     setWindowIcon(widgets::icon("app"));
@@ -353,7 +353,7 @@ void MainWindow::go_to(const Message& message) {
     }
     const auto* chosen = session_.experiment();
     const auto result = chosen ? live_.result(chosen->id) : nullptr;
-    if (result && find_resource(result->report, message.place)) return workspace_.show_output(message.place);
+    if (result && find_resource(result->report, message.place)) return views().show_output(message.place);
     docks_.raise("timings");
 }
 

@@ -39,6 +39,7 @@ class MainWindow : public QMainWindow {
     Session& session() { return session_; }
     LivePictures& live() { return live_; }
     Workspace& workspace() { return workspace_; }
+    ViewModel& views() { return workspace_.views(); }
     PixelInspector& inspector() { return inspector_; }
     MetricsDock& metrics() { return metrics_; }
     DocumentDock& document() { return *document_; }
@@ -124,7 +125,7 @@ class MainWindow : public QMainWindow {
     EditController edits_;
     ResultController result_actions_;
     TimelineDock* timeline_;
-    ViewController views_;
+    ViewController view_actions_;
     ProjectBanners project_banners_;
     QObject joins_;  ///< ends the connections between parts before the first of them goes
 };

@@ -39,20 +39,24 @@ std::string MetricsDock::Pair::key() const {
 }
 
 MetricsDock::MetricsDock(Session& session, LivePictures& live, Workspace& workspace)
-    : session_(session), live_(live), workspace_(workspace), panel_(new widgets::MetricsPanel) {
+    : session_(session),
+      live_(live),
+      workspace_(workspace),
+      views_(workspace.views()),
+      panel_(new widgets::MetricsPanel) {
     using Panel = widgets::MetricsPanel;
-    connect(&workspace_, &Workspace::active_changed, this, &MetricsDock::update);
+    connect(&views_, &ViewModel::active_changed, this, &MetricsDock::update);
     connect(&workspace_, &Workspace::picture_shown, this, &MetricsDock::update);
-    connect(&workspace_, &Workspace::region_changed, this, &MetricsDock::update);
-    connect(&workspace_, &Workspace::tool_changed, this, &MetricsDock::update);
+    connect(&workspace_.tools(), &PictureTools::region_changed, this, &MetricsDock::update);
+    connect(&workspace_.tools(), &PictureTools::tool_changed, this, &MetricsDock::update);
     connect(panel_, &Panel::rectangle_chosen, this,
-            [this](QRect rectangle) { workspace_.set_region(panel_->fields().size, rectangle); });
+            [this](QRect rectangle) { workspace_.tools().set_region(panel_->fields().size, rectangle); });
     connect(panel_, &Panel::drawing_toggled, this, [this](bool on) {
         using Tool = widgets::ImageView::Tool;
-        workspace_.set_tool(on ? Tool::rectangle : Tool::inspect);
+        workspace_.tools().set_tool(on ? Tool::rectangle : Tool::inspect);
         if (on) workspace_.active_pane().setFocus();
     });
-    connect(panel_, &Panel::swap_wanted, this, [this] { workspace_.swap(); });
+    connect(panel_, &Panel::swap_wanted, this, [this] { workspace_.active_pane().compare().swap(); });
     connect(panel_, &Panel::mask_chosen, this, &MetricsDock::choose_mask);
     connect(panel_, &Panel::override_wanted, this, &MetricsDock::compare_anyway);
 }
@@ -68,7 +72,7 @@ std::optional<MetricsDock::Pair> MetricsDock::pair() const {
     const int active = workspace_.area().active();
     if (!session_.has_project() || !workspace_.pane(active)) return {};
     const auto& pane = workspace_.active_pane();
-    const auto& state = workspace_.active_state();
+    const auto& state = views_.active_state();
     const auto& shown = workspace_.active_pane().compare().pictures();
     if (pane.content() != widgets::ViewPane::Content::picture || !widgets::compares(state.mode) ||
         shown.size() < 2)
@@ -80,7 +84,7 @@ std::optional<MetricsDock::Pair> MetricsDock::pair() const {
 
 std::vector<widgets::Option> MetricsDock::masks(const Pair& pair) const {
     std::vector<widgets::Option> options;
-    auto& pictures = workspace_.pictures();
+    auto& pictures = views_.pictures();
     std::vector<std::string> owners = {pair.a.owner};
     if (pair.b.owner != pair.a.owner) owners.push_back(pair.b.owner);
     for (const auto& owner : owners) {
@@ -104,7 +108,7 @@ std::optional<ViewSource> MetricsDock::chosen_mask(const Pair& pair) const {
     const auto found = masks_.find(pair.key());
     if (found == masks_.end()) return {};
     const auto source = mask_of(found->second);
-    return workspace_.pictures().has_owner(source.owner) ? std::optional(source) : std::nullopt;
+    return views_.pictures().has_owner(source.owner) ? std::optional(source) : std::nullopt;
 }
 
 std::string MetricsDock::generation(const Pair& pair) const {
@@ -118,7 +122,7 @@ void MetricsDock::send_wants(const std::optional<Pair>& pair) {
         wants[mask->owner].parts.insert({mask->output, mask->level, mask->layer});
     if (wants == sent_) return;
     sent_ = wants;
-    workspace_.set_panel_wants(std::move(wants), "metrics");
+    views_.set_panel_wants(std::move(wants), "metrics");
 }
 
 void MetricsDock::update() {
@@ -135,18 +139,18 @@ void MetricsDock::update() {
     fields.label_b = now->reference->label;
     const bool comparable = widgets::have_difference(*now->image, *now->reference);
     fields.size = comparable ? now->image->size().expandedTo(now->reference->size()) : now->image->size();
-    fields.rectangle = workspace_.region(fields.size);
-    fields.drawing = workspace_.tool() == widgets::ImageView::Tool::rectangle;
+    fields.rectangle = workspace_.tools().region(fields.size);
+    fields.drawing = workspace_.tools().tool() == widgets::ImageView::Tool::rectangle;
     fields.masks = masks(*now);
     const auto mask = chosen_mask(*now);
     if (mask) fields.mask = text_of(mask_id(mask->owner, mask->output));
-    const QString mismatch = workspace_.pictures().mismatch(now->a, now->b);
+    const QString mismatch = views_.pictures().mismatch(now->a, now->b);
     if (!mismatch.isEmpty() && !is_accepted(*now, mismatch)) {
         fields.refusal = mismatch;
         fields.may_override = true;
     }
-    fields.warning = workspace_.pictures().warning(now->a, now->b);
-    const auto picture = mask ? workspace_.pictures().picture(*mask) : nullptr;
+    fields.warning = views_.pictures().warning(now->a, now->b);
+    const auto picture = mask ? views_.pictures().picture(*mask) : nullptr;
     for (const auto& [letter, each] : {std::pair(tr("A"), now->image), std::pair(tr("B"), now->reference),
                                        std::pair(tr("The mask"), picture)}) {
         if (!each || each->has_image()) continue;

@@ -45,6 +45,7 @@ class MetricsDock : public QObject {
     Session& session_;
     LivePictures& live_;
     Workspace& workspace_;
+    ViewModel& views_;
     widgets::MetricsPanel* panel_;
     std::map<std::string, std::string> masks_;  ///< by pair: owner and output, as in mask_id()
     std::set<std::string> accepted_;            ///< pairs with the refusals that do not count for them

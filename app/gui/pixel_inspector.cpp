@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/gui/beside.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/pixel_places.h"
 #include "app/gui/text_of.h"
@@ -44,6 +45,7 @@ PixelInspector::PixelInspector(Session& session, LivePictures& live, Renderer& r
       live_(live),
       renderer_(renderer),
       workspace_(workspace),
+      views_(workspace.views()),
       panel_(new widgets::InspectorPanel),
       explain_(new widgets::ExplainPanel) {
     connect(&workspace_, &Workspace::cursor_moved, this, [this](QPoint pixel) {
@@ -52,7 +54,7 @@ PixelInspector::PixelInspector(Session& session, LivePictures& live, Renderer& r
     });
     connect(&workspace_, &Workspace::picked, this, [this](QPoint pixel) { marked_ = pixel; });
     connect(&workspace_, &Workspace::explain_wanted, this, &PixelInspector::explain);
-    connect(&workspace_, &Workspace::active_changed, this, &PixelInspector::update);
+    connect(&views_, &ViewModel::active_changed, this, &PixelInspector::update);
     connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
         if (id == experiment()) update();
     });
@@ -76,7 +78,7 @@ PixelInspector::PixelInspector(Session& session, LivePictures& live, Renderer& r
     });
     connect(panel_, &Panel::explain_wanted, this, &PixelInspector::explain);
     connect(panel_, &Panel::show_wanted, this,
-            [this](const QString& key) { workspace_.show_output(key.toStdString()); });
+            [this](const QString& key) { views_.show_output(key.toStdString()); });
     connect(panel_, &Panel::compute_wanted, this, [this](const QString& key) {
         computed_.insert(key.toStdString());
         send_wants();
@@ -87,24 +89,25 @@ PixelInspector::PixelInspector(Session& session, LivePictures& live, Renderer& r
     });
     using Explain = widgets::ExplainPanel;
     connect(explain_, &Explain::show_wanted, this, [this](const QString& key) {
-        workspace_.show_beside(experiment(), key.toStdString());  // the explained picture stays
+        show_beside(views_, workspace_.area(), experiment(),
+                    key.toStdString());  // the explained picture stays
     });
     connect(explain_, &Explain::pixel_cleared, this, &PixelInspector::explain_nothing);
     connect(explain_, &Explain::item_chosen, this, [this](const QString& selector, int item) {
-        auto now = workspace_.inspection(experiment());
+        auto now = views_.inspection(experiment());
         now.chosen[selector.toStdString()] = item;
-        workspace_.set_inspection(experiment(), now);
+        views_.set_inspection(experiment(), now);
         update_explain();
     });
 }
 
 std::string PixelInspector::experiment() const {
-    const auto& owner = workspace_.active_state().a.owner;
+    const auto& owner = views_.active_state().a.owner;
     return session_.experiment(owner) ? owner : std::string();
 }
 
 std::optional<QPoint> PixelInspector::explained() const {
-    const auto& now = workspace_.inspection(experiment());
+    const auto& now = views_.inspection(experiment());
     return now.has_pixel() ? std::optional(QPoint(now.x, now.y)) : std::nullopt;
 }
 
@@ -133,7 +136,7 @@ void PixelInspector::send_wants() {
             if (explained())
                 for (const auto& key : explaining_keys(false)) want.kept.insert(key);
     }
-    workspace_.set_panel_wants(std::move(wants));
+    views_.set_panel_wants(std::move(wants));
 }
 
 std::vector<std::string> PixelInspector::explaining_keys(bool spatial) const {
@@ -161,7 +164,7 @@ void PixelInspector::show_pins() {
     std::vector<widgets::PinMark> marks;
     for (int i = 0; i < int(pins_.size()); ++i)
         marks.push_back({pins_[std::size_t(i)], widgets::pin_colour(i), i + 1});
-    workspace_.set_pins(std::move(marks));
+    workspace_.tools().set_pins(std::move(marks));
 }
 
 void PixelInspector::pin_cursor() {
@@ -170,11 +173,11 @@ void PixelInspector::pin_cursor() {
 
 void PixelInspector::explain(QPoint pixel) {
     if (pixel.x() < 0 || experiment().empty()) return;
-    auto now = workspace_.inspection(experiment());
+    auto now = views_.inspection(experiment());
     now.x = pixel.x();
     now.y = pixel.y();
     open_explanation_ = !explaining_keys(true).empty() || !explaining_keys(false).empty();
-    workspace_.set_inspection(experiment(), now);
+    views_.set_inspection(experiment(), now);
     send_wants();
     update_explain();
     show_everything();
@@ -185,9 +188,9 @@ void PixelInspector::explain_cursor() {
 }
 
 void PixelInspector::explain_nothing() {
-    auto now = workspace_.inspection(experiment());
+    auto now = views_.inspection(experiment());
     now.x = now.y = -1;
-    workspace_.set_inspection(experiment(), now);
+    views_.set_inspection(experiment(), now);
     send_wants();
     update_explain();
 }
@@ -211,7 +214,7 @@ void PixelInspector::show_everything() {
     if (!complete && live_.state(experiment()) == LivePictures::State::rendering) return;
     if (drawn.empty()) return;
     open_explanation_ = false;
-    workspace_.show_in_space(experiment(), drawn);
+    show_in_space(views_, workspace_.area(), experiment(), drawn);
 }
 
 void PixelInspector::update() {
@@ -236,15 +239,14 @@ void PixelInspector::update_explain() {
             const auto* resource = result ? find_resource(result->report, output.key) : nullptr;
             // Without elements, what is not finished may be of an older frame.
             const bool may_lack = resource && resource->elements == 0 && resource->width == 0 &&
-                                  !workspace_.pictures().why_unfinished(id).isEmpty();
+                                  !views_.pictures().why_unfinished(id).isEmpty();
             const bool available = resource && resource->available && !may_lack;
             const bool counted = available && resource->width == 0;
             outputs.push_back({output.key, text_of(output.label), text_of(to_string(output.kind)),
                                text_of(full_doc(output)), counted ? qint64(resource->elements) : -1,
-                               available,
-                               pixel ? workspace_.pictures().why_empty(id, output.key) : QString()});
+                               available, pixel ? views_.pictures().why_empty(id, output.key) : QString()});
         }
-        for (const auto& each : workspace_.selectors(id))
+        for (const auto& each : views_.selectors(id))
             selectors.push_back({each.key, text_of(each.label), text_of(each.doc), each.count, each.item});
     }
     explain_->set_content(pixel, outputs, selectors);
@@ -282,7 +284,7 @@ void PixelInspector::on_probe(std::shared_ptr<const engine::ProbeResult> result)
         if (asked_with_cursor_ && !readings.pixels.empty()) readings.cursor = readings.pixels.front();
         readings.world = positions_of(*result);
         const auto frame = live_.result(result->tag);
-        const auto main = workspace_.pictures().key_of({result->tag, {}});
+        const auto main = views_.pictures().key_of({result->tag, {}});
         for (const auto& row : result->rows) {
             const auto* resource = frame ? find_resource(frame->report, row.key) : nullptr;
             if (!frame || !resource || !shows_pixels_of(*resource, frame->report, main)) continue;

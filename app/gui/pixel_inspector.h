@@ -56,6 +56,7 @@ class PixelInspector : public QObject {
     LivePictures& live_;
     Renderer& renderer_;
     Workspace& workspace_;
+    ViewModel& views_;
     widgets::InspectorPanel* panel_;
     widgets::ExplainPanel* explain_;
     QPoint cursor_{-1, -1}, marked_{-1, -1};

@@ -11,9 +11,8 @@ constexpr const char* banner_name = "reference";
 
 }  // namespace
 
-References::References(Session& session, LivePictures& live, Workspace& workspace,
-                       widgets::BannerStack& banners)
-    : session_(session), live_(live), workspace_(workspace), banners_(banners) {
+References::References(Session& session, LivePictures& live, ViewModel& views, widgets::BannerStack& banners)
+    : session_(session), live_(live), views_(views), banners_(banners) {
     connect(&session_, &Session::document_changed, this, &References::update_banner);
     connect(&session_, &Session::files_changed, this, &References::update_banner);
     connect(&session_, &Session::project_replaced, this, &References::update_banner);
@@ -22,7 +21,7 @@ References::References(Session& session, LivePictures& live, Workspace& workspac
 }
 
 std::string References::shown() const {
-    const auto* chosen = session_.experiment(workspace_.active_state().a.owner);
+    const auto* chosen = session_.experiment(views_.active_state().a.owner);
     if (!chosen) chosen = session_.experiment();
     return chosen ? chosen->id : std::string();
 }
@@ -56,8 +55,8 @@ void References::match(const std::string& experiment) {
     const auto* judged = session_.experiment(experiment);
     if (is_refused || !judged || !session_.experiment(judged->reference)) return;
     const std::string reference = judged->reference;
-    workspace_.show_owner(experiment);
-    workspace_.compare_with(reference);
+    views_.show_owner(experiment);
+    views_.compare_with(reference);
 }
 
 /// Of the experiment that is worked on, else of the first one.

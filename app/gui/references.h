@@ -3,7 +3,7 @@
 #include <QObject>
 #include <string>
 
-#include "app/gui/workspace.h"
+#include "app/gui/view_model.h"
 #include "projects/match.h"
 #include "widgets/panels/banner.h"
 
@@ -14,7 +14,7 @@ namespace ir::gui {
 class References : public QObject {
     Q_OBJECT
   public:
-    References(Session& session, LivePictures& live, Workspace& workspace, widgets::BannerStack& banners);
+    References(Session& session, LivePictures& live, ViewModel& views, widgets::BannerStack& banners);
 
     /// The experiment that the active view shows, else the one that is worked on; empty: none.
     std::string shown() const;
@@ -31,7 +31,7 @@ class References : public QObject {
 
     Session& session_;
     LivePictures& live_;
-    Workspace& workspace_;
+    ViewModel& views_;
     widgets::BannerStack& banners_;
     QString shown_text_;
 };

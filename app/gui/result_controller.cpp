@@ -7,14 +7,10 @@ namespace ir::gui {
 
 using K = QKeySequence;
 
-ResultController::ResultController(Session& session, LivePictures& live, Playback& playback,
-                                   Workspace& workspace, References& references, ResultsDock& results,
-                                   DocumentDock& document, Actions& actions)
-    : session_(session),
-      workspace_(workspace),
-      references_(references),
-      results_(results),
-      document_(document) {
+ResultController::ResultController(Session& session, LivePictures& live, Playback& playback, ViewModel& views,
+                                   References& references, ResultsDock& results, DocumentDock& document,
+                                   Actions& actions)
+    : session_(session), views_(views), references_(references), results_(results), document_(document) {
     add_actions(actions);
     connect(&document_.tree(), &widgets::ProjectPanel::menu_opening, this, &ResultController::fill_menu);
     connect(&results_, &ResultsDock::keep_possible_changed, this, &ResultController::update);
@@ -52,7 +48,7 @@ void ResultController::fill_menu(const widgets::ItemRef& item, QMenu* menu) {
 void ResultController::update() {
     set_reason(*match_, references_.why_not(references_.shown()));
     set_reason(*keep_, results_.why_not_keep());
-    const auto& shown = workspace_.active_state();
+    const auto& shown = views_.active_state();
     const bool kept = shown.a.is_kept() || (widgets::compares(shown.mode) && shown.b.is_kept());
     const bool writable = session_.experiment() && !session_.open_project().is_read_only();
     compare_->setEnabled(writable && !kept);

@@ -14,7 +14,7 @@ namespace ir::gui {
 class ResultController : public QObject {
     Q_OBJECT
   public:
-    ResultController(Session& session, LivePictures& live, Playback& playback, Workspace& workspace,
+    ResultController(Session& session, LivePictures& live, Playback& playback, ViewModel& views,
                      References& references, ResultsDock& results, DocumentDock& document, Actions& actions);
 
   private:
@@ -23,7 +23,7 @@ class ResultController : public QObject {
     void update();
 
     Session& session_;
-    Workspace& workspace_;
+    ViewModel& views_;
     References& references_;
     ResultsDock& results_;
     DocumentDock& document_;

@@ -20,13 +20,13 @@ using widgets::ResultRow;
 
 }  // namespace
 
-ResultsDock::ResultsDock(Session& session, LivePictures& live, Renderer& renderer, Workspace& workspace,
+ResultsDock::ResultsDock(Session& session, LivePictures& live, Renderer& renderer, ViewModel& views,
                          KeptResults& kept, QWidget* parent)
     : QWidget(parent),
       session_(session),
       live_(live),
       renderer_(renderer),
-      workspace_(workspace),
+      views_(views),
       kept_(kept),
       panel_(new widgets::ResultsPanel) {
     auto* column = new QVBoxLayout(this);
@@ -58,7 +58,7 @@ ResultsDock::ResultsDock(Session& session, LivePictures& live, Renderer& rendere
     connect(&session_, &Session::files_changed, this, &ResultsDock::update);
     for (auto signal : {&Session::document_changed, &Session::experiment_selected})
         connect(&session_, signal, this, &ResultsDock::keep_possible_changed);
-    connect(&workspace_, &Workspace::active_changed, this, &ResultsDock::keep_possible_changed);
+    connect(&views_, &ViewModel::active_changed, this, &ResultsDock::keep_possible_changed);
     connect(&live_, &LivePictures::state_changed, this, &ResultsDock::keep_possible_changed);
     update();
 }
@@ -69,7 +69,7 @@ void ResultsDock::set_visible_to_user(bool seen) {
 }
 
 std::string ResultsDock::shown() const {
-    const auto* chosen = session_.experiment(workspace_.active_state().a.owner);
+    const auto* chosen = session_.experiment(views_.active_state().a.owner);
     if (!chosen) chosen = session_.experiment();
     return chosen ? chosen->id : std::string();
 }
@@ -97,7 +97,7 @@ void ResultsDock::keep() {
     const auto& open = session_.open_project();
     keeping_[id] = open.folder();
     const bool waits = live_.state(id) == LivePictures::State::rendering;
-    const auto name = text_of(workspace_.pictures().owner_name(id));
+    const auto name = text_of(views_.pictures().owner_name(id));
     emit said(waits ? tr("%1 is kept as soon as it is finished …").arg(name) : tr("Keeping %1 …").arg(name));
     renderer_.keep({id, session_.document(), id, open.folder().string()});
     emit keep_possible_changed();
@@ -110,7 +110,7 @@ void ResultsDock::on_kept(const engine::KeepResult& result) {
     keeping_.erase(found);
     emit keep_possible_changed();
     if (!session_.has_project() || session_.open_project().folder() != folder) return;
-    const auto name = text_of(workspace_.pictures().owner_name(result.experiment));
+    const auto name = text_of(views_.pictures().owner_name(result.experiment));
     if (!result.error.empty()) return emit failed(tr("%1 was not kept: %2").arg(name, text_of(result.error)));
     kept_.look();
     emit said(tr("Kept the result of %1").arg(name));
@@ -131,7 +131,7 @@ QString ResultsDock::empty_text() const {
 }
 
 QString ResultsDock::name_of(const projects::KeptResult& result) const {
-    return text_of(workspace_.pictures().owner_name(kept_owner(result.key)));
+    return text_of(views_.pictures().owner_name(kept_owner(result.key)));
 }
 
 std::vector<ResultRow> ResultsDock::rows() const {
@@ -181,11 +181,11 @@ void ResultsDock::update() {
 
 void ResultsDock::show_result(const QString& key, bool as_b) {
     const auto owner = kept_owner(key.toStdString());
-    if (as_b) return workspace_.compare_with(owner);
-    auto state = workspace_.active_state();
+    if (as_b) return views_.compare_with(owner);
+    auto state = views_.active_state();
     state.a = {owner, {}};
     state.as_table = false;
-    workspace_.set_state(workspace_.area().active(), state);
+    views_.set_active_state(state);
 }
 
 void ResultsDock::show_changes(const QStringList& keys) {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/gui/kept_results.h"
-#include "app/gui/workspace.h"
+#include "app/gui/view_model.h"
 #include "widgets/results/results_panel.h"
 
 namespace ir::gui {
@@ -15,8 +15,8 @@ namespace ir::gui {
 class ResultsDock : public QWidget {
     Q_OBJECT
   public:
-    ResultsDock(Session& session, LivePictures& live, Renderer& renderer, Workspace& workspace,
-                KeptResults& kept, QWidget* parent = nullptr);
+    ResultsDock(Session& session, LivePictures& live, Renderer& renderer, ViewModel& views, KeptResults& kept,
+                QWidget* parent = nullptr);
     widgets::ResultsPanel& panel() { return *panel_; }
 
     /// Why the shown experiment's picture cannot be kept; empty: it can.
@@ -49,7 +49,7 @@ class ResultsDock : public QWidget {
     Session& session_;
     LivePictures& live_;
     Renderer& renderer_;
-    Workspace& workspace_;
+    ViewModel& views_;
     KeptResults& kept_;
     widgets::ResultsPanel* panel_;
     std::function<bool(int)> confirm_;

@@ -8,7 +8,7 @@
 namespace ir::gui {
 namespace {
 
-widgets::CameraPose pose_of(const projects::Camera& camera) {
+widgets::CameraPose pose_in_document(const projects::Camera& camera) {
     return {camera.eye, camera.target, camera.up, camera.fov_y_degrees, camera.orthographic, camera.height};
 }
 
@@ -76,7 +76,7 @@ std::optional<widgets::CameraPose> Session::camera_pose() const {
     if (const auto moved = moved_pose(chosen->id)) return moved;
     const auto* camera = projects::find_item(document().cameras, chosen->camera);
     if (camera && camera->scene_camera.empty())
-        return pose_of(projects::camera_at(document(), *camera, shown_time_.value_or(chosen->time)));
+        return pose_in_document(projects::camera_at(document(), *camera, shown_time_.value_or(chosen->time)));
     if (camera)
         for (const auto& each : scene_cameras_)
             if (each.name == camera->scene_camera) return pose_of(each);

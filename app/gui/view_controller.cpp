@@ -19,6 +19,7 @@ ViewController::ViewController(Session& session, LivePictures& live, Playback& p
     : session_(session),
       scenes_(scenes),
       workspace_(workspace),
+      views_(workspace.views()),
       inspector_(inspector),
       display_(display),
       actions_(actions) {
@@ -32,17 +33,17 @@ ViewController::ViewController(Session& session, LivePictures& live, Playback& p
     follow(session_, this, &ViewController::update_stages);
     connect(&live, &LivePictures::state_changed, this, &ViewController::update_stages);
     update_stages();
-    connect(&workspace_, &Workspace::active_changed, this, &ViewController::update_display);
+    connect(&views_, &ViewModel::active_changed, this, &ViewController::update_display);
     connect(&workspace_, &Workspace::picture_shown, this, &ViewController::update_display);
     using Panel = widgets::DisplayPanel;
-    connect(&display_, &Panel::display_chosen, &workspace_, &Workspace::choose_display);
-    connect(&display_, &Panel::automatic_chosen, &workspace_, &Workspace::choose_automatic);
+    connect(&display_, &Panel::display_chosen, &views_, &ViewModel::choose_display);
+    connect(&display_, &Panel::automatic_chosen, this, [this] { views_.choose_display({}); });
     connect(&scenes_, &SceneShelf::changed, this, [this] {
         const auto* scene = scenes_.current();
         session_.set_scene_cameras(scene ? scene->camera_values : std::vector<scene::Camera>());
         update_cameras();
     });
-    connect(&workspace_, &Workspace::active_changed, this, &ViewController::update_cameras);
+    connect(&views_, &ViewModel::active_changed, this, &ViewController::update_cameras);
     connect(&playback, &Playback::changed, this, &ViewController::update_cameras);
     follow(session_, this, &ViewController::update_cameras);
 }
@@ -68,21 +69,30 @@ void ViewController::add_view_actions() {
     add("zoom-out", tr("Zoom &out"), "zoom-out", {K(Qt::CTRL | Qt::Key_Minus)},
         in_view(&CompareView::zoom_out));
     all_ << actions_.add_switch("grid", tr("Pixel &grid and numbers"), "grid", {K(Qt::Key_G)}, true,
-                                [this](bool on) { workspace_.set_pixel_grid(on); });
+                                [this](bool on) { workspace_.tools().set_pixel_grid(on); });
     all_ << actions_.add_switch("legend", tr("&Legend"), nullptr, {K(Qt::SHIFT | Qt::Key_G)}, true,
-                                [this](bool on) { workspace_.set_legend(on); });
+                                [this](bool on) { workspace_.tools().set_legend(on); });
     add("buffer-main", tr("Show the main &result"), nullptr, {K(Qt::Key_R)},
-        [this] { workspace_.show_output(""); });
+        [this] { views_.show_output(""); });
     add("buffer-next", tr("Show the &next buffer"), nullptr, {K(Qt::Key_PageDown)},
-        [this] { workspace_.step_output(1); });
+        [this] { step_output(1); });
     add("buffer-previous", tr("Show the &previous buffer"), nullptr, {K(Qt::Key_PageUp)},
-        [this] { workspace_.step_output(-1); });
+        [this] { step_output(-1); });
+}
+
+void ViewController::step_output(int step) {
+    const auto& pictures = views_.pictures();
+    const auto outputs = pictures.outputs(views_.active_state().a.owner);
+    if (outputs.empty()) return;
+    const auto* now = pictures.find(outputs, views_.shown_key());
+    const int count = int(outputs.size()), at = now ? int(now - outputs.data()) : 0;
+    views_.show_output(outputs[std::size_t((at + step + count) % count)].key);
 }
 
 void ViewController::change_display(const std::function<void(Display&)>& change) {
     auto display = workspace_.display();
     change(display);
-    workspace_.choose_display(display);
+    views_.choose_display(display);
 }
 
 void ViewController::add_display_actions() {
@@ -95,7 +105,7 @@ void ViewController::add_display_actions() {
     add("darker", tr("&Darker by half a stop"), nullptr, {K(Qt::Key_BracketLeft)},
         [expose] { expose(-0.5); });
     add("display-reset", tr("Colours and range by &themselves"), "range", {K(Qt::Key_Backslash)},
-        [this] { workspace_.choose_automatic(); });
+        [this] { views_.choose_display({}); });
     add("marks", tr("&Mark NaN, Inf and negative values"), "marks", {K(Qt::Key_M)},
         [this] { change_display([](Display& display) { display.mark_bad = !display.mark_bad; }); });
     add("zebra", tr("&Zebra where values leave the range"), nullptr, {K(Qt::Key_Z)},
@@ -117,9 +127,9 @@ void ViewController::add_arrangement_actions() {
     add_arrangement("views-2-stacked", tr("Two views, one &below the other"), Qt::Key_5, A::stacked,
                     "views-2-stacked");
     add("view-open", tr("Open &another view"), nullptr, {K(Qt::CTRL | Qt::Key_T)}, [this] {
-        const auto before = workspace_.active_state();
+        const auto before = views_.active_state();
         const int view = workspace_.area().open_another();
-        if (view >= 0) workspace_.set_state(view, before);
+        if (view >= 0) views_.set_state(view, before);
     });
     add("view-close", tr("&Close the view"), nullptr, {K(Qt::CTRL | Qt::SHIFT | Qt::Key_W)},
         [&area] { area.close_view(area.active()); });
@@ -131,7 +141,7 @@ void ViewController::add_arrangement_actions() {
 void ViewController::add_compare_actions() {
     const auto add_mode = [this](const char* name, ViewMode mode, Qt::Key key) {
         add(name, widgets::mode_name(mode), nullptr, {K(Qt::ALT | key)},
-            [this, mode] { workspace_.set_mode(mode); });
+            [this, mode] { views_.set_mode(mode); });
     };
     add_mode("mode-single", ViewMode::single, Qt::Key_1);
     add_mode("mode-side-by-side", ViewMode::side_by_side, Qt::Key_2);
@@ -140,15 +150,23 @@ void ViewController::add_compare_actions() {
     add_mode("mode-difference", ViewMode::difference, Qt::Key_5);
     add_mode("mode-stages", ViewMode::stages, Qt::Key_6);
     auto* stages = actions_.add("stages", tr("Filter &stages"), "stages", {K(Qt::ALT | Qt::Key_7)},
-                                [this] { workspace_.show_stages(); });
+                                [this] { show_stages(); });
     stages->setData(
         tr("The stages that the method names in a row, with the differences between them (Alt+7)"));
     add("swap", tr("&Swap A and B"), "swap", {K(Qt::Key_X)},
         [this] { workspace_.active_pane().compare().swap(); });
     auto* link = actions_.add_switch("link", tr("&Link zoom, place, camera and colours of all views"), "link",
-                                     {K(Qt::Key_L)}, true, [this](bool on) { workspace_.set_linked(on); });
+                                     {K(Qt::Key_L)}, true, [this](bool on) { views_.set_linked(on); });
     all_ << link;
-    connect(&workspace_, &Workspace::linked_changed, link, &QAction::setChecked);
+    connect(&views_, &ViewModel::linked_changed, link, &QAction::setChecked);
+}
+
+void ViewController::show_stages() {
+    auto state = views_.active_state();
+    state.mode = ViewMode::stages;
+    state.as_table = false;
+    state.chain = true;
+    views_.set_active_state(std::move(state));
 }
 
 void ViewController::add_inspect_actions() {
@@ -164,11 +182,11 @@ void ViewController::add_tool_actions() {
     using Tool = widgets::ImageView::Tool;
     auto* group = new QActionGroup(this);
     const auto add_tool = [&](const char* name, const QString& text, Qt::Key key, Tool tool) {
-        auto* action = add(name, text, name, {K(key)}, [this, tool] { workspace_.set_tool(tool); });
+        auto* action = add(name, text, name, {K(key)}, [this, tool] { workspace_.tools().set_tool(tool); });
         action->setCheckable(true);
         action->setChecked(tool == Tool::inspect);
         group->addAction(action);
-        connect(&workspace_, &Workspace::tool_changed, action, [action, tool](Tool now) {
+        connect(&workspace_.tools(), &PictureTools::tool_changed, action, [action, tool](Tool now) {
             if (now == tool) action->setChecked(true);
         });
     };
@@ -189,7 +207,7 @@ void ViewController::update_display() {
 
 void ViewController::update_stages() {
     auto* action = actions_.find("stages");
-    action->setEnabled(has_stages(session_, workspace_.active_state().a.owner));
+    action->setEnabled(has_stages(session_, views_.active_state().a.owner));
     action->setToolTip(action->data().toString() +
                        (action->isEnabled() ? QString() : tr(".\nThis method names none.")));
 }
@@ -201,7 +219,7 @@ void ViewController::update_cameras() {
         auto* pane = workspace_.pane(number);
         if (!pane) continue;
         const bool worked_on =
-            session_.experiment() && workspace_.state(number).a.owner == session_.experiment()->id;
+            session_.experiment() && views_.state(number).a.owner == session_.experiment()->id;
         if (pose && worked_on) pane->compare().set_camera(*pose);
         if (!scene) continue;
         // Crossing the scene takes about six seconds.

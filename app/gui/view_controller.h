@@ -28,6 +28,8 @@ class ViewController : public QObject {
     void add_compare_actions();
     void add_inspect_actions();
     void add_tool_actions();
+    void step_output(int step);
+    void show_stages();  ///< the chain that the method names, in a row
     void change_display(const std::function<void(widgets::Display&)>& change);
     void update_display();
     void update_stages();
@@ -36,6 +38,7 @@ class ViewController : public QObject {
     Session& session_;
     SceneShelf& scenes_;
     Workspace& workspace_;
+    ViewModel& views_;
     PixelInspector& inspector_;
     widgets::DisplayPanel& display_;
     Actions& actions_;

@@ -16,6 +16,7 @@ class CompareWindowTest : public WindowTest {
         add_second_experiment(0.75);
     }
     Workspace& workspace() { return window.workspace(); }
+    ViewModel& views() { return window.views(); }
     widgets::CompareView& compare() { return window.workspace().active_pane().compare(); }
     bool wait_for_difference() {
         return QTest::qWaitFor([this] { return compare().difference_picture() != nullptr; }, 3000);
@@ -47,11 +48,11 @@ TEST_F(CompareWindowTest, TheKindOfDifferenceIsChosenInTheHeader) {
 TEST_F(CompareWindowTest, SwapExchangesAAndB) {
     trigger("mode-difference");
     ASSERT_TRUE(wait_for_difference());
-    const auto before = workspace().active_state();
+    const auto before = views().active_state();
     QTest::keyClick(&compare().main_view(), Qt::Key_X);
     ASSERT_TRUE(settle());
-    EXPECT_EQ(workspace().active_state().a, before.b);
-    EXPECT_EQ(workspace().active_state().b, before.a);
+    EXPECT_EQ(views().active_state().a, before.b);
+    EXPECT_EQ(views().active_state().b, before.a);
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return compare().difference_picture() && compare().difference_picture()->image->at(0, 0) > 0; },
         3000));
@@ -63,10 +64,10 @@ TEST_F(CompareWindowTest, AForeignImageTakesPart) {
     const std::string file = (folder.path() + "/other.exr").toStdString();
     write_exr(file, {{"", {"R", "G", "B"}, Image(size.x, size.y, 3, 0.125f)}}, {});
     window.session().add_image(file);
-    auto state = workspace().active_state();
+    auto state = views().active_state();
     state.mode = ViewMode::wipe;
     state.b = {"image:" + window.session().document().images[0].id, ""};
-    workspace().set_state(0, state);
+    views().set_state(0, state);
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return compare().pictures().size() == 2 && compare().pictures()[1]->has_image(); }, 5000));
     EXPECT_FLOAT_EQ(compare().pictures()[1]->image->at(0, 0), 0.125f);
@@ -79,12 +80,12 @@ TEST_F(CompareWindowTest, AForeignImageMeansWhatItIsComparedWithOnEitherSide) {
     const std::string file = (folder.path() + "/depth.exr").toStdString();
     write_exr(file, {{"", {"Y"}, Image(size.x, size.y, 1, 0.125f)}}, {});
     window.session().add_image(file);
-    auto state = workspace().active_state();
+    auto state = views().active_state();
     state.mode = ViewMode::wipe;
     state.b = {state.a.owner, "depth"};
     state.a = {"image:" + window.session().document().images[0].id, ""};
     for (int turn = 0; turn < 2; ++turn) {
-        workspace().set_state(0, state);
+        views().set_state(0, state);
         ASSERT_TRUE(settle());
         ASSERT_TRUE(QTest::qWaitFor(
             [&] { return compare().pictures()[0]->has_image() && compare().pictures()[1]->has_image(); },
@@ -132,7 +133,7 @@ TEST_F(CompareWindowTest, ZoomIsOneForAllViewsUntilUnlinked) {
     workspace().pane(0)->compare().look_at({10, 10}, 8);
     EXPECT_DOUBLE_EQ(second.transform().zoom(), 8);
     trigger("link");
-    EXPECT_FALSE(workspace().linked());
+    EXPECT_FALSE(views().linked());
     workspace().pane(0)->compare().look_at({10, 10}, 16);
     EXPECT_DOUBLE_EQ(first.transform().zoom(), 16);
     EXPECT_DOUBLE_EQ(second.transform().zoom(), 8);
@@ -169,7 +170,7 @@ TEST_F(CompareWindowTest, AComparisonIsKeptInTheProjectAndOpensAgain) {
     trigger("mode-single");
     workspace().open_comparison(kept);
     ASSERT_TRUE(settle());
-    EXPECT_EQ(workspace().active_state().mode, ViewMode::difference);
+    EXPECT_EQ(views().active_state().mode, ViewMode::difference);
     trigger("undo");
     EXPECT_TRUE(window.session().document().comparisons.empty());
 }

@@ -130,10 +130,10 @@ TEST(EndToEnd, EveryBufferOfTheExperimentCanBeShown) {
     ASSERT_FALSE(resources.empty());
     using Content = widgets::ViewPane::Content;
     for (const auto& resource : resources) {
-        real.window.workspace().show_output(resource.key);
+        real.window.views().show_output(resource.key);
         ASSERT_TRUE(real.wait()) << resource.key;
         EXPECT_EQ(real.state(), LivePictures::State::done) << resource.key << real.reason();
-        EXPECT_EQ(real.window.workspace().shown_key(), resource.key);
+        EXPECT_EQ(real.window.views().shown_key(), resource.key);
         auto& pane = real.window.workspace().active_pane();
         const bool image = resource.width > 0;
         EXPECT_EQ(pane.content() == Content::picture, image) << resource.key;

@@ -78,7 +78,7 @@ TEST_F(InspectWindowTest, ShiftClickExplainsAPixelAndDrawsItInSpace) {
     ASSERT_TRUE(window.inspector().explained().has_value());
     EXPECT_EQ(*window.inspector().explained(), QPoint(20, 10));
     ASSERT_TRUE(QTest::qWaitFor([&] { return window.workspace().area().open_views().size() == 2; }, 3000));
-    const auto& state = window.workspace().state(1);
+    const auto& state = window.views().state(1);
     EXPECT_EQ(state.a.output, "why");
     ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.views.empty(); }, 3000));
     EXPECT_EQ(renderer.views.back().view.layers[0].key, "why");
@@ -92,17 +92,17 @@ TEST_F(InspectWindowTest, ShiftClickExplainsAPixelAndDrawsItInSpace) {
 TEST_F(InspectWindowTest, WhatExplainsAPixelNeverCoversThePicture) {
     window.inspector().explain({20, 10});
     ASSERT_TRUE(settle());
-    const auto picture = window.workspace().state(0);
+    const auto picture = window.views().state(0);
     for (const char* key : {"why", "shares", "why"}) {
         emit window.inspector().explain_panel().show_wanted(key);
         ASSERT_TRUE(settle());
-        EXPECT_EQ(window.workspace().state(0), picture) << key;
+        EXPECT_EQ(window.views().state(0), picture) << key;
         EXPECT_EQ(window.workspace().area().active(), 0);
     }
     const auto open = window.workspace().area().open_views();
     ASSERT_EQ(open.size(), 3u);
-    EXPECT_EQ(window.workspace().state(1).a.output, "why");
-    EXPECT_EQ(window.workspace().state(2).a.output, "shares");
+    EXPECT_EQ(window.views().state(1).a.output, "why");
+    EXPECT_EQ(window.views().state(2).a.output, "shares");
 }
 
 TEST_F(InspectWindowTest, EachSpaceOfAnExplanationHasAViewOfItsOwn) {
@@ -117,19 +117,19 @@ TEST_F(InspectWindowTest, EachSpaceOfAnExplanationHasAViewOfItsOwn) {
         window.inspector().explain_nothing();
         widgets::ViewState picture;
         picture.a = {window.session().experiment()->id, {}};
-        for (const int view : workspace.area().open_views()) workspace.set_state(view, picture);
+        for (const int view : workspace.area().open_views()) window.views().set_state(view, picture);
         ASSERT_TRUE(settle());
         window.inspector().explain({20, 10});
         ASSERT_TRUE(settle());
         std::map<std::string, std::vector<std::string>> layers;
         for (const int view : workspace.area().open_views()) {
-            const auto& state = workspace.state(view);
+            const auto& state = window.views().state(view);
             if (workspace.pane(view)->content() != widgets::ViewPane::Content::space) continue;
             for (const auto& layer : state.space.layers) layers[state.a.output].push_back(layer.key);
         }
         EXPECT_EQ(layers["why"], std::vector<std::string>{"why"}) << views;
         EXPECT_EQ(layers["grid"], std::vector<std::string>{"grid"}) << views;
-        EXPECT_EQ(workspace.active_state(), picture) << views;
+        EXPECT_EQ(window.views().active_state(), picture) << views;
     }
 }
 
@@ -141,17 +141,17 @@ TEST_F(InspectWindowTest, ABufferOfAnotherSpaceLeavesTheCameraBehind) {
     ASSERT_TRUE(settle());
     window.inspector().explain({20, 10});
     ASSERT_TRUE(settle());
-    window.workspace().show_output("cloud");
+    window.views().show_output("cloud");
     ASSERT_TRUE(settle());
     window.workspace().active_pane().space().view().use_free_camera();
     ASSERT_TRUE(settle());
-    ASSERT_TRUE(window.workspace().active_state().space.camera.has_value());
-    window.workspace().show_output("why");
+    ASSERT_TRUE(window.views().active_state().space.camera.has_value());
+    window.views().show_output("why");
     ASSERT_TRUE(settle());
-    EXPECT_TRUE(window.workspace().active_state().space.camera.has_value()) << "still in the scene";
-    window.workspace().show_output("grid");
+    EXPECT_TRUE(window.views().active_state().space.camera.has_value()) << "still in the scene";
+    window.views().show_output("grid");
     ASSERT_TRUE(settle());
-    EXPECT_FALSE(window.workspace().active_state().space.camera.has_value());
+    EXPECT_FALSE(window.views().active_state().space.camera.has_value());
 }
 
 TEST_F(InspectWindowTest, AnExplanationIsNoEdit) {
@@ -164,15 +164,15 @@ TEST_F(InspectWindowTest, AnExplanationIsNoEdit) {
 TEST_F(InspectWindowTest, DisplayIsRememberedByBuffer) {
     trigger("brighter");
     EXPECT_DOUBLE_EQ(window.workspace().display().exposure, 0.5);
-    window.workspace().show_output("depth");
+    window.views().show_output("depth");
     ASSERT_TRUE(settle());
     EXPECT_TRUE(window.workspace().is_automatic());
     auto display = window.workspace().display();
     display.high = 7;
-    window.workspace().choose_display(display);
+    window.views().choose_display(display);
     trigger("buffer-main");
     EXPECT_DOUBLE_EQ(window.workspace().display().exposure, 0.5);
-    window.workspace().show_output("depth");
+    window.views().show_output("depth");
     ASSERT_TRUE(settle());
     EXPECT_DOUBLE_EQ(window.workspace().display().high, 7);
     trigger("display-reset");
@@ -205,7 +205,7 @@ TEST_F(InspectWindowTest, WhatIsShownIsExported) {
     window.exports().save_all_buffers(folder.path() + "/all.exr");
     ASSERT_EQ(renderer.exports.size(), 1u);
     EXPECT_EQ(renderer.exports[0].tag, window.session().experiment()->id);
-    window.workspace().show_output("numbers");
+    window.views().show_output("numbers");
     ASSERT_TRUE(settle());
     window.exports().save_values(csv);
     file.close();
@@ -224,7 +224,7 @@ TEST_F(InspectWindowTest, ExportsThatDoNotFitOnTheDiskAreRefused) {
     EXPECT_EQ(refused(&Exports::save_view), "");
     EXPECT_EQ(refused(&Exports::save_buffer), "");
     EXPECT_EQ(refused(&Exports::save_values), "");
-    window.workspace().show_output("numbers");
+    window.views().show_output("numbers");
     ASSERT_TRUE(settle());
     EXPECT_EQ(refused(&Exports::save_values), "");
 }
@@ -233,7 +233,7 @@ TEST_F(InspectWindowTest, AMessageLeadsToItsPlace) {
     window.messages().add({Severity::warning, "render", "look at this", "depth"});
     emit window.messages().go_to({Severity::warning, "render", "look at this", "depth"});
     ASSERT_TRUE(settle());
-    EXPECT_EQ(window.workspace().shown_key(), "depth");
+    EXPECT_EQ(window.views().shown_key(), "depth");
 }
 
 TEST_F(InspectWindowTest, ACameraIsBookmarkedAndUsedAgain) {

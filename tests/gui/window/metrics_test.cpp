@@ -29,6 +29,7 @@ class MetricsWindowTest : public WindowTest {
         ASSERT_TRUE(settle());
     }
     Workspace& workspace() { return window.workspace(); }
+    ViewModel& views() { return window.views(); }
     widgets::CompareView& compare() { return workspace().active_pane().compare(); }
     widgets::MetricsPanel& panel() { return window.metrics().panel(); }
     template <class T>
@@ -126,9 +127,8 @@ TEST_F(MetricsWindowTest, WhatDoesNotComputeTheSameIsComparedOnRequestAlone) {
 TEST_F(MetricsWindowTest, PicturesOfOtherMomentsAreComparedOnRequestAlone) {
     trigger("mode-wipe");
     const auto second = window.session().document().experiments[1].id;
-    ASSERT_TRUE(window.session().edit([&](const projects::Project& project) {
-        return projects::edits::set_time(project, second, 0.5);
-    }));
+    ASSERT_TRUE(window.session().edit(
+        [&](const projects::Project& project) { return projects::edits::set_time(project, second, 0.5); }));
     ASSERT_TRUE(settle());
     EXPECT_NEAR(value("rmse"), 0.5, 1e-6) << "nothing moves";
     ASSERT_TRUE(window.session().edit([](const projects::Project& project) {
@@ -198,13 +198,13 @@ TEST_F(MetricsWindowTest, EveryKindOfDifferenceIsChosenInTheHeader) {
         ASSERT_TRUE(settle());
         ASSERT_TRUE(QTest::qWaitFor([&] { return compare().difference_picture() != nullptr; }, 5000))
             << widgets::to_key(kind) << ' ' << compare().refusal().toStdString();
-        EXPECT_EQ(workspace().active_state().difference, kind);
+        EXPECT_EQ(views().active_state().difference, kind);
         EXPECT_EQ(widgets::difference_from_key(widgets::to_key(kind)), kind);
         EXPECT_TRUE(compare().main_view().legend());
         const auto kept = workspace().as_comparison();
         EXPECT_EQ(kept.mode, "difference:" + widgets::to_key(kind));
         workspace().open_comparison(kept);
-        EXPECT_EQ(workspace().active_state().difference, kind);
+        EXPECT_EQ(views().active_state().difference, kind);
     }
 }
 
@@ -256,7 +256,7 @@ TEST_F(MetricsWindowTest, OddSessionsAreNotTrusted) {
         R"({"metrics":{"accepted":[1,{},"x"],"masks":{"a":3}},"region":{"of":[8,"x"],"x":1e300}})");
     window.metrics().load(json);
     workspace().load(json);
-    EXPECT_TRUE(workspace().region({8, 8}).isEmpty());
+    EXPECT_TRUE(workspace().tools().region({8, 8}).isEmpty());
     ASSERT_TRUE(settle());
 }
 

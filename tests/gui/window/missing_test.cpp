@@ -18,9 +18,10 @@ class MissingTest : public WindowTest {
         first = window.session().experiment()->id;
     }
     Workspace& workspace() { return window.workspace(); }
+    ViewModel& views() { return window.views(); }
     std::string missing(int view = 0) { return workspace().missing(view).toStdString(); }
     void show(const ViewState& state, int view = 0) {
-        workspace().set_state(view, state);
+        views().set_state(view, state);
         ASSERT_TRUE(settle());
     }
     widgets::SpaceView& space() { return workspace().pane(0)->space().view(); }
@@ -123,9 +124,9 @@ TEST_F(MissingTest, WhatIsTrulyEmptySaysWhenItIs) {
     window.inspector().explain({3, 4});
     show_output("why");
     EXPECT_EQ(missing(), "None for pixel 3, 4. Empty where nothing is in its way.");
-    const auto outputs = workspace().pictures().outputs(first);
+    const auto outputs = views().pictures().outputs(first);
     EXPECT_EQ(
-        workspace().pictures().find(outputs, "why")->doc.toStdString(),
+        views().pictures().find(outputs, "why")->doc.toStdString(),
         "Lines of the pixel. Empty words are no reason. Empty while no pixel is picked, and where nothing "
         "is in its way.");
 }
@@ -138,7 +139,7 @@ TEST_F(MissingTest, WhatAFailedExplanationLacksIsNotCalledEmpty) {
     window.live().render_again();
     ASSERT_TRUE(settle());
     EXPECT_EQ(missing(), "out of memory");
-    const auto why = workspace().pictures().why_empty(first, "why").toStdString();
+    const auto why = views().pictures().why_empty(first, "why").toStdString();
     EXPECT_EQ(why, "out of memory") << "what an older frame had says nothing of this one";
     const auto* panel = window.inspector().explain_panel().findChild<QWidget*>("output:why");
     const auto details = panel->findChildren<QLabel*>().at(1)->text();
@@ -153,7 +154,7 @@ TEST_F(MissingTest, ABufferThatIsNotThereYetIsRenderingAndNotUnknown) {
     renderer.finds_none = true;
     ViewState state;
     state.a = {first, "cloud"};
-    workspace().set_state(0, state);
+    views().set_state(0, state);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !space().picture().layers.empty(); }, 3000));
     EXPECT_EQ(space().picture().layers[0].note, "Rendering …");
 }
@@ -195,13 +196,13 @@ TEST_F(MissingTest, ADrawingThatNobodyWaitsForAnyMoreKeepsNothingBusy) {
     renderer.hold_views = true;
     ViewState state;
     state.a = {first, "cloud"};
-    workspace().set_state(0, state);
+    views().set_state(0, state);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !renderer.views.empty(); }, 3000));
     EXPECT_FALSE(window.is_settled());
     renderer.failure = "out of memory";  // the copy will never be drawn
     window.action("experiment-duplicate")->trigger();
     state.a.owner = window.session().document().experiments[1].id;
-    workspace().set_state(0, state);
+    views().set_state(0, state);
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.is_settled(); }, 3000));
 }
 

@@ -24,7 +24,7 @@ class NamesWindowTest : public WindowTest {
     void choose_method(const QString& title) { choose(list("method"), title); }
     QString experiment_shown() { return list("experiment")->currentText(); }
     std::shared_ptr<const widgets::Picture> picture() {
-        return window.workspace().pictures().picture(window.workspace().active_state().a);
+        return window.views().pictures().picture(window.views().active_state().a);
     }
     ResultsModel& results() { return window.results().panel().model(); }
 
@@ -57,7 +57,7 @@ class NamesWindowTest : public WindowTest {
     }
     QString cell(int column) { return results().index(0, column).data().toString(); }
     std::string kept_name() {
-        return window.workspace().pictures().owner_name("result:" + results().rows()[0].key.toStdString());
+        return window.views().pictures().owner_name("result:" + results().rows()[0].key.toStdString());
     }
 
     QTemporaryDir folder;

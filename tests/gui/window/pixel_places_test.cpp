@@ -50,7 +50,7 @@ class PixelPlacesWindowTest : public WindowTest {
 };
 
 TEST_F(PixelPlacesWindowTest, APixelOfALevelIsExplainedAsThatOfTheResultAndMarkedWhereItIs) {
-    window.workspace().show_output("levels", 1);
+    window.views().show_output("levels", 1);
     ASSERT_TRUE(settle());
     click({10, 6}, Qt::ShiftModifier);
     EXPECT_EQ(window.inspector().explained(), QPoint(21, 13));

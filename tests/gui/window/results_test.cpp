@@ -58,6 +58,7 @@ class ResultsWindowTest : public WindowTest {
         QTest::qWait(20);
     }
     Workspace& workspace() { return window.workspace(); }
+    ViewModel& views() { return window.views(); }
     widgets::CompareView& compare() { return workspace().active_pane().compare(); }
     ResultsModel& model() { return window.results().panel().model(); }
     std::string experiment() { return window.session().experiment()->id; }
@@ -123,7 +124,7 @@ TEST_F(ResultsWindowTest, AKeptResultIsBInEveryMode) {
     keep();
     type_level("0.75");
     emit window.results().panel().show_wanted(model().rows()[0].key, true);
-    EXPECT_EQ(workspace().active_state().mode, ViewMode::side_by_side);
+    EXPECT_EQ(views().active_state().mode, ViewMode::side_by_side);
     for (const char* action : {"mode-wipe", "mode-flip", "mode-difference", "mode-side-by-side"}) {
         trigger(action);
         ASSERT_TRUE(QTest::qWaitFor(
@@ -137,7 +138,7 @@ TEST_F(ResultsWindowTest, AKeptResultIsBInEveryMode) {
     // As A it is looked at like the buffer that it was.
     emit window.results().panel().show_wanted(model().rows()[0].key, false);
     ASSERT_TRUE(settle());
-    EXPECT_EQ(workspace().active_state().a.owner, owner());
+    EXPECT_EQ(views().active_state().a.owner, owner());
     EXPECT_EQ(workspace().display_key(), "picture");
     EXPECT_FALSE(window.action("comparison-add")->isEnabled());
 }
@@ -145,7 +146,7 @@ TEST_F(ResultsWindowTest, AKeptResultIsBInEveryMode) {
 TEST_F(ResultsWindowTest, WhatDiffersFromAKeptResultIsWarnedOf) {
     save();
     keep();
-    workspace().compare_with(owner());
+    views().compare_with(owner());
     ASSERT_TRUE(settle());
     auto* warning = workspace().active_pane().header().findChild<QLabel*>("warning");
     EXPECT_FALSE(warning->isVisible());
@@ -160,20 +161,20 @@ TEST_F(ResultsWindowTest, WhatDiffersFromAKeptResultIsWarnedOf) {
 TEST_F(ResultsWindowTest, AViewRemembersAResultAndSaysWhenItIsGone) {
     save();
     keep();
-    workspace().compare_with(owner());
+    views().compare_with(owner());
     ASSERT_TRUE(settle());
-    const auto shown = workspace().active_state();
+    const auto shown = views().active_state();
     trigger("close");  // keeping a result changed no document
     ASSERT_TRUE(window.open_path(file()));
     ASSERT_TRUE(settle());
-    EXPECT_EQ(workspace().active_state(), shown);
+    EXPECT_EQ(views().active_state(), shown);
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return compare().pictures().size() > 1 && compare().pictures()[1]->has_image(); }, 3000));
     ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() == 1; }, 3000));
     window.results().set_confirm([](int) { return true; });
     emit window.results().panel().delete_wanted({model().rows()[0].key});
     ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() == 0; }, 3000));
-    EXPECT_EQ(workspace().active_state(), shown);
+    EXPECT_EQ(views().active_state(), shown);
     EXPECT_FALSE(compare().pictures()[1]->has_image());
     EXPECT_TRUE(compare().pictures()[1]->note.contains("deleted"));
 }
@@ -219,16 +220,16 @@ TEST_F(ResultsWindowTest, MatchAddsTheReferenceAsBInOneStep) {
     EXPECT_EQ(window.session().open_project().undo_stack().position(), position + 1);
     const auto reference = window.session().experiment(judged)->reference;
     EXPECT_EQ(window.session().experiment(reference)->method, "truth");
-    EXPECT_EQ(workspace().active_state().a.owner, judged);
-    EXPECT_EQ(workspace().active_state().b.owner, reference);
-    EXPECT_EQ(workspace().active_state().mode, ViewMode::side_by_side);
+    EXPECT_EQ(views().active_state().a.owner, judged);
+    EXPECT_EQ(views().active_state().b.owner, reference);
+    EXPECT_EQ(views().active_state().mode, ViewMode::side_by_side);
     EXPECT_EQ(window.live().state(reference), LivePictures::State::done);
     EXPECT_EQ(renderer.requests.back().tag, reference);
     trigger("mode-wipe");
     trigger("match");  // is there already: shown, and no other step
     EXPECT_EQ(window.session().open_project().undo_stack().position(), position + 1);
-    EXPECT_EQ(workspace().active_state().mode, ViewMode::wipe);
-    workspace().show_owner(reference);
+    EXPECT_EQ(views().active_state().mode, ViewMode::wipe);
+    views().show_owner(reference);
     ASSERT_TRUE(settle());
     EXPECT_FALSE(window.action("match")->isEnabled());
     EXPECT_TRUE(window.action("match")->toolTip().contains("reference itself"));
@@ -238,15 +239,15 @@ TEST_F(ResultsWindowTest, MatchAddsTheReferenceAsBInOneStep) {
 }
 
 TEST_F(ResultsWindowTest, UndoingMatchLeavesTheExperimentAlone) {
-    const auto before = workspace().active_state().a;
+    const auto before = views().active_state().a;
     trigger("match");
-    ASSERT_EQ(workspace().active_state().mode, ViewMode::side_by_side);
+    ASSERT_EQ(views().active_state().mode, ViewMode::side_by_side);
     trigger("undo");
-    EXPECT_EQ(workspace().active_state().mode, ViewMode::single);
-    EXPECT_EQ(workspace().active_state().a, before);
+    EXPECT_EQ(views().active_state().mode, ViewMode::single);
+    EXPECT_EQ(views().active_state().a, before);
     trigger("redo");
     trigger("mode-side-by-side");
-    EXPECT_EQ(workspace().active_state().b.owner, window.session().experiment()->reference);
+    EXPECT_EQ(views().active_state().b.owner, window.session().experiment()->reference);
 }
 
 TEST_F(ResultsWindowTest, AReferenceThatNoLongerMatchesIsToldAndMatchedAgain) {
@@ -265,7 +266,7 @@ TEST_F(ResultsWindowTest, AReferenceThatNoLongerMatchesIsToldAndMatchedAgain) {
     ASSERT_TRUE(settle());
     EXPECT_FALSE(window.banners().names().contains("reference"));
     const auto reference = window.session().experiment(judged)->reference;
-    EXPECT_EQ(workspace().active_state().b.owner, reference);
+    EXPECT_EQ(views().active_state().b.owner, reference);
     EXPECT_EQ(std::get<double>(window.session().experiment(reference)->values.at("max_distance")), 2.0);
 }
 
@@ -273,7 +274,7 @@ TEST_F(ResultsWindowTest, AStoredHistoryIsTakenUpAndGrows) {
     save();
     trigger("match");
     const auto reference = window.session().experiment()->reference;
-    workspace().show_owner(reference);
+    views().show_owner(reference);
     ASSERT_TRUE(settle());
     EXPECT_TRUE(renderer.requests.back().state_file.empty());
     keep();

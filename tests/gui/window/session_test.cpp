@@ -117,14 +117,14 @@ TEST_F(SessionTest, TheOpenProjectIsNotLostWhereItCannotBeReadAgain) {
 
 TEST_F(SessionTest, ARedoneExperimentIsShownAsItWas) {
     open_scene();
-    window.workspace().show_output("depth");
+    window.views().show_output("depth");
     ASSERT_TRUE(settle());
     const auto first = session().experiment()->id;
     trigger("experiment-add");
     const auto second = session().experiment()->id;
-    window.workspace().show_output("levels", 1);
+    window.views().show_output("levels", 1);
     ASSERT_TRUE(settle());
-    const auto shown = [this] { return window.workspace().active_state().a; };
+    const auto shown = [this] { return window.views().active_state().a; };
     for (int times = 0; times < 2; ++times) {
         trigger("undo");
         EXPECT_EQ(shown(), (widgets::ViewSource{first, "depth"}));
@@ -133,7 +133,7 @@ TEST_F(SessionTest, ARedoneExperimentIsShownAsItWas) {
         EXPECT_EQ(session().experiment()->id, second);
     }
     trigger("undo");
-    window.workspace().show_output("slices");  // somebody looks at something else meanwhile
+    window.views().show_output("slices");  // somebody looks at something else meanwhile
     trigger("redo");
     EXPECT_EQ(shown(), (widgets::ViewSource{first, "slices"}));
 }

@@ -19,7 +19,7 @@ class SizesTest : public WindowTest {
         trigger("views-4");
         for (int view = 0; view < 4; ++view) {
             window.workspace().area().set_active(view);
-            window.workspace().show_output(output);
+            window.views().show_output(output);
         }
         ASSERT_TRUE(settle());
     }
@@ -79,7 +79,7 @@ TEST_F(WindowTest, ASmallScreenHasAnArrangementOfItsOwn) {
     trigger("views-4");
     for (int view = 0; view < 4; ++view) {
         window.workspace().area().set_active(view);
-        window.workspace().show_output("cloud");
+        window.views().show_output("cloud");
     }
     ASSERT_TRUE(settle());
     EXPECT_EQ(area(), Qt::LeftDockWidgetArea);
@@ -112,7 +112,7 @@ TEST_F(SizesTest, FourComparisonsFitTheSmallestScreen) {
     for (const auto mode : widgets::all_modes()) {
         for (int view = 0; view < 4; ++view) {
             window.workspace().area().set_active(view);
-            window.workspace().set_mode(mode);
+            window.views().set_mode(mode);
         }
         ASSERT_TRUE(settle());
         expect_fits();

@@ -35,6 +35,7 @@ class StagesWindowTest : public WindowTest {
         ASSERT_TRUE(settle());
     }
     Workspace& workspace() { return window.workspace(); }
+    ViewModel& views() { return window.views(); }
     widgets::CompareView& compare() { return window.workspace().active_pane().compare(); }
     /// A row of 32×24, 64×48 and 64×48 pixels.
     void show_unequal_stages() {
@@ -63,7 +64,7 @@ TEST_F(StagesWindowTest, TheChainStandsInARowInItsOrder) {
     ASSERT_TRUE(compare().refusal().isEmpty()) << compare().refusal().toStdString();
     EXPECT_EQ(compare().captions().mid(3), QStringList({"RMSE 0.375", "RMSE 0.125"}));
     choose(header("difference"), "|A − B|");
-    EXPECT_EQ(workspace().active_state().difference, DifferenceKind::absolute);
+    EXPECT_EQ(views().active_state().difference, DifferenceKind::absolute);
     EXPECT_EQ(compare().difference_views().size(), 2u);
 }
 
@@ -82,12 +83,12 @@ TEST_F(StagesWindowTest, AnyStageIsComparedWithTheReference) {
     EXPECT_EQ(list->itemText(last), "Reference");
     EXPECT_EQ(list->model()->flags(list->model()->index(last, 0)) & Qt::ItemIsEnabled, 0);
     trigger("match");  // shows it as B
-    const auto truth = window.session().experiment(workspace().active_state().a.owner)->reference;
+    const auto truth = window.session().experiment(views().active_state().a.owner)->reference;
     ASSERT_FALSE(truth.empty());
     trigger("stages");
-    auto state = workspace().active_state();
+    auto state = views().active_state();
     state.pair = {0, StagePair::reference};
-    workspace().set_state(0, state);
+    views().set_state(0, state);
     ASSERT_TRUE(settle());
     ASSERT_EQ(compare().difference_views().size(), 3u);
     EXPECT_EQ(compare().captions().last(), "RMSE 0.5") << "0.75 instead of 0.25";
@@ -96,21 +97,21 @@ TEST_F(StagesWindowTest, AnyStageIsComparedWithTheReference) {
 
 TEST_F(StagesWindowTest, TheSessionRemembersRowAndPair) {
     trigger("stages");
-    auto state = workspace().active_state();
+    auto state = views().active_state();
     state.pair = {2, 0};
-    workspace().set_state(0, state);
+    views().set_state(0, state);
     projects::Json memory;
     workspace().save(memory);
     trigger("mode-single");
     workspace().load(memory);
     ASSERT_TRUE(settle());
-    EXPECT_TRUE(workspace().active_state().chain);
-    EXPECT_EQ(workspace().active_state().pair, (StagePair{2, 0}));
+    EXPECT_TRUE(views().active_state().chain);
+    EXPECT_EQ(views().active_state().pair, (StagePair{2, 0}));
     EXPECT_EQ(compare().difference_views().size(), 3u);
     memory["views"]["states"][0]["pair"] = {900, "x"};  // nobody trusts the file
     workspace().load(memory);
     ASSERT_TRUE(settle());
-    EXPECT_EQ(workspace().active_state().pair, StagePair());
+    EXPECT_EQ(views().active_state().pair, StagePair());
 }
 
 TEST_F(StagesWindowTest, ThePixelUnderTheCursorIsThatOfThePictureThere) {
@@ -163,7 +164,7 @@ TEST_F(StagesWindowTest, MetricsMeasureWhatTheRowMeasures) {
     ASSERT_TRUE(measured);
     EXPECT_NEAR(*measured, 0.375, 1e-6);
     EXPECT_EQ(compare().captions()[3], "RMSE 0.375");
-    workspace().set_region({64, 48}, {32, 24, 8, 8});
+    workspace().tools().set_region({64, 48}, {32, 24, 8, 8});
     ASSERT_TRUE(settle());
     EXPECT_NEAR(panel.model().value(rmse, widgets::MetricsModel::rectangle_column).value_or(-1), 0.375, 1e-6);
 }
@@ -171,9 +172,9 @@ TEST_F(StagesWindowTest, MetricsMeasureWhatTheRowMeasures) {
 TEST_F(StagesWindowTest, PicturesThatDoNotChangeAreNotMadeAnew) {
     trigger("match");
     trigger("stages");
-    auto state = workspace().active_state();
+    auto state = views().active_state();
     state.pair = {0, StagePair::reference};
-    workspace().set_state(0, state);
+    views().set_state(0, state);
     ASSERT_TRUE(settle());
     const auto pictures = compare().pictures();
     const auto reference = compare().reference();
@@ -198,7 +199,7 @@ TEST_F(StagesWindowTest, AMethodWithoutStagesSaysSo) {
     EXPECT_TRUE(warning->text().contains("names no stages")) << warning->text().toStdString();
     workspace().active_pane().header().findChild<QToolButton*>("chain")->click();
     ASSERT_TRUE(settle());
-    EXPECT_FALSE(workspace().active_state().chain);
+    EXPECT_FALSE(views().active_state().chain);
     EXPECT_GT(compare().pictures().size(), 1u) << "a row of other pictures";
 }
 

@@ -19,6 +19,7 @@ class ViewsTest : public WindowTest {
         open_scene();
     }
     Workspace& workspace() { return window.workspace(); }
+    ViewModel& views() { return window.views(); }
     ViewArea& area() { return window.workspace().area(); }
     const engine::LiveRequest& request() { return renderer.requests.back(); }
 };
@@ -63,7 +64,7 @@ TEST_F(ViewsTest, AnExperimentThatNobodyLooksAtIsReleased) {
     const auto second = window.session().document().experiments[1].id;
     trigger("views-2");
     area().set_active(1);
-    workspace().show_owner(second);
+    views().show_owner(second);
     ASSERT_TRUE(settle());
     renderer.releases.clear();
     trigger("views-1");
@@ -78,7 +79,7 @@ TEST_F(ViewsTest, TheActiveViewSaysWhichExperimentIsWorkedOn) {
     const auto& experiments = window.session().document().experiments;
     trigger("views-2");
     area().set_active(1);
-    workspace().show_owner(experiments[1].id);
+    views().show_owner(experiments[1].id);
     ASSERT_TRUE(settle());
     EXPECT_EQ(window.session().experiment()->id, experiments[1].id);
     QTest::keyClick(&window, Qt::Key_F6);
@@ -159,7 +160,7 @@ TEST_F(ViewsTest, AClickOnTheSphereChoosesTheItemThatTheRegionStandsFor) {
     QTest::mouseClick(&space, Qt::LeftButton, {}, QPoint(area.left() + area.width() / 4, area.center().y()));
     ASSERT_TRUE(settle());
     const auto id = window.session().experiment()->id;
-    EXPECT_EQ(workspace().inspection(id).item("item"), 2);
+    EXPECT_EQ(views().inspection(id).item("item"), 2);
     EXPECT_EQ(request().inspection.item("item"), 2);
 }
 
@@ -192,15 +193,15 @@ TEST_F(ViewsTest, WhatViewsShowIsRememberedWithTheProject) {
     add_second_experiment(0.75);
     trigger("views-2");
     area().set_active(1);
-    workspace().show_owner(window.session().document().experiments[1].id);
-    workspace().show_output("depth");
-    workspace().set_mode(ViewMode::difference);
+    views().show_owner(window.session().document().experiments[1].id);
+    views().show_output("depth");
+    views().set_mode(ViewMode::difference);
     ASSERT_TRUE(settle());
     auto display = workspace().display();
     display.low = -2;
     display.high = 2;
-    workspace().choose_display(display);
-    const auto shown = workspace().active_state();
+    views().choose_display(display);
+    const auto shown = views().active_state();
     window.session().save_as((folder.path() + "/kept.interreflect").toStdString());
     QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
     trigger("close");
@@ -208,7 +209,7 @@ TEST_F(ViewsTest, WhatViewsShowIsRememberedWithTheProject) {
     ASSERT_TRUE(settle());
     EXPECT_EQ(area().open_views().size(), 2u);
     EXPECT_EQ(area().active(), 1);
-    EXPECT_EQ(workspace().active_state(), shown);
+    EXPECT_EQ(views().active_state(), shown);
     EXPECT_EQ(workspace().display().low, -2);
 }
 
@@ -243,11 +244,11 @@ TEST_F(ViewsTest, UndoingAnAddedExperimentShowsWhatWasShownBefore) {
     ASSERT_TRUE(settle());
     choose(header("output-a"), "Depth");
     trigger("experiment-add");
-    ASSERT_NE(workspace().active_state().a.owner, second);
+    ASSERT_NE(views().active_state().a.owner, second);
     trigger("buffer-main");
     trigger("undo");
-    EXPECT_EQ(workspace().active_state().a.owner, second);
-    EXPECT_EQ(workspace().shown_key(), "depth");
+    EXPECT_EQ(views().active_state().a.owner, second);
+    EXPECT_EQ(views().shown_key(), "depth");
     EXPECT_EQ(window.session().experiment()->id, second);
 }
 

@@ -112,8 +112,8 @@ TEST(Interaction, TheWindowAnswersWhileItRenders) {
     time.start();
     // Half of the events turn the camera, so that requests never end; half move the picture meanwhile.
     for (const bool turns : {true, false}) {
-        window.workspace().set_tool(turns ? widgets::ImageView::Tool::orbit
-                                          : widgets::ImageView::Tool::inspect);
+        window.workspace().tools().set_tool(turns ? widgets::ImageView::Tool::orbit
+                                                  : widgets::ImageView::Tool::inspect);
         watch.button = turns ? Qt::LeftButton : Qt::MiddleButton;
         const auto wanted = watch.handled_ms.size() + events / 2;
         QTest::mousePress(&view, watch.button, {}, middle.toPoint());

@@ -1,8 +1,8 @@
+#include "app/gui/space_presenter.h"
+
 #include <algorithm>
-#include <cstdlib>
 
 #include "app/gui/camera_pose.h"
-#include "app/gui/workspace.h"
 
 namespace ir::gui {
 
@@ -58,52 +58,29 @@ widgets::SpacePicture picture_of(const passes::viewers::Picture3D& drawn) {
 
 }  // namespace
 
-std::vector<widgets::AvailableBuffer> Workspace::spatial_buffers(const std::string& owner) const {
-    std::vector<widgets::AvailableBuffer> buffers;
-    const auto result = live_.result(owner);
-    for (const auto& output : pictures_.outputs(owner)) {
-        if (!widgets::is_spatial(output.kind)) continue;
-        const auto* resource = result ? find_resource(result->report, output.key) : nullptr;
-        buffers.push_back({output.key, output.label.toStdString(), output.kind, output.doc.toStdString(),
-                           resource ? resource->fields : std::vector<Field>()});
-    }
-    return buffers;
+SpacePresenter::SpacePresenter(LivePictures& live, Renderer& renderer, ViewModel& views)
+    : live_(live), renderer_(renderer), views_(views) {
+    connect(&renderer_, &Renderer::scene_view_arrived, this, &SpacePresenter::on_picture);
 }
 
-std::vector<widgets::SpaceSelector> Workspace::selectors(const std::string& owner) const {
-    std::vector<widgets::SpaceSelector> list;
-    const auto* experiment = session_.experiment(owner);
-    const auto* method = experiment ? session_.registry().find(experiment->method) : nullptr;
-    if (!method) return list;
-    auto values = defaults(method->parameters);
-    for (const auto& [key, value] : projects::effective(*experiment).values) values[key] = value;
-    for (const auto& each : method->selectors) {
-        const auto count = values.find(each.count);
-        const auto* items = count == values.end() ? nullptr : std::get_if<std::int64_t>(&count->second);
-        // a parameter's value, or the number itself
-        const int number = items ? int(*items) : std::max(1, std::atoi(each.count.c_str()));
-        list.push_back({each.key, each.label, each.doc, number, inspection(owner).item(each.key)});
-    }
-    return list;
-}
-
-void Workspace::connect_space(int view, SpacePane& space) {
+void SpacePresenter::add(int view, SpacePane& space) {
+    spaces_[std::size_t(view)] = &space;
     connect(&space.view(), &SpaceView::view_wanted, this,
             [this, view](const SpaceScene& scene, QSize size, int oversampling) {
-                request_space(view, scene, size, oversampling);
+                request(view, scene, size, oversampling);
             });
     connect(&space, &SpacePane::scene_changed, this, [this, view](const SpaceScene& scene) {
-        auto state = states_[std::size_t(view)];
+        auto state = views_.state(view);
         state.space = scene;
         for (auto& layer : state.space.layers) layer.selected = -1;
-        set_state(view, state);
+        views_.set_state(view, state);
     });
     connect(&space.panel(), &widgets::LayerPanel::item_chosen, this,
             [this, view](const QString& selector, int item) {
-                const std::string owner = state(view).a.owner;  // the view may change meanwhile
-                auto now = inspection(owner);
+                const std::string owner = views_.state(view).a.owner;  // the view may change meanwhile
+                auto now = views_.inspection(owner);
                 now.chosen[selector.toStdString()] = item;
-                set_inspection(owner, now);
+                views_.set_inspection(owner, now);
             });
     connect(&space.view(), &SpaceView::element_hovered, this,
             [this, view, &space](int layer, qint64 element) {
@@ -114,9 +91,9 @@ void Workspace::connect_space(int view, SpacePane& space) {
 }
 
 /// Of a layer's elements, where its buffer was sent.
-std::optional<widgets::BufferReader> Workspace::values_of(int view, int layer) const {
-    const auto& layers = state(view).space.layers;
-    const auto result = live_.result(state(view).a.owner);
+std::optional<widgets::BufferReader> SpacePresenter::values_of(int view, int layer) const {
+    const auto& layers = views_.state(view).space.layers;
+    const auto result = live_.result(views_.state(view).a.owner);
     if (layer < 0 || layer >= int(layers.size()) || !result) return {};
     const auto found = result->buffers.find(layers[std::size_t(layer)].key);
     if (found == result->buffers.end()) return {};
@@ -124,7 +101,7 @@ std::optional<widgets::BufferReader> Workspace::values_of(int view, int layer) c
     return widgets::BufferReader({buffer.fields, buffer.elements, {result, &buffer.bytes}});
 }
 
-QString Workspace::hover_text(int view, int layer, qint64 element) const {
+QString SpacePresenter::hover_text(int view, int layer, qint64 element) const {
     const auto values = values_of(view, layer);
     if (!values || element < 0 || element >= qint64(values->elements())) return {};
     QStringList lines;
@@ -135,27 +112,25 @@ QString Workspace::hover_text(int view, int layer, qint64 element) const {
 }
 
 /// A click on a direction of the sphere, on a photon, chooses the item that it stands for.
-void Workspace::choose_items(int view, int layer, qint64 element) {
+void SpacePresenter::choose_items(int view, int layer, qint64 element) {
     const auto values = values_of(view, layer);
     if (!values || element < 0 || element >= qint64(values->elements())) return;
-    const std::string owner = state(view).a.owner;  // the view may change meanwhile
-    auto now = inspection(owner);
-    for (const auto& selector : selectors(owner))
+    const std::string owner = views_.state(view).a.owner;  // the view may change meanwhile
+    auto now = views_.inspection(owner);
+    for (const auto& selector : views_.selectors(owner))
         for (std::size_t i = 0; i < values->scalars().size(); ++i)
             if (const auto& field = values->scalars()[i];
                 field.name == selector.key && field.type != FieldType::f32)
                 now.chosen[selector.key] = int(values->value(std::uint64_t(element), i));
-    set_inspection(owner, now);
+    views_.set_inspection(owner, now);
 }
 
-void Workspace::update_space(int view) {
-    auto& pane = *panes_[std::size_t(view)];
-    pane.show_content(widgets::ViewPane::Content::space);
-    auto& space = pane.space();
-    const auto& owner = state(view).a.owner;
-    space.set_available(spatial_buffers(owner));
-    space.set_selectors(selectors(owner));
-    auto wanted = state(view).space;
+void SpacePresenter::update(int view) {
+    auto& space = *spaces_[std::size_t(view)];
+    const auto& owner = views_.state(view).a.owner;
+    space.set_available(views_.rules().spatial_buffers(owner));
+    space.set_selectors(views_.selectors(owner));
+    auto wanted = views_.state(view).space;
     for (auto& layer : wanted.layers)  // what is marked is the view's own
         for (const auto& present : space.view().scene().layers)
             if (present.key == layer.key) layer.selected = present.selected;
@@ -167,14 +142,14 @@ void Workspace::update_space(int view) {
         space.view().clear(tr("Drawing …"));
     }
     const auto result = live_.result(owner);
-    if (!result) return space.view().set_note(pictures_.why_nothing(owner));
+    if (!result) return space.view().set_note(views_.pictures().why_nothing(owner));
     if (drawing.result.lock() == result) return;
     drawing.result = result;
     space.view().refresh();
 }
 
-void Workspace::request_space(int view, const SpaceScene& scene, QSize device_px, int oversampling) {
-    const auto& owner = state(view).a.owner;
+void SpacePresenter::request(int view, const SpaceScene& scene, QSize device_px, int oversampling) {
+    const auto& owner = views_.state(view).a.owner;
     if (!live_.result(owner) || device_px.isEmpty()) return;
     engine::SceneViewRequest request;
     request.tag = tag_of(view);
@@ -192,20 +167,20 @@ void Workspace::request_space(int view, const SpaceScene& scene, QSize device_px
     if (drawing.first_serial == 0) drawing.first_serial = drawing.newest_serial;
 }
 
-void Workspace::on_scene_view(std::shared_ptr<const engine::SceneViewResult> result) {
+void SpacePresenter::on_picture(std::shared_ptr<const engine::SceneViewResult> result) {
     for (int view = 0; view < widgets::ViewArea::most_views; ++view) {
-        if (tag_of(view) != result->tag || !pane(view)) continue;
+        auto* space = spaces_[std::size_t(view)];
+        if (tag_of(view) != result->tag || !space) continue;
         auto& drawing = drawings_[std::size_t(view)];
         if (drawing.first_serial == 0 || result->serial < drawing.first_serial)
             return;  // of what the view showed before
         drawing.answered_serial = std::max(drawing.answered_serial, result->serial);
-        auto& space = pane(view)->space();
-        if (!result->error.empty()) return space.view().set_note(QString::fromStdString(result->error));
+        if (!result->error.empty()) return space->view().set_note(QString::fromStdString(result->error));
         auto picture = picture_of(result->picture);
+        const auto& owner = views_.state(view).a.owner;
         for (auto& layer : picture.layers)  // the viewer knows no reasons
-            if (const auto& owner = state(view).a.owner; layer.elements == 0)
-                layer.note = pictures_.why_empty(owner, layer.key).toStdString();
-        space.view().set_picture(std::move(picture));
+            if (layer.elements == 0) layer.note = views_.pictures().why_empty(owner, layer.key).toStdString();
+        space->view().set_picture(std::move(picture));
     }
 }
 

@@ -1,0 +1,132 @@
+#include "app/gui/picture_presenter.h"
+
+#include <algorithm>
+
+#include "app/gui/pixel_places.h"
+#include "app/gui/stage_chain.h"
+
+namespace ir::gui {
+
+using widgets::CompareView;
+using widgets::Picture;
+using widgets::ViewMode;
+using widgets::ViewPane;
+using widgets::ViewSource;
+
+namespace {
+
+/// The picture that is shown already where the other one says the same: it is not prepared, drawn and
+/// compared anew.
+std::shared_ptr<const Picture> unless_equal(const std::shared_ptr<const Picture>& shown,
+                                            const std::shared_ptr<const Picture>& picture) {
+    return shown && picture && *shown == *picture ? shown : picture;
+}
+
+/// The picture with a change.
+template <class Change>
+std::shared_ptr<const Picture> changed(const Picture& picture, Change change) {
+    auto copy = std::make_shared<Picture>(picture);
+    change(*copy);
+    return copy;
+}
+
+}  // namespace
+
+PicturePresenter::PicturePtr PicturePresenter::with_meaning(int view, const ViewSource& source) const {
+    auto& pictures = views_.pictures();
+    const auto picture = pictures.picture(source);
+    const auto meaning = views_.rules().meaning_of(views_.state(view), source);
+    if (meaning == source) return picture;
+    return changed(*picture, [ours = pictures.picture(meaning)](Picture& alike) {
+        alike.semantic = ours->semantic;
+        alike.unit = ours->unit;
+        alike.colour_map = ours->colour_map;
+    });
+}
+
+void PicturePresenter::update(int view, ViewPane& pane) {
+    const auto& state = views_.state(view);
+    auto& compare = pane.compare();
+    std::vector<PicturePtr> shown;
+    for (const auto& source : views_.rules().sources(state)) shown.push_back(with_meaning(view, source));
+    if (state.difference == DifferenceKind::significant)
+        compare.set_noise_hint(views_.pictures().variance_hint());
+    if (views_.rules().compares_reference(state)) shown.pop_back();  // it stands beside the row
+    name_stages(view, shown);
+    const auto& before = compare.pictures();
+    for (std::size_t i = 0; i < std::min(before.size(), shown.size()); ++i)
+        shown[i] = unless_equal(before[i], shown[i]);
+    update_reference(view, compare);
+    pane.show_pictures(state, std::move(shown));
+    update_displays(view, compare);
+    for (auto* each : compare.views()) link_.add(each);
+}
+
+/// Pictures of a chain are called as the method calls its stages.
+void PicturePresenter::name_stages(int view, std::vector<PicturePtr>& pictures) const {
+    const auto& shown = views_.state(view);
+    if (shown.mode != ViewMode::stages || !shown.chain) return;
+    const auto chain = stages_of(session_, shown.a.owner);
+    for (std::size_t i = 0; i < std::min(chain.size(), pictures.size()); ++i)
+        pictures[i] = changed(*pictures[i], [&](Picture& named) { named.label = chain[i].label; });
+}
+
+void PicturePresenter::update_reference(int view, CompareView& compare) {
+    const auto& state = views_.state(view);
+    const auto source = reference_of(session_, state.a.owner);
+    auto picture = views_.rules().compares_reference(state) ? views_.pictures().picture(source) : nullptr;
+    // Of the experiment's size it is compared like its own pictures, with stages of smaller sizes, too.
+    if (picture && picture->size() == views_.rules().main_size(state.a.owner))
+        picture = changed(*picture, [&](Picture& named) { named.origin = state.a.owner; });
+    compare.set_reference(!source.owner.empty(), unless_equal(compare.reference(), picture));
+}
+
+widgets::Display PicturePresenter::display_of(const ViewSource& source, int view) const {
+    const auto* chosen = views_.chosen_display(views_.rules().display_key(source), view);
+    return chosen ? *chosen : views_.pictures().automatic_display(source);
+}
+
+void PicturePresenter::update_displays(int view, CompareView& compare) {
+    const auto& rules = views_.rules();
+    const auto& shown = views_.state(view);
+    std::vector<widgets::Display> displays;
+    for (const auto& source : rules.sources(shown))
+        displays.push_back(display_of(rules.meaning_of(shown, source), view));
+    compare.set_displays(std::move(displays));
+    const auto* chosen = views_.chosen_display(rules.difference_key(shown), view);
+    compare.set_difference_display(chosen ? std::optional(*chosen) : std::nullopt);
+}
+
+QPoint PicturePresenter::pixel_of_result(int view, const Picture* picture, QPoint pixel) const {
+    const QSize main = views_.rules().main_size(views_.state(view).a.owner);
+    if (pixel.x() < 0 || !picture || !picture->has_image()) return {-1, -1};
+    if (main.isEmpty()) return pixel;
+    const auto place = widgets::locate(*picture, pixel);
+    QSize size = picture->size();
+    for (const auto& tile : picture->atlas.tiles)
+        if (tile.level == place.level && tile.layer == place.layer) size = {tile.width, tile.height};
+    return pixel_of_main(main, size, place.pixel);
+}
+
+QPoint PicturePresenter::pointed_pixel_of_result(int view, const CompareView& compare, QPoint pixel) const {
+    return pixel_of_result(view, compare.pointed_picture().get(), pixel);
+}
+
+void PicturePresenter::mark_explained(int view, ViewPane& pane) {
+    const auto& owner = views_.state(view).a.owner;
+    const auto& now = views_.inspection(owner);
+    if (!now.has_pixel()) return;
+    const QPoint explained(now.x, now.y);
+    auto& compare = pane.compare();
+    for (const auto* each : compare.views())
+        if (pixel_of_result(view, each->picture().get(), each->picked()) == explained) return;
+    const auto picture = pane.picture_at(0);
+    const QSize main = views_.rules().main_size(owner);
+    if (!picture || !picture->has_image() || picture->atlas.tiles.empty() || main.isEmpty())
+        return compare.set_picked(explained, main);
+    const auto& first = picture->atlas.tiles.front();
+    const QPoint mark = pixel_of_level(main, {first.width, first.height}, explained);
+    compare.set_picked(mark.x() < 0 ? mark : mark + QPoint(first.x, first.y), picture->size());
+}
+
+}  // namespace ir::gui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QPoint>
+
+#include "app/gui/view_model.h"
+#include "widgets/compare/view_link.h"
+
+namespace ir::gui {
+
+/// Shows pictures in views, with displays and marks.
+class PicturePresenter {
+  public:
+    PicturePresenter(Session& session, ViewModel& views) : session_(session), views_(views) {}
+    void set_linked(bool linked) { link_.set_linked(linked); }
+    void update(int view, widgets::ViewPane& pane);
+    void update_displays(int view, widgets::CompareView& compare);
+    /// What is explained is marked, also when it was chosen elsewhere. A mark on that pixel already stays: on
+    /// a coarser level several of its pixels are the same one.
+    void mark_explained(int view, widgets::ViewPane& pane);
+    /// The pixel of the main result of A's owner that a pixel of the picture under the cursor shows; (-1,
+    /// -1): none.
+    QPoint pointed_pixel_of_result(int view, const widgets::CompareView& compare, QPoint pixel) const;
+
+  private:
+    using PicturePtr = std::shared_ptr<const widgets::Picture>;
+    PicturePtr with_meaning(int view, const widgets::ViewSource& source) const;
+    void name_stages(int view, std::vector<PicturePtr>& pictures) const;
+    void update_reference(int view, widgets::CompareView& compare);
+    widgets::Display display_of(const widgets::ViewSource& source, int view) const;
+    QPoint pixel_of_result(int view, const widgets::Picture* picture, QPoint pixel) const;
+
+    Session& session_;
+    ViewModel& views_;
+    widgets::ViewLink link_;  ///< of the pictures of all views: those of equal size move together
+};
+
+}  // namespace ir::gui

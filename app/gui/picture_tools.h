@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "projects/json.h"
+#include "widgets/compare/compare_view.h"
+
+namespace ir::gui {
+
+/// What a drag in a picture does, and what is drawn over pictures: the same in all views.
+class PictureTools : public QObject {
+    Q_OBJECT
+  public:
+    using Tool = widgets::ImageView::Tool;
+
+    /// A view that has them, too, from now on.
+    void add(widgets::CompareView& view);
+
+    Tool tool() const { return tool_; }
+    void set_tool(Tool tool);
+    void set_pixel_grid(bool on);
+    void set_legend(bool on);
+    void set_pins(std::vector<widgets::PinMark> pins);
+    /// The rectangle that is measured, in all pictures of one size; empty: none.
+    void set_region(QSize size, const QRect& region);
+    QRect region(QSize size) const { return size == region_size_ ? region_ : QRect(); }
+
+    void save(projects::Json& memory) const;
+    void load(const projects::Json& memory);
+
+  signals:
+    void tool_changed(ir::widgets::ImageView::Tool tool);
+    void region_changed();
+
+  private:
+    std::vector<widgets::CompareView*> views_;
+    Tool tool_ = Tool::inspect;
+    bool grid_ = true, legend_ = true;
+    std::vector<widgets::PinMark> pins_;
+    QSize region_size_;
+    QRect region_;
+};
+
+}  // namespace ir::gui
