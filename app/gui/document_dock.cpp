@@ -54,14 +54,14 @@ DocumentDock::DocumentDock(Session& session, SceneShelf& scenes, Workspace& work
         if (widgets::compares(mode))
             modes.push_back({text_of(widgets::to_key(mode)), widgets::mode_name(mode), {}});
     editor_->set_comparison_modes(modes);
-    editor_->set_view_pose([this] { return session_.camera_pose(); });
+    editor_->set_view_pose([this] { return session_.camera().pose(); });
     connect_panels();
     connect(&session_, &Session::document_changed, this, &DocumentDock::update_document);
     connect(&session_, &Session::project_replaced, this, &DocumentDock::update_document);
     connect(&session_, &Session::experiment_selected, this, [this] {
         if (const auto* chosen = session_.experiment()) tree_->set_current_experiment(text_of(chosen->id));
     });
-    connect(&session_, &Session::files_changed, this, &DocumentDock::update_files);
+    connect(&session_.files(), &ProjectFiles::files_changed, this, &DocumentDock::update_files);
     connect(&scenes_, &SceneShelf::changed, this, &DocumentDock::update_facts);
 }
 
@@ -188,13 +188,14 @@ std::string DocumentDock::choose_image_file(const QString& title) {
 
 void DocumentDock::add_scene() {
     const auto file = choose_scene_file();
-    if (!file.empty()) session_.add_scene(file);
+    if (!file.empty()) session_.files().add_scene(file);
 }
 
 void DocumentDock::add_image() {
     const auto file = choose_image_file(tr("Add an image of another renderer"));
     if (file.empty()) return;
-    if (session_.add_image(file)) select({ItemKind::image, text_of(session_.document().images.back().id)});
+    if (session_.files().add_image(file))
+        select({ItemKind::image, text_of(session_.document().images.back().id)});
 }
 
 void DocumentDock::add_comparison() {
@@ -234,7 +235,7 @@ void DocumentDock::add(ItemKind kind, const ItemRef& owner) {
                 });
             return;
         case ItemKind::camera:
-            return session_.bookmark_camera();
+            return session_.camera().bookmark();
         case ItemKind::experiment:
             return add_experiment();
         case ItemKind::image:

@@ -29,7 +29,7 @@ EditController::EditController(Session& session, DocumentDock& document, Actions
     actions_.add("image-add", tr("Add &image of another renderer …"), nullptr,
                  {K(Qt::CTRL | Qt::ALT | Qt::Key_I)}, [this] { document_.add_image(); });
     actions_.add("bookmark", tr("&Bookmark the view"), "bookmark", {K(Qt::CTRL | Qt::Key_B)},
-                 [this] { session_.bookmark_camera(); });
+                 [this] { session_.camera().bookmark(); });
     follow(session_, this, &EditController::update);
     update();
 }

@@ -82,9 +82,9 @@ bool FileController::open(const QString& path) {
     const bool is_scene = is_builtin(path) || is_scene_file(path);
     const auto work = [&] {
         const std::string text = path.toStdString();
-        if (is_scene) return session_.create_from_scene(text);
+        if (is_scene) return session_.files().create_from_scene(text);
         if (Samples::contains(text)) copy = samples_.copy(text);
-        session_.open(copy ? copy->folder : std::filesystem::path(text));
+        session_.files().open(copy ? copy->folder : std::filesystem::path(text));
     };
     if (!notices_.attempt(work, tr("Cannot open"))) return false;
     if (!copy && !is_builtin(path)) remember_folder_of(path);
@@ -99,9 +99,9 @@ void FileController::take(const QString& file) {
     const bool writable = session_.has_project() && !session_.open_project().is_read_only();
     const std::string path = file.toStdString();
     if (writable && is_scene_file(file))
-        notices_.attempt([&] { session_.add_scene(path); }, tr("Add scene"));
+        notices_.attempt([&] { session_.files().add_scene(path); }, tr("Add scene"));
     else if (writable && ends_with(file, {".exr", ".png", ".hdr", ".jpg", ".jpeg", ".tif", ".tiff"}))
-        notices_.attempt([&] { session_.add_image(path); }, tr("Add image"));
+        notices_.attempt([&] { session_.files().add_image(path); }, tr("Add image"));
     else if (may_discard())
         open(file);
 }
@@ -123,7 +123,7 @@ void FileController::say_copy(const QString& sample, const projects::SampleCopy&
 void FileController::begin_sample_afresh(const QString& sample, const projects::SampleCopy& copy) {
     if (!may_discard()) return;
     QString aside;
-    const auto put_aside = [&] { aside = QString::fromStdString(session_.put_aside(copy).string()); };
+    const auto put_aside = [&] { aside = QString::fromStdString(session_.files().put_aside(copy).string()); };
     if (!notices_.attempt(put_aside, tr("Cannot begin afresh"))) return;
     recent_.add(aside);
     if (open(sample)) notices_.say(tr("What you had is kept in %1").arg(aside));
@@ -151,7 +151,7 @@ bool FileController::save() {
     bool overwriting_helps = false;  // a full disk or a missing right stays what it is
     const auto work = [&] {
         try {
-            session_.save();
+            session_.files().save();
         } catch (const projects::ChangedOnDisk&) {
             overwriting_helps = true;
             throw;
@@ -162,7 +162,9 @@ bool FileController::save() {
         notices_.say(tr("Saved %1").arg(QString::fromStdString(session_.open_project().folder().string())));
         return true;
     }
-    const auto overwrite = [this] { notices_.attempt([this] { session_.save(true); }, tr("Cannot save")); };
+    const auto overwrite = [this] {
+        notices_.attempt([this] { session_.files().save(true); }, tr("Cannot save"));
+    };
     std::vector<widgets::BannerStack::Action> ways{{tr("Save as …"), [this] { save_as(); }}};
     if (overwriting_helps) ways.push_back({tr("Overwrite"), overwrite});
     auto& banners = notices_.banners();
@@ -182,7 +184,8 @@ bool FileController::save_as() {
         QMessageBox::question(&window_, tr("Save as"),
                               tr("%1 exists. Replace the project in it?").arg(path)) != QMessageBox::Yes)
         return false;
-    if (!notices_.attempt([&] { session_.save_as(path.toStdString()); }, tr("Cannot save"))) return false;
+    if (!notices_.attempt([&] { session_.files().save_as(path.toStdString()); }, tr("Cannot save")))
+        return false;
     remember_folder_of(path);
     save_thumbnail();
     recent_.add(path);
@@ -192,11 +195,11 @@ bool FileController::save_as() {
 
 void FileController::close() {
     emit ending();
-    if (may_discard()) session_.close();
+    if (may_discard()) session_.files().close();
 }
 
 bool FileController::may_discard() {
-    session_.finish_camera_move();
+    session_.camera().finish_move();
     if (!session_.has_project() || !session_.open_project().is_dirty() ||
         session_.open_project().is_read_only())
         return true;

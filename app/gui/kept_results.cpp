@@ -129,7 +129,9 @@ void KeptResults::finish(const fs::path& folder, Reading reading, const std::str
         stamp_ = std::move(reading.stamp);
         error_ = std::move(reading.error);
         is_known_ = true;
-        if (error_.empty()) session_.set_last_kept(index_.last_kept());
+        if (error_.empty())
+            session_.change(
+                [this](projects::OpenProject& open) { return open.set_last_kept(index_.last_kept()); });
     }
     if (!waiting_.empty()) {
         auto next = std::move(waiting_.front());

@@ -63,8 +63,8 @@ LivePictures::LivePictures(Session& session, Renderer& renderer, ImageLoader& im
     });
     connect(&session_, &Session::document_changed, this, qOverload<>(&LivePictures::update));
     // A scene may turn out to move, and is then to be at the moment.
-    connect(&session_, &Session::files_changed, this, qOverload<>(&LivePictures::update));
-    connect(&session_, &Session::camera_moved, this, &LivePictures::follow_camera);
+    connect(&session_.files(), &ProjectFiles::files_changed, this, qOverload<>(&LivePictures::update));
+    connect(&session_.camera(), &ExperimentCamera::moved, this, &LivePictures::follow_camera);
     connect(&session_, &Session::project_replaced, this, [this] { set_wants({}); });
     connect(&images_, &ImageLoader::arrived, this, qOverload<>(&LivePictures::update));
     connect(&images_, &ImageLoader::failed, this, qOverload<>(&LivePictures::update));
@@ -78,7 +78,7 @@ double Moment::time() const {
 void LivePictures::set_moment(std::optional<Moment> moment) {
     if (moment == moment_) return;
     moment_ = moment;
-    session_.set_shown_time(moment ? std::optional(moment->time()) : std::nullopt);
+    session_.camera().set_shown_time(moment ? std::optional(moment->time()) : std::nullopt);
     update();
 }
 
@@ -183,11 +183,11 @@ void LivePictures::update(const std::string& id, Entry& entry) {
 /// A dragged camera changes nothing else: nothing is looked up again.
 void LivePictures::follow_camera() {
     for (auto& [id, entry] : entries_)
-        if (entry.experiment && session_.moved_pose(id)) send_if_changed(id, entry);
+        if (entry.experiment && session_.camera().moved_pose(id)) send_if_changed(id, entry);
 }
 
 void LivePictures::send_if_changed(const std::string& id, Entry& entry) {
-    const auto pose = session_.moved_pose(id);
+    const auto pose = session_.camera().moved_pose(id);
     const auto wanted = pose ? with_pose(*entry.experiment, *pose) : *entry.experiment;
     const auto again = " again " + std::to_string(entry.frames_again);
     const auto text = signature(wanted) + again + "\n" + signature_of(entry.want);
@@ -228,7 +228,7 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     request.thumbnails = entry.want.thumbnails;
     // Under a camera that is being moved there is another picture than the stored one.
     request.frames_again = entry.frames_again;
-    const auto* chosen = session_.moved_pose(id) ? nullptr : session_.experiment(id);
+    const auto* chosen = session_.camera().moved_pose(id) ? nullptr : session_.experiment(id);
     int ignored = 0;
     if (chosen) request.state_file = kept_.state_file(at_moment(*chosen, ignored));
     entry.serial = renderer_.request(std::move(request));

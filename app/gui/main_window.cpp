@@ -240,7 +240,7 @@ void MainWindow::join_session() {
         project_banners_.update();
     });
     connect(&session_, &Session::document_changed, &joins_, [this] { update_frame(); });
-    connect(&session_, &Session::memory_wanted, &joins_, [this] { save_memory(); });
+    connect(&session_.files(), &ProjectFiles::memory_wanted, &joins_, [this] { save_memory(); });
     connect(&files_, &FileController::ending, &joins_, [this] { document_->commit(); });
     connect(&project_banners_, &ProjectBanners::save_as_wanted, &files_, &FileController::save_as);
 }
@@ -290,7 +290,7 @@ void MainWindow::join_panels() {
 }
 
 void MainWindow::save_memory() {
-    auto& memory = session_.memory();
+    auto& memory = session_.files().memory();
     workspace_.save(memory);
     inspector_.save(memory);
     metrics_.save(memory);
@@ -300,7 +300,7 @@ void MainWindow::save_memory() {
 }
 
 void MainWindow::load_memory() {
-    const auto& memory = session_.memory();
+    const auto& memory = session_.files().memory();
     workspace_.load(memory);
     inspector_.load(memory);
     metrics_.load(memory);
@@ -371,21 +371,21 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     document_->commit();
     if (!files_.may_discard()) return event->ignore();
     end_work();
-    session_.close();
+    session_.files().close();
     event->accept();
 }
 
 void MainWindow::leave() {
     document_->commit();
     end_work();
-    session_.leave();
+    session_.files().leave();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     // Whoever comes back may have changed files elsewhere.
     if (event->type() != QEvent::ActivationChange || !isActiveWindow()) return;
-    session_.look_at_files();
+    session_.files().look_at_files();
     kept_.look();
     plots_->look();
 }

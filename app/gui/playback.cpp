@@ -30,7 +30,7 @@ Playback::Playback(Session& session, LivePictures& live, QObject* parent)
         emit changed();
     });
     connect(&session_, &Session::document_changed, this, &Playback::changed);
-    connect(&session_, &Session::files_changed, this, &Playback::changed);
+    connect(&session_.files(), &ProjectFiles::files_changed, this, &Playback::changed);
     connect(&session_, &Session::experiment_selected, this, &Playback::changed);
     connect(&session_, &Session::project_replaced, this, [this] {
         playing_ = false;

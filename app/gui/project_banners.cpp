@@ -22,7 +22,7 @@ ProjectBanners::ProjectBanners(QWidget& window, Session& session, LivePictures& 
                                widgets::BannerStack& banners)
     : window_(window), session_(session), live_(live), banners_(banners) {
     connect(&session_, &Session::document_changed, this, &ProjectBanners::update_scene);
-    connect(&session_, &Session::files_changed, this, &ProjectBanners::update_scene);
+    connect(&session_.files(), &ProjectFiles::files_changed, this, &ProjectBanners::update_scene);
     connect(&session_, &Session::experiment_selected, this, &ProjectBanners::update_picture);
     connect(&live_, &LivePictures::state_changed, this, &ProjectBanners::update_picture);
 }
@@ -41,8 +41,8 @@ void ProjectBanners::update() {
     if (project.recovery())
         banners_.show_banner(QStringLiteral("recovery"), Kind::warning,
                              QString::fromStdString(project.recovery()->summary),
-                             {{tr("Recover"), [this] { session_.take_recovery(), update(); }},
-                              {tr("Discard"), [this] { session_.discard_recovery(), update(); }}},
+                             {{tr("Recover"), [this] { session_.files().take_recovery(), update(); }},
+                              {tr("Discard"), [this] { session_.files().discard_recovery(), update(); }}},
                              false);
     update_scene();
 }
@@ -51,7 +51,7 @@ void ProjectBanners::take_over() {
     const auto answer = QMessageBox::question(&window_, tr("Take over"),
                                               tr("Open for writing although another process holds the "
                                                  "project? Its unsaved changes may be lost."));
-    if (answer == QMessageBox::Yes) session_.break_lock(), update();
+    if (answer == QMessageBox::Yes) session_.files().break_lock(), update();
 }
 
 /// The first scene of the document that is missing or has changed; missing ones first.
@@ -90,7 +90,7 @@ void ProjectBanners::locate_scene(const std::string& id, std::size_t part) {
         return projects::edits::change_scene(
             project, projects::located(*scene, part, file.toStdString(), session_.open_project().folder()));
     });
-    session_.look_at_files();
+    session_.files().look_at_files();
     update_scene();
 }
 

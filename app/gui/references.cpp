@@ -14,7 +14,7 @@ constexpr const char* banner_name = "reference";
 References::References(Session& session, LivePictures& live, ViewModel& views, widgets::BannerStack& banners)
     : session_(session), live_(live), views_(views), banners_(banners) {
     connect(&session_, &Session::document_changed, this, &References::update_banner);
-    connect(&session_, &Session::files_changed, this, &References::update_banner);
+    connect(&session_.files(), &ProjectFiles::files_changed, this, &References::update_banner);
     connect(&session_, &Session::project_replaced, this, &References::update_banner);
     connect(&session_, &Session::experiment_selected, this, &References::update_banner);
     connect(&live_, &LivePictures::state_changed, this, &References::update_banner);

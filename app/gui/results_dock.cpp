@@ -55,7 +55,7 @@ ResultsDock::ResultsDock(Session& session, LivePictures& live, Renderer& rendere
         emit keep_possible_changed();
     });
     connect(&session_, &Session::document_changed, this, &ResultsDock::update);
-    connect(&session_, &Session::files_changed, this, &ResultsDock::update);
+    connect(&session_.files(), &ProjectFiles::files_changed, this, &ResultsDock::update);
     for (auto signal : {&Session::document_changed, &Session::experiment_selected})
         connect(&session_, signal, this, &ResultsDock::keep_possible_changed);
     connect(&views_, &ViewModel::active_changed, this, &ResultsDock::keep_possible_changed);

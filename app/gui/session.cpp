@@ -1,28 +1,17 @@
 #include "app/gui/session.h"
 
-#include <exception>
-
-#include "app/gui/known_projects.h"
-#include "renderers/core/error.h"
+#include <algorithm>
+#include <utility>
 
 namespace ir::gui {
-namespace {
-
-constexpr int autosave_ms = 20000;
-
-}  // namespace
 
 Session::Session(const Registry& registry, QObject* parent)
-    : QObject(parent), registry_(registry), unsaved_folder_(unsaved_projects_folder()) {
-    autosave_timer_.setInterval(autosave_ms);
-    connect(&autosave_timer_, &QTimer::timeout, this, &Session::autosave);
-    autosave_timer_.start();
+    : QObject(parent), registry_(registry), files_(*this), camera_(*this) {
+    connect(&files_, &ProjectFiles::message, this, &Session::message);
 }
 
 Session::~Session() {
-    // The program ends in order, neither told to nor by an error that unwinds everything.
-    if (project_ && project_->folder().empty() && !is_left_ && std::uncaught_exceptions() == 0)
-        project_->close();
+    files_.drop_unsaved();
 }
 
 const projects::Experiment* Session::experiment(const std::string& id) const {
@@ -40,38 +29,58 @@ const MethodDescription* Session::method() const {
     return chosen ? registry_.find(chosen->method) : nullptr;
 }
 
+const MethodDescription* Session::first_method() const {
+    const auto& methods = registry_.methods();
+    const auto first = std::min_element(methods.begin(), methods.end(),
+                                        [](const auto* a, const auto* b) { return a->title < b->title; });
+    return first == methods.end() ? nullptr : *first;
+}
+
 void Session::select_experiment(const std::string& id) {
     if (!experiment(id) || (experiment() && experiment()->id == id)) return;
-    finish_camera_move();
+    camera_.finish_move();
+    camera_.forget_move();
     experiment_id_ = id;
-    moved_pose_.reset();
-    moved_.clear();
     emit experiment_selected();
 }
 
-bool Session::changed(bool really) {
-    if (really) emit document_changed();
-    return really;
+void Session::replace(std::unique_ptr<projects::OpenProject> project, const std::string& experiment) {
+    camera_.forget_move();
+    camera_.set_scene_cameras({});
+    project_ = std::move(project);
+    experiment_id_ = experiment;
+    emit project_replaced();
+    if (!project_) return;
+    for (const auto& each : project_->messages()) emit message(each);
+    emit document_changed();
+    emit experiment_selected();
 }
 
 void Session::end_gesture() {
     if (project_) project_->end_gesture();
 }
 
-void Session::set_last_kept(const projects::LastKept& keys) {
-    if (project_) changed(project_->set_last_kept(keys));
-}
-
 void Session::undo() {
-    finish_camera_move();
-    if (!project_ || !project_->undo_stack().can_undo()) return;
-    guarded([&] { return project_->undo(), changed(true); });
+    camera_.finish_move();
+    change([](projects::OpenProject& open) {
+        const bool can = open.undo_stack().can_undo();
+        if (can) open.undo();
+        return can;
+    });
 }
 
 void Session::redo() {
-    finish_camera_move();
-    if (!project_ || !project_->undo_stack().can_redo()) return;
-    guarded([&] { return project_->redo(), changed(true); });
+    camera_.finish_move();
+    change([](projects::OpenProject& open) {
+        const bool can = open.undo_stack().can_redo();
+        if (can) open.redo();
+        return can;
+    });
+}
+
+void Session::say_error(const std::exception& error) {
+    constexpr std::size_t longest_line = 4096;  // paths may be long and hold line breaks
+    emit message({Severity::error, "project", projects::printable(error.what(), longest_line)});
 }
 
 }  // namespace ir::gui

@@ -40,7 +40,7 @@ ViewController::ViewController(Session& session, LivePictures& live, Playback& p
     connect(&display_, &Panel::automatic_chosen, this, [this] { views_.choose_display({}); });
     connect(&scenes_, &SceneShelf::changed, this, [this] {
         const auto* scene = scenes_.current();
-        session_.set_scene_cameras(scene ? scene->camera_values : std::vector<scene::Camera>());
+        session_.camera().set_scene_cameras(scene ? scene->camera_values : std::vector<scene::Camera>());
         update_cameras();
     });
     connect(&views_, &ViewModel::active_changed, this, &ViewController::update_cameras);
@@ -213,7 +213,7 @@ void ViewController::update_stages() {
 }
 
 void ViewController::update_cameras() {
-    const auto pose = session_.camera_pose();
+    const auto pose = session_.camera().pose();
     const auto* scene = scenes_.current();
     for (const int number : workspace_.area().open_views()) {
         auto* pane = workspace_.pane(number);

@@ -81,11 +81,11 @@ void Workspace::connect_compare(int view, ViewPane& pane) {
                 area_->set_active(view);
                 const bool linked = views_.linked();
                 const auto& state = views_.state(view);
-                session_.move_camera(picture == 1 && !linked ? state.b.owner : state.a.owner, pose,
-                                     linked ? views_.shown_experiments() : std::vector<std::string>());
+                session_.camera().move(picture == 1 && !linked ? state.b.owner : state.a.owner, pose,
+                                       linked ? views_.shown_experiments() : std::vector<std::string>());
             });
     connect(&compare, &CompareView::camera_gesture_finished, this,
-            [this](int) { session_.finish_camera_move(); });
+            [this](int) { session_.camera().finish_move(); });
     connect(&compare, &CompareView::picked_changed, this, [this, view, &compare](QPoint pixel) {
         emit picked(pictures_.pointed_pixel_of_result(view, compare, pixel));
     });
@@ -194,7 +194,7 @@ void Workspace::update_camera(int view) {
     const auto result = live_.result(a);
     const auto* chosen = session_.experiment();
     std::optional<widgets::CameraPose> pose;
-    if (chosen && chosen->id == a) pose = session_.camera_pose();
+    if (chosen && chosen->id == a) pose = session_.camera().pose();
     if (!pose && result) pose = pose_of(result->camera);
     if (pose) compare.set_camera(*pose);
     const auto other = views_.linked() ? nullptr : live_.result(b);

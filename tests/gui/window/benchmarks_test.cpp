@@ -72,7 +72,7 @@ class BenchmarksWindowTest : public testing::Test {
     }
     void TearDown() override {
         fake.allowed = 1000;
-        if (window.session().has_project()) window.session().close();
+        if (window.session().has_project()) window.session().files().close();
     }
     BenchmarkDock& dock() { return window.benchmarks(); }
     widgets::BenchmarkPanel& panel() { return dock().panel(); }
@@ -143,7 +143,7 @@ TEST_F(BenchmarksWindowTest, ClosingTheWindowCancels) {
     fake.allowed = 0;
     press("run");
     ASSERT_TRUE(QTest::qWaitFor([&] { return fake.runs == 1; }, 5000));
-    window.session().close();
+    window.session().files().close();
     window.close();
     EXPECT_TRUE(finish());
 }
@@ -213,7 +213,7 @@ TEST(Benchmarks, ATinyOneRunsOnAMachineOfItsOwn) {
     dock.cancel();
     ASSERT_TRUE(QTest::qWaitFor([&] { return dock.is_settled(); }, 60000));
     EXPECT_TRUE(dock.panel().fields().foot.startsWith("Cancelled"));
-    window.session().close();
+    window.session().files().close();
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST_F(CompareWindowTest, AForeignImageTakesPart) {
     const auto size = window.session().experiment()->size;
     const std::string file = (folder.path() + "/other.exr").toStdString();
     write_exr(file, {{"", {"R", "G", "B"}, Image(size.x, size.y, 3, 0.125f)}}, {});
-    window.session().add_image(file);
+    window.session().files().add_image(file);
     auto state = views().active_state();
     state.mode = ViewMode::wipe;
     state.b = {"image:" + window.session().document().images[0].id, ""};
@@ -79,7 +79,7 @@ TEST_F(CompareWindowTest, AForeignImageMeansWhatItIsComparedWithOnEitherSide) {
     const auto size = window.session().experiment()->size;
     const std::string file = (folder.path() + "/depth.exr").toStdString();
     write_exr(file, {{"", {"Y"}, Image(size.x, size.y, 1, 0.125f)}}, {});
-    window.session().add_image(file);
+    window.session().files().add_image(file);
     auto state = views().active_state();
     state.mode = ViewMode::wipe;
     state.b = {state.a.owner, "depth"};
@@ -115,7 +115,7 @@ TEST_F(CompareWindowTest, DifferentScenesAreComparedOnlyWithAWarning) {
     trigger("mode-wipe");
     auto* warning = workspace().active_pane().header().findChild<QLabel*>("warning");
     EXPECT_FALSE(warning->isVisible());
-    window.session().add_scene("builtin:plane");
+    window.session().files().add_scene("builtin:plane");
     const auto second = window.session().document().experiments[1].id;
     const auto scene = window.session().document().scenes[1].id;
     window.session().edit([&](const projects::Project& project) {

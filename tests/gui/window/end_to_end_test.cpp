@@ -29,7 +29,7 @@ struct RealWindow {
         QApplication::setActiveWindow(&window);  // a bare X server has no window manager to do it
     }
     ~RealWindow() {
-        if (window.session().has_project()) window.session().close();
+        if (window.session().has_project()) window.session().files().close();
     }
     LivePictures::State state() {
         const auto* chosen = window.session().experiment();
@@ -58,7 +58,7 @@ std::filesystem::path sample_copy(const std::filesystem::path& folder) {
     }
     RealWindow maker;
     maker.window.open_path("builtin:cornell");
-    maker.window.session().save_as(copy);
+    maker.window.session().files().save_as(copy);
     return copy;
 }
 

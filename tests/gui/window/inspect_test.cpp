@@ -55,7 +55,7 @@ TEST_F(InspectWindowTest, PinsStayWithTheProject) {
     QTest::keyClick(&window.view(), Qt::Key_P);
     ASSERT_EQ(window.inspector().pins().size(), 2u);
     EXPECT_EQ(window.inspector().pins()[0], QPoint(12, 7));
-    window.session().save_as((folder.path() + "/kept.interreflect").toStdString());
+    window.session().files().save_as((folder.path() + "/kept.interreflect").toStdString());
     QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
     trigger("close");
     ASSERT_TRUE(window.open_path(folder.path() + "/kept.interreflect"));

@@ -51,7 +51,7 @@ class MetricsWindowTest : public WindowTest {
         ASSERT_TRUE(settle());
     }
     void make_scenes_differ() {
-        window.session().add_scene("builtin:plane");
+        window.session().files().add_scene("builtin:plane");
         const auto second = window.session().document().experiments[1].id;
         const auto scene = window.session().document().scenes[1].id;
         window.session().edit([&](const projects::Project& project) {
@@ -176,7 +176,7 @@ TEST_F(MetricsWindowTest, ADrawnRectangleIsMeasuredInAllViewsAndKept) {
     ASSERT_TRUE(settle());
     EXPECT_EQ(compare().main_view().region(), QRect(10, 8, 20, 4));
     const auto with = workspace().active_pane().snapshot(true);
-    window.session().save_as((folder.path() + "/kept.interreflect").toStdString());
+    window.session().files().save_as((folder.path() + "/kept.interreflect").toStdString());
     QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
     trigger("close");
     ASSERT_TRUE(window.open_path(folder.path() + "/kept.interreflect"));

@@ -31,7 +31,7 @@ class NamesWindowTest : public WindowTest {
     /// Keeps the picture that is shown, as the render thread would.
     void keep() {
         if (window.session().open_project().folder().empty())
-            window.session().save_as((folder.path() + "/kept.interreflect").toStdString());
+            window.session().files().save_as((folder.path() + "/kept.interreflect").toStdString());
         renderer.on_keep = [](const engine::KeepRequest& request) {
             const auto& kept = *projects::find_item(request.project.experiments, request.experiment);
             projects::KeptResult result;

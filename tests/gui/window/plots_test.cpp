@@ -195,7 +195,7 @@ TEST_F(PlotsWindowTest, PointsOverFramesLoadFrames) {
 
 TEST_F(PlotsWindowTest, NumbersAreKeptShownAtOnceAndMarkedWhenStale) {
     add_plot();
-    window.session().save_as(project_file());
+    window.session().files().save_as(project_file());
     run_to_end();
     auto* stale = find<QLabel>("stale");
     EXPECT_FALSE(stale->isVisible());
@@ -210,8 +210,8 @@ TEST_F(PlotsWindowTest, NumbersAreKeptShownAtOnceAndMarkedWhenStale) {
     EXPECT_EQ(panel().data().count(), 3u) << "old numbers are better than none";
     trigger("undo");
     EXPECT_FALSE(stale->isVisible());
-    window.session().save();
-    window.session().close();
+    window.session().files().save();
+    window.session().files().close();
     EXPECT_TRUE(panel().is_empty());
     ASSERT_TRUE(window.open_path(QString::fromStdString(project_file())));
     EXPECT_TRUE(wait_for_points(3));
@@ -271,7 +271,7 @@ TEST_F(PlotsWindowTest, ClosingTheProjectForgetsAStudyThatRuns) {
     studies.allowed = 1;
     press("plot-run");
     ASSERT_TRUE(wait_for_points(1));
-    window.session().close();
+    window.session().files().close();
     EXPECT_TRUE(panel().is_empty());
     studies.allowed = 1000;
     ASSERT_TRUE(finish());

@@ -63,7 +63,7 @@ class ResultsWindowTest : public WindowTest {
     ResultsModel& model() { return window.results().panel().model(); }
     std::string experiment() { return window.session().experiment()->id; }
     QString file() { return folder.path() + "/kept.interreflect"; }
-    void save() { window.session().save_as(file().toStdString()); }
+    void save() { window.session().files().save_as(file().toStdString()); }
     void keep() {
         const int before = model().rowCount();
         trigger("keep");

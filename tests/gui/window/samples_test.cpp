@@ -23,8 +23,8 @@ class SamplesTest : public WindowTest {
         before_ = qgetenv("INTERREFLECT_DATA");
         qputenv("INTERREFLECT_DATA", installation.path().toLocal8Bit());
         open_scene();
-        window.session().save_as(sample.toStdString());
-        window.session().close();
+        window.session().files().save_as(sample.toStdString());
+        window.session().files().close();
     }
     void TearDown() override {
         before_.isNull() ? qunsetenv("INTERREFLECT_DATA") : qputenv("INTERREFLECT_DATA", before_);
@@ -62,9 +62,9 @@ TEST_F(SamplesTest, OpeningAndSavingOneWritesNothingIntoTheInstallation) {
     type_level("0.75");
     trigger("save");
     EXPECT_FALSE(window.isWindowModified());
-    window.session().autosave();
+    window.session().files().autosave();
     EXPECT_EQ(installed(), before) << "while it is open";
-    window.session().close();
+    window.session().files().close();
     EXPECT_EQ(installed(), before);
 }
 
@@ -115,7 +115,7 @@ TEST_F(SamplesTest, BeginningAfreshLosesNothingWhereItFails) {
     open_sample();
     type_level("0.625");
     trigger("save");
-    window.session().close();
+    window.session().files().close();
     auto elsewhere = std::make_unique<projects::OpenProject>(copy.toStdString(), fake_registry());
     open_sample();
     ASSERT_TRUE(window.session().open_project().is_read_only());
@@ -143,8 +143,8 @@ TEST_F(WindowTest, ARecentProjectIsFoundFromAnotherFolder) {
     QSettings().remove("recent");
     const QTemporaryDir folder;
     open_scene();
-    window.session().save_as((folder.path() + "/kept.interreflect").toStdString());
-    window.session().close();
+    window.session().files().save_as((folder.path() + "/kept.interreflect").toStdString());
+    window.session().files().close();
     FakeRenderer other_renderer;
     MainWindow other(other_renderer, fake_registry(), {.remember = true});
     const auto here = QDir::currentPath();
@@ -159,7 +159,7 @@ TEST_F(WindowTest, ARecentProjectIsFoundFromAnotherFolder) {
     });
     ASSERT_NE(recent, all.end());
     EXPECT_FALSE(recent->missing);
-    other.session().close();
+    other.session().files().close();
     QSettings().remove("recent");
 }
 

@@ -52,17 +52,17 @@ TEST_F(SessionTest, WhatASceneBeginsWithCannotBeUndoneAndIsNotSaved) {
 
 TEST_F(SessionTest, RecoveringOverUnsavedEditsCanBeUndone) {
     open_scene();
-    session().save_as(folder);
-    session().close();
+    session().files().save_as(folder);
+    session().files().close();
     {
         projects::OpenProject crashed(folder, fake_registry());
         crashed.edit(projects::edits::set_notes(crashed.project(), "crashed"));
         crashed.autosave();
         crashed.wait_for_autosave();
     }
-    session().open(folder);
+    session().files().open(folder);
     set_notes("edited");
-    session().take_recovery();
+    session().files().take_recovery();
     EXPECT_EQ(session().document().notes, "crashed");
     trigger("undo");
     EXPECT_EQ(session().document().notes, "edited");
@@ -70,21 +70,22 @@ TEST_F(SessionTest, RecoveringOverUnsavedEditsCanBeUndone) {
 
 TEST_F(SessionTest, ViewsAreWrittenWithTheAutosave) {
     open_scene();
-    session().save_as(folder);
+    session().files().save_as(folder);
     fs::remove(folder / "session.json");
-    QObject::connect(&session(), &Session::memory_wanted, &window, [&] { session().memory()["mark"] = 7; });
-    session().autosave();
+    QObject::connect(&session().files(), &ProjectFiles::memory_wanted, &window,
+                     [&] { session().files().memory()["mark"] = 7; });
+    session().files().autosave();
     const auto written = projects::load_session(folder);
     EXPECT_EQ(written.value("mark", 0), 7);
     EXPECT_GT(written.size(), 2u) << "the views and the experiment, too";
     fs::remove(folder / "session.json");
-    session().autosave();
+    session().files().autosave();
     EXPECT_FALSE(fs::exists(folder / "session.json")) << "nothing is new";
 }
 
 TEST_F(SessionTest, LocatingASceneThatIsGoneDoesNothing) {
     open_scene();
-    session().add_scene((root / "missing.glb").string());
+    session().files().add_scene((root / "missing.glb").string());
     ASSERT_TRUE(window.banners().names().contains("scene"));
     std::ofstream(root / "other.glb") << "x";
     when_asked_for_a_file(QString::fromStdString((root / "other.glb").string()),
@@ -102,15 +103,15 @@ TEST_F(SessionTest, LocatingASceneThatIsGoneDoesNothing) {
 
 TEST_F(SessionTest, TheOpenProjectIsNotLostWhereItCannotBeReadAgain) {
     open_scene();
-    session().save_as(folder);
+    session().files().save_as(folder);
     std::ofstream(folder / "project.json") << "{ no";
-    EXPECT_THROW(session().open(folder), Error);
+    EXPECT_THROW(session().files().open(folder), Error);
     ASSERT_TRUE(session().has_project());
     EXPECT_FALSE(session().open_project().is_read_only());
-    session().save(true);
+    session().files().save(true);
     set_notes("read again");
-    session().save();
-    session().open(folder / "project.json");  // by another of its names
+    session().files().save();
+    session().files().open(folder / "project.json");  // by another of its names
     EXPECT_EQ(session().document().notes, "read again");
     EXPECT_FALSE(session().open_project().is_read_only()) << session().open_project().read_only_reason();
 }
@@ -140,13 +141,13 @@ TEST_F(SessionTest, ARedoneExperimentIsShownAsItWas) {
 
 TEST_F(SessionTest, AnImageThatIsRefusedIsNotSelected) {
     open_scene();
-    session().save_as(folder);
-    session().close();
+    session().files().save_as(folder);
+    session().files().close();
     const projects::OpenProject other(folder, fake_registry());
-    session().open(folder);
+    session().files().open(folder);
     ASSERT_TRUE(session().open_project().is_read_only());
     std::ofstream(root / "photo.exr") << "x";
-    EXPECT_FALSE(session().add_image((root / "photo.exr").string()));
+    EXPECT_FALSE(session().files().add_image((root / "photo.exr").string()));
     when_asked_for_a_file(QString::fromStdString((root / "photo.exr").string()), [] {});
     window.document().add_image();
     EXPECT_TRUE(session().document().images.empty());

@@ -14,11 +14,11 @@ TEST(Leaving, WritesDownWhatIsNotSavedAndGivesTheLockBack) {
     const fs::path folder = fs::path(temporary.path().toStdString()) / "a.interreflect";
     {
         Session session(fake_registry());
-        session.create_from_scene("builtin:cornell");
-        session.save_as(folder);
+        session.files().create_from_scene("builtin:cornell");
+        session.files().save_as(folder);
         session.edit(
             [](const projects::Project& project) { return projects::edits::set_notes(project, "late"); });
-        session.leave();
+        session.files().leave();
     }
     EXPECT_TRUE(projects::Lock::is_free(folder));
     EXPECT_FALSE(fs::exists(folder / ".lock"));
@@ -32,9 +32,9 @@ TEST(Leaving, NothingIsOfferedWhereEverythingWasSaved) {
     const fs::path folder = fs::path(temporary.path().toStdString()) / "a.interreflect";
     {
         Session session(fake_registry());
-        session.create_from_scene("builtin:cornell");
-        session.save_as(folder);
-        session.leave();
+        session.files().create_from_scene("builtin:cornell");
+        session.files().save_as(folder);
+        session.files().leave();
     }
     EXPECT_FALSE(fs::exists(folder / ".lock"));
     EXPECT_FALSE(projects::OpenProject(folder, fake_registry()).recovery().has_value());

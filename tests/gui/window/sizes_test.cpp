@@ -101,7 +101,7 @@ TEST_F(WindowTest, ASmallScreenHasAnArrangementOfItsOwn) {
         ASSERT_TRUE(another.open_path("builtin:cornell"));
         EXPECT_EQ(dock(another, "timings")->isHidden(), !begins) << "remembered";
         dock(another, "timings")->hide();
-        another.session().close();
+        another.session().files().close();
         another.close();
     }
     QSettings().remove("window");

@@ -23,26 +23,26 @@ std::filesystem::path leave_unsaved(const std::filesystem::path& place) {
 TEST_F(WindowTest, WhatACrashLeftOpensAsNeverSavedAndGoesWhenClosed) {
     const QTemporaryDir folder;
     const auto place = std::filesystem::path(folder.path().toStdString()) / "unsaved";
-    window.session().set_unsaved_folder(place);
+    window.session().files().set_unsaved_folder(place);
     const auto home = leave_unsaved(place);
     ASSERT_TRUE(window.open_path(QString::fromStdString(home.string())));
     ASSERT_TRUE(settle());
     EXPECT_EQ(window.session().document().name, "Lost");
     EXPECT_TRUE(window.session().open_project().folder().empty());
     EXPECT_TRUE(window.isWindowModified());
-    window.session().close();
+    window.session().files().close();
     EXPECT_FALSE(std::filesystem::exists(home));
 }
 
 TEST_F(WindowTest, AProjectThatWasNeverSavedIsAutosavedUntilItIsClosed) {
     const QTemporaryDir folder;
     const auto place = std::filesystem::path(folder.path().toStdString()) / "unsaved";
-    window.session().set_unsaved_folder(place);
+    window.session().files().set_unsaved_folder(place);
     open_scene();
     window.session().open_project().autosave();
     window.session().open_project().wait_for_autosave();
     EXPECT_FALSE(std::filesystem::is_empty(place));
-    window.session().close();
+    window.session().files().close();
     EXPECT_TRUE(std::filesystem::is_empty(place));
 }
 

@@ -202,7 +202,7 @@ TEST_F(ViewsTest, WhatViewsShowIsRememberedWithTheProject) {
     display.high = 2;
     views().choose_display(display);
     const auto shown = views().active_state();
-    window.session().save_as((folder.path() + "/kept.interreflect").toStdString());
+    window.session().files().save_as((folder.path() + "/kept.interreflect").toStdString());
     QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
     trigger("close");
     ASSERT_TRUE(window.open_path(folder.path() + "/kept.interreflect"));
@@ -218,23 +218,23 @@ TEST_F(ViewsTest, WhatWasClosedStaysClosedInEveryProject) {
     const auto path = [&](const char* name) { return folder.path() + "/" + name + ".interreflect"; };
     trigger("views-4");
     area().set_active(2);
-    window.session().save_as(path("four").toStdString());
+    window.session().files().save_as(path("four").toStdString());
     open_scene();
     ASSERT_EQ(area().open_views().size(), 1u);
-    window.session().save_as(path("one").toStdString());
+    window.session().files().save_as(path("one").toStdString());
     // From four views that are open, and from a window that is new.
     ASSERT_TRUE(window.open_path(path("four")));
     ASSERT_EQ(area().open_views().size(), 4u);
     ASSERT_TRUE(window.open_path(path("one")));
     ASSERT_TRUE(settle());
     EXPECT_EQ(area().open_views().size(), 1u);
-    window.session().close();
+    window.session().files().close();
     FakeRenderer fresh_renderer;
     MainWindow fresh(fresh_renderer, fake_registry(), {.remember = false});
     fresh.show();
     ASSERT_TRUE(fresh.open_path(path("one")));
     EXPECT_EQ(fresh.workspace().area().open_views().size(), 1u);
-    fresh.session().close();
+    fresh.session().files().close();
 }
 
 TEST_F(ViewsTest, UndoingAnAddedExperimentShowsWhatWasShownBefore) {

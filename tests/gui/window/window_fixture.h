@@ -23,7 +23,7 @@ class WindowTest : public testing::Test {
     }
     void TearDown() override {
         // The window would ask whether to save.
-        if (window.session().has_project()) window.session().close();
+        if (window.session().has_project()) window.session().files().close();
     }
     void open_scene() {
         ASSERT_TRUE(window.open_path("builtin:cornell"));

@@ -145,11 +145,11 @@ TEST_F(WindowTest, SaveAsThenReopenGivesTheSameState) {
     open_scene();
     type_level("0.5");
     const auto saved = window.session().document();
-    window.session().save_as((folder.path() + "/kept.interreflect").toStdString());
+    window.session().files().save_as((folder.path() + "/kept.interreflect").toStdString());
     EXPECT_FALSE(window.isWindowModified());
     const auto kept = window.session().document();
     EXPECT_EQ(kept.experiments, saved.experiments);
-    window.session().close();
+    window.session().files().close();
     EXPECT_FALSE(window.findChild<QDockWidget*>("buffers")->isVisible());
     ASSERT_TRUE(window.open_path(folder.path() + "/kept.interreflect"));
     ASSERT_TRUE(settle());
@@ -162,7 +162,7 @@ TEST_F(WindowTest, AHeldLockOpensReadOnlyWithABanner) {
     const QTemporaryDir folder;
     const auto path = folder.path() + "/kept.interreflect";
     open_scene();
-    window.session().save_as(path.toStdString());
+    window.session().files().save_as(path.toStdString());
     FakeRenderer other_renderer;
     MainWindow other(other_renderer, fake_registry(), {.remember = false});
     other.show();
@@ -170,7 +170,7 @@ TEST_F(WindowTest, AHeldLockOpensReadOnlyWithABanner) {
     EXPECT_TRUE(other.banners().names().contains("read-only"));
     EXPECT_FALSE(other.findChild<QWidget*>("editor:level")->isEnabled());
     EXPECT_FALSE(other.action("save")->isEnabled());
-    other.session().close();
+    other.session().files().close();
 }
 
 TEST_F(WindowTest, AMissingSceneIsABannerAndTheExperimentIsKept) {
@@ -178,8 +178,8 @@ TEST_F(WindowTest, AMissingSceneIsABannerAndTheExperimentIsKept) {
     const std::string scene = (folder.path() + "/room.gltf").toStdString();
     std::ofstream(scene) << R"({"asset":{"version":"2.0"}})";
     ASSERT_TRUE(window.open_path(QString::fromStdString(scene)));
-    window.session().save_as((folder.path() + "/kept.interreflect").toStdString());
-    window.session().close();
+    window.session().files().save_as((folder.path() + "/kept.interreflect").toStdString());
+    window.session().files().close();
     std::filesystem::remove(scene);
     ASSERT_TRUE(window.open_path(folder.path() + "/kept.interreflect"));
     ASSERT_TRUE(settle());

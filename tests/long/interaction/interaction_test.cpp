@@ -153,7 +153,7 @@ TEST(Interaction, TheWindowAnswersWhileItRenders) {
     EXPECT_GT(rendering, samples / 2) << "nothing was being rendered meanwhile";
     EXPECT_LT(percentile(watch.handled_ms, 0.95), handled_limit_ms);
     EXPECT_GT(watch.presented_ms.size(), 50u);
-    session.close();
+    session.files().close();
 }
 
 }  // namespace

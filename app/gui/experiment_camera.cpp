@@ -1,3 +1,5 @@
+#include "app/gui/experiment_camera.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -70,13 +72,14 @@ projects::EditPtr move_cameras(const projects::Project& project, const std::vect
 
 }  // namespace
 
-std::optional<widgets::CameraPose> Session::camera_pose() const {
-    const auto* chosen = experiment();
+std::optional<widgets::CameraPose> ExperimentCamera::pose() const {
+    const auto* chosen = session_.experiment();
     if (!chosen) return {};
     if (const auto moved = moved_pose(chosen->id)) return moved;
-    const auto* camera = projects::find_item(document().cameras, chosen->camera);
+    const auto& document = session_.document();
+    const auto* camera = projects::find_item(document.cameras, chosen->camera);
     if (camera && camera->scene_camera.empty())
-        return pose_in_document(projects::camera_at(document(), *camera, shown_time_.value_or(chosen->time)));
+        return pose_in_document(projects::camera_at(document, *camera, shown_time_.value_or(chosen->time)));
     if (camera)
         for (const auto& each : scene_cameras_)
             if (each.name == camera->scene_camera) return pose_of(each);
@@ -84,36 +87,41 @@ std::optional<widgets::CameraPose> Session::camera_pose() const {
     return pose_of(scene_cameras_.front());
 }
 
-std::optional<widgets::CameraPose> Session::moved_pose(const std::string& id) const {
+std::optional<widgets::CameraPose> ExperimentCamera::moved_pose(const std::string& id) const {
     return std::find(moved_.begin(), moved_.end(), id) == moved_.end() ? std::nullopt : moved_pose_;
 }
 
-void Session::move_camera(const std::string& id, const widgets::CameraPose& pose,
-                          const std::vector<std::string>& others) {
-    if (!experiment(id)) return;
+void ExperimentCamera::move(const std::string& id, const widgets::CameraPose& pose,
+                            const std::vector<std::string>& others) {
+    if (!session_.experiment(id)) return;
     moved_pose_ = pose;
     moved_ = {id};
-    for (const auto& id : others)
-        if (id != moved_.front() && experiment(id)) moved_.push_back(id);
-    emit camera_moved();
+    for (const auto& other : others)
+        if (other != id && session_.experiment(other)) moved_.push_back(other);
+    emit moved();
 }
 
-void Session::finish_camera_move() {
-    // Read-only: one may look around, nothing is written.
-    if (!moved_pose_ || !project_ || project_->is_read_only()) return;
-    const auto pose = *moved_pose_;
-    const auto moved = std::exchange(moved_, {});
+void ExperimentCamera::forget_move() {
     moved_pose_.reset();
-    edit([&](const projects::Project& project) { return move_cameras(project, moved, pose); });
-    end_gesture();
+    moved_.clear();
 }
 
-void Session::bookmark_camera() {
-    finish_camera_move();
-    const auto pose = camera_pose();
-    if (!pose) return;
-    edit([&](const projects::Project& project) {
-        return projects::edits::add(project, new_view(project, *pose, "Bookmark"));
+void ExperimentCamera::finish_move() {
+    // Read-only: one may look around, nothing is written.
+    if (!moved_pose_ || !session_.has_project() || session_.open_project().is_read_only()) return;
+    const auto pose = *moved_pose_;
+    const auto moved = moved_;
+    forget_move();
+    session_.edit([&](const projects::Project& project) { return move_cameras(project, moved, pose); });
+    session_.end_gesture();
+}
+
+void ExperimentCamera::bookmark() {
+    finish_move();
+    const auto now = pose();
+    if (!now) return;
+    session_.edit([&](const projects::Project& project) {
+        return projects::edits::add(project, new_view(project, *now, "Bookmark"));
     });
 }
 
