@@ -1,6 +1,7 @@
 #include "app/gui/actions.h"
 
 #include <QAction>
+#include <QStringList>
 #include <QWidget>
 #include <utility>
 
@@ -35,14 +36,16 @@ QAction* Actions::add_switch(const QString& name, const QString& text, const cha
     return action;
 }
 
-void Actions::enable(std::initializer_list<const char*> names, bool enabled) const {
-    for (const char* name : names) find(QLatin1String(name))->setEnabled(enabled);
+void Actions::enable(const char* names, bool enabled) const {
+    for (const auto& name : QString(QLatin1String(names)).split(QLatin1Char(' ')))
+        find(name)->setEnabled(enabled);
 }
 
-void Actions::fill(QWidget* bar, std::initializer_list<const char*> names) const {
-    for (const char* name : names) {
-        auto* action = *name ? find(QLatin1String(name)) : new QAction(bar);
-        if (!*name) action->setSeparator(true);
+void Actions::fill(QWidget* bar, const char* names) const {
+    for (const auto& name : QString(QLatin1String(names)).split(QLatin1Char(' '))) {
+        const bool is_separator = name == QLatin1String("|");
+        auto* action = is_separator ? new QAction(bar) : find(name);
+        if (is_separator) action->setSeparator(true);
         bar->addAction(action);
     }
 }

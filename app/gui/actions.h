@@ -4,7 +4,6 @@
 #include <QKeySequence>
 #include <QList>
 #include <functional>
-#include <initializer_list>
 
 class QAction;
 class QWidget;
@@ -26,9 +25,10 @@ class Actions {
 
     QAction* find(const QString& name) const { return by_name_.value(name); }  ///< null: there is none
     const QList<QAction*>& in_order() const { return in_order_; }
-    void enable(std::initializer_list<const char*> names, bool enabled) const;
-    /// Adds actions to a menu or toolbar; "" is a separator.
-    void fill(QWidget* bar, std::initializer_list<const char*> names) const;
+    // Names stand between blanks.
+    void enable(const char* names, bool enabled) const;
+    /// Adds actions to a menu or toolbar; "|" is a separator.
+    void fill(QWidget* bar, const char* names) const;
 
   private:
     QWidget& window_;

@@ -61,8 +61,8 @@ void EditController::update() {
     const auto* stack = open ? &session_.open_project().undo_stack() : nullptr;
     set("undo", tr("&Undo"), stack && stack->can_undo(), [&] { return stack->undo_label(); });
     set("redo", tr("&Redo"), stack && stack->can_redo(), [&] { return stack->redo_label(); });
-    actions_.enable({"experiment-add", "scene-add", "image-add"}, writable);
-    actions_.enable({"experiment-duplicate", "experiment-rename", "experiment-remove", "bookmark"},
+    actions_.enable("experiment-add scene-add image-add", writable);
+    actions_.enable("experiment-duplicate experiment-rename experiment-remove bookmark",
                     writable && session_.experiment());
 }
 

@@ -72,9 +72,9 @@ FileController::FileController(QWidget& window, Session& session, Workspace& wor
 void FileController::update_actions() {
     const bool open = session_.has_project();
     const auto* project = open ? &session_.open_project() : nullptr;
-    actions_.enable({"save"},
+    actions_.enable("save",
                     open && !project->is_read_only() && (project->is_dirty() || project->folder().empty()));
-    actions_.enable({"save-as", "close"}, open);
+    actions_.enable("save-as close", open);
 }
 
 bool FileController::open(const QString& path) {

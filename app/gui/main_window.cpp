@@ -162,61 +162,40 @@ void MainWindow::make_status_bar() {
 }
 
 void MainWindow::make_menus() {
-    auto* file = menuBar()->addMenu(tr("&File"));
-    actions_.fill(file, {"new", "open"});
+    const auto add_menu = [this](const QString& title, const char* names) {
+        auto* menu = menuBar()->addMenu(title);
+        actions_.fill(menu, names);
+        return menu;
+    };
+    auto* file = add_menu(tr("&File"), "new open");
     file->addMenu(files_.recent_menu());
-    actions_.fill(file, {"", "save", "save-as", ""});
-    actions_.fill(file->addMenu(tr("&Export")),
-                  {"export-view", "export-buffer", "export-values", "", "export-all"});
-    actions_.fill(file, {"", "close", "quit"});
-    actions_.fill(menuBar()->addMenu(tr("&Edit")),
-                  {"undo", "redo", "", "experiment-add", "experiment-duplicate", "experiment-rename",
-                   "experiment-remove", "match", "", "scene-add", "image-add", "bookmark", "comparison-add"});
+    actions_.fill(file, "| save save-as |");
+    actions_.fill(file->addMenu(tr("&Export")), "export-view export-buffer export-values | export-all");
+    actions_.fill(file, "| close quit");
+    add_menu(tr("&Edit"),
+             "undo redo | experiment-add experiment-duplicate experiment-rename experiment-remove match | "
+             "scene-add image-add bookmark comparison-add");
     auto* experiment = new QMenu(this);
-    actions_.fill(experiment, {"experiment-add", "experiment-duplicate", "experiment-rename",
-                               "experiment-remove", "", "match", "keep"});
+    actions_.fill(experiment,
+                  "experiment-add experiment-duplicate experiment-rename experiment-remove | "
+                  "match keep");
     experiment->setToolTipsVisible(true);
     parameters_->set_menu(experiment);
-    actions_.fill(menuBar()->addMenu(tr("&View")), {"inspect",
-                                                    "orbit",
-                                                    "fly",
-                                                    "rectangle",
-                                                    "",
-                                                    "fit",
-                                                    "actual",
-                                                    "zoom-in",
-                                                    "zoom-out",
-                                                    "",
-                                                    "grid",
-                                                    "legend",
-                                                    "marks",
-                                                    "zebra",
-                                                    "",
-                                                    "brighter",
-                                                    "darker",
-                                                    "display-reset",
-                                                    "",
-                                                    "buffer-main",
-                                                    "buffer-next",
-                                                    "buffer-previous",
-                                                    "stages",
-                                                    "",
-                                                    "explain",
-                                                    "explain-nothing",
-                                                    "pin"});
-    actions_.fill(menuBar()->addMenu(tr("&Compare")),
-                  {"mode-single", "mode-side-by-side", "mode-wipe", "mode-flip", "mode-difference",
-                   "mode-stages", "", "swap", "link", "", "comparison-add"});
-    auto* render = menuBar()->addMenu(tr("&Render"));
-    actions_.fill(
-        render, {"cancel", "rerun", "shaders", "", "play", "step-forward", "step-back", "", "match", "keep"});
-    render->setToolTipsVisible(true);
-    auto* window = menuBar()->addMenu(tr("&Window"));
-    actions_.fill(window, {"views-1", "views-2", "views-2-stacked", "views-3", "views-4", "", "view-open",
-                           "view-close", "view-next", "view-previous", ""});
+    add_menu(tr("&View"),
+             "inspect orbit fly rectangle | fit actual zoom-in zoom-out | grid legend marks zebra | "
+             "brighter darker display-reset | buffer-main buffer-next buffer-previous stages | "
+             "explain explain-nothing pin");
+    add_menu(tr("&Compare"),
+             "mode-single mode-side-by-side mode-wipe mode-flip mode-difference mode-stages | swap link | "
+             "comparison-add");
+    add_menu(tr("&Render"), "cancel rerun shaders | play step-forward step-back | match keep")
+        ->setToolTipsVisible(true);
+    auto* window = add_menu(tr("&Window"),
+                            "views-1 views-2 views-2-stacked views-3 views-4 | "
+                            "view-open view-close view-next view-previous |");
     docks_.fill(window);
-    actions_.fill(window, {"", "layout-default", "full-screen"});
-    actions_.fill(menuBar()->addMenu(tr("&Help")), {"shortcuts", "about"});
+    actions_.fill(window, "| layout-default full-screen");
+    add_menu(tr("&Help"), "shortcuts about");
 }
 
 void MainWindow::make_toolbar() {
@@ -226,10 +205,8 @@ void MainWindow::make_toolbar() {
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     actions_.fill(bar,
-                  {"new",    "open",    "save",      "",        "undo",    "redo",    "",        "inspect",
-                   "orbit",  "fly",     "rectangle", "",        "fit",     "actual",  "zoom-in", "zoom-out",
-                   "grid",   "",        "views-1",   "views-2", "views-3", "views-4", "link",    "",
-                   "stages", "explain", "bookmark",  "",        "rerun",   "cancel"});
+                  "new open save | undo redo | inspect orbit fly rectangle | fit actual zoom-in zoom-out "
+                  "grid | views-1 views-2 views-3 views-4 link | stages explain bookmark | rerun cancel");
 }
 
 void MainWindow::join_session() {
