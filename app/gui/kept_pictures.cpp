@@ -4,14 +4,12 @@
 #include <algorithm>
 
 #include "app/gui/json_fields.h"
-#include "app/gui/picture_source.h"
 #include "app/gui/text_of.h"
 #include "projects/names.h"
 #include "projects/samples.h"
 #include "projects/scene_files.h"
 #include "renderers/core/transport.h"
 
-/// Pictures of kept results: the same questions that experiments answer, asked of the files.
 namespace ir::gui {
 namespace {
 
@@ -19,10 +17,6 @@ using projects::Json;
 using projects::KeptResult;
 using widgets::OutputOption;
 using widgets::Picture;
-
-QString tr(const char* text) {
-    return QObject::tr(text);
-}
 
 /// The values that the picture was rendered with, as far as they are plain.
 Settings values_of(const KeptResult& result) {
@@ -51,11 +45,11 @@ bool is_picture_role(const std::string& role) {
 
 }  // namespace
 
-const KeptResult* PictureSource::kept(const std::string& owner) const {
+const KeptResult* KeptPictures::find(const std::string& owner) const {
     return is_kept_owner(owner) ? kept_.find(kept_key(owner)) : nullptr;
 }
 
-std::string PictureSource::kept_name(const KeptResult& result) const {
+std::string KeptPictures::name(const KeptResult& result) const {
     const auto* experiment = session_.experiment(result.experiment);
     auto name = experiment && !experiment->name.empty() ? experiment->name : result.experiment;
     // Of another method than the experiment has now, or of an experiment that is gone.
@@ -65,16 +59,17 @@ std::string PictureSource::kept_name(const KeptResult& result) const {
         const auto title = method ? method->title : rendered_by;
         const bool follows = experiment && projects::is_named_by_program(session_.document(), *experiment,
                                                                          session_.registry());
-        name = follows ? title : tr("%1 (%2)").arg(text_of(name), text_of(title)).toStdString();
+        name = follows ? title : QObject::tr("%1 (%2)").arg(text_of(name), text_of(title)).toStdString();
     }
     const auto date = QDateTime::fromString(text_of(result.provenance.date), Qt::ISODate).toLocalTime();
     auto text = text_of(name);
-    if (result.samples > 0) text += tr(" · %1 samples").arg(result.samples);
-    if (date.isValid()) text += tr(" · kept %1").arg(date.toString(QStringLiteral("yyyy-MM-dd HH:mm")));
+    if (result.samples > 0) text += QObject::tr(" · %1 samples").arg(result.samples);
+    if (date.isValid())
+        text += QObject::tr(" · kept %1").arg(date.toString(QStringLiteral("yyyy-MM-dd HH:mm")));
     return text.toStdString();
 }
 
-const OutputDescription* PictureSource::kept_output(const KeptResult& result, const std::string& key) const {
+const OutputDescription* KeptPictures::output(const KeptResult& result, const std::string& key) const {
     const auto* method = session_.registry().find(field_or(result.inputs, "method", std::string()));
     if (!method) return nullptr;
     if (key.empty()) return main_output(*method, values_of(result));
@@ -83,18 +78,20 @@ const OutputDescription* PictureSource::kept_output(const KeptResult& result, co
     return found == method->outputs.end() ? nullptr : &*found;
 }
 
-std::vector<OutputOption> PictureSource::kept_outputs(const KeptResult& result) const {
+std::vector<OutputOption> KeptPictures::outputs(const KeptResult& result) const {
     std::vector<OutputOption> options;
     const auto file = kept_.file(result, projects::main_role);
     const auto layers = file.empty() ? ImageFile() : images_.get(file);
     if (!layers && !file.empty() && images_.error(file).empty()) return options;  // known when it is read
     const auto add = [&](const std::string& key) {
-        const auto* output = kept_output(result, key);
+        const auto* described = output(result, key);
         OutputOption option;
         option.key = key;
-        option.label = output ? text_of(output->label) : key.empty() ? tr("Main result") : text_of(key);
-        option.group = tr("Kept");
-        option.doc = output ? text_of(output->doc) : QString();
+        option.label = described     ? text_of(described->label)
+                       : key.empty() ? QObject::tr("Main result")
+                                     : text_of(key);
+        option.group = QObject::tr("Kept");
+        option.doc = described ? text_of(described->doc) : QString();
         options.push_back(option);
     };
     add({});
@@ -106,36 +103,37 @@ std::vector<OutputOption> PictureSource::kept_outputs(const KeptResult& result) 
     return options;
 }
 
-Picture PictureSource::of_kept(const widgets::ViewSource& source) const {
+Picture KeptPictures::picture(const widgets::ViewSource& source) const {
     Picture picture;
-    const auto* result = kept(source.owner);
+    const auto* result = find(source.owner);
     if (!result) {
-        picture.label = tr("Kept result");
-        picture.note = !kept_.is_known() ? tr("Reading …")
+        picture.label = QObject::tr("Kept result");
+        picture.note = !kept_.is_known() ? QObject::tr("Reading …")
                        : kept_.error().empty()
-                           ? tr("The project no longer keeps this result: it was deleted. Choose another "
-                                "one in the header or in the panel Results.")
+                           ? QObject::tr(
+                                 "The project no longer keeps this result: it was deleted. Choose another "
+                                 "one in the header or in the panel Results.")
                            : text_of(kept_.error());
         return picture;
     }
-    const auto* output = kept_output(*result, source.output);
-    picture.label = text_of(kept_name(*result));
-    if (output) {
-        picture.label += QStringLiteral(" · ") + text_of(output->label);
-        picture.semantic = output->semantic;
-        picture.unit = text_of(output->unit);
-        picture.colour_map = output->colour_map;
+    const auto* described = output(*result, source.output);
+    picture.label = text_of(name(*result));
+    if (described) {
+        picture.label += QStringLiteral(" · ") + text_of(described->label);
+        picture.semantic = described->semantic;
+        picture.unit = text_of(described->unit);
+        picture.colour_map = described->colour_map;
     }
     const auto role = role_of(*result, source.output);
     const auto file = kept_.file(*result, role);
     if (file.empty()) {
-        picture.note = tr("This result has no picture.");
+        picture.note = QObject::tr("This result has no picture.");
         return picture;
     }
     const auto layers = images_.get(file);
     if (!layers || layers->empty()) {
         const auto error = images_.error(file);
-        picture.note = error.empty() ? tr("Reading …") : text_of(error);
+        picture.note = error.empty() ? QObject::tr("Reading …") : text_of(error);
         return picture;
     }
     const auto named = [&](const std::string& name) {
@@ -146,7 +144,7 @@ Picture PictureSource::of_kept(const widgets::ViewSource& source) const {
     if (layer == layers->end()) layer = layers->begin();
     picture.image = {layers, &layer->image};
     const auto* method = session_.registry().find(field_or(result->inputs, "method", std::string()));
-    if (method && !method->variance.empty() && output == kept_output(*result, {}))
+    if (method && !method->variance.empty() && described == output(*result, {}))
         if (const auto variance = named(method->variance); variance != layers->end())
             picture.variance = {layers, &variance->image};
     if (const auto valid = named("valid");
@@ -156,7 +154,7 @@ Picture PictureSource::of_kept(const widgets::ViewSource& source) const {
     return picture;
 }
 
-double PictureSource::kept_moment(const projects::KeptResult& result) const {
+double KeptPictures::moment(const projects::KeptResult& result) const {
     projects::Experiment run;
     run.method = field_or(result.inputs, "method", std::string());
     run.frames = field_or(result.inputs, "frames", 1);
@@ -164,11 +162,11 @@ double PictureSource::kept_moment(const projects::KeptResult& result) const {
     return projects::last_time(run, session_.registry());
 }
 
-QString PictureSource::kept_mismatch(const std::string& a, const std::string& b) const {
+std::optional<QStringList> KeptPictures::different_inputs(const std::string& a, const std::string& b) const {
     if (!session_.has_project()) return {};
     const auto now = projects::with_contents(session_.document(), session_.open_project().contents());
     const auto inputs_of = [&](const std::string& owner) -> Json {
-        if (const auto* result = kept(owner)) return result->inputs;
+        if (const auto* result = find(owner)) return result->inputs;
         const auto* experiment = session_.experiment(owner);
         return experiment ? projects::picture_inputs(now, *experiment, session_.registry()) : Json();
     };
@@ -184,11 +182,8 @@ QString PictureSource::kept_mismatch(const std::string& a, const std::string& b)
             different << text_of(key + " " + in_a.dump() + " / " + in_b.dump());
         }
     for (const char* part : {"scene", "camera", "lights", "environment"})
-        if (member_or_null(first, part) != member_or_null(second, part)) different << tr(part);
-    if (const auto time = time_mismatch(a, b); !time.isEmpty()) different << time;
-    return different.isEmpty()
-               ? QString()
-               : tr("A and B do not compute the same: %1").arg(different.join(QStringLiteral(", ")));
+        if (member_or_null(first, part) != member_or_null(second, part)) different << QObject::tr(part);
+    return different;
 }
 
 }  // namespace ir::gui

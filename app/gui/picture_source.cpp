@@ -21,16 +21,12 @@ using widgets::OutputOption;
 using widgets::Picture;
 using widgets::ViewSource;
 
-QString tr(const char* text) {
-    return QObject::tr(text);
-}
-
 OutputOption option_of(const ResourceReport& resource) {
     OutputOption option;
     option.key = resource.key;
     option.label = text_of(resource.label.empty() ? resource.key : resource.label);
-    option.group = resource.is_output      ? tr("Outputs")
-                   : resource.pass.empty() ? tr("Other")
+    option.group = resource.is_output      ? QObject::tr("Outputs")
+                   : resource.pass.empty() ? QObject::tr("Other")
                                            : text_of(resource.pass);
     option.doc = text_of(resource.doc);
     option.kind = resource.kind;
@@ -44,7 +40,7 @@ OutputOption option_of(const OutputDescription& output) {
     OutputOption option;
     option.key = output.key;
     option.label = text_of(output.label);
-    option.group = tr("Outputs");
+    option.group = QObject::tr("Outputs");
     option.doc = text_of(full_doc(output));
     option.kind = output.kind;
     option.semantic = output.semantic;
@@ -56,8 +52,8 @@ std::vector<OutputOption> options_of_file(const std::vector<ImageLayer>& layers)
     for (const auto& layer : layers) {
         OutputOption option;
         option.key = layer.name;
-        option.label = layer.name.empty() ? tr("Image") : text_of(layer.name);
-        option.group = tr("Layers");
+        option.label = layer.name.empty() ? QObject::tr("Image") : text_of(layer.name);
+        option.group = QObject::tr("Layers");
         options.push_back(option);
     }
     return options;
@@ -69,6 +65,16 @@ const ImageLayer* variance_layer(const std::vector<ImageLayer>& layers, const Im
     for (const auto& layer : layers)
         if (layer.name == "variance" || layer.name.ends_with(".variance")) return &layer;
     return nullptr;
+}
+
+/// Never said of what cannot render.
+QString rendering() {
+    return QObject::tr("Rendering …");
+}
+
+QString asks_for_pixel(const ResourceReport& resource) {
+    return QObject::tr("“%1” explains a pixel: Shift-click one, or press H over it.")
+        .arg(text_of(resource.label));
 }
 
 }  // namespace
@@ -94,8 +100,8 @@ std::vector<widgets::Option> PictureSource::owners() const {
         options.push_back({text_of("image:" + each.id), text_of(each.name.empty() ? each.id : each.name),
                            text_of(each.source + (each.notes.empty() ? "" : "\n" + each.notes))});
     for (const auto& each : kept_.entries())
-        options.push_back({text_of(kept_owner(each.key)), text_of(kept_name(each)),
-                           tr("Kept result, rendered by %1").arg(text_of(each.provenance.driver))});
+        options.push_back({text_of(kept_owner(each.key)), text_of(kept_pictures_.name(each)),
+                           QObject::tr("Kept result, rendered by %1").arg(text_of(each.provenance.driver))});
     return options;
 }
 
@@ -109,8 +115,8 @@ std::string PictureSource::owner_name(const std::string& owner) const {
         return experiment->name.empty() ? experiment->id : experiment->name;
     if (const auto* image = foreign(owner)) return image->name.empty() ? image->id : image->name;
     if (is_kept_owner(owner)) {
-        const auto* result = kept(owner);
-        return result ? kept_name(*result) : tr("Kept result").toStdString();
+        const auto* result = kept_pictures_.find(owner);
+        return result ? kept_pictures_.name(*result) : QObject::tr("Kept result").toStdString();
     }
     return owner;
 }
@@ -122,7 +128,7 @@ std::vector<OutputOption> PictureSource::outputs(const std::string& owner) const
         const auto layers = images_.get(file);
         return layers ? options_of_file(*layers) : options;
     }
-    if (const auto* result = kept(owner)) return kept_outputs(*result);
+    if (const auto* result = kept_pictures_.find(owner)) return kept_pictures_.outputs(*result);
     const auto* experiment = session_.experiment(owner);
     if (!experiment) return options;
     const auto* method = session_.registry().find(experiment->method);
@@ -159,8 +165,8 @@ const OutputOption* PictureSource::find(const std::vector<OutputOption>& outputs
 
 std::string PictureSource::key_of(const ViewSource& source) const {
     if (!source.output.empty() || source.is_image()) return source.output;
-    if (const auto* result = kept(source.owner)) {
-        const auto* output = kept_output(*result, {});
+    if (const auto* result = kept_pictures_.find(source.owner)) {
+        const auto* output = kept_pictures_.output(*result, {});
         return output ? output->key : std::string();
     }
     const auto* experiment = session_.experiment(source.owner);
@@ -197,7 +203,7 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
     if (found == result->images.end() || found->second.empty()) {
         picture.note = why_absent(source.owner, key);
         if (picture.note.isEmpty())
-            picture.note = tr("“%1” holds a %2, which has no picture.")
+            picture.note = QObject::tr("“%1” holds a %2, which has no picture.")
                                .arg(option.label, text_of(to_string(option.kind)));
         return picture;
     }
@@ -217,14 +223,14 @@ Picture PictureSource::of_file(const ViewSource& source) const {
     const auto* image = foreign(source.owner);
     picture.label = text_of(owner_name(source.owner));
     if (!image) {
-        picture.note = tr("The project has no image “%1”.").arg(text_of(source.owner));
+        picture.note = QObject::tr("The project has no image “%1”.").arg(text_of(source.owner));
         return picture;
     }
     const auto file = projects::resolve(image->source, session_.open_project().folder());
     const auto layers = images_.get(file);
     if (!layers) {
         const auto error = images_.error(file);
-        picture.note = error.empty() ? tr("Reading …") : text_of(error);
+        picture.note = error.empty() ? QObject::tr("Reading …") : text_of(error);
         return picture;
     }
     const auto found = std::find_if(layers->begin(), layers->end(),
@@ -238,7 +244,7 @@ Picture PictureSource::of_file(const ViewSource& source) const {
 }
 
 Picture PictureSource::make(const ViewSource& source) const {
-    if (source.is_kept()) return of_kept(source);
+    if (source.is_kept()) return kept_pictures_.picture(source);
     return source.is_image() ? of_file(source) : of_experiment(source);
 }
 
@@ -300,41 +306,52 @@ QString PictureSource::variance_hint() const {
         if (source.is_image() ? of_file(source).variance != nullptr : !variance_key(source).empty())
             names << owner.label;
     }
-    return names.isEmpty() ? tr("No picture of this project has one.")
-                           : tr("These have one: %1.").arg(names.join(QStringLiteral(", ")));
+    return names.isEmpty() ? QObject::tr("No picture of this project has one.")
+                           : QObject::tr("These have one: %1.").arg(names.join(QStringLiteral(", ")));
 }
 
 QString PictureSource::warning(const ViewSource& a, const ViewSource& b) const {
     for (const auto& source : {a, b})
         if (const auto* image = foreign(source.owner))
             return image->notes.empty()
-                       ? tr("Nothing is noted about the light that %1 shows.")
+                       ? QObject::tr("Nothing is noted about the light that %1 shows.")
                              .arg(text_of(owner_name(source.owner)))
-                       : tr("%1: %2").arg(text_of(owner_name(source.owner)), text_of(image->notes));
+                       : QObject::tr("%1: %2").arg(text_of(owner_name(source.owner)), text_of(image->notes));
     return mismatch(a, b);
 }
 
 QString PictureSource::time_mismatch(const std::string& a, const std::string& b) const {
     bool moves = false;
     const auto moment_of = [&](const std::string& owner) {
-        const auto* result = kept(owner);
+        const auto* result = kept_pictures_.find(owner);
         const auto* experiment = session_.experiment(result ? result->experiment : owner);
         const bool is_moving = experiment && live_.is_moving(experiment->id);
         moves |= is_moving;
-        if (result) return kept_moment(*result);
+        if (result) return kept_pictures_.moment(*result);
         if (is_moving && live_.moment()) return live_.moment()->time();
         return experiment ? projects::last_time(*experiment, session_.registry()) : 0;
     };
     constexpr double same_moment = 1e-6;
     const double time_a = moment_of(a), time_b = moment_of(b);
-    return moves && std::abs(time_a - time_b) > same_moment ? tr("time %1 s / %2 s").arg(time_a).arg(time_b)
-                                                            : QString();
+    return moves && std::abs(time_a - time_b) > same_moment
+               ? QObject::tr("time %1 s / %2 s").arg(time_a).arg(time_b)
+               : QString();
 }
 
 QString PictureSource::mismatch(const ViewSource& a, const ViewSource& b) const {
-    if (a.is_kept() || b.is_kept()) return kept_mismatch(a.owner, b.owner);
-    const auto* first = session_.experiment(a.owner);
-    const auto* second = session_.experiment(b.owner);
+    auto different = a.is_kept() || b.is_kept() ? kept_pictures_.different_inputs(a.owner, b.owner)
+                                                : different_settings(a.owner, b.owner);
+    if (!different) return {};
+    if (const auto time = time_mismatch(a.owner, b.owner); !time.isEmpty()) *different << time;
+    return different->isEmpty() ? QString()
+                                : QObject::tr("A and B do not compute the same: %1")
+                                      .arg(different->join(QStringLiteral(", ")));
+}
+
+std::optional<QStringList> PictureSource::different_settings(const std::string& a,
+                                                             const std::string& b) const {
+    const auto* first = session_.experiment(a);
+    const auto* second = session_.experiment(b);
     if (!first || !second || first == second) return {};
     const auto* method_a = session_.registry().find(first->method);
     const auto* method_b = session_.registry().find(second->method);
@@ -349,11 +366,75 @@ QString PictureSource::mismatch(const ViewSource& a, const ViewSource& b) const 
             different << QStringLiteral("%1 %2 / %3")
                              .arg(text_of(key), text_of(to_string(value)), text_of(to_string(other->second)));
     }
-    if (first->scene != second->scene) different << tr("scene");
-    if (const auto time = time_mismatch(a.owner, b.owner); !time.isEmpty()) different << time;
-    return different.isEmpty()
-               ? QString()
-               : tr("A and B do not compute the same: %1").arg(different.join(QStringLiteral(", ")));
+    if (first->scene != second->scene) different << QObject::tr("scene");
+    return different;
+}
+
+QString PictureSource::why_unfinished(const std::string& owner) const {
+    using State = LivePictures::State;
+    switch (live_.state(owner)) {
+        case State::failed:
+        case State::blocked:
+            return text_of(live_.text(owner));
+        case State::cancelled:
+            return QObject::tr("Rendering %1 was cancelled. F5 renders again.")
+                .arg(text_of(owner_name(owner)));
+        default:
+            return {};
+    }
+}
+
+QString PictureSource::why_nothing(const std::string& owner) const {
+    if (live_.result(owner)) return {};
+    if (!session_.experiment(owner))
+        return QObject::tr("The project has no experiment “%1”.").arg(text_of(owner));
+    const auto why = why_unfinished(owner);
+    return why.isEmpty() ? rendering() : why;
+}
+
+QString PictureSource::why_absent(const std::string& owner, const std::string& key) const {
+    const auto result = live_.result(owner);
+    if (!result) return why_nothing(owner);
+    if (live_.state(owner) == LivePictures::State::rendering) return rendering();
+    const auto* resource = find_resource(result->report, key);
+    if (resource && resource->available) return {};
+    if (const auto why = why_unfinished(owner); !why.isEmpty()) return why;
+    if (!resource)
+        return QObject::tr("The method has no buffer “%1” with these parameters.").arg(text_of(key));
+    return resource->explains && !result->inspection.has_pixel()
+               ? asks_for_pixel(*resource)
+               : QObject::tr("“%1” has not been computed.").arg(text_of(resource->label));
+}
+
+const OutputDescription* PictureSource::description(const std::string& owner, const std::string& key) const {
+    const auto* experiment = session_.experiment(owner);
+    const auto* method = experiment ? session_.registry().find(experiment->method) : nullptr;
+    if (!method) return nullptr;
+    const auto found = std::find_if(method->outputs.begin(), method->outputs.end(),
+                                    [&](const auto& output) { return output.key == key; });
+    return found == method->outputs.end() ? nullptr : &*found;
+}
+
+QString PictureSource::why_empty(const std::string& owner, const std::string& key) const {
+    if (const auto why = why_absent(owner, key); !why.isEmpty()) return why;
+    const auto result = live_.result(owner);
+    const auto* resource = find_resource(result->report, key);
+    if (resource->width > 0 || resource->elements > 0) return {};
+    if (const auto why = why_unfinished(owner); !why.isEmpty()) return why;  // of an older frame, or a part
+    const auto* output = description(owner, key);
+    const auto reason = output ? text_of(output->when_empty) : QString();
+    const auto hint = reason.isEmpty() ? QString() : QObject::tr(" Empty where %1.").arg(reason);
+    const auto& pixel = result->inspection;
+    if (!resource->explains) return QObject::tr("“%1” has no elements.").arg(text_of(resource->label)) + hint;
+    if (!pixel.has_pixel()) return asks_for_pixel(*resource);
+    const auto at = [&](const char* text) { return QObject::tr(text).arg(pixel.x).arg(pixel.y); };
+    const auto* main = find_resource(result->report, key_of({owner, {}}));
+    if (main && (pixel.x >= main->width || pixel.y >= main->height))
+        return at("Pixel %1, %2 lies outside the picture.");
+    const auto& valid = result->valid;
+    if (pixel.x < valid.width && pixel.y < valid.height && valid.at(pixel.x, pixel.y) <= 0.5f)
+        return at("Pixel %1, %2 shows no surface that is computed.");
+    return at("None for pixel %1, %2.") + hint;
 }
 
 }  // namespace ir::gui

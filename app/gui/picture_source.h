@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "app/gui/kept_results.h"
+#include "app/gui/kept_pictures.h"
 #include "app/gui/live_pictures.h"
 #include "widgets/views/view_state.h"
 
@@ -17,7 +17,11 @@ namespace ir::gui {
 class PictureSource {
   public:
     PictureSource(Session& session, LivePictures& live, ImageLoader& images, const KeptResults& kept)
-        : session_(session), live_(live), images_(images), kept_(kept) {}
+        : session_(session),
+          live_(live),
+          images_(images),
+          kept_(kept),
+          kept_pictures_(session, images, kept) {}
 
     std::vector<widgets::Option> owners() const;
     bool has_owner(const std::string& owner) const;
@@ -31,7 +35,7 @@ class PictureSource {
     std::string key_of(const widgets::ViewSource& source) const;
 
     std::shared_ptr<const widgets::Picture> picture(const widgets::ViewSource& source);
-    // picture_absence.cpp; all in one line
+    // In one line.
     /// Why nothing of an experiment can be shown; empty: something can.
     QString why_nothing(const std::string& owner) const;
     /// Why an output or buffer of an experiment is not there, or not of the newest frame; empty: it is.
@@ -70,24 +74,16 @@ class PictureSource {
     /// Of the method's output; null for other buffers.
     const OutputDescription* description(const std::string& owner, const std::string& key) const;
     const projects::ForeignImage* foreign(const std::string& owner) const;
+    /// Of two experiments: in what settings, as far as both have them; absent where one is not known.
+    std::optional<QStringList> different_settings(const std::string& a, const std::string& b) const;
     /// "time 0 s / 0.5 s" where something moves and two owners show it at different moments; else empty.
     QString time_mismatch(const std::string& a, const std::string& b) const;
-    // kept_pictures.cpp
-    const projects::KeptResult* kept(const std::string& owner) const;
-    std::string kept_name(const projects::KeptResult& result) const;
-    std::vector<widgets::OutputOption> kept_outputs(const projects::KeptResult& result) const;
-    /// Seconds at which its last frame saw the scene.
-    double kept_moment(const projects::KeptResult& result) const;
-    /// What the method says about an output of a kept result; null where this build does not know it.
-    const OutputDescription* kept_output(const projects::KeptResult& result, const std::string& key) const;
-    widgets::Picture of_kept(const widgets::ViewSource& source) const;
-    /// Where one of them is a kept result: which inputs differ that both pictures depend on.
-    QString kept_mismatch(const std::string& a, const std::string& b) const;
 
     Session& session_;
     LivePictures& live_;
     ImageLoader& images_;
     const KeptResults& kept_;
+    KeptPictures kept_pictures_;
     std::map<Key, Entry> cache_;
 };
 
