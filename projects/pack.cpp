@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "projects/archive.h"
+#include "projects/own_files.h"
 #include "projects/plots.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
@@ -115,6 +116,8 @@ class Packer {
 std::vector<Message> pack_project(const fs::path& given, const fs::path& file, const Registry& registry,
                                   const CancelToken* cancel) {
     const auto loaded = load_project(given, registry);
+    if (is_own_file(loaded, file))
+        throw UsageError("--pack '" + file.string() + "' is a file of the project; choose another file");
     std::vector<Message> messages;
     write_file(file, [&](std::ostream& out) {
         ArchiveWriter archive(out, cancel);

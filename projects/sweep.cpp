@@ -1,6 +1,7 @@
 #include "projects/sweep.h"
 
-#include <cstdio>
+#include <algorithm>
+#include <string>
 
 #include "projects/coordinate.h"
 #include "projects/text.h"
@@ -48,9 +49,9 @@ std::vector<SweepPoint> sweep_points(const Project& project, const Sweep& sweep,
             }
             point.coordinates[axis.key] = json;
         }
-        char number[16];
-        std::snprintf(number, sizeof number, "-%04zu", i + 1);
-        point.experiment.id = base->id.substr(0, 90) + number;
+        auto number = std::to_string(i + 1);
+        number.insert(0, 4 - std::min<std::size_t>(4, number.size()), '0');
+        point.experiment.id = base->id.substr(0, 90) + '-' + number;
         point.experiment.last_kept_key.clear();
         points.push_back(std::move(point));
     }

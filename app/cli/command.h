@@ -1,6 +1,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <string>
 
@@ -30,6 +32,16 @@ struct MachineFlags {
     bool debug = false;
 };
 void add_machine_flags(CLI::App& command, MachineFlags& flags);
+/// As CLI::Range, which lets NaN pass.
+inline CLI::Validator within(double min, double max) {
+    const CLI::Range range(min, max);
+    return {[range](std::string& text) {
+                if (std::isnan(std::strtod(text.c_str(), nullptr))) return text + " is not a number";
+                return range(text);
+            },
+            range.get_description()};
+}
+
 /// "2GB", "500MB", "1.5 GiB" or bytes; 0 when empty. Throws UsageError.
 std::uint64_t parse_bytes(const std::string& text);
 

@@ -7,6 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/compare_difference.h"
 #include "app/cli/compare_sides.h"
+#include "app/cli/output_files.h"
 #include "app/engine/interruption.h"
 #include "app/engine/number_text.h"
 #include "projects/light_spec.h"
@@ -183,6 +184,11 @@ int compare(CompareFlags flags) {
         const auto range = numbers(flags.range, 2, "--range", "lo,hi");
         flags.difference.range = {range[0], range[1]};
     }
+    OutputFiles files;
+    files.reads("IMAGE", flags.image);
+    files.reads("REFERENCE", flags.reference);
+    files.reads("--mask", flags.mask);
+    files.writes("--diff", flags.difference.file);
     if (!flags.difference.file.empty()) require_writable(flags.difference);
     auto names = chosen_metrics(flags);
     const auto limits = parse_limits(flags, names);

@@ -8,6 +8,7 @@
 
 #include "app/cli/complain.h"
 #include "app/cli/load_project.h"
+#include "app/cli/output_files.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/error_study.h"
@@ -123,6 +124,10 @@ void require_numbers(const projects::ErrorPlot& plot, const engine::ErrorStudy& 
 int plot_project(const ProjectPlots& job) {
     const auto loaded = load_project(job.project);
     const auto plots = chosen_plots(loaded.project, job);
+    OutputFiles files;
+    files.reads(loaded);
+    files.writes("--json", job.json);
+    files.writes("--csv", job.csv);
     if (job.keep) require_results(job.project, loaded.folder);
     engine::Machine machine(machine_options(job.machine));
     const auto options = frame_options(job.machine);

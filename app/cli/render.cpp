@@ -7,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/inspection.h"
+#include "app/cli/output_files.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/render_project.h"
 #include "app/cli/run_and_keep.h"
@@ -86,6 +87,10 @@ engine::Experiment to_experiment(const RenderFlags& flags) {
         camera.eye = projects::parse_vec3(flags.eye, "--eye");
         camera.target = projects::parse_vec3(flags.target, "--target");
         camera.up = flags.up.empty() ? glm::vec3(0, 1, 0) : glm::vec3(projects::parse_vec3(flags.up, "--up"));
+        for (const auto& [option, point] :
+             {std::pair("--eye", camera.eye), {"--target", camera.target}, {"--up", camera.up}})
+            if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
+                throw UsageError(std::string(option) + " is beyond what single precision holds");
         camera.fov_y = static_cast<float>(glm::radians(flags.fov_y));
         if (glm::length(camera.target - camera.eye) < 1e-9f)
             throw UsageError("--eye and --target are the same point");
@@ -134,6 +139,11 @@ int render_scene(const RenderFlags& flags) {
     const auto inspection = parse_inspection(flags.inspection, experiment);
     if (std::filesystem::path(flags.out).extension() != ".exr")
         throw UsageError("--out '" + flags.out + "' must end in .exr");
+    OutputFiles files;
+    files.reads("--scene", flags.scene);
+    files.reads("--env", flags.environment);
+    files.writes("--out", flags.out);
+    files.writes("--json", flags.json);
     require_folder_of(flags.out, "--out");
     if (!flags.json.empty() && flags.json != "-") require_folder_of(flags.json, "--json");
     engine::Machine machine(machine_options(flags.machine));
@@ -184,7 +194,7 @@ void add_render(CLI::App& app, Run& run) {
     command->add_option("--target", flags->target, "Point that the camera looks at, x,y,z");
     command->add_option("--up", flags->up, "Upward direction x,y,z (default 0,1,0)");
     command->add_option("--fov-y", flags->fov_y, "Vertical field of view in degrees")
-        ->check(CLI::Range(0.1, 179.0));
+        ->check(within(0.1, 179.0));
     command->add_option("--camera", flags->camera, "Name of one of the scene's cameras");
     command->add_option("--size", flags->size, "Picture size WxH (default 800x600)");
     command->add_option("--set", flags->sets, "Parameter key=value; repeat for more");
@@ -212,7 +222,7 @@ void add_render(CLI::App& app, Run& run) {
     command
         ->add_option("--initial-capacity", flags->initial_capacity,
                      "Factor on the first size of growing buffers (to test growth)")
-        ->check(CLI::Range(1e-9, 1e3));
+        ->check(within(1e-9, 1e3));
     command->add_flag("--match", flags->match,
                       "Render the ground truth of --method and its --set instead: the same transport by the "
                       "reference");

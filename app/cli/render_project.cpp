@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/cli/complain.h"
 #include "app/cli/load_project.h"
+#include "app/cli/output_files.h"
 #include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
@@ -95,6 +97,12 @@ double frames_of(const projects::Experiment& experiment) {
 int render_project(const ProjectRender& job) {
     const auto loaded = load_project(job.project);
     const auto ids = chosen_ids(loaded.project, job.experiments);
+    OutputFiles files;
+    files.reads(loaded);
+    for (const auto& id : std::set(ids.begin(), ids.end()))
+        for (const char* extension : {".exr", ".png", ".json"})
+            files.writes("--out", (std::filesystem::path(job.out) / (id + extension)).string());
+    files.writes("--json", job.json);
     if (job.keep) require_results(job.project, loaded.folder);
     make_out_folder(job.out);
     engine::Machine machine(machine_options(job.machine));

@@ -12,7 +12,7 @@ void add_checkpoint_flag(CLI::App& command, double& seconds) {
         .add_option("--checkpoint", seconds,
                     "Seconds of rendering after which what adds up is kept, so that no more is lost whatever "
                     "ends the program; 0: only when it is interrupted")
-        ->check(CLI::NonNegativeNumber)
+        ->check(within(0, 1e9))
         ->capture_default_str();
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/cli/complain.h"
 #include "app/cli/load_project.h"
+#include "app/cli/output_files.h"
 #include "app/cli/render_project.h"
 #include "app/cli/run_frames.h"
 #include "projects/sweep.h"
@@ -129,6 +130,10 @@ int run_sweep(const SweepFlags& flags) {
         throw InputError(flags.job.project, "", error.what());
     }
     points = projects::shard(points, shard.index, shard.count);
+    OutputFiles files;
+    files.reads(loaded);
+    files.writes("--out", (std::filesystem::path(flags.job.out) / list_name(shard)).string());
+    files.writes("--json", flags.job.json);
     make_out_folder(flags.job.out);
     engine::Machine machine(machine_options(flags.job.machine));
     SweepList list(std::filesystem::path(flags.job.out) / list_name(shard),

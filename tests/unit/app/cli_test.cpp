@@ -213,5 +213,17 @@ TEST_F(Cli, KeepsAndVerifiesResults) {
     EXPECT_TRUE(rows[0]["changed"].empty());
 }
 
+TEST_F(Cli, WritesNoTwoFilesToOnePlace) {
+    expect_refused(small("view-normals", "a.exr") + "--json " + file("a.exr"), 2, "is the file of --out");
+    EXPECT_FALSE(fs::exists(file("a.exr")));
+}
+
+TEST_F(Cli, RefusesWhatIsNoNumber) {
+    for (const std::string option : {"--fov-y", "--initial-capacity", "--time"})
+        expect_refused(small("view-normals", "a.exr") + option + " nan", 2, option);
+    expect_refused(small("view-normals", "a.exr") + "--eye nan,0,1 --target 0,0,0", 2, "--eye");
+    expect_refused(small("view-normals", "a.exr") + "--eye 1e39,0,1 --target 0,0,0", 2, "--eye");
+}
+
 }  // namespace
 }  // namespace ir

@@ -372,5 +372,15 @@ TEST_F(Compare, FailsBeyondLimits) {
     expect_refused(compare("a.exr", "b.exr", "--metric mse"), 2, "hdr-flip");
 }
 
+TEST_F(Compare, WritesNoDifferenceOverAPicture) {
+    write("a.exr", picture(0.1f));
+    write("b.exr", picture());
+    const auto before = read(file("b.exr"));
+    fs::create_symlink(file("b.exr"), file("link.exr"));
+    for (const auto* target : {"b.exr", "link.exr"})
+        expect_refused(compare("a.exr", "b.exr", "--diff " + file(target)), 2, "is the file of REFERENCE");
+    EXPECT_EQ(read(file("b.exr")), before);
+}
+
 }  // namespace
 }  // namespace ir

@@ -267,5 +267,25 @@ TEST_F(ProjectCommand, VerifyReportsWhatIsMissingAndGoesOn) {
     EXPECT_NE(outcome.out.find("no experiment has a kept result"), std::string::npos);
 }
 
+TEST_F(ProjectCommand, WritesNothingOverItsOwnFiles) {
+    const auto document = project / "project.json";
+    const auto before = read(document);
+    fs::create_symlink(document, root_ / "link");
+    for (const auto& target : {document, root_ / "link", project / "results/index.json"})
+        expect_refused("--pack " + target.string(), 2, "is a file of the project");
+    const auto expect_unwritten = [&](const std::string& arguments, const std::string& why) {
+        const auto outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments << outcome.err;
+        EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+    };
+    const auto render = "render " + project.string() + " --out " + (root_ / "o").string() + " --json ";
+    expect_unwritten(render + document.string(), "is a file of the project");
+    expect_unwritten(render + (root_ / "o" / (id() + ".json")).string(), "is the file of --out");
+    expect_unwritten("render " + project.string() + " --out " + (project / "results").string(),
+                     "is a file of the project");
+    EXPECT_EQ(read(document), before);
+    EXPECT_FALSE(fs::exists(root_ / "o"));
+}
+
 }  // namespace
 }  // namespace ir
