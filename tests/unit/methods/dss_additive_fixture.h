@@ -19,7 +19,6 @@ inline double rectangle_form_factor(double x0, double x1, double z0, double z1, 
 struct AdditiveRun {
     std::vector<dss::Surfel> surfels;
     dss::Parameters parameters = plain();
-    std::map<std::string, std::string> mutation = {};
     std::uint64_t seed = 0;
 
     /// One level, no blur, all surfels reach 100 m.
@@ -43,8 +42,8 @@ class AdditiveTest : public DeepScreenSpaceTest {
             const auto scene = passes::upload_scene(builder);
             const auto gbuffer = passes::gbuffer(builder, scene);
             const auto hierarchy = dss::shuffle(builder, gbuffer, run.parameters);
-            dss::splat_additive_mutated(builder, scene, gbuffer, hierarchy, upload(builder, run.surfels),
-                                        run.parameters, {"result", "Result"}, run.mutation);
+            dss::splat_additive(builder, scene, gbuffer, hierarchy, upload(builder, run.surfels),
+                                run.parameters, {"result", "Result"});
         });
     }
 

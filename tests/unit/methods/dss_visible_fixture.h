@@ -17,7 +17,6 @@ struct VisibleRun {
     std::vector<std::string> wanted = {"splats.hit_level", "splats.nearest", "bounce.distance"};
     Inspection inspection = {};
     double initial_capacity = 1;
-    std::map<std::string, std::string> mutation = {};
 };
 
 /// n discs, independently and uniformly at random on the parallelogram from `corner` along `u` and `v`, of
@@ -50,8 +49,8 @@ class VisibleTest : public DeepScreenSpaceTest {
                 builder, scene, gbuffer,
                 {parameters.directions, light, parameters.transport.materials, false});
             const auto hierarchy = dss::shuffle(builder, gbuffer, parameters);
-            dss::splat_visible_mutated(builder, scene, gbuffer, shadow, directions, hierarchy,
-                                       upload(builder, run.surfels), parameters, run.mutation);
+            dss::splat_visible(builder, scene, gbuffer, shadow, directions, hierarchy,
+                               upload(builder, run.surfels), parameters);
         };
         return method;
     }

@@ -167,7 +167,9 @@ TEST_F(DssVisible, PrintedDepthLosesTheCoarserLevels) {
     const auto hits = hits_of_levels();
     EXPECT_EQ(hits[0] + hits[1], 0);
     EXPECT_GT(hits[2], 100);
-    run.mutation["PRINTED_Z"] = "1";
+    break_shader("methods/deep-screen-space/splatting/visible_hit.glsl",
+                 "z < SPLAT_LAST_Z ? z : 1.0 - (1.0 - SPLAT_LAST_Z) * (SPLAT_LAST_Z / z)",
+                 "t * t / (l.shell_radius * l.shell_radius)");
     EXPECT_EQ(hits_of_levels(), (std::array<int, 3>{0, 0, 0}));
 }
 

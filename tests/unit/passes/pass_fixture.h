@@ -1,11 +1,14 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #include "renderers/core/resources_path.h"
@@ -80,11 +83,25 @@ class PassTest : public testing::Test {
         options.debug = true;
         context_ = gl::Context::create_best(options);
         device_ = gl::make_gl_device(*context_);
-        programs_ = std::make_unique<gl::ProgramLibrary>(*context_, shader_directory());
-        graph_ = std::make_unique<graph::Graph>(*device_, context_.get(), programs_.get());
+        use_shaders(shader_directory());
     }
+    /// From here on `right` reads `wrong` in a shader: what a test asserts must fail then.
+    void break_shader(const std::string& file, const std::string& right, const std::string& wrong) {
+        const auto copy = broken_shaders();
+        std::filesystem::remove_all(copy);
+        std::filesystem::copy(shader_directory(), copy, std::filesystem::copy_options::recursive);
+        std::stringstream text;
+        text << std::ifstream(copy / file).rdbuf();
+        auto source = text.str();
+        const auto place = source.find(right);
+        ASSERT_NE(place, std::string::npos) << file << " has no " << right;
+        std::ofstream(copy / file) << source.replace(place, right.size(), wrong);
+        use_shaders(copy);
+    }
+    void mend_shaders() { use_shaders(shader_directory()); }
     void TearDown() override {
         if (!context_) return;
+        std::filesystem::remove_all(broken_shaders());
         for (const auto& message : context_->take_messages())
             EXPECT_NE(message.severity, Severity::error) << message.text;
         graph_.reset();
@@ -127,6 +144,15 @@ class PassTest : public testing::Test {
     gl::ProgramLibrary& programs() { return *programs_; }
 
   private:
+    static std::filesystem::path broken_shaders() {
+        return std::filesystem::path(testing::TempDir()) / ("shaders" + std::to_string(getpid()));
+    }
+    void use_shaders(const std::filesystem::path& folder) {
+        graph_.reset();
+        programs_ = std::make_unique<gl::ProgramLibrary>(*context_, folder);
+        graph_ = std::make_unique<graph::Graph>(*device_, context_.get(), programs_.get());
+    }
+
     std::unique_ptr<gl::Context> context_;
     std::unique_ptr<gl::Device> device_;
     std::unique_ptr<gl::ProgramLibrary> programs_;

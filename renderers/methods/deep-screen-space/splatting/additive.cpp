@@ -14,7 +14,6 @@ using graph::PassContext;
 struct Additive {
     Splats splats;
     passes::bounce::Receivers receivers;
-    std::map<std::string, std::string> mutation;
     ImageRef splatted;  ///< "additive.splatted": occlusion, or light by a white Lambert part
     ImageRef glossy;    ///< "additive.glossy": light by microfacets; none where materials have none
 
@@ -59,7 +58,7 @@ const gl::Program& bind_layer(const PassContext& p, const Additive& additive, co
     gl.BlendEquation(GL_FUNC_ADD);
     gl.BlendFunc(GL_ONE, GL_ONE);
     if (layer.is_first) clear_layer(gl, additive);
-    gl::ProgramSource source{{folder + "splat.vert", folder + "additive.frag"}, additive.mutation};
+    gl::ProgramSource source{{folder + "splat.vert", folder + "additive.frag"}};
     additive.receivers.define(source);
     const auto& program = p.use(source);
     set_receivers(program, additive.splats, layer);
@@ -124,19 +123,9 @@ ImageRef resolve(graph::GraphBuilder& builder, const Additive& additive, const L
 ImageRef splat_additive(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                         const passes::GBuffer& gbuffer, const Hierarchy& hierarchy, const Surfels& surfels,
                         const Parameters& parameters, graph::ResourceText text) {
-    return splat_additive_mutated(builder, scene, gbuffer, hierarchy, surfels, parameters, std::move(text),
-                                  {});
-}
-
-ImageRef splat_additive_mutated(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                                const passes::GBuffer& gbuffer, const Hierarchy& hierarchy,
-                                const Surfels& surfels, const Parameters& parameters,
-                                graph::ResourceText text,
-                                const std::map<std::string, std::string>& mutation) {
     Additive additive;
     additive.splats = declare_splats(builder, hierarchy, surfels, parameters, 1);
     additive.receivers = receivers_of(scene, gbuffer, parameters);
-    additive.mutation = mutation;
     splat(builder, additive);
     const auto sums = blur_levels(builder, gbuffer, hierarchy, additive.splatted, parameters);
     LevelSums glossy;

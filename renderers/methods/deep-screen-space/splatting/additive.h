@@ -20,11 +20,4 @@ LevelSums blur_levels(graph::GraphBuilder& builder, const passes::GBuffer& gbuff
 /// Declares "additive.levels", the levels unshuffled, for people to look at.
 void show_unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, graph::ImageRef stack);
 
-/// splat_additive() with defines of additive.frag that are wrong; for tests.
-graph::ImageRef splat_additive_mutated(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                                       const passes::GBuffer& gbuffer, const Hierarchy& hierarchy,
-                                       const Surfels& surfels, const Parameters& parameters,
-                                       graph::ResourceText text,
-                                       const std::map<std::string, std::string>& mutation);
-
 }  // namespace ir::methods::deep_screen_space

@@ -34,8 +34,7 @@ const gl::Program& bind_layer(const graph::PassContext& p, const VisibleSplats& 
     gl.DepthMask(GL_TRUE);
     if (layer.is_first) clear_layer(gl);
     const auto& program = p.use({{"methods/deep-screen-space/splatting/splat.vert",
-                                  "methods/deep-screen-space/splatting/visible.frag"},
-                                 visible.mutation});
+                                  "methods/deep-screen-space/splatting/visible.frag"}});
     set_splat_level(program, visible.splats);
     program.set("level", layer.level);
     program.set("sample_index", layer.sample);
@@ -57,20 +56,8 @@ passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes
                                       const passes::bounce::Directions& directions,
                                       const Hierarchy& hierarchy, const Surfels& surfels,
                                       const Parameters& parameters) {
-    return splat_visible_mutated(builder, scene, gbuffer, shadow, directions, hierarchy, surfels, parameters,
-                                 {});
-}
-
-passes::bounce::Samples splat_visible_mutated(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                                              const passes::GBuffer& gbuffer,
-                                              const passes::ShadowMaps& shadow,
-                                              const passes::bounce::Directions& directions,
-                                              const Hierarchy& hierarchy, const Surfels& surfels,
-                                              const Parameters& parameters,
-                                              const std::map<std::string, std::string>& mutation) {
     VisibleSplats visible;
     visible.splats = declare_splats(builder, hierarchy, surfels, parameters, directions.samples);
-    visible.mutation = mutation;
     visible.gbuffer = gbuffer;
     visible.directions = directions;
     visible.depth = declare_layers(builder, visible.splats, "splats.depth", gl::Format::depth32f);

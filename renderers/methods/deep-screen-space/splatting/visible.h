@@ -1,8 +1,5 @@
 #pragma once
 
-#include <map>
-#include <string>
-
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
 
 namespace ir::methods::deep_screen_space {
@@ -10,7 +7,6 @@ namespace ir::methods::deep_screen_space {
 /// What the splats with visibility of a frame are, and who won: between the steps of splat_visible.
 struct VisibleSplats {
     Splats splats;
-    std::map<std::string, std::string> mutation;  ///< test only: defines of visible_hit.glsl that are wrong
     passes::GBuffer gbuffer;
     passes::bounce::Directions directions;
     graph::ImageRef depth;  ///< "splats.depth" depth32f stack, z, a layer per sample and level (sample-major)
@@ -18,15 +14,6 @@ struct VisibleSplats {
     graph::ImageRef nearest;    ///< "splats.nearest" r32ui stack of the view, a layer per sample: 1 + surfel
     graph::ImageRef hit_level;  ///< "splats.hit_level" r16f likewise: level of the nearest, -1: none
 };
-
-/// splat_visible() with such defines.
-passes::bounce::Samples splat_visible_mutated(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                                              const passes::GBuffer& gbuffer,
-                                              const passes::ShadowMaps& shadow,
-                                              const passes::bounce::Directions& directions,
-                                              const Hierarchy& hierarchy, const Surfels& surfels,
-                                              const Parameters& parameters,
-                                              const std::map<std::string, std::string>& mutation);
 
 /// Sets the uniforms of shaders/methods/deep-screen-space/splatting/visible_level.glsl.
 void set_splat_level(const gl::Program& program, const Splats& splats);

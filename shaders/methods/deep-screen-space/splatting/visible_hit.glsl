@@ -55,13 +55,9 @@ const float SPLAT_ROUNDING = 4e-6;
 /// all lie in it, so that both are free of it without a tolerance to be tuned. Wrong only of surfaces that
 /// cross the plane: of theirs the half of discs whose centres are below is missing in a band as wide as a disc.
 bool splat_is_above(vec3 x_ws, vec3 geometric_normal_ws, vec3 centre_ws) {
-#ifdef OWN_SURFACE_SHADES
-    return true;
-#else
     precise float height = dot(geometric_normal_ws, centre_ws - x_ws);
     vec3 size = max(abs(x_ws), abs(centre_ws));
     return height > SPLAT_ROUNDING * max(size.x, max(size.y, size.z));
-#endif
 }
 
 const float SPLAT_LAST_Z = 0.999;
@@ -71,12 +67,8 @@ const float SPLAT_LAST_Z = 0.999;
 /// clips all hits of levels from 1 on. Shells are by the distance to centres: hits of large discs lie a little
 /// beyond r; z is linear up to 0.999, and the rest of [0, ∞) shares what is left, in order.
 float splat_z(SplatLevel l, float t) {
-#ifdef PRINTED_Z
-    return t * t / (l.shell_radius * l.shell_radius);
-#else
     precise float z = t * t / (l.whole_reach * l.whole_reach);
     return z < SPLAT_LAST_Z ? z : 1.0 - (1.0 - SPLAT_LAST_Z) * (SPLAT_LAST_Z / z);
-#endif
 }
 
 // What becomes of a splat on a pixel, in the order of the tests.
