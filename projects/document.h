@@ -80,10 +80,11 @@ struct Motion {
     enum class Kind { camera, light, part };
     /// Only what `kind` has of it is written.
     struct Key {
-        double time = 0;                                   ///< seconds, ascending
-        glm::dvec3 eye{0, 0, 5}, target{0}, up{0, 1, 0};   ///< of a camera
-        std::optional<glm::dvec3> position = {};                ///< of a light; what is absent is as in its set
-        std::optional<glm::dvec3> look_at = {}, direction = {};      ///< … at most one; written "target", "direction"
+        double time = 0;                                  ///< seconds, ascending
+        glm::dvec3 eye{0, 0, 5}, target{0}, up{0, 1, 0};  ///< of a camera
+        std::optional<glm::dvec3> position = {};          ///< of a light; what is absent is as in its set
+        std::optional<glm::dvec3> look_at = {},
+                                  direction = {};          ///< … at most one; written "target", "direction"
         double intensity = 1;                              ///< … factor on its strength, at least 0
         glm::dvec3 translation{0}, rotation{0}, scale{1};  ///< of a part, in place of its transform: metres;
                                                            ///< degrees about x, then y, then z

@@ -120,7 +120,11 @@ const Fields<LightSpec>& light_fields() {
           {0, 90}},
          is_spot},
         {&LightSpec::size,
-         {"size", "Size", "m", "Sides of the rectangle or diameters of the disk, metres", {0, unlimited, true}},
+         {"size",
+          "Size",
+          "m",
+          "Sides of the rectangle or diameters of the disk, metres",
+          {0, unlimited, true}},
          is_area}};
     return fields;
 }
@@ -158,11 +162,7 @@ const Fields<Motion::Key>& key_fields(Motion::Kind kind) {
         {&Key::direction,
          {"direction", "Direction", "", "Along which it shines then; turned at a constant speed"}},
         {&Key::intensity,
-         {"intensity",
-          "Intensity",
-          "",
-          "Factor on the light's strength then; 1 is as in its set",
-          {0}}}};
+         {"intensity", "Intensity", "", "Factor on the light's strength then; 1 is as in its set", {0}}}};
     static const Fields<Key> part{
         time_field,
         {&Key::translation,

@@ -44,7 +44,7 @@ void check_depth(std::string_view text, const std::string& file, std::size_t dee
 /// Refuses duplicate keys, which a tree would lose, and objects so large that ordered look-up gets slow.
 class KeyGuard {
   public:
-    KeyGuard(const std::string& file, std::size_t most) : file_(file), most_(most) {}
+    KeyGuard(const std::string& file, std::size_t most) : file_(file), max_(most) {}
 
     bool operator()(int, Json::parse_event_t event, Json& parsed) {
         if (event == Json::parse_event_t::object_start) open_.emplace_back();
@@ -57,13 +57,13 @@ class KeyGuard {
     void see(const std::string& key) {
         if (!open_.back().insert(key).second)
             throw InputError(file_, "key '" + printable(key) + "'", "stands twice in one object; remove one");
-        if (open_.back().size() > most_)
+        if (open_.back().size() > max_)
             throw InputError(file_, "key '" + printable(key) + "'",
-                             "one object has more than " + std::to_string(most_) + " keys; remove some");
+                             "one object has more than " + std::to_string(max_) + " keys; remove some");
     }
 
     const std::string& file_;
-    std::size_t most_;
+    std::size_t max_;
     std::vector<std::unordered_set<std::string>> open_;
 };
 

@@ -17,7 +17,7 @@ namespace {
 using widgets::BenchmarkLine;
 
 constexpr int redraw_ms = 60;
-constexpr int most_repeats = 1000;
+constexpr int max_repeats = 1000;
 
 const QString own_place = QStringLiteral("own"), experiments_place = QStringLiteral("experiment");
 
@@ -192,7 +192,7 @@ void BenchmarkDock::load(const projects::Json& memory) {
     const auto remembered = field_or(own, "chosen", std::string());
     if (!runs_.is_running() && is_known(remembered)) chosen_ = remembered;
     at_experiment_ = field_or(own, "at_experiment", false);
-    repeats_ = std::clamp(field_or(own, "repeats", 5), 1, most_repeats);
+    repeats_ = std::clamp(field_or(own, "repeats", 5), 1, max_repeats);
     skipped_.clear();
     const auto& skipped = member_or_null(own, "skipped");
     for (const auto& [name, benchmark] : engine::benchmarks()) {

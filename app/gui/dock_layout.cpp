@@ -229,7 +229,7 @@ void DockLayout::fit_screen() {
 void DockLayout::fit(const QRect& available) {
     const int title_bar = window_.style()->pixelMetric(QStyle::PM_TitleBarHeight);
     const QSize room = available.adjusted(0, title_bar, 0, 0).size();
-    set_cramped(least_for_all_panels.boundedTo(room) != least_for_all_panels);
+    set_cramped(min_size_for_all_panels.boundedTo(room) != min_size_for_all_panels);
     if (!window_.isMaximized() && !window_.isFullScreen())
         window_.setGeometry(within(window_.geometry(), available, title_bar));
 }

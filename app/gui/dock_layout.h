@@ -42,7 +42,7 @@ class DockLayout : public QObject {
     void apply(const QString& name);
     /// The welcome page stands alone; with a project the docks come back as they were.
     void show(bool shown);
-    /// Arranges the window for what a screen has for windows. One that has less than least_for_all_panels
+    /// Arranges the window for what a screen has for windows. One that has less than min_size_for_all_panels
     /// (window_geometry.h) has an arrangement of its own: the panels of both sides stand behind each other,
     /// so that four views of whatever project find room beside them.
     void fit(const QRect& available);

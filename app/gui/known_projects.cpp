@@ -19,7 +19,7 @@
 namespace ir::gui {
 namespace {
 
-constexpr int most_recent = 10;
+constexpr int max_recent = 10;
 
 QString key() {
     return QStringLiteral("recent");
@@ -103,7 +103,7 @@ void RecentProjects::add(const QString& given) {
     auto list = saved_paths();
     list.removeAll(path);
     list.prepend(path);
-    QSettings().setValue(key(), list.mid(0, most_recent));
+    QSettings().setValue(key(), list.mid(0, max_recent));
 }
 
 void RecentProjects::remove(const QString& path) {

@@ -11,7 +11,7 @@ namespace {
 
 using widgets::ViewSource;
 
-constexpr std::size_t most_remembered = 64;
+constexpr std::size_t max_remembered = 64;
 
 std::string source_text(const ViewSource& source) {
     return source.owner + "/" + source.output + "/" + std::to_string(source.level) + "/" +
@@ -206,10 +206,10 @@ void MetricsDock::load(const projects::Json& memory) {
     masks_.clear();
     const auto& kept = member_or_null(memory, "metrics");
     for (const auto& each : member_or_null(kept, "accepted"))
-        if (each.is_string() && accepted_.size() < most_remembered) accepted_.insert(each.get<std::string>());
+        if (each.is_string() && accepted_.size() < max_remembered) accepted_.insert(each.get<std::string>());
     if (const auto& masks = member_or_null(kept, "masks"); masks.is_object())
         for (const auto& [pair, mask] : masks.items())
-            if (mask.is_string() && masks_.size() < most_remembered) masks_[pair] = mask.get<std::string>();
+            if (mask.is_string() && masks_.size() < max_remembered) masks_[pair] = mask.get<std::string>();
     update();
 }
 

@@ -119,7 +119,7 @@ void PicturePresenter::mark_explained(int view, ViewPane& pane) {
     const QPoint explained(now.x, now.y);
     auto& compare = pane.compare();
     for (const auto* each : compare.views())
-        if (pixel_of_result(view, each->picture().get(), each->picked()) == explained) return;
+        if (pixel_of_result(view, each->picture().get(), each->state().marks.picked) == explained) return;
     const auto picture = pane.picture_at(0);
     const QSize main = views_.rules().main_size(owner);
     if (!picture || !picture->has_image() || picture->atlas.tiles.empty() || main.isEmpty())

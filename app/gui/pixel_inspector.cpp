@@ -13,10 +13,10 @@
 namespace ir::gui {
 namespace {
 
-constexpr std::size_t most_pins = 16;
+constexpr std::size_t max_pins = 16;
 constexpr int probe_patience_ms = 500;
 /// Larger sets are shown on their own, not as a part of an explanation.
-constexpr std::uint64_t most_drawn = 20000;
+constexpr std::uint64_t max_drawn = 20000;
 
 /// World positions, where some image of three or four channels means them.
 std::vector<std::array<float, 3>> positions_of(const engine::ProbeResult& result) {
@@ -154,7 +154,7 @@ std::vector<std::string> PixelInspector::explaining_keys(bool spatial) const {
 
 void PixelInspector::pin(QPoint pixel) {
     if (pixel.x() < 0 || std::find(pins_.begin(), pins_.end(), pixel) != pins_.end()) return;
-    if (pins_.size() >= most_pins) pins_.erase(pins_.begin());
+    if (pins_.size() >= max_pins) pins_.erase(pins_.begin());
     pins_.push_back(pixel);
     show_pins();
     update();
@@ -208,7 +208,7 @@ void PixelInspector::show_everything() {
         if (!output.explains || !widgets::is_spatial(output.kind)) continue;
         const auto* resource = find_resource(result->report, output.key);
         complete = complete && resource && resource->available;
-        if (!resource || !resource->available || resource->elements > most_drawn) continue;
+        if (!resource || !resource->available || resource->elements > max_drawn) continue;
         drawn.push_back(output.key);
     }
     if (!complete && live_.state(experiment()) == LivePictures::State::rendering) return;
@@ -312,7 +312,7 @@ void PixelInspector::load(const projects::Json& memory) {
     asked_ = ask_again_ = open_explanation_ = false;
     for (const auto& pin : member_or_null(memory, "pins"))
         if (pin.is_array() && pin.size() == 2 && pin[0].is_number_integer() && pin[1].is_number_integer() &&
-            pins_.size() < most_pins)
+            pins_.size() < max_pins)
             pins_.push_back(
                 {std::clamp(pin[0].get<int>(), 0, 65535), std::clamp(pin[1].get<int>(), 0, 65535)});
     compute_all_ = field_or(memory, "compute_all", false);

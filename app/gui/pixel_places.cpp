@@ -7,13 +7,13 @@
 namespace ir::gui {
 namespace {
 
-constexpr int most_levels = 16;
+constexpr int max_levels = 16;
 
 }  // namespace
 
 std::optional<int> level_of(QSize main, QSize image) {
     if (main.isEmpty()) return {};
-    for (int level = 0; level < most_levels; ++level)
+    for (int level = 0; level < max_levels; ++level)
         if (QSize(std::max(1, main.width() >> level), std::max(1, main.height() >> level)) == image)
             return level;
     return {};

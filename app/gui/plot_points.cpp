@@ -17,7 +17,7 @@ using engine::ErrorStudy;
 using projects::Json;
 using widgets::plot_number;
 
-constexpr std::size_t most_named_values = 12;
+constexpr std::size_t max_named_values = 12;
 
 QString with_unit(const QString& name, const std::string& unit) {
     return unit.empty() ? name : QStringLiteral("%1 (%2)").arg(name, text_of(unit));
@@ -124,7 +124,7 @@ class Drawing {
                 if (std::find(x.wanted.begin(), x.wanted.end(), place_of(point)) == x.wanted.end())
                     x.wanted.push_back(place_of(point));
             }
-            if (x.wanted.size() > most_named_values) x.wanted.clear();
+            if (x.wanted.size() > max_named_values) x.wanted.clear();
         }
         const auto* metric = known_metric(plot_.metric);
         data_.y.title = with_unit(metric_label(plot_.metric), unit_of(plot_.metric));

@@ -8,7 +8,7 @@ namespace ir::gui {
 namespace {
 
 /// Before so much of the work and of its time an estimate of the rest is a guess.
-constexpr double least_fraction = 0.03, least_seconds = 1;
+constexpr double min_fraction = 0.03, min_seconds = 1;
 /// What is said is false where the rest is estimated longer by this factor and so many seconds.
 constexpr double false_factor = 1.5, false_seconds = 5;
 /// Part of the way that one report goes towards a shorter rest: one quick step is no quick work.
@@ -25,7 +25,7 @@ void RemainingTime::start(double now, double done) {
 void RemainingTime::report(double now, double fraction) {
     const double elapsed = now - began_, missing = 1 - done_before_;
     const double part = missing > 0 ? (std::min(fraction, 1.0) - done_before_) / missing : 1;
-    if (!(part >= least_fraction) || elapsed < least_seconds) return;
+    if (!(part >= min_fraction) || elapsed < min_seconds) return;
     const double rest = elapsed * (1 - part) / part;
     if (!seconds_) seconds_ = rest;
     *seconds_ += smoothing * std::min(0.0, rest - *seconds_);

@@ -3,13 +3,13 @@
 namespace ir::gui {
 namespace {
 
-constexpr std::size_t most_kept = 8;
+constexpr std::size_t max_kept = 8;
 
 }  // namespace
 
 SceneShelf::SceneShelf(Renderer& renderer) : renderer_(renderer) {
     connect(&renderer_, &Renderer::scene_arrived, this, [this](const engine::SceneSummary& scene) {
-        if (scenes_.size() >= most_kept)
+        if (scenes_.size() >= max_kept)
             std::erase_if(scenes_, [this](const auto& each) { return each.first != key_; });
         scenes_[scene.composition_key] = scene;
         for (const auto& warning : scene.warnings)

@@ -41,8 +41,8 @@ widgets::LayerInfo info_of(const passes::viewers::DrawnLayer& layer) {
     info.passing = layer.passing;
     info.low = layer.low;
     info.high = layer.high;
-    info.least = layer.least;
-    info.most = layer.most;
+    info.min = layer.min;
+    info.max = layer.max;
     return info;
 }
 
@@ -168,7 +168,7 @@ void SpacePresenter::request(int view, const SpaceScene& scene, QSize device_px,
 }
 
 void SpacePresenter::on_picture(std::shared_ptr<const engine::SceneViewResult> result) {
-    for (int view = 0; view < widgets::ViewArea::most_views; ++view) {
+    for (int view = 0; view < widgets::ViewArea::max_views; ++view) {
         auto* space = spaces_[std::size_t(view)];
         if (tag_of(view) != result->tag || !space) continue;
         auto& drawing = drawings_[std::size_t(view)];

@@ -35,12 +35,12 @@ class SpacePresenter : public QObject {
         std::uint64_t first_serial = 0, newest_serial = 0, answered_serial = 0;
         bool is_under_way() const { return answered_serial < newest_serial; }
     };
-    static constexpr std::size_t most_views = widgets::ViewArea::most_views;
+    static constexpr std::size_t max_views = widgets::ViewArea::max_views;
     LivePictures& live_;
     Renderer& renderer_;
     ViewModel& views_;
-    std::array<widgets::SpacePane*, most_views> spaces_{};
-    std::array<Drawing, most_views> drawings_;
+    std::array<widgets::SpacePane*, max_views> spaces_{};
+    std::array<Drawing, max_views> drawings_;
 };
 
 }  // namespace ir::gui

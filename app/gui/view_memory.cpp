@@ -12,7 +12,7 @@ using projects::Json;
 using widgets::SpaceLayer;
 using widgets::ViewSource;
 
-constexpr std::size_t most_items = 64;  ///< of a list in a session file
+constexpr std::size_t max_items = 64;  ///< of a list in a session file
 
 Json to_json(const ViewSource& source) {
     return {
@@ -32,7 +32,7 @@ widgets::StagePair pair_from_json(const Json& json) {
     if (!json.is_array() || json.size() != 2 || !json[0].is_number_integer() || !json[1].is_number_integer())
         return {};
     const auto place = [&](std::size_t i, int least) {
-        return int(std::clamp<std::int64_t>(json[i].get<std::int64_t>(), least, most_items));
+        return int(std::clamp<std::int64_t>(json[i].get<std::int64_t>(), least, max_items));
     };
     return {place(0, widgets::StagePair::none), place(1, widgets::StagePair::reference)};
 }
@@ -71,7 +71,7 @@ SpaceLayer layer_from_json(const Json& json) {
     if (member_or_null(json, "low").is_number()) layer.low = json["low"].get<double>();
     if (member_or_null(json, "high").is_number()) layer.high = json["high"].get<double>();
     for (const auto& filter : member_or_null(json, "filters"))
-        if (layer.filters.size() < most_items)
+        if (layer.filters.size() < max_items)
             layer.filters.push_back({field_or(filter, "field", std::string()), field_or(filter, "low", 0.0),
                                      field_or(filter, "high", 0.0)});
     return layer;
@@ -107,7 +107,7 @@ Inspection inspection_from_json(const Json& json) {
     const auto& chosen = member_or_null(json, "chosen");
     if (!chosen.is_object()) return inspection;
     for (const auto& [selector, item] : chosen.items())
-        if (item.is_number_integer() && inspection.chosen.size() < most_items)
+        if (item.is_number_integer() && inspection.chosen.size() < max_items)
             inspection.chosen[selector] = std::clamp(item.get<int>(), Inspection::all, 1 << 24);
     return inspection;
 }
@@ -177,7 +177,7 @@ widgets::ViewState view_state_from_json(const Json& json) {
     state.difference = widgets::difference_from_key(field_or(json, "difference", std::string()));
     state.as_table = field_or(json, "as_table", false);
     for (const auto& source : member_or_null(json, "more"))
-        if (state.more.size() < most_items) state.more.push_back(source_from_json(source));
+        if (state.more.size() < max_items) state.more.push_back(source_from_json(source));
     state.chain = field_or(json, "chain", false);
     state.pair = pair_from_json(member_or_null(json, "pair"));
     const auto& space = member_or_null(json, "space");
@@ -185,7 +185,7 @@ widgets::ViewState view_state_from_json(const Json& json) {
     state.space.show_centres = field_or(space, "show_centres", true);
     state.space.camera = pose_from_json(member_or_null(space, "camera"));
     for (const auto& layer : member_or_null(space, "layers"))
-        if (state.space.layers.size() < most_items) state.space.layers.push_back(layer_from_json(layer));
+        if (state.space.layers.size() < max_items) state.space.layers.push_back(layer_from_json(layer));
     return state;
 }
 

@@ -79,8 +79,8 @@ class ViewModel : public QObject {
     void send_wants();
     int display_view(int view) const { return linked_ ? DisplayMemory::shared : view; }
 
-    static constexpr std::size_t most_views = widgets::ViewArea::most_views;
-    using States = std::array<widgets::ViewState, most_views>;
+    static constexpr std::size_t max_views = widgets::ViewArea::max_views;
+    using States = std::array<widgets::ViewState, max_views>;
     Session& session_;
     LivePictures& live_;
     const widgets::ViewArea& area_;
@@ -92,7 +92,7 @@ class ViewModel : public QObject {
     struct Gone {
         widgets::ViewState state, instead;
     };
-    std::array<Gone, most_views> gone_;
+    std::array<Gone, max_views> gone_;
     DisplayMemory displays_;
     std::map<std::string, std::map<std::string, Want>> panel_wants_;  ///< by panel
     std::map<std::string, Inspection> inspections_;

@@ -17,9 +17,9 @@ using widgets::ViewState;
 namespace {
 
 /// Rows of stages begin with at most so many pictures.
-constexpr std::size_t most_stages = 6;
+constexpr std::size_t max_stages = 6;
 /// Buffers of 3D views are sent along up to this size, so that their values can be read.
-constexpr std::uint64_t most_sent_bytes = 4u << 20;
+constexpr std::uint64_t max_sent_bytes = 4u << 20;
 
 Space space_of(const std::vector<widgets::AvailableBuffer>& buffers, const std::string& key) {
     for (const auto& buffer : buffers)
@@ -80,8 +80,7 @@ void ViewRules::complete_stages(ViewState& state) const {
     if (b == StagePair::reference && reference_of(session_, state.a.owner).owner.empty()) b = StagePair::none;
     if (state.chain || !state.more.empty() || !live_.result(state.a.owner)) return;
     for (const auto& [source, label] : candidates(state))
-        if (source.owner == state.a.owner && state.more.size() + 1 < most_stages)
-            state.more.push_back(source);
+        if (source.owner == state.a.owner && state.more.size() + 1 < max_stages) state.more.push_back(source);
 }
 
 /// Layers belong to A's experiment; another buffer starts with itself alone.
@@ -175,7 +174,7 @@ Want ViewRules::want_of(const ViewState& state, const std::string& owner) const 
             // A click says which item an element stands for, as far as sets are small enough to send.
             const auto result = live_.result(owner);
             const auto* resource = result ? find_resource(result->report, layer.key) : nullptr;
-            if (resource && resource->bytes <= most_sent_bytes) want.buffers.insert(layer.key);
+            if (resource && resource->bytes <= max_sent_bytes) want.buffers.insert(layer.key);
         }
     return want;
 }

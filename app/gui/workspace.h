@@ -66,7 +66,7 @@ class Workspace : public QObject {
     LivePictures& live_;
     widgets::ImageView::Surface surface_;
     PictureTools tools_;
-    std::array<widgets::ViewPane*, widgets::ViewArea::most_views> panes_{};
+    std::array<widgets::ViewPane*, widgets::ViewArea::max_views> panes_{};
     widgets::ViewArea* area_;  ///< makes the first pane at once
     ViewModel views_;
     PicturePresenter pictures_;

@@ -21,7 +21,7 @@
 namespace ir::widgets {
 namespace {
 
-constexpr int most_repeats = 1000;
+constexpr int max_repeats = 1000;
 
 /// What a control does, and why it cannot.
 QString tip_with(const QString& tip, const QString& why_not) {
@@ -108,7 +108,7 @@ QWidget* BenchmarkPanel::make_head() {
             [this](int index) { emit place_chosen(places_->itemData(index).toString()); });
     repeats_ = new QSpinBox;
     repeats_->setObjectName(QStringLiteral("repeats"));
-    repeats_->setRange(1, most_repeats);
+    repeats_->setRange(1, max_repeats);
     repeats_->setSuffix(tr(" ×"));
     repeats_->setToolTip(tr("Warm runs of which the median counts, after one cold run"));
     repeats_->setAccessibleName(tr("Repeats"));

@@ -90,7 +90,7 @@ QImage CompareView::snapshot(bool overlays, bool legend, ImageView::SnapshotScal
     const auto shown = contents();
     const bool whole = scale == ImageView::SnapshotScale::picture_pixels;
     const auto shot = [&](int i) {
-        const bool wanted = legend && (panes_[i]->legend() || shown.size() == 1 || whole);
+        const bool wanted = legend && (panes_[i]->state().legend || shown.size() == 1 || whole);
         return panes_[i]->snapshot(overlays, wanted, scale);
     };
     if (shown.size() == 1) return shot(0);

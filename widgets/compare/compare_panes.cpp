@@ -74,7 +74,7 @@ QString CompareView::refusal() const {
 
 QString CompareView::missing() const {
     for (std::size_t i = 0; i < contents().size(); ++i)
-        if (!panes_[i]->note().isEmpty()) return panes_[i]->note();
+        if (!panes_[i]->state().note.isEmpty()) return panes_[i]->state().note;
     return {};
 }
 
@@ -103,18 +103,19 @@ void CompareView::update_regions() {
     for (auto* view : panes_) {
         const auto& picture = view->picture();
         const bool fits = picture && picture->size() == region_size_;
-        view->set_region(fits ? region_ : QRect());
+        view->set_mark(&Marks::region, fits ? region_ : QRect());
     }
 }
 
 void CompareView::mark(ImageView& view) const {
     const auto& picture = view.picture();
     const QSize size = picture ? picture->size() : QSize(), of = picked_size_;
-    if (picked_.x() < 0 || of.isEmpty() || size.isEmpty() || size == of) return view.set_picked(picked_);
+    if (picked_.x() < 0 || of.isEmpty() || size.isEmpty() || size == of)
+        return view.set_mark(&Marks::picked, picked_);
     const bool alike =
         picture->atlas.tiles.empty() && (is_reduced(size.width(), size.height(), of.width(), of.height()) ||
                                          is_reduced(of.width(), of.height(), size.width(), size.height()));
-    view.set_picked(alike ? pixel_at_size(picked_, of, size) : QPoint(-1, -1));
+    view.set_mark(&Marks::picked, alike ? pixel_at_size(picked_, of, size) : QPoint(-1, -1));
 }
 
 QString CompareView::pane_label(int picture) const {
@@ -167,13 +168,12 @@ void CompareView::fill(ImageView& pane, const Content& content) {
     pane.set_picture(right ? reference_ : pictures_[content.picture]);
     pane.set_labels(pane_label(content.picture));
     if (!poses_.empty())
-        pane.set_camera(poses_[std::min<std::size_t>(right ? 0 : content.picture, poses_.size() - 1)]);
+        pane.camera().set_pose(poses_[std::min<std::size_t>(right ? 0 : content.picture, poses_.size() - 1)]);
     if (mode_ == Mode::wipe && held_ < 0 && count() >= 2) fill_wipe(pane);
 }
 
 void CompareView::fill_wipe(ImageView& pane) {
-    pane.set_second_display(shown_display(1));
-    pane.set_second(pictures_[1]);
+    pane.set_second(pictures_[1], shown_display(1));
     pane.set_labels(pane_label(0), pane_label(1));
     pane.set_wipe(wipe_);
 }
@@ -216,7 +216,7 @@ void CompareView::fill_difference(ImageView& pane, int slot) {
     Picture picture = *result->picture;
     picture.stale = worker_->is_outdated(slot) || stage(a).stale || stage(b).stale;
     pane.set_picture(picture.stale ? std::make_shared<const Picture>(std::move(picture)) : result->picture);
-    if (!poses_.empty()) pane.set_camera(poses_[std::min<std::size_t>(a, poses_.size() - 1)]);
+    if (!poses_.empty()) pane.camera().set_pose(poses_[std::min<std::size_t>(a, poses_.size() - 1)]);
 }
 
 void CompareView::show_difference(int slot) {
@@ -254,7 +254,7 @@ void CompareView::relink() {
 }
 
 bool CompareView::is_right_of_wipe(int pane, QPoint pixel) const {
-    return mode_ == Mode::wipe && held_ < 0 && panes_[pane]->second() &&
+    return mode_ == Mode::wipe && held_ < 0 && panes_[pane]->state().pictures[1].picture &&
            pixel.x() + 0.5 >= wipe_ * panes_[pane]->image().width;
 }
 

@@ -100,7 +100,7 @@ void CompareView::set_tool(ImageView::Tool tool) {
 void CompareView::set_camera(const CameraPose& pose) {
     std::fill(poses_.begin(), poses_.end(), pose);
     if (poses_.empty()) poses_.push_back(pose);
-    for (auto* view : panes_) view->set_camera(pose);
+    for (auto* view : panes_) view->camera().set_pose(pose);
 }
 
 void CompareView::set_camera(int picture, const CameraPose& pose) {
@@ -108,12 +108,12 @@ void CompareView::set_camera(int picture, const CameraPose& pose) {
     poses_[picture] = pose;
     const auto shown = contents();
     for (std::size_t i = 0; i < shown.size(); ++i)
-        if (picture_of(int(i), {}) == picture) panes_[i]->set_camera(pose);
+        if (picture_of(int(i), {}) == picture) panes_[i]->camera().set_pose(pose);
 }
 
 void CompareView::set_fly_speed(double metres_per_second) {
     fly_speed_ = metres_per_second;
-    for (auto* view : panes_) view->set_fly_speed(metres_per_second);
+    for (auto* view : panes_) view->camera().set_fly_speed(metres_per_second);
 }
 
 void CompareView::set_picked(QPoint pixel, QSize size) {
@@ -124,7 +124,7 @@ void CompareView::set_picked(QPoint pixel, QSize size) {
 
 void CompareView::set_pins(std::vector<PinMark> pins) {
     pins_ = std::move(pins);
-    for (auto* view : panes_) view->set_pins(pins_);
+    for (auto* view : panes_) view->set_mark(&Marks::pins, pins_);
 }
 
 void CompareView::set_region(QSize size, const QRect& region) {
@@ -164,11 +164,11 @@ void CompareView::actual_pixels() {
 }
 
 void CompareView::zoom_in() {
-    panes_[active_pane_]->zoom_in();
+    panes_[active_pane_]->zoom(1);
 }
 
 void CompareView::zoom_out() {
-    panes_[active_pane_]->zoom_out();
+    panes_[active_pane_]->zoom(-1);
 }
 
 void CompareView::look_at(QPointF image_px, double zoom) {
@@ -212,7 +212,7 @@ std::shared_ptr<const Picture> CompareView::difference_picture() const {
 
 std::shared_ptr<const Picture> CompareView::pointed_picture() const {
     const auto* view = panes_[pointed_pane_];
-    return is_right_of_wipe(pointed_pane_, pointed_) ? view->second() : view->picture();
+    return is_right_of_wipe(pointed_pane_, pointed_) ? view->state().pictures[1].picture : view->picture();
 }
 
 const Display& CompareView::difference_display() const {
@@ -232,10 +232,10 @@ ImageView* CompareView::pane(int index) {
         auto* view = new ImageView(board_, surface_);
         view->set_tool(tool_);
         view->set_pixel_grid(pixel_grid_);
-        view->set_fly_speed(fly_speed_);
-        view->set_picked(picked_);
-        view->set_pins(pins_);
-        if (!poses_.empty()) view->set_camera(poses_.front());
+        view->camera().set_fly_speed(fly_speed_);
+        view->set_mark(&Marks::picked, picked_);
+        view->set_mark(&Marks::pins, pins_);
+        if (!poses_.empty()) view->camera().set_pose(poses_.front());
         view->installEventFilter(this);
         connect_pane(view, int(panes_.size()));
         panes_.push_back(view);
@@ -287,7 +287,7 @@ void CompareView::camera_from(int pane, const CameraPose& pose) {
     const int picture = std::max(0, picture_of(pane, {}));
     if (is_linked()) {
         std::fill(poses_.begin(), poses_.end(), pose);
-        for (auto* view : panes_) view->set_camera(pose);
+        for (auto* view : panes_) view->camera().set_pose(pose);
     } else if (picture < int(poses_.size())) {
         poses_[picture] = pose;
     }

@@ -14,17 +14,18 @@ void ViewLink::add(ImageView* view) {
         if (linked_) align_to(view);
     });
     connect(view, &ImageView::cursor_moved, this, [this, view](QPoint pixel) {
-        for (auto* other : followers_of(view)) other->set_cursor_mark(linked_ ? pixel : QPoint(-1, -1));
+        for (auto* other : followers_of(view))
+            other->set_mark(&Marks::cursor, linked_ ? pixel : QPoint(-1, -1));
     });
     connect(view, &ImageView::picked_changed, this, [this, view](QPoint pixel) {
         if (!linked_) return;
-        for (auto* other : followers_of(view)) other->set_picked(pixel);
+        for (auto* other : followers_of(view)) other->set_mark(&Marks::picked, pixel);
     });
 }
 
 void ViewLink::remove(ImageView* view) {
     view->disconnect(this);
-    view->set_cursor_mark({-1, -1});
+    view->set_mark(&Marks::cursor, {-1, -1});
     std::erase(views_, view);
 }
 
@@ -42,7 +43,7 @@ void ViewLink::set_linked(bool linked) {
     linked_ = linked;
     if (linked && leader_) align_to(leader_);
     for (const auto& view : views_)
-        if (!linked && view) view->set_cursor_mark({-1, -1});
+        if (!linked && view) view->set_mark(&Marks::cursor, {-1, -1});
 }
 
 void ViewLink::align_to(ImageView* view) {

@@ -12,7 +12,7 @@
 namespace ir::widgets {
 
 OrderedList::OrderedList(const char* name, const QString& what, int least, QWidget* parent)
-    : QWidget(parent), list_(new QListWidget(this)), what_(what), least_(least) {
+    : QWidget(parent), list_(new QListWidget(this)), what_(what), min_(least) {
     setObjectName(QLatin1String(name));
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* layout = new QVBoxLayout(this);
@@ -98,7 +98,7 @@ void OrderedList::update_buttons() {
     set(duplicate_, none);
     set(up_, index == 0 ? tr("It is the first already.") : none);
     set(down_, index == count - 1 && index >= 0 ? tr("It is the last already.") : none);
-    set(remove_, count == least_ && index >= 0 ? tr("One has to stay.") : none);
+    set(remove_, count == min_ && index >= 0 ? tr("One has to stay.") : none);
 }
 
 QToolButton* OrderedList::button_for(const QKeyEvent& event) const {

@@ -45,7 +45,7 @@ class OrderedList : public QWidget {
     QListWidget* list_;
     QToolButton *add_, *duplicate_, *up_, *down_, *remove_;
     QString what_, why_not_;
-    int least_;
+    int min_;
     bool showing_ = false, movable_ = true;
 };
 

@@ -22,6 +22,14 @@ struct PinMark {
     bool operator==(const PinMark&) const = default;
 };
 
+/// What is marked in a picture, in its pixels.
+struct Marks {
+    std::vector<PinMark> pins;  ///< pixels that are kept in sight
+    QPoint picked{-1, -1};      ///< negative: none
+    QRect region;               ///< pixels that are measured; empty: none
+    QPoint cursor{-1, -1};      ///< where the cursor is in a linked view; negative: nowhere
+};
+
 /// What a canvas draws. Owned by the view, read by its canvas.
 struct CanvasState {
     /// The picture, and the one right of the divider (empty: there is no divider).
@@ -33,11 +41,8 @@ struct CanvasState {
     QString note;                 ///< instead of a picture: why there is none
     QString hint;                 ///< in the bottom left corner: how the tool is used
     bool stale = false;           ///< a newer picture is being rendered
-    std::vector<PinMark> pins;    ///< pixels that are kept in sight
-    QPoint picked{-1, -1};        ///< marked pixel; negative: none
-    QRect region;                 ///< pixels that are measured; empty: none
-    bool region_edited = false;   ///< with handles and its size
-    QPoint cursor_mark{-1, -1};   ///< where the cursor is in a linked view; negative: nowhere
+    Marks marks;
+    bool region_edited = false;  ///< the marked one has handles and shows its size
 
     bool has_image() const { return !pictures[0].empty(); }
     bool has_divider() const { return has_image() && !pictures[1].empty(); }

@@ -1,33 +1,30 @@
 #include "widgets/image/image_view.h"
 
-#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "renderers/core/error.h"
+#include "widgets/image/legend.h"
+#include "widgets/image/raster_painter.h"
 
 namespace ir::widgets {
 namespace {
 
-/// A drag across the whole height of the view turns the camera by half a circle.
-constexpr double radians_per_view = std::numbers::pi;
 constexpr double zoom_step = 1.25;
-/// A camera that was moved by wheel or keys is left alone after so long.
-constexpr int settle_ms = 350;
 /// Logical pixels on either side of the divider that take hold of it.
 constexpr double divider_reach = 7;
 
-bool is_fly_key(int key) {
-    return key == Qt::Key_W || key == Qt::Key_A || key == Qt::Key_S || key == Qt::Key_D || key == Qt::Key_Q ||
-           key == Qt::Key_E;
-}
+/// Room for a legend beside an exported picture: all that it needs.
+constexpr qreal whole_legend = 10000;
 
 }  // namespace
 
-ImageView::ImageView(QWidget* parent, Surface surface) : QWidget(parent) {
+ImageView::ImageView(QWidget* parent, Surface surface) : QWidget(parent), region_tool_(state_, *this) {
     canvas_ = surface == Surface::raster ? make_raster_canvas(state_, this) : make_canvas(state_, this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -38,11 +35,12 @@ ImageView::ImageView(QWidget* parent, Surface surface) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(64, 48);  // four side-by-side pairs fit a small screen
     setAccessibleName(tr("Picture"));
-    fly_timer_.setInterval(16);
-    settle_timer_.setInterval(settle_ms);
-    settle_timer_.setSingleShot(true);
-    connect(&fly_timer_, &QTimer::timeout, this, &ImageView::fly_step);
-    connect(&settle_timer_, &QTimer::timeout, this, &ImageView::finish_gesture);
+    connect(&camera_, &CameraController::moved, this, &ImageView::camera_moved);
+    connect(&camera_, &CameraController::finished, this, &ImageView::camera_gesture_finished);
+    connect(&region_tool_, &RegionTool::changed, this, [this](const QRect& region) {
+        set_mark(&Marks::region, region);
+        emit region_changed(region);
+    });
     update_cursor_shape();
 }
 
@@ -51,9 +49,118 @@ void ImageView::repaint_all() {
     overlay_->update();
 }
 
+void ImageView::set_picture(std::shared_ptr<const Picture> picture) {
+    const QSizeF size = picture ? QSizeF(picture->size().expandedTo({0, 0})) : QSizeF(0, 0);
+    auto& second = state_.pictures[1];
+    if (second.picture && QSizeF(second.picture->size()) != size) second = {{}, {}, {}, second.display};
+    state_.pictures[0] = cache_.prepare(std::move(picture), display_);
+    const auto& shown = state_.pictures[0].picture;
+    state_.note = shown && !shown->has_image() ? shown->note : QString();
+    state_.stale = stale_ || (shown && shown->stale);
+    if (state_.has_image()) {
+        const double before = state_.transform.zoom();
+        state_.transform.set_image_size(size);
+        if (state_.transform.zoom() != before) emit zoom_changed(state_.transform.zoom());
+    }
+    repaint_all();
+}
+
+void ImageView::set_second(std::shared_ptr<const Picture> picture, const Display& display) {
+    if (picture && picture->has_image() && picture->size() != state_.transform.image_size().toSize()) {
+        const QSizeF first = state_.transform.image_size();
+        throw UsageError("sizes differ: A " + std::to_string(int(first.width())) + "x" +
+                         std::to_string(int(first.height())) + ", B " +
+                         std::to_string(picture->size().width()) + "x" +
+                         std::to_string(picture->size().height()) + "; render both at one size");
+    }
+    state_.pictures[1] = cache_.prepare(std::move(picture), display);
+    repaint_all();
+}
+
+void ImageView::set_display(const Display& display) {
+    if (display == display_) return;
+    display_ = display;
+    state_.pictures[0] = cache_.prepare(state_.pictures[0].picture, display_);
+    repaint_all();
+}
+
+void ImageView::set_labels(const QString& label, const QString& second) {
+    if (label == state_.label && second == state_.second_label) return;
+    state_.label = label;
+    state_.second_label = second;
+    repaint_all();
+}
+
+void ImageView::set_wipe(double fraction) {
+    state_.wipe = std::clamp(fraction, 0.0, 1.0);
+    repaint_all();
+}
+
+void ImageView::set_legend(bool on) {
+    state_.legend = on;
+    repaint_all();
+}
+
+void ImageView::set_stale(bool stale) {
+    stale_ = stale;
+    state_.stale = stale_ || (picture() && picture()->stale);
+    repaint_all();
+}
+
+void ImageView::follow(const ViewTransform& transform) {
+    if (transform.is_fitted())
+        state_.transform.fit();
+    else
+        state_.transform.look_at(transform.centre(), transform.zoom());
+    repaint_all();
+}
+
+const Image& ImageView::image() const {
+    static const Image none;
+    return state_.has_image() ? *picture()->image : none;
+}
+
+QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) const {
+    CanvasState drawn = state_;
+    drawn.hint.clear();
+    drawn.marks.cursor = {-1, -1};
+    drawn.region_edited = false;
+    drawn.stale = false;
+    drawn.legend = legend;
+    qreal ratio = devicePixelRatioF();
+    QSize size = state_.transform.view_size().toSize();
+    qreal beside = 0;  // where the legend goes when the whole picture is exported
+    if (scale == SnapshotScale::picture_pixels && state_.has_image()) {
+        ratio = 1;
+        size = state_.transform.image_size().toSize();
+        drawn.transform.set_view_size(size);
+        drawn.transform.fit();
+        drawn.legend = false;
+        if (legend) beside = legend_size(state_.pictures[0], ratio, whole_legend).width() + 16;
+    }
+    const qreal height = beside > 0 ? legend_size(state_.pictures[0], ratio, whole_legend).height() + 16 : 0;
+    QImage image(size.width() + int(beside), std::max(size.height(), int(height)), QImage::Format_RGB32);
+    image.fill(surround_colour);
+    QPainter painter(&image);
+    painter.setFont(font());
+    RasterPainter().paint(painter, drawn, ratio);
+    if (overlays || legend) {
+        if (!overlays) {  // the legend (and a reason for having no picture) alone
+            drawn.label.clear();
+            drawn.second_label.clear();
+            drawn.marks = {};
+            drawn.pixel_grid = false;
+        }
+        paint_overlay(painter, drawn, ratio);
+    }
+    if (beside > 0)
+        paint_legend(painter, state_.pictures[0], QPointF(size.width() + 8, 8), ratio, whole_legend);
+    return image;
+}
+
 void ImageView::set_tool(Tool tool) {
     if (tool == tool_) return;
-    finish_gesture();
+    camera_.finish();
     tool_ = tool;
     update_hint();
     update_cursor_shape();
@@ -78,7 +185,7 @@ void ImageView::update_cursor_shape() {
     else if (drag_ == Drag::pan || space_)
         setCursor(drag_ == Drag::pan ? Qt::ClosedHandCursor : Qt::OpenHandCursor);
     else if (tool_ == Tool::rectangle)
-        setCursor(region_cursor(region_grip_));
+        setCursor(region_tool_.cursor());
     else
         setCursor(tool_ == Tool::inspect ? Qt::CrossCursor : Qt::SizeAllCursor);
 }
@@ -103,12 +210,8 @@ void ImageView::look_at(QPointF image_px, double zoom) {
     finish_transform();
 }
 
-void ImageView::zoom_in() {
-    look_at(state_.transform.centre(), state_.transform.zoom() * zoom_step);
-}
-
-void ImageView::zoom_out() {
-    look_at(state_.transform.centre(), state_.transform.zoom() / zoom_step);
+void ImageView::zoom(int steps) {
+    look_at(state_.transform.centre(), state_.transform.zoom() * std::pow(zoom_step, steps));
 }
 
 void ImageView::set_pixel_grid(bool on) {
@@ -136,24 +239,27 @@ void ImageView::changeEvent(QEvent* event) {
         state_.transform.set_view_size(QSizeF(size()) * devicePixelRatioF());
 }
 
-ImageView::Drag ImageView::drag_for(const QMouseEvent& event) const {
+ImageView::Drag ImageView::drag_for(const QMouseEvent& event) {
     if (event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && space_)) return Drag::pan;
     if (event.button() == Qt::LeftButton && is_over_divider(event.position())) return Drag::wipe;
     if (tool_ == Tool::rectangle && event.button() == Qt::LeftButton)
         return state_.has_image() ? Drag::region : Drag::pan;
-    if (tool_ == Tool::inspect || tool_ == Tool::rectangle)
+    if (!moves_camera())
         return event.button() == Qt::LeftButton    ? Drag::pick
                : event.button() == Qt::RightButton ? Drag::pan
                                                    : Drag::none;
-    if (event.button() == Qt::RightButton || event.modifiers() & Qt::ShiftModifier) return Drag::slide;
-    return tool_ == Tool::orbit ? Drag::orbit : Drag::look;
+    const bool slides = event.button() == Qt::RightButton || event.modifiers() & Qt::ShiftModifier;
+    camera_.begin_drag(slides                 ? CameraController::Drag::slide
+                       : tool_ == Tool::orbit ? CameraController::Drag::orbit
+                                              : CameraController::Drag::look);
+    return Drag::camera;
 }
 
 void ImageView::mousePressEvent(QMouseEvent* event) {
     if (drag_ != Drag::none) return;
     drag_ = drag_for(*event);
     last_position_ = press_position_ = event->position();
-    if (drag_ == Drag::region) start_region(event->position());
+    if (drag_ == Drag::region) region_tool_.press(event->position());
     update_cursor_shape();
 }
 
@@ -169,9 +275,10 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
         state_.transform.pan(device(delta));
         finish_transform();
     } else if (drag_ == Drag::region) {
-        drag_region(event->position(), event->modifiers());
-    } else if (drag_ == Drag::orbit || drag_ == Drag::slide || drag_ == Drag::look) {
-        drag_camera(delta);
+        region_tool_.drag(event->position(), event->modifiers());
+    } else if (drag_ == Drag::camera) {
+        const QSizeF shown = state_.transform.image_size() * state_.transform.zoom() / devicePixelRatioF();
+        camera_.drag(delta, height(), shown.height());
     }
     const bool over = is_over_divider(event->position());
     if (over != over_divider_) {
@@ -179,7 +286,7 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
         update_cursor_shape();
     }
     if (drag_ == Drag::none && tool_ == Tool::rectangle) {
-        region_grip_ = region_grip_at(event->position());
+        region_tool_.hover(event->position());
         update_cursor_shape();
     }
     emit cursor_moved(pixel_at(event->position()));
@@ -187,7 +294,7 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
 
 bool ImageView::event(QEvent* event) {
     // Escape clears the rectangle before it is the window's key.
-    if (event->type() == QEvent::ShortcutOverride && takes_region_key(*static_cast<QKeyEvent*>(event))) {
+    if (event->type() == QEvent::ShortcutOverride && region_tool_.takes(*static_cast<QKeyEvent*>(event))) {
         event->accept();
         return true;
     }
@@ -213,37 +320,22 @@ void ImageView::mouseDoubleClickEvent(QMouseEvent* event) {
     mousePressEvent(event);
 }
 
-void ImageView::drag_camera(QPointF delta) {
-    const double turn = radians_per_view / std::max(1, height());
-    if (drag_ == Drag::orbit) move_camera(orbited(pose_, -delta.x() * turn, delta.y() * turn));
-    if (drag_ == Drag::look) move_camera(looked(pose_, -delta.x() * turn / 2, -delta.y() * turn / 2));
-    if (drag_ == Drag::slide) {
-        const double shown =
-            state_.transform.image_size().height() * state_.transform.zoom() / devicePixelRatioF();
-        const double scale = 1 / std::max(1.0, shown);
-        move_camera(slid(pose_, -delta.x() * scale, delta.y() * scale));
-    }
-}
-
 void ImageView::mouseReleaseEvent(QMouseEvent* event) {
     if (drag_ == Drag::pick) {
-        state_.picked = pixel_at(event->position());
-        repaint_all();
-        emit picked_changed(state_.picked);
+        set_mark(&Marks::picked, pixel_at(event->position()));
+        emit picked_changed(state_.marks.picked);
     }
-    const bool moved_camera = drag_ == Drag::orbit || drag_ == Drag::slide || drag_ == Drag::look;
-    drag_ = Drag::none;
-    if (moved_camera) finish_gesture();
+    region_tool_.release();
+    if (std::exchange(drag_, Drag::none) == Drag::camera) camera_.finish();
     update_cursor_shape();
 }
 
 void ImageView::wheelEvent(QWheelEvent* event) {
     const double steps = event->angleDelta().y() / 120.0;
     if (steps == 0) return;
-    const bool moves_camera = tool_ == Tool::orbit || tool_ == Tool::fly;
-    if (event->modifiers() & Qt::ControlModifier && moves_camera) {
-        move_camera(dollied(pose_, std::pow(1.1, -steps)));
-        settle_timer_.start();
+    if (event->modifiers() & Qt::ControlModifier && moves_camera()) {
+        camera_.move_to(dollied(camera_.pose(), std::pow(1.1, -steps)));
+        camera_.settle();
     } else {
         state_.transform.zoom_about(device(event->position()),
                                     state_.transform.zoom() * std::pow(zoom_step, steps));
@@ -258,15 +350,10 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
         space_ = true;
         return update_cursor_shape();
     }
-    if (tool_ == Tool::fly && is_fly_key(event->key()) && !(event->modifiers() & Qt::ControlModifier)) {
-        if (!event->isAutoRepeat()) keys_.insert(event->key());
-        if (!fly_timer_.isActive()) {
-            fly_clock_.start();
-            fly_timer_.start();
-        }
-        return;
-    }
-    if (takes_region_key(*event)) return press_region_key(*event);
+    if (tool_ == Tool::fly && CameraController::is_fly_key(event->key()) &&
+        !(event->modifiers() & Qt::ControlModifier))
+        return camera_.press_key(*event);
+    if (region_tool_.takes(*event)) return region_tool_.press_key(*event);
     const bool sideways = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
     if (state_.has_divider() && sideways) {
         const double step = event->modifiers() & Qt::ShiftModifier ? 0.1 : 0.01;
@@ -281,37 +368,8 @@ void ImageView::keyReleaseEvent(QKeyEvent* event) {
         space_ = false;
         update_cursor_shape();
     }
-    if (!keys_.contains(event->key())) return QWidget::keyReleaseEvent(event);
-    fly_step();  // a tap shorter than the timer's beat moves, too
-    keys_.remove(event->key());
-    if (!keys_.isEmpty()) return;
-    fly_timer_.stop();
-    settle_timer_.start();
-}
-
-void ImageView::fly_step() {
-    const double seconds = std::clamp(fly_clock_.restart() / 1000.0, 0.004, 0.1);
-    const bool fast = QGuiApplication::keyboardModifiers() & Qt::ShiftModifier;
-    const double step = fly_speed_ * seconds * (fast ? 4 : 1);
-    const auto axis = [&](int plus, int minus) {
-        return step * ((keys_.contains(plus) ? 1 : 0) - (keys_.contains(minus) ? 1 : 0));
-    };
-    move_camera(
-        flown(pose_, axis(Qt::Key_D, Qt::Key_A), axis(Qt::Key_E, Qt::Key_Q), axis(Qt::Key_W, Qt::Key_S)));
-}
-
-void ImageView::move_camera(const CameraPose& pose) {
-    if (pose == pose_) return;
-    pose_ = pose;
-    gesture_ = true;
-    emit camera_moved(pose_);
-}
-
-void ImageView::finish_gesture() {
-    settle_timer_.stop();
-    if (!gesture_) return;
-    gesture_ = false;
-    emit camera_gesture_finished();
+    if (!camera_.holds_key(event->key())) return QWidget::keyReleaseEvent(event);
+    if (camera_.release_key(*event)) camera_.settle();
 }
 
 void ImageView::leaveEvent(QEvent*) {
@@ -325,11 +383,10 @@ void ImageView::focusInEvent(QFocusEvent* event) {
 
 void ImageView::focusOutEvent(QFocusEvent* event) {
     QWidget::focusOutEvent(event);
-    keys_.clear();
-    fly_timer_.stop();
+    camera_.drop_keys();
     space_ = false;
     update_cursor_shape();
-    if (drag_ == Drag::none) finish_gesture();
+    if (drag_ == Drag::none) camera_.finish();
 }
 
 }  // namespace ir::widgets

@@ -12,7 +12,7 @@
 namespace ir::widgets {
 namespace {
 
-QString translated(const char* text) {
+QString legend_text(const char* text) {
     return QCoreApplication::translate("Legend", text);
 }
 
@@ -36,23 +36,23 @@ std::vector<Mark> marks_of(const Display& display) {
         marks.push_back({{255, 0, 255}, QStringLiteral("NaN")});
         marks.push_back({{255, 255, 0}, QStringLiteral("+Inf")});
         marks.push_back({{0, 255, 255}, QStringLiteral("−Inf")});
-        if (display.negative_is_bad) marks.push_back({{40, 80, 255}, translated("negative")});
+        if (display.negative_is_bad) marks.push_back({{40, 80, 255}, legend_text("negative")});
     }
     if (display.zebra && display.mode != Display::Mode::ids) {
-        marks.push_back({{40, 90, 255}, translated("below"), Qt::BDiagPattern});
-        marks.push_back({{255, 60, 40}, translated("above"), Qt::FDiagPattern});
+        marks.push_back({{40, 90, 255}, legend_text("below"), Qt::BDiagPattern});
+        marks.push_back({{255, 60, 40}, legend_text("above"), Qt::FDiagPattern});
     }
     if (display.grey_zero)
-        marks.push_back({{zero_grey[0], zero_grey[1], zero_grey[2]}, translated("within noise")});
-    if (display.hide_invalid) marks.push_back({{136, 136, 136}, translated("no value"), Qt::Dense4Pattern});
+        marks.push_back({{zero_grey[0], zero_grey[1], zero_grey[2]}, legend_text("within noise")});
+    if (display.hide_invalid) marks.push_back({{136, 136, 136}, legend_text("no value"), Qt::Dense4Pattern});
     return marks;
 }
 
 QStringList colour_lines(const Display& display) {
-    QStringList lines = {translated("exposure %1").arg(exposure_text(display.exposure))};
-    if (display.tone_map == Display::ToneMap::reinhard) lines << translated("tone map Reinhard");
-    if (display.tone_map == Display::ToneMap::filmic) lines << translated("tone map filmic");
-    return lines << translated("sRGB");
+    QStringList lines = {legend_text("exposure %1").arg(exposure_text(display.exposure))};
+    if (display.tone_map == Display::ToneMap::reinhard) lines << legend_text("tone map Reinhard");
+    if (display.tone_map == Display::ToneMap::filmic) lines << legend_text("tone map filmic");
+    return lines << legend_text("sRGB");
 }
 
 Contents contents_of(const PreparedPicture& picture) {
@@ -68,13 +68,13 @@ Contents contents_of(const PreparedPicture& picture) {
             contents.lines << colour_lines(display);
             return contents;
         case Display::Mode::ids:
-            contents.lines << translated("a colour for each number");
+            contents.lines << legend_text("a colour for each number");
             return contents;
         case Display::Mode::vector:
-            if (all) contents.lines << translated("by component");
+            if (all) contents.lines << legend_text("by component");
             break;
         case Display::Mode::scalar:
-            if (all) contents.lines << translated("largest channel");
+            if (all) contents.lines << legend_text("largest channel");
             break;
     }
     contents.bar = true;

@@ -83,7 +83,7 @@ void paint_pin(QPainter& painter, const CanvasState& state, const PinMark& pin, 
 
 /// Four short lines around the pixel, which leave it free.
 void paint_cursor_mark(QPainter& painter, const CanvasState& state, qreal ratio) {
-    const QRectF box = pixel_box(state, state.cursor_mark, ratio);
+    const QRectF box = pixel_box(state, state.marks.cursor, ratio);
     if (box.isNull()) return;
     const qreal length = 9 * ratio;
     const QPointF c = box.center();
@@ -217,8 +217,8 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
         paint_tiles(painter, state, ratio);
         paint_region(painter, state, ratio);
         if (state.has_divider()) paint_divider(painter, state, view, ratio);
-        for (const auto& pin : state.pins) paint_pin(painter, state, pin, ratio);
-        const QRectF picked = pixel_box(state, state.picked, ratio);
+        for (const auto& pin : state.marks.pins) paint_pin(painter, state, pin, ratio);
+        const QRectF picked = pixel_box(state, state.marks.picked, ratio);
         if (!picked.isNull()) paint_frame(painter, picked, Qt::white, ratio);
         paint_cursor_mark(painter, state, ratio);
     }

@@ -8,8 +8,8 @@ namespace {
 
 /// Lines between pixels, in whole device pixels.
 QRectF region_box(const CanvasState& state) {
-    const QPointF from = state.transform.view_from_image(state.region.topLeft());
-    const QPointF to = state.transform.view_from_image(state.region.bottomRight() + QPoint(1, 1));
+    const QPointF from = state.transform.view_from_image(state.marks.region.topLeft());
+    const QPointF to = state.transform.view_from_image(state.marks.region.bottomRight() + QPoint(1, 1));
     return {QPointF(std::round(from.x()), std::round(from.y())),
             QPointF(std::round(to.x()), std::round(to.y()))};
 }
@@ -29,7 +29,8 @@ void paint_handles(QPainter& painter, const QRectF& box, qreal ratio) {
 }
 
 void paint_size(QPainter& painter, const CanvasState& state, const QRectF& box, qreal ratio) {
-    const QString text = QStringLiteral("%1 × %2").arg(state.region.width()).arg(state.region.height());
+    const QString text =
+        QStringLiteral("%1 × %2").arg(state.marks.region.width()).arg(state.marks.region.height());
     QFont font = painter.font();
     font.setPixelSize(std::max(1, int(11 * ratio)));
     painter.setFont(font);
@@ -50,7 +51,7 @@ void paint_size(QPainter& painter, const CanvasState& state, const QRectF& box, 
 }  // namespace
 
 void paint_region(QPainter& painter, const CanvasState& state, qreal ratio) {
-    if (state.region.isEmpty()) return;
+    if (state.marks.region.isEmpty()) return;
     const QRectF box = region_box(state);
     painter.save();
     painter.setBrush(Qt::NoBrush);

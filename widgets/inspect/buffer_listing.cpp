@@ -64,12 +64,12 @@ void BufferTable::relist() {
 void BufferTable::start() {
     const auto list = [](const BufferReader& reader, const Listing& listing,
                          const std::atomic<bool>* cancelled) {
-        ElementList elements = listing.filter ? filter_elements(reader, *listing.filter, cancelled)
-                                              : (listing.sorted_by >= 0 && reader.elements() <= most_sorted
-                                                     ? all_elements(reader)
-                                                     : ElementList{});
+        ElementList elements =
+            listing.filter ? filter_elements(reader, *listing.filter, cancelled)
+                           : (listing.sorted_by >= 0 && reader.elements() <= max_sorted ? all_elements(reader)
+                                                                                        : ElementList{});
         const bool all = !listing.filter && elements.size() < reader.elements();
-        if (listing.sorted_by >= 0 && elements.size() <= most_sorted)
+        if (listing.sorted_by >= 0 && elements.size() <= max_sorted)
             sort_elements(reader, std::size_t(listing.sorted_by), listing.descending, elements);
         return all ? std::optional<ElementList>() : std::optional(std::move(elements));
     };

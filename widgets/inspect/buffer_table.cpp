@@ -206,8 +206,8 @@ void BufferTable::update_status() {
         parts << tr("%1 elements").arg(count(buffer.elements));
     if (buffer.present() < buffer.elements)
         parts << tr("only the first %1 were sent").arg(count(buffer.present()));
-    if (listing_.sorted_by >= 0 && !busy_ && quint64(model_->rowCount()) > most_sorted)
-        parts << tr("not sorted: more than %1 elements, filter them first").arg(count(most_sorted));
+    if (listing_.sorted_by >= 0 && !busy_ && quint64(model_->rowCount()) > max_sorted)
+        parts << tr("not sorted: more than %1 elements, filter them first").arg(count(max_sorted));
     if (busy_) parts << tr("listing …");
     if (chosen_ >= 0 && model_->row_of(chosen_) < 0 && !busy_)
         parts << (quint64(chosen_) >= buffer.present() ? tr("element %1 is not here").arg(chosen_)

@@ -21,7 +21,7 @@ class BufferTable : public QWidget {
     Q_OBJECT
   public:
     /// Sorting takes at most so many elements.
-    static constexpr std::uint64_t most_sorted = 1'000'000;
+    static constexpr std::uint64_t max_sorted = 1'000'000;
     /// Buffers of up to so many elements are filtered and sorted at once.
     static constexpr std::uint64_t at_once = 20'000;
 

@@ -18,7 +18,7 @@ namespace {
 using Buffer = Readings::Buffer;
 
 const QColor grey(140, 140, 140);
-constexpr int most_in_a_cell = 4;
+constexpr int max_in_a_cell = 4;
 
 /// Ids and counts need all their digits.
 QString number(float value, Semantic semantic) {
@@ -151,7 +151,7 @@ QString InspectorModel::value_text(const Node& node, int column) const {
     if (node.kind == Node::Kind::world && std::isnan(numbers[0])) return tr("background");
     const Semantic semantic =
         node.buffer < 0 ? Semantic::position : readings_.buffers[std::size_t(node.buffer)].semantic;
-    return joined(numbers, most_in_a_cell, [semantic](float v) { return number(v, semantic); });
+    return joined(numbers, max_in_a_cell, [semantic](float v) { return number(v, semantic); });
 }
 
 QString InspectorModel::tooltip(const Node& node) const {

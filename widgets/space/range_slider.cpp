@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace ir::widgets {
 namespace {
@@ -30,9 +31,8 @@ QSize RangeSlider::sizeHint() const {
     return {160, 24};
 }
 
-void RangeSlider::set_limits(double least, double most, bool whole) {
-    least_ = std::min(least, most);
-    most_ = std::max(least, most);
+void RangeSlider::set_limits(double min, double max, bool whole) {
+    std::tie(min_, max_) = std::minmax(min, max);
     whole_ = whole;
     update();
 }
@@ -44,23 +44,23 @@ void RangeSlider::set_range(double low, double high) {
 }
 
 double RangeSlider::step_size() const {
-    return whole_ ? 1 : (most_ - least_) / 100;
+    return whole_ ? 1 : (max_ - min_) / 100;
 }
 
 double RangeSlider::position_of(double value) const {
-    const double share = most_ > least_ ? std::clamp((value - least_) / (most_ - least_), 0.0, 1.0) : 0.5;
+    const double share = max_ > min_ ? std::clamp((value - min_) / (max_ - min_), 0.0, 1.0) : 0.5;
     return side + share * (width() - 2 * side);
 }
 
 double RangeSlider::value_at(double x) const {
     const double share = (x - side) / std::max(1.0, width() - 2 * side);
-    return least_ + share * (most_ - least_);
+    return min_ + share * (max_ - min_);
 }
 
 void RangeSlider::choose(double low, double high) {
     const auto snapped = [&](double value) { return whole_ ? std::round(value) : value; };
-    low = std::clamp(snapped(low), least_, most_);
-    high = std::clamp(snapped(high), least_, most_);
+    low = std::clamp(snapped(low), min_, max_);
+    high = std::clamp(snapped(high), min_, max_);
     if (low == low_ && high == high_) return;
     low_ = low;
     high_ = high;
@@ -69,19 +69,19 @@ void RangeSlider::choose(double low, double high) {
 }
 
 void RangeSlider::choose_all() {
-    choose(least_, most_);
+    choose(min_, max_);
 }
 
 void RangeSlider::step(int steps) {
     if (steps == 0) return;
     if (is_all()) {
-        const double end = steps > 0 ? least_ : most_;
+        const double end = steps > 0 ? min_ : max_;
         const double other = whole_ ? end : end + (steps > 0 ? 1 : -1) * 10 * step_size();
         return choose(std::min(end, other), std::max(end, other));
     }
     // The width stays: at an end the range stops instead of shrinking.
     const double wanted = steps * step_size();
-    const double shift = std::clamp(wanted, std::min(0.0, least_ - low_), std::max(0.0, most_ - high_));
+    const double shift = std::clamp(wanted, std::min(0.0, min_ - low_), std::max(0.0, max_ - high_));
     choose(low_ + shift, high_ + shift);
 }
 
@@ -103,7 +103,7 @@ RangeSlider::Part RangeSlider::part_at(double x) const {
 }
 
 void RangeSlider::mousePressEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton || !(most_ > least_)) return;
+    if (event->button() != Qt::LeftButton || !(max_ > min_)) return;
     const double x = event->position().x();
     dragged_ = part_at(x);
     press_value_ = value_at(x);
@@ -123,7 +123,7 @@ void RangeSlider::mouseMoveEvent(QMouseEvent* event) {
     if (dragged_ == Part::low) choose(std::min(value, high_), high_);
     if (dragged_ == Part::high) choose(low_, std::max(value, low_));
     if (dragged_ == Part::both) {
-        const double shift = std::clamp(moved, least_ - press_low_, most_ - press_high_);
+        const double shift = std::clamp(moved, min_ - press_low_, max_ - press_high_);
         choose(press_low_ + shift, press_high_ + shift);
     }
     if (dragged_ == Part::none) {
@@ -153,8 +153,8 @@ void RangeSlider::keyPressEvent(QKeyEvent* event) {
                           : event->key() == Qt::Key_Left || event->key() == Qt::Key_Down ? -1
                                                                                          : 0;
     const double alone = whole_ ? 0 : 10 * step_size();
-    if (event->key() == Qt::Key_Home) return choose(least_, least_ + alone);
-    if (event->key() == Qt::Key_End) return choose(most_ - alone, most_);
+    if (event->key() == Qt::Key_Home) return choose(min_, min_ + alone);
+    if (event->key() == Qt::Key_End) return choose(max_ - alone, max_);
     if (direction == 0) return QWidget::keyPressEvent(event);
     if (event->modifiers() & Qt::ShiftModifier) return step_end(Part::high, direction);
     if (event->modifiers() & Qt::ControlModifier) return step_end(Part::low, direction);

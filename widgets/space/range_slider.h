@@ -14,14 +14,14 @@ class RangeSlider : public QWidget {
     explicit RangeSlider(QWidget* parent = nullptr);
 
     /// Ends of the track. Whole: values are whole numbers and a step is 1; else a step is a hundredth.
-    void set_limits(double least, double most, bool whole);
+    void set_limits(double min, double max, bool whole);
     /// Shows a range; emits nothing.
     void set_range(double low, double high);
     double low() const { return low_; }
     double high() const { return high_; }
-    double least() const { return least_; }
-    double most() const { return most_; }
-    bool is_all() const { return low_ <= least_ && high_ >= most_; }
+    double min() const { return min_; }
+    double max() const { return max_; }
+    bool is_all() const { return low_ <= min_ && high_ >= max_; }
     /// Where a value stands, logical pixels from the left.
     double position_of(double value) const;
 
@@ -52,7 +52,7 @@ class RangeSlider : public QWidget {
     void step_end(Part part, int steps);
     void choose(double low, double high);
 
-    double least_ = 0, most_ = 1, low_ = 0, high_ = 1;
+    double min_ = 0, max_ = 1, low_ = 0, high_ = 1;
     bool whole_ = false;
     Part dragged_ = Part::none;
     double press_value_ = 0, press_low_ = 0, press_high_ = 0;

@@ -7,7 +7,7 @@
 namespace ir::widgets::overlay {
 namespace {
 
-constexpr double line_height = 16, bar_height = 10, most_width = 230;
+constexpr double line_height = 16, bar_height = 10, max_width = 230;
 
 /// One layer's legend, painted or only measured.
 class Legend {
@@ -101,7 +101,7 @@ class Legend {
 }  // namespace
 
 void paint_legends(QPainter& painter, const OverlayState& state, const QRectF& area) {
-    const double width = std::min(most_width, area.width() - 2 * gap);
+    const double width = std::min(max_width, area.width() - 2 * gap);
     double top = area.top() + gap;
     for (const LayerInfo& info : state.layers) {
         QRectF box(area.right() - gap - width, top, width, 0);

@@ -15,12 +15,12 @@ namespace {
 using namespace overlay;
 
 /// Lines of text in a badge whose corner nearest to the area's own lies at `corner`.
-QRectF paint_lines(QPainter& painter, const QStringList& lines, QPointF top_left, double most_width) {
+QRectF paint_lines(QPainter& painter, const QStringList& lines, QPointF top_left, double max_width) {
     painter.setFont(small_font(painter));
     const QFontMetricsF metrics(painter.font());
     double width = 0;
     for (const QString& line : lines) width = std::max(width, metrics.horizontalAdvance(line));
-    width = std::min(width, most_width - 2 * padding);
+    width = std::min(width, max_width - 2 * padding);
     const QRectF box(top_left, QSizeF(width + 2 * padding, lines.size() * metrics.lineSpacing() + padding));
     paint_box(painter, box);
     double y = box.top() + padding / 2;

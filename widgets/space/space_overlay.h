@@ -33,6 +33,10 @@ QString amount_text(OutputKind kind, std::uint64_t elements, std::uint64_t strid
 QString amount_text(const LayerInfo& info);
 /// "depth", "radiance, z", "colatitude, lower bound", "facing", "one colour".
 QString colour_text(const SpaceLayer& layer, const std::vector<Field>& fields);
+/// What is said of an element under the cursor: its layer, number, values and what a click shows.
+QString element_text(const SpaceScene& scene, const std::vector<LayerInfo>& drawn,
+                     const std::vector<SpaceSelector>& selectors, const SpaceElement& element,
+                     const QString& values);
 /// "y", "upper bound".
 QString component_name(OutputKind kind, const Field& field, int component);
 

@@ -11,7 +11,7 @@ namespace {
 /// From here on (logical pixels) the panel leaves enough of the view.
 constexpr int roomy_width = 620;
 /// What the panel keeps of itself in the narrowest view, where it scrolls.
-constexpr int least_panel_width = 60;
+constexpr int min_panel_width = 60;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ SpacePane::SpacePane(QWidget* parent, ImageView::Surface surface) : QWidget(pare
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidget(panel_);
     scroll->setWidgetResizable(true);
-    scroll->setMinimumSize(least_panel_width, 0);
+    scroll->setMinimumSize(min_panel_width, 0);
     panel_scroll_ = scroll;
     splitter->addWidget(view_);
     splitter->addWidget(scroll);

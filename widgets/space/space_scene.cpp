@@ -143,4 +143,37 @@ std::vector<int> scene_indices(const std::vector<LayerInfo>& drawn, const std::v
     return indices;
 }
 
+SpaceElement element_near(const SpacePicture& picture, const std::vector<int>& indices, QPoint pixel,
+                          int reach) {
+    const Image& image = picture.colour;
+    const QRect around = QRect(pixel - QPoint(reach, reach), pixel + QPoint(reach, reach)) &
+                         QRect(0, 0, image.width, image.height);
+    int best = reach * reach + 1;
+    SpaceElement found;
+    for (int y = around.top(); y <= around.bottom(); ++y)
+        for (int x = around.left(); x <= around.right(); ++x) {
+            const QPoint away = QPoint(x, y) - pixel;
+            const int distance = QPoint::dotProduct(away, away);
+            const auto at = std::size_t(y) * image.width + x;
+            if (distance >= best || at >= picture.layer.size() || at >= picture.element.size()) continue;
+            const int drawn = picture.layer[at];
+            if (drawn < 0 || std::size_t(drawn) >= indices.size() || indices[std::size_t(drawn)] < 0)
+                continue;
+            best = distance;
+            found = {indices[std::size_t(drawn)], picture.element[at]};
+        }
+    return found;
+}
+
+std::optional<SpaceBox> bounds_of(const std::vector<LayerInfo>& layers) {
+    std::optional<SpaceBox> box;
+    for (const LayerInfo& info : layers) {
+        if (!info.bounds || info.elements == 0) continue;
+        if (!box) box = info.bounds;
+        box->low = glm::min(box->low, info.bounds->low);
+        box->high = glm::max(box->high, info.bounds->high);
+    }
+    return box;
+}
+
 }  // namespace ir::widgets

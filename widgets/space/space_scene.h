@@ -71,7 +71,7 @@ struct LayerInfo {
     std::uint64_t stride = 1;                   ///< every n-th was looked at
     std::optional<std::uint64_t> passing = {};  ///< of those, how many pass the filters; absent: unknown
     double low = 0, high = 0;                   ///< range of the colours that was used
-    double least = 0, most = 0;                 ///< of the field that colours, over the elements that pass
+    double min = 0, max = 0;                    ///< of the field that colours, over the elements that pass
     SpaceLayer asked = {};                      ///< what it was drawn for; SpaceView fills it in
     std::optional<SpaceBox> bounds = {};        ///< metres; absent: unknown
 };
@@ -85,6 +85,13 @@ struct SpacePicture {
     CameraPose camera;  ///< that was used
     /// What it is the answer to; null: the last scene that was asked for.
     std::shared_ptr<const SpaceScene> scene = {};
+};
+
+/// An element of a layer of a scene; -1 and -1: the background.
+struct SpaceElement {
+    int layer = -1;
+    std::int64_t element = -1;
+    bool operator==(const SpaceElement&) const = default;
 };
 
 /// A buffer that could be drawn.
@@ -125,5 +132,11 @@ std::vector<std::optional<FieldRange>> field_ranges(const std::vector<Field>& fi
                                                     std::span<const std::byte> elements);
 /// By picture layer: index in `layers` of the visible layer that it shows, -1 where that is gone.
 std::vector<int> scene_indices(const std::vector<LayerInfo>& drawn, const std::vector<SpaceLayer>& layers);
+/// The element that is drawn nearest to a pixel, at most `reach` pixels away; of layers with a place in
+/// `indices` [scene_indices].
+SpaceElement element_near(const SpacePicture& picture, const std::vector<int>& indices, QPoint pixel,
+                          int reach);
+/// The box around all layers that have elements; absent without any.
+std::optional<SpaceBox> bounds_of(const std::vector<LayerInfo>& layers);
 
 }  // namespace ir::widgets

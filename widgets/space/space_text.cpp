@@ -1,3 +1,4 @@
+#include <QCoreApplication>
 #include <algorithm>
 
 #include "widgets/space/space_overlay.h"
@@ -56,6 +57,25 @@ QString colour_text(const SpaceLayer& layer, const std::vector<Field>& fields) {
         std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == layer.colour_by; });
     if (field == fields.end() || field->count < 2) return name;
     return QStringLiteral("%1, %2").arg(name, component_name(layer.kind, *field, layer.component));
+}
+
+QString element_text(const SpaceScene& scene, const std::vector<LayerInfo>& drawn,
+                     const std::vector<SpaceSelector>& selectors, const SpaceElement& element,
+                     const QString& values) {
+    if (element.layer < 0 || std::size_t(element.layer) >= scene.layers.size()) return {};
+    const SpaceLayer& layer = scene.layers[std::size_t(element.layer)];
+    const auto tr = [](const char* text) { return QCoreApplication::translate("SpaceView", text); };
+    QString text = tr("%1 · element %2").arg(QString::fromStdString(layer.label)).arg(element.element);
+    if (!values.isEmpty()) text += QLatin1Char('\n') + values;
+    const auto info = std::find_if(drawn.begin(), drawn.end(),
+                                   [&](const LayerInfo& each) { return each.key == layer.key; });
+    if (info == drawn.end()) return text;
+    for (const SpaceSelector& selector : selectors)
+        for (const Field& field : info->fields)
+            if (field.name == selector.key && field.type != FieldType::f32 && field.count == 1)
+                text += QLatin1Char('\n') +
+                        tr("click: show its %1").arg(QString::fromStdString(selector.label).toLower());
+    return text;
 }
 
 QString component_name(OutputKind kind, const Field& field, int component) {

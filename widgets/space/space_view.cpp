@@ -1,15 +1,15 @@
 #include "widgets/space/space_view.h"
 
-#include <QAction>
-#include <QActionGroup>
-#include <QToolBar>
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/space/picture_pacer.h"
 #include "widgets/space/space_camera.h"
-#include "widgets/style/icons.h"
+#include "widgets/space/space_tools.h"
 
 namespace ir::widgets {
 namespace {
@@ -21,12 +21,22 @@ constexpr int still_ms = 300;
 constexpr int still_oversampling = 2;
 /// Elements are picked up to so far from the cursor, logical pixels.
 constexpr double pick_reach = 3;
+/// A press that moves further is a drag, not a click; logical pixels.
+constexpr double click_reach = 4;
+constexpr double wheel_step = 1.15;
+/// Seconds to fly through the whole scene.
+constexpr double crossing_seconds = 8;
+
+/// Keys that the view takes for itself, without Ctrl and Alt.
+bool is_own_key(int key) {
+    return CameraController::is_fly_key(key) || key == Qt::Key_F || key == Qt::Key_Home;
+}
 
 }  // namespace
 
 SpaceView::SpaceView(QWidget* parent, ImageView::Surface surface)
     : QWidget(parent), sphere_pose_(widgets::sphere_pose()) {
-    tools_ = new QToolBar(this);
+    tools_ = new SpaceTools(this);
     image_ = new ImageView(this, surface);
     image_->setAttribute(Qt::WA_TransparentForMouseEvents);
     image_->setFocusPolicy(Qt::NoFocus);
@@ -41,80 +51,34 @@ SpaceView::SpaceView(QWidget* parent, ImageView::Surface surface)
     column->addWidget(tools_);
     column->addWidget(image_, 1);
     overlay_widget_->raise();
-    make_tools();
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("3D view"));
-    fly_timer_.setInterval(16);
-    settle_timer_.setInterval(350);
-    settle_timer_.setSingleShot(true);
-    connect(&fly_timer_, &QTimer::timeout, this, &SpaceView::fly_step);
-    connect(&settle_timer_, &QTimer::timeout, this, &SpaceView::finish_gesture);
+    connect(&hand_, &CameraController::moved, this, &SpaceView::move_camera);
+    connect(&hand_, &CameraController::finished, this, &SpaceView::finish_gesture);
+    connect(tools_, &SpaceTools::experiment_camera_wanted, this, &SpaceView::use_experiment_camera);
+    connect(tools_, &SpaceTools::free_camera_wanted, this, &SpaceView::use_free_camera);
+    connect(tools_, &SpaceTools::frame_wanted, this, &SpaceView::frame_all);
+    const auto toggles = [this](bool SpaceScene::*member) {
+        return [this, member](bool on) {
+            scene_.*member = on;
+            scene_updated();
+            emit scene_changed(scene_);
+        };
+    };
+    connect(tools_, &SpaceTools::scene_toggled, this, toggles(&SpaceScene::show_scene));
+    connect(tools_, &SpaceTools::centres_toggled, this, toggles(&SpaceScene::show_centres));
     refine_timer_.setInterval(still_ms);
     refine_timer_.setSingleShot(true);
     connect(&refine_timer_, &QTimer::timeout, this, [this] {
-        if (gesture_ || picture_.colour.empty()) return;
+        if (hand_.is_moving() || picture_.colour.empty()) return;
         refine_ = true;
         pacer_->want();
     });
     connect(pacer_, &PicturePacer::due, this, &SpaceView::send_request);
-    connect(pacer_, &PicturePacer::late, this, [this] { set_busy(!gesture_ && oversampling_ == 1); });
-    update_tools();
-}
-
-void SpaceView::make_tools() {
-    tools_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    tools_->setIconSize({16, 16});
-    const auto add = [&](const QString& text, const char* name, bool checkable) {
-        auto* action = tools_->addAction(text);
-        action->setObjectName(QLatin1String(name));
-        action->setCheckable(checkable);
-        return action;
-    };
-    experiment_camera_ = add(tr("Experiment's camera"), "experiment_camera", true);
-    free_camera_ = add(tr("Free camera"), "free_camera", true);
-    auto* group = new QActionGroup(this);
-    group->addAction(experiment_camera_);
-    group->addAction(free_camera_);
-    tools_->addSeparator();
-    frame_ = add(tr("Frame"), "frame", false);
-    frame_->setIcon(icon("fit"));
-    frame_->setToolTip(tr("Show everything (F, or a double click)"));
-    show_scene_ = add(tr("Scene"), "show_scene", true);
-    show_scene_->setToolTip(tr("Draw the scene, flat shaded, behind the layers"));
-    show_centres_ = add(tr("Centres"), "show_centres", true);
-    show_centres_->setToolTip(tr("Mark the centres of the sphere's regions"));
-    connect(experiment_camera_, &QAction::triggered, this, &SpaceView::use_experiment_camera);
-    connect(free_camera_, &QAction::triggered, this, &SpaceView::use_free_camera);
-    connect(frame_, &QAction::triggered, this, &SpaceView::frame_all);
-    const auto connect_tick = [&](QAction* action, bool SpaceScene::*member) {
-        connect(action, &QAction::triggered, this, [this, member](bool on) {
-            scene_.*member = on;
-            scene_updated();
-            emit scene_changed(scene_);
-        });
-    };
-    connect_tick(show_scene_, &SpaceScene::show_scene);
-    connect_tick(show_centres_, &SpaceScene::show_centres);
-}
-
-void SpaceView::update_tools() {
-    const bool sphere = shows_sphere(scene_);
-    for (QAction* action : {experiment_camera_, free_camera_}) action->setEnabled(!sphere);
-    (is_free() ? free_camera_ : experiment_camera_)->setChecked(true);
-    const bool own = shows_own_space();
-    const QString on_sphere = tr("A sphere of directions is always seen from outside");
-    experiment_camera_->setText(own ? tr("From the front") : tr("Experiment's camera"));
-    experiment_camera_->setToolTip(sphere ? on_sphere
-                                   : own  ? tr("See all of it from the front (Home)")
-                                          : tr("See it as the experiment does (Home)"));
-    free_camera_->setToolTip(sphere ? on_sphere
-                                    : tr("Drag to orbit, Shift-drag to slide, Ctrl-drag to look around,\n"
-                                         "wheel to go nearer, W A S D Q E to fly"));
-    show_scene_->setChecked(scene_.show_scene);
-    show_scene_->setVisible(!sphere && !own);
-    show_centres_->setChecked(scene_.show_centres);
-    show_centres_->setVisible(sphere);
+    connect(pacer_, &PicturePacer::late, this,
+            [this] { set_busy(!hand_.is_moving() && oversampling_ == 1); });
+    tools_->show_state(scene_, shows_own_space());
 }
 
 /// Told by the fields of what was drawn last.
@@ -125,7 +89,7 @@ bool SpaceView::shows_own_space() const {
 }
 
 void SpaceView::scene_updated() {
-    update_tools();
+    tools_->show_state(scene_, shows_own_space());
     want_picture();
     update_overlay();
 }
@@ -167,7 +131,7 @@ QSize SpaceView::wanted_size() const {
 }
 
 void SpaceView::send_request() {
-    divisor_ = gesture_ ? moving_divisor_ : 1;
+    divisor_ = hand_.is_moving() ? moving_divisor_ : 1;
     oversampling_ = refine_ ? still_oversampling : 1;
     sent_ = scene_;
     const QSize size = wanted_size();
@@ -191,12 +155,12 @@ void SpaceView::set_picture(SpacePicture picture) {
         if (places[i] >= 0) picture_.layers[i].asked = asked.layers[std::size_t(places[i])];
     if (!asked.camera) experiment_pose_ = picture_.camera;
     overlay_.note.clear();
-    update_tools();
-    image_->set_image(picture_.colour, Semantic::radiance);
+    tools_->show_state(scene_, shows_own_space());
+    image_->set_picture(make_picture(picture_.colour, Semantic::radiance));
     image_->fit();
     if (pacer_->is_idle()) {
         set_busy(false);
-        if (!gesture_) refine_later();
+        if (!hand_.is_moving()) refine_later();
     }
     update_overlay();
     update_hover();
@@ -207,7 +171,7 @@ void SpaceView::set_note(const QString& note) {
     pacer_->answered();
     set_busy(false);
     overlay_.note = note;
-    if (picture_.colour.empty()) image_->set_note(note);
+    if (picture_.colour.empty()) image_->set_picture(make_note(note));
     update_overlay();
 }
 
@@ -221,6 +185,7 @@ void SpaceView::clear(const QString& note) {
 
 void SpaceView::set_bounds(const SpaceBox& bounds) {
     bounds_ = bounds;
+    hand_.set_fly_speed(glm::length(bounds.high - bounds.low) / crossing_seconds);
 }
 
 void SpaceView::set_selectors(const std::vector<SpaceSelector>& selectors) {
@@ -231,8 +196,7 @@ void SpaceView::set_selectors(const std::vector<SpaceSelector>& selectors) {
 void SpaceView::set_hover_values(const QString& values) {
     if (values == hover_values_) return;
     hover_values_ = values;
-    overlay_.hover = hover_text(hovered_);
-    overlay_widget_->update();
+    update_hover_text();
 }
 
 void SpaceView::set_busy(bool busy) {
@@ -256,29 +220,12 @@ CameraPose SpaceView::pose() const {
     return scene_.camera ? *scene_.camera : experiment_pose_.value_or(CameraPose{});
 }
 
-SpaceView::Element SpaceView::element_at(QPointF position) const {
+SpaceElement SpaceView::element_at(QPointF position) const {
     const double ratio = devicePixelRatioF();
-    const QPointF in_view = (position - QPointF(picture_area().topLeft())) * ratio;
     const ViewTransform& transform = image_->transform();
-    const QPointF at = transform.image_from_view(in_view);
-    const int x0 = int(std::floor(at.x())), y0 = int(std::floor(at.y()));
-    const int reach = int(std::ceil(pick_reach * ratio / transform.zoom()));
-    const Image& image = picture_.colour;
-    int best = reach * reach + 1;
-    Element found;
-    for (int y = std::max(0, y0 - reach); y <= std::min(image.height - 1, y0 + reach); ++y)
-        for (int x = std::max(0, x0 - reach); x <= std::min(image.width - 1, x0 + reach); ++x) {
-            const int distance = (x - x0) * (x - x0) + (y - y0) * (y - y0);
-            const auto pixel = std::size_t(y) * image.width + x;
-            if (distance >= best || pixel >= picture_.layer.size() || pixel >= picture_.element.size())
-                continue;
-            const int drawn = picture_.layer[pixel];
-            if (drawn < 0 || std::size_t(drawn) >= indices_.size()) continue;
-            if (indices_[std::size_t(drawn)] < 0) continue;
-            best = distance;
-            found = {indices_[std::size_t(drawn)], picture_.element[pixel]};
-        }
-    return found;
+    const QPointF at = transform.image_from_view((position - QPointF(picture_area().topLeft())) * ratio);
+    return element_near(picture_, indices_, {int(std::floor(at.x())), int(std::floor(at.y()))},
+                        int(std::ceil(pick_reach * ratio / transform.zoom())));
 }
 
 QImage SpaceView::snapshot(bool overlays) const {
@@ -305,36 +252,203 @@ void SpaceView::use_experiment_camera() {
         sphere_pose_ = widgets::sphere_pose();
         return scene_updated();
     }
-    if (!is_free()) return update_tools();
+    if (!is_free()) return tools_->show_state(scene_, shows_own_space());
     scene_.camera.reset();
     scene_updated();
     emit scene_changed(scene_);
 }
 
 void SpaceView::use_free_camera() {
-    if (is_free() || !can_move()) return update_tools();
-    move_camera(pose());
-    finish_gesture();
+    if (is_free() || !can_move()) return tools_->show_state(scene_, shows_own_space());
+    scene_.camera = pose();
+    scene_updated();
+    emit scene_changed(scene_);
 }
 
 void SpaceView::frame_all() {
     if (!can_move()) return;
+    CameraPose framed_pose = pose();
     if (shows_sphere(scene_)) {
-        CameraPose pose = sphere_pose_;
-        pose.eye *= glm::length(widgets::sphere_pose().eye) / glm::length(pose.eye);
-        return move_camera(pose), finish_gesture();
+        framed_pose.eye *= glm::length(widgets::sphere_pose().eye) / glm::length(framed_pose.eye);
+    } else if (shows_own_space()) {
+        return use_experiment_camera();
+    } else {
+        const double aspect = double(image_->width()) / std::max(1, image_->height());
+        framed_pose = framed(framed_pose, bounds_of(picture_.layers).value_or(bounds_), aspect);
     }
-    if (shows_own_space()) return use_experiment_camera();
-    std::optional<SpaceBox> box;
-    for (const LayerInfo& info : picture_.layers) {
-        if (!info.bounds || info.elements == 0) continue;
-        if (!box) box = info.bounds;
-        box->low = glm::min(box->low, info.bounds->low);
-        box->high = glm::max(box->high, info.bounds->high);
+    hand().move_to(framed_pose);
+    hand_.finish();
+}
+
+bool SpaceView::event(QEvent* event) {
+    // The window may have shortcuts of one letter: where the camera flies they wait.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (is_own_key(key->key()) && !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier))) {
+            event->accept();
+            return true;
+        }
     }
-    const double aspect = double(image_->width()) / std::max(1, image_->height());
-    move_camera(framed(pose(), box.value_or(bounds_), aspect));
-    finish_gesture();
+    return QWidget::event(event);
+}
+
+void SpaceView::resizeEvent(QResizeEvent*) {
+    // The layout places the picture after this event.
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            overlay_widget_->setGeometry(picture_area());
+            overlay_widget_->raise();
+        },
+        Qt::QueuedConnection);
+    overlay_widget_->setGeometry(picture_area());
+    want_picture();
+}
+
+void SpaceView::showEvent(QShowEvent*) {
+    pacer_->set_held(false);
+}
+
+void SpaceView::hideEvent(QHideEvent*) {
+    pacer_->set_held(true);
+}
+
+void SpaceView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    // Another screen may have another scale.
+    if (event->type() == QEvent::ParentChange || event->type() == QEvent::ScreenChangeInternal) {
+        if (pacer_ && wanted_size() != QSize(picture_.colour.width, picture_.colour.height)) want_picture();
+    }
+}
+
+bool SpaceView::can_move() const {
+    return is_free() || experiment_pose_ || shows_sphere(scene_);
+}
+
+CameraController& SpaceView::hand() {
+    hand_.set_pose(pose());
+    return hand_;
+}
+
+CameraController::Drag SpaceView::drag_for(const QMouseEvent& event) const {
+    if (shows_sphere(scene_)) return CameraController::Drag::orbit;
+    if (event.button() != Qt::LeftButton || event.modifiers() & Qt::ShiftModifier)
+        return CameraController::Drag::slide;
+    return event.modifiers() & Qt::ControlModifier ? CameraController::Drag::look
+                                                   : CameraController::Drag::orbit;
+}
+
+void SpaceView::mousePressEvent(QMouseEvent* event) {
+    if (drag_ != Drag::none || !picture_area().contains(event->position().toPoint())) return;
+    setFocus(Qt::MouseFocusReason);
+    last_position_ = press_position_ = event->position();
+    if (shows_sphere(scene_) && event->button() != Qt::LeftButton) return;
+    const auto drag = drag_for(*event);
+    hand_.begin_drag(drag);
+    drag_ = drag == CameraController::Drag::orbit ? Drag::press : Drag::camera;
+}
+
+void SpaceView::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF delta = event->position() - last_position_;
+    if (drag_ == Drag::press && (event->position() - press_position_).manhattanLength() > click_reach)
+        drag_ = Drag::camera;
+    last_position_ = event->position();
+    cursor_inside_ = picture_area().contains(event->position().toPoint());
+    if (drag_ != Drag::camera) return update_hover();
+    const double height = picture_area().height();
+    if (can_move()) hand().drag(delta, height, height);
+}
+
+void SpaceView::mouseReleaseEvent(QMouseEvent* event) {
+    const Drag drag = std::exchange(drag_, Drag::none);
+    last_position_ = event->position();
+    if (drag == Drag::press) {
+        const SpaceElement element = element_at(event->position());
+        emit element_clicked(element.layer, element.element);
+    } else if (drag == Drag::camera) {
+        hand_.finish();
+    }
+    update_hover();
+}
+
+void SpaceView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && picture_area().contains(event->position().toPoint()))
+        frame_all();
+}
+
+void SpaceView::wheelEvent(QWheelEvent* event) {
+    const double steps = event->angleDelta().y() / 120.0;
+    event->accept();
+    if (steps == 0 || !can_move()) return;
+    const double factor = std::pow(wheel_step, -steps);
+    const QRectF area = picture_area();
+    const QPointF from_middle = event->position() - area.center();
+    const QPointF at(from_middle.x() / std::max(1.0, area.height()),
+                     -from_middle.y() / std::max(1.0, area.height()));
+    hand().move_to(shows_sphere(scene_) ? sphere_dollied(pose(), factor)
+                                        : dollied_towards(pose(), at, factor));
+    hand_.settle();
+}
+
+void SpaceView::keyPressEvent(QKeyEvent* event) {
+    const bool plain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+    if (event->key() == Qt::Key_Home) return use_experiment_camera();
+    if (event->key() == Qt::Key_F && plain) return frame_all();
+    if (!CameraController::is_fly_key(event->key()) || !plain || !can_move() || shows_sphere(scene_))
+        return QWidget::keyPressEvent(event);
+    hand().press_key(*event);
+}
+
+void SpaceView::keyReleaseEvent(QKeyEvent* event) {
+    if (event->isAutoRepeat() || !hand_.holds_key(event->key())) return QWidget::keyReleaseEvent(event);
+    if (hand().release_key(*event)) hand_.finish();
+}
+
+void SpaceView::move_camera(const CameraPose& pose) {
+    if (shows_sphere(scene_))
+        sphere_pose_ = pose;
+    else
+        scene_.camera = pose;
+    hovered_ = {};
+    overlay_.hover.clear();
+    scene_updated();
+}
+
+void SpaceView::finish_gesture() {
+    if (divisor_ > 1)
+        want_picture();  // the last picture was a coarse one
+    else if (pacer_->is_idle())
+        refine_later();
+    emit scene_changed(scene_);
+}
+
+void SpaceView::update_hover() {
+    const bool still = cursor_inside_ && drag_ == Drag::none;
+    const SpaceElement element = still ? element_at(last_position_) : SpaceElement{};
+    overlay_.hover_at = last_position_ - QPointF(picture_area().topLeft());
+    if (!(element == hovered_)) {
+        hovered_ = element;
+        hover_values_.clear();
+        setCursor(element.layer >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
+        emit element_hovered(element.layer, element.element);
+    }
+    update_hover_text();
+}
+
+void SpaceView::update_hover_text() {
+    overlay_.hover = element_text(scene_, picture_.layers, selectors_, hovered_, hover_values_);
+    overlay_widget_->update();
+}
+
+void SpaceView::leaveEvent(QEvent*) {
+    cursor_inside_ = false;
+    update_hover();
+}
+
+void SpaceView::focusOutEvent(QFocusEvent* event) {
+    QWidget::focusOutEvent(event);
+    hand_.drop_keys();
+    if (drag_ == Drag::none) hand_.finish();
 }
 
 }  // namespace ir::widgets

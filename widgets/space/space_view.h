@@ -1,8 +1,6 @@
 #pragma once
 
-#include <QElapsedTimer>
 #include <QImage>
-#include <QSet>
 #include <QTimer>
 #include <QWidget>
 
@@ -10,12 +8,10 @@
 #include "widgets/space/space_overlay.h"
 #include "widgets/space/space_scene.h"
 
-class QAction;
-class QToolBar;
-
 namespace ir::widgets {
 
 class PicturePacer;
+class SpaceTools;
 
 /// A picture of buffers in space with a camera that a hand can move. It draws nothing itself: it asks for
 /// pictures and shows those that arrive, each until the next one is there. Left drag orbits, Shift-drag (or
@@ -56,16 +52,10 @@ class SpaceView : public QWidget {
     QRect picture_area() const;
     /// Size that pictures should have, device pixels.
     QSize wanted_size() const;
-    struct Element {
-        int layer = -1;  ///< of the scene
-        std::int64_t element = -1;
-        bool operator==(const Element&) const = default;
-    };
     /// What is drawn at a point of picture_area(), or up to three logical pixels from it.
-    Element element_at(QPointF position) const;
+    SpaceElement element_at(QPointF position) const;
     /// What is seen, in device pixels; with tripod, scale, legend and notes on request.
     QImage snapshot(bool overlays) const;
-    const char* surface_kind() const { return image_->surface_kind(); }
 
   public slots:
     void use_experiment_camera();
@@ -102,9 +92,7 @@ class SpaceView : public QWidget {
     void changeEvent(QEvent*) override;
 
   private:
-    enum class Drag { none, press, orbit, slide, look };
-    void make_tools();
-    void update_tools();
+    enum class Drag { none, press, camera };
     bool shows_own_space() const;
     void scene_updated();
     void want_picture();
@@ -113,13 +101,13 @@ class SpaceView : public QWidget {
     void update_overlay();
     void set_busy(bool busy);
     void update_hover();
-    Drag drag_for(const QMouseEvent& event) const;
-    void drag_camera(QPointF delta);
+    void update_hover_text();
+    CameraController::Drag drag_for(const QMouseEvent& event) const;
     bool can_move() const;
+    /// The hand on the camera in force.
+    CameraController& hand();
     void move_camera(const CameraPose& pose);
     void finish_gesture();
-    void fly_step();
-    QString hover_text(const Element& element) const;
 
     SpaceScene scene_, sent_;
     SpacePicture picture_;
@@ -127,8 +115,7 @@ class SpaceView : public QWidget {
     OverlayState overlay_;
     ImageView* image_;
     QWidget* overlay_widget_;
-    QToolBar* tools_;
-    QAction *experiment_camera_, *free_camera_, *frame_, *show_scene_, *show_centres_;
+    SpaceTools* tools_;
     PicturePacer* pacer_;
     int divisor_ = 1;         ///< of the size of the last request: moving pictures may be coarser
     int oversampling_ = 1;    ///< of the last request
@@ -138,14 +125,13 @@ class SpaceView : public QWidget {
     CameraPose sphere_pose_;
     SpaceBox bounds_;
     std::vector<SpaceSelector> selectors_;
-    Element hovered_;
+    SpaceElement hovered_;
     QString hover_values_;
     Drag drag_ = Drag::none;
     QPointF last_position_, press_position_;
-    bool gesture_ = false, cursor_inside_ = false;
-    QSet<int> keys_;
-    QTimer fly_timer_, settle_timer_, refine_timer_;
-    QElapsedTimer fly_clock_;
+    bool cursor_inside_ = false;
+    CameraController hand_;
+    QTimer refine_timer_;
 };
 
 }  // namespace ir::widgets

@@ -18,12 +18,12 @@ std::size_t count_of(ViewArea::Arrangement arrangement) {
 }  // namespace
 
 ViewArea::ViewArea(std::function<QWidget*(int)> make, QWidget* parent)
-    : QMainWindow(parent), make_(std::move(make)), views_(most_views, nullptr) {
+    : QMainWindow(parent), make_(std::move(make)), views_(max_views, nullptr) {
     setWindowFlags(Qt::Widget);
     setDockOptions(AllowTabbedDocks | AllowNestedDocks | AnimatedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setContextMenuPolicy(Qt::PreventContextMenu);
-    for (int i = 0; i < most_views; ++i) {
+    for (int i = 0; i < max_views; ++i) {
         auto* dock = new QDockWidget(tr("View %1").arg(i + 1), this);
         dock->setObjectName(QStringLiteral("view-%1").arg(i + 1));
         dock->installEventFilter(this);
@@ -53,13 +53,13 @@ bool ViewArea::is_open(int number) const {
 
 std::vector<int> ViewArea::open_views() const {
     std::vector<int> open;
-    for (int i = 0; i < most_views; ++i)
+    for (int i = 0; i < max_views; ++i)
         if (is_open(i)) open.push_back(i);
     return open;
 }
 
 void ViewArea::set_active(int number) {
-    if (number < 0 || number >= most_views || !is_open(number)) return;
+    if (number < 0 || number >= max_views || !is_open(number)) return;
     const bool changed = number != active_;
     active_ = number;
     mark_active();
@@ -73,7 +73,7 @@ void ViewArea::set_title(int number, const QString& title) {
 
 void ViewArea::mark_active() {
     const bool several = open_views().size() > 1;
-    for (int i = 0; i < most_views; ++i)
+    for (int i = 0; i < max_views; ++i)
         docks_[std::size_t(i)]->setStyleSheet(
             several && i == active_
                 ? QStringLiteral(
@@ -82,7 +82,7 @@ void ViewArea::mark_active() {
 }
 
 void ViewArea::follow_focus(QWidget* now) {
-    for (int i = 0; i < most_views; ++i)
+    for (int i = 0; i < max_views; ++i)
         if (now && docks_[std::size_t(i)]->isAncestorOf(now)) return set_active(i);
 }
 
@@ -129,7 +129,7 @@ void ViewArea::arrange(Arrangement arrangement) {
 }
 
 int ViewArea::open_another() {
-    for (int i = 0; i < most_views; ++i)
+    for (int i = 0; i < max_views; ++i)
         if (!is_open(i)) {
             open(i);
             return i;
@@ -180,7 +180,7 @@ bool ViewArea::restore(const QByteArray& state) {
     arranging_ = true;
     take_all_out();  // what the state does not name would stay open where it is
     const bool restored = restoreState(state, state_version);
-    for (int i = 0; i < most_views; ++i)
+    for (int i = 0; i < max_views; ++i)
         if (is_open(i)) ensure(i);
     arranging_ = false;
     if (!restored || open_views().empty()) {
@@ -195,7 +195,7 @@ bool ViewArea::restore(const QByteArray& state) {
 
 bool ViewArea::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseButtonPress)
-        for (int i = 0; i < most_views; ++i)
+        for (int i = 0; i < max_views; ++i)
             if (dock(i) == watched) set_active(i);
     if (event->type() == QEvent::Close && open_views().size() < 2) {
         event->ignore();  // a window without any view shows nothing

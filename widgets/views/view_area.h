@@ -14,7 +14,7 @@ namespace ir::widgets {
 class ViewArea : public QMainWindow {
     Q_OBJECT
   public:
-    static constexpr int most_views = 4;
+    static constexpr int max_views = 4;
     enum class Arrangement { one, side_by_side, stacked, three, four };
 
     /// `make` is called for a view when it is first shown.

@@ -20,14 +20,14 @@ QString text_of(const std::string& text) {
 }
 
 /// Logical pixels: what a control keeps of itself in the narrowest view.
-constexpr int least_width = 22;
+constexpr int min_width = 22;
 
 QComboBox* make_combo(QWidget* parent, const QString& name, const QString& tip) {
     auto* combo = new QComboBox(parent);
     combo->setObjectName(name);
     combo->setToolTip(tip);
     combo->setAccessibleName(tip);
-    combo->setMinimumWidth(least_width);
+    combo->setMinimumWidth(min_width);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     combo->setMinimumContentsLength(2);
     combo->view()->setMinimumWidth(240);
@@ -183,7 +183,7 @@ void ViewHeader::make_mode_controls(QWidget* first, QWidget* second) {
     pictures_ = new QToolButton(second);
     pictures_->setObjectName(QStringLiteral("pictures"));
     pictures_->setText(tr("Pictures"));
-    pictures_->setMinimumWidth(least_width);
+    pictures_->setMinimumWidth(min_width);
     pictures_->setToolTip(tr("Further pictures of this row: hold 1 … 9 to see one of them"));
     pictures_->setAccessibleName(pictures_->toolTip());
     pictures_->setPopupMode(QToolButton::InstantPopup);

@@ -11,7 +11,7 @@ namespace {
 
 /// As block Measure of shaders/passes/viewers/measure.comp, padded to every driver's alignment of bindings.
 struct Measure {
-    std::uint32_t least = 0xffffffffu, most = 0, count = 0, unused = 0;
+    std::uint32_t min = 0xffffffffu, max = 0, count = 0, unused = 0;
     std::uint32_t lowest[3] = {0xffffffffu, 0xffffffffu, 0xffffffffu}, highest[3] = {0, 0, 0};
     std::uint32_t padding[54] = {};
 };
@@ -25,14 +25,14 @@ double number_of(std::uint32_t key, FieldType type) {
 }
 
 void set_range(LayerPlan& plan, const Measure& measure) {
-    const bool any = measure.least <= measure.most;
-    plan.drawn.least = any ? number_of(measure.least, plan.colour_type) : 0;
-    plan.drawn.most = any ? number_of(measure.most, plan.colour_type) : 0;
+    const bool any = measure.min <= measure.max;
+    plan.drawn.min = any ? number_of(measure.min, plan.colour_type) : 0;
+    plan.drawn.max = any ? number_of(measure.max, plan.colour_type) : 0;
     const auto usable = [](const std::optional<double>& wanted, double otherwise) {
         return wanted && std::isfinite(*wanted) ? *wanted : otherwise;
     };
-    plan.drawn.low = usable(plan.wanted.low, plan.drawn.least);
-    plan.drawn.high = usable(plan.wanted.high, plan.drawn.most);
+    plan.drawn.low = usable(plan.wanted.low, plan.drawn.min);
+    plan.drawn.high = usable(plan.wanted.high, plan.drawn.max);
     if (plan.block.colour_mode == ColourMode::facing) {  // both sides keep their colours, also alone
         plan.drawn.low = usable(plan.wanted.low, -1);
         plan.drawn.high = usable(plan.wanted.high, 1);

@@ -75,7 +75,7 @@ struct DrawnLayer {
     std::uint64_t stride = 1;    ///< every n-th was looked at, for the ranges too
     std::uint64_t passing = 0;   ///< of those, how many have a place and pass the filters: they are drawn
     double low = 0, high = 0;    ///< range of the colours that was used
-    double least = 0, most = 0;  ///< of the field that colours, over all elements that pass the filters
+    double min = 0, max = 0;     ///< of the field that colours, over all elements that pass the filters
 };
 
 /// The picture and what stands at each of its pixels.

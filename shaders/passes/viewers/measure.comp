@@ -5,7 +5,7 @@ layout(local_size_x = 256) in;
 
 // Least and most as keys: unsigned numbers in the order of what they stand for.
 layout(std430) buffer Measure {
-    uint least, most, count, unused;
+    uint min, max, count, unused;
     uint lowest[3], highest[3];
 } measure;
 
@@ -87,8 +87,8 @@ void main() {
     barrier();
     if (gl_LocalInvocationIndex != 0u || group_count == 0u) return;
     atomicAdd(measure.count, group_count);
-    atomicMin(measure.least, group_min);
-    atomicMax(measure.most, group_max);
+    atomicMin(measure.min, group_min);
+    atomicMax(measure.max, group_max);
     for (int c = 0; c < 3; ++c) {
         atomicMin(measure.lowest[c], group_lowest[c]);
         atomicMax(measure.highest[c], group_highest[c]);

@@ -17,8 +17,8 @@ TEST(Differences, KindsAndSwapping) {
     EXPECT_FLOAT_EQ(shown_difference(view).at(3, 3), -2);
     EXPECT_DOUBLE_EQ(view.difference_display().low, -2);  // symmetric, so that 0 is in the middle
     EXPECT_DOUBLE_EQ(view.difference_display().high, 2);
-    EXPECT_EQ(view.main_view().label(), "A − B");
-    EXPECT_TRUE(view.main_view().legend());
+    EXPECT_EQ(view.main_view().state().label, "A − B");
+    EXPECT_TRUE(view.main_view().state().legend);
     QSignalSpy swapped(&view, &CompareView::swapped);
     QTest::keyClick(&view.main_view(), Qt::Key_X);
     EXPECT_EQ(swapped.count(), 1);
@@ -29,7 +29,7 @@ TEST(Differences, KindsAndSwapping) {
     EXPECT_DOUBLE_EQ(view.difference_display().low, 0);
     view.set_difference(DifferenceKind::relative);
     EXPECT_NEAR(shown_difference(view).at(3, 3), 2 / 1.01, 1e-6);
-    EXPECT_EQ(view.main_view().label(), "|A − B| / (|B| + 0.01)");
+    EXPECT_EQ(view.main_view().state().label, "|A − B| / (|B| + 0.01)");
 }
 
 TEST(Differences, ZoomAndOtherModesComputeNothing) {
@@ -40,11 +40,11 @@ TEST(Differences, ZoomAndOtherModesComputeNothing) {
     const Image* before = &shown_difference(view);
     view.main_view().grab();
     QSignalSpy shown(&view, &CompareView::difference_shown);
-    const int uploads = view.main_view().upload_count();
+    const int uploads = view.main_view().canvas().upload_count();
     turn_wheel(&view.main_view(), {100, 100}, 2);
     view.main_view().grab();
     EXPECT_FALSE(view.is_computing());
-    EXPECT_EQ(view.main_view().upload_count(), uploads);
+    EXPECT_EQ(view.main_view().canvas().upload_count(), uploads);
     view.set_mode(Mode::wipe);
     view.set_mode(Mode::difference);
     EXPECT_FALSE(view.is_computing());
@@ -110,7 +110,7 @@ TEST(Differences, PicturesOfOtherChannelsSayWhy) {
     view.set_pictures({flat(1), make_picture(Image(16, 12, 3), Semantic::radiance)});
     view.set_mode(Mode::difference);
     wait_for_differences(view);
-    EXPECT_TRUE(view.main_view().note().contains("channels differ"));
+    EXPECT_TRUE(view.main_view().state().note.contains("channels differ"));
     EXPECT_FALSE(view.difference_picture());
 }
 

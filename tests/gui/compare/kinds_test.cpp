@@ -44,7 +44,7 @@ TEST(DifferenceKinds, SquaredAndPerceptualOnesAreComputed) {
     show(view);
     view.set_difference(Kind::squared);
     EXPECT_FLOAT_EQ(shown_difference(view).at(3, 3), 4);
-    EXPECT_EQ(view.main_view().label(), "(A − B)²");
+    EXPECT_EQ(view.main_view().state().label, "(A − B)²");
     for (const Kind kind : {Kind::flip, Kind::hdr_flip}) {
         view.set_pictures({flat(0.1f), flat(0.9f)});
         view.set_difference(kind);
@@ -53,8 +53,8 @@ TEST(DifferenceKinds, SquaredAndPerceptualOnesAreComputed) {
         EXPECT_GT(error.at(8, 6), 0.2f);
         EXPECT_LE(error.at(8, 6), 1);
         EXPECT_DOUBLE_EQ(view.difference_display().high, 1);
-        EXPECT_TRUE(view.main_view().label().contains("ꟻLIP"));
-        EXPECT_TRUE(view.main_view().legend());
+        EXPECT_TRUE(view.main_view().state().label.contains("ꟻLIP"));
+        EXPECT_TRUE(view.main_view().state().legend);
     }
 }
 
@@ -68,7 +68,7 @@ TEST(DifferenceKinds, SignificanceNeedsAVariance) {
     EXPECT_TRUE(view.refusal().contains("Neither A nor B"));
     EXPECT_TRUE(view.refusal().contains("truth"));
     EXPECT_FALSE(view.refusal().contains('\n'));
-    EXPECT_EQ(view.main_view().note(), view.refusal());
+    EXPECT_EQ(view.main_view().state().note, view.refusal());
     EXPECT_FALSE(view.is_computing());
     Picture coming = *flat(3);
     coming.awaits_variance = true;

@@ -84,7 +84,7 @@ TEST_P(CompareTest, TheDividerIsDragged) {
     ImageView& main = view.main_view();
     EXPECT_NEAR(grey_at(main, 7, 10), grey_of(0.6), 2);
     EXPECT_NEAR(grey_at(main, 9, 10), grey_of(0.5), 2);
-    const int uploads = main.upload_count();
+    const int uploads = main.canvas().upload_count();
     QSignalSpy moves(&view, &CompareView::wipe_moved), picks(&view, &CompareView::picked_changed);
     QTest::mousePress(&main, Qt::LeftButton, {}, point(main, 8, 3));
     QTest::mouseMove(&main, point(main, 6, 3));
@@ -97,7 +97,7 @@ TEST_P(CompareTest, TheDividerIsDragged) {
     EXPECT_NEAR(grey_at(main, 3, 10), grey_of(0.6), 2);
     turn_wheel(&main, {200, 100}, 1);
     main.grab();
-    EXPECT_EQ(main.upload_count(), uploads);  // neither dragging nor zooming costs an upload
+    EXPECT_EQ(main.canvas().upload_count(), uploads);  // neither dragging nor zooming costs an upload
     const double before = view.wipe();
     QTest::keyClick(&main, Qt::Key_Right);
     EXPECT_NEAR(view.wipe(), before + 0.01, 1e-9);
@@ -128,17 +128,17 @@ TEST_P(CompareTest, AHeldNumberShowsItsPicture) {
     for (Mode mode : {Mode::single, Mode::wipe, Mode::flip, Mode::difference}) {
         view.set_mode(mode);
         wait_for_differences(view);
-        const QString before = main.label();
+        const QString before = main.state().label;
         QTest::keyPress(&main, Qt::Key_2);
         expect_quarters(main, 0.5);
-        EXPECT_TRUE(main.label().startsWith("B"));
+        EXPECT_TRUE(main.state().label.startsWith("B"));
         QTest::keyRelease(&main, Qt::Key_2);
         QTest::keyPress(&main, Qt::Key_3);
         EXPECT_NEAR(grey_at(main, 2.5, 2.5), grey_of(0.8), 2);
         QTest::keyRelease(&main, Qt::Key_3);
-        EXPECT_EQ(main.label(), before) << int(mode);
+        EXPECT_EQ(main.state().label, before) << int(mode);
         QTest::keyClick(&main, Qt::Key_4);  // there is none
-        EXPECT_EQ(main.label(), before);
+        EXPECT_EQ(main.state().label, before);
     }
 }
 
@@ -151,12 +151,12 @@ TEST_P(CompareTest, FlippingUploadsNothingAgain) {
     main.grab();
     QTest::keyClick(&main, Qt::Key_Tab);
     main.grab();
-    const int uploads = main.upload_count();
+    const int uploads = main.canvas().upload_count();
     for (int i = 0; i < 4; ++i) {
         QTest::keyClick(&main, Qt::Key_Tab);
         EXPECT_NEAR(grey_at(main, 2.5, 9.5), grey_of(i % 2 ? 0.3 : 0.6), 2);
     }
-    EXPECT_EQ(main.upload_count(), uploads);
+    EXPECT_EQ(main.canvas().upload_count(), uploads);
     EXPECT_EQ(view.active_picture(), 1);
 }
 
@@ -217,7 +217,7 @@ TEST_P(CompareTest, RefusesUnequalSizesAndNamesThem) {
         view.set_mode(mode);
         EXPECT_TRUE(view.refusal().contains("16×12")) << int(mode);
         EXPECT_TRUE(view.refusal().contains("8×6")) << int(mode);
-        EXPECT_EQ(view.views().back()->note(), view.refusal()) << int(mode);
+        EXPECT_EQ(view.views().back()->state().note, view.refusal()) << int(mode);
         EXPECT_FALSE(view.is_computing());
     }
     view.set_mode(Mode::side_by_side);
@@ -235,10 +235,10 @@ TEST_P(CompareTest, SaysWhyAPictureIsMissing) {
     show(view);
     for (Mode mode : {Mode::wipe, Mode::difference}) {
         view.set_mode(mode);
-        EXPECT_TRUE(view.main_view().note().contains("no light")) << int(mode);
+        EXPECT_TRUE(view.main_view().state().note.contains("no light")) << int(mode);
     }
     view.set_mode(Mode::side_by_side);
-    EXPECT_TRUE(view.views()[1]->note().contains("no light"));
+    EXPECT_TRUE(view.views()[1]->state().note.contains("no light"));
     EXPECT_FALSE(view.views()[0]->image().empty());
 }
 
@@ -257,8 +257,8 @@ TEST(CompareKeys, AHeldNumberIsNoShortcut) {
     view->main_view().setFocus();
     ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
     QTest::keyPress(window.windowHandle(), Qt::Key_1);
-    EXPECT_TRUE(view->main_view().label().startsWith("A"));
-    EXPECT_FALSE(view->main_view().second());
+    EXPECT_TRUE(view->main_view().state().label.startsWith("A"));
+    EXPECT_FALSE(view->main_view().state().pictures[1].picture);
     QTest::keyRelease(window.windowHandle(), Qt::Key_1);
     EXPECT_EQ(triggered.count(), 0);
     view->set_mode(Mode::side_by_side);  // nothing to hold here

@@ -91,8 +91,8 @@ TEST_P(StagesTest, APictureOfAnotherSizeAndMethodIsShownAndNotCompared) {
     EXPECT_TRUE(view->refusal().isEmpty());
     EXPECT_EQ(view->captions()[3], "RMSE 0.3");
     EXPECT_EQ(view->captions()[4], "");
-    EXPECT_TRUE(view->views()[2]->note().isEmpty());
-    EXPECT_TRUE(view->difference_views()[1]->note().contains("8×6"));
+    EXPECT_TRUE(view->views()[2]->state().note.isEmpty());
+    EXPECT_TRUE(view->difference_views()[1]->state().note.contains("8×6"));
 }
 
 TEST_P(StagesTest, StagesOfOneMethodAreComparedAtTheLargerSize) {
@@ -113,9 +113,9 @@ TEST_P(StagesTest, StagesOfOneMethodAreComparedAtTheLargerSize) {
         for (int x = 0; x < 16; ++x)
             ASSERT_NEAR(shown.at(x, y), x / 2 == 1 && y / 2 == 2 ? 0.4f : 0, 1e-6) << x << ", " << y;
     EXPECT_EQ(view->captions()[3], QStringLiteral("RMSE %1").arg(std::sqrt(0.16 * 4 / 192), 0, 'g', 4));
-    EXPECT_EQ(view->difference_views()[0]->label(), "|A (8×6) − B|");
+    EXPECT_EQ(view->difference_views()[0]->state().label, "|A (8×6) − B|");
     EXPECT_EQ(view->captions()[4], "RMSE 0.1");
-    EXPECT_EQ(view->difference_views()[1]->label(), "|B − C (8×6)|");
+    EXPECT_EQ(view->difference_views()[1]->state().label, "|B − C (8×6)|");
     QWidget* board = view->main_view().parentWidget();
     const QPoint caption(view->difference_views()[0]->geometry().center().x(),
                          view->difference_views()[0]->geometry().bottom() + 4);

@@ -32,7 +32,7 @@ void drag(ImageView& view, QPointF from, QPointF to, Qt::KeyboardModifiers modif
 class RectangleTest : public testing::TestWithParam<double> {
   protected:
     void SetUp() override {
-        view.set_image(ramp(64, 48), Semantic::radiance);
+        view.set_picture(make_picture(ramp(64, 48), Semantic::radiance));
         show(view, {600, 440});
         view.look_at({32, 24}, GetParam());
         view.set_tool(Tool::rectangle);
@@ -46,51 +46,51 @@ TEST_P(RectangleTest, IsDrawnMovedAndResizedByMouse) {
     const double zoom = GetParam();
     QSignalSpy changed(&view, &ImageView::region_changed), picked(&view, &ImageView::picked_changed);
     drag(view, {10.5, 8.5}, {41.5, 31.5});
-    EXPECT_EQ(view.region(), QRect(10, 8, 32, 24));
+    EXPECT_EQ(view.state().marks.region, QRect(10, 8, 32, 24));
     EXPECT_GE(changed.count(), 1);
     EXPECT_EQ(picked.count(), 0);
     drag(view, {26.5, 20.5}, {31.5, 17.5});  // inside: moves
-    EXPECT_EQ(view.region(), QRect(15, 5, 32, 24));
+    EXPECT_EQ(view.state().marks.region, QRect(15, 5, 32, 24));
     drag(view, {26.5, 17.5}, {30.5, 37.5}, Qt::ShiftModifier);  // along one axis, and not out of the picture
-    EXPECT_EQ(view.region(), QRect(15, 24, 32, 24));
+    EXPECT_EQ(view.state().marks.region, QRect(15, 24, 32, 24));
     drag(view, {47, 36}, {55, 36});  // the right edge
-    EXPECT_EQ(view.region(), QRect(15, 24, 40, 24));
+    EXPECT_EQ(view.state().marks.region, QRect(15, 24, 40, 24));
     drag(view, {15, 24}, {19, 30});  // the top left corner
-    EXPECT_EQ(view.region(), QRect(19, 30, 36, 18));
+    EXPECT_EQ(view.state().marks.region, QRect(19, 30, 36, 18));
     drag(view, {2.5, 2.5}, {9.5, 20.5}, Qt::ShiftModifier);  // elsewhere: a new one, square
-    EXPECT_EQ(view.region(), QRect(2, 2, 19, 19));
+    EXPECT_EQ(view.state().marks.region, QRect(2, 2, 19, 19));
     drag(view, {60.5, 40.5}, {60.5 + 1 / zoom, 40.5});  // a click that trembles
-    EXPECT_EQ(view.region(), QRect(2, 2, 19, 19));
+    EXPECT_EQ(view.state().marks.region, QRect(2, 2, 19, 19));
     drag(view, {50.5, 44.5}, {90, 80});  // beyond the picture
-    EXPECT_EQ(view.region(), QRect(50, 44, 14, 4));
+    EXPECT_EQ(view.state().marks.region, QRect(50, 44, 14, 4));
 }
 
 TEST_P(RectangleTest, IsNudgedAndClearedByKeys) {
-    view.set_region({10, 8, 20, 10});
+    view.set_mark(&Marks::region, {10, 8, 20, 10});
     view.setFocus();
     QSignalSpy changed(&view, &ImageView::region_changed);
     QTest::keyClick(&view, Qt::Key_Right);
     QTest::keyClick(&view, Qt::Key_Down);
     QTest::keyClick(&view, Qt::Key_Down);
-    EXPECT_EQ(view.region(), QRect(11, 10, 20, 10));
+    EXPECT_EQ(view.state().marks.region, QRect(11, 10, 20, 10));
     QTest::keyClick(&view, Qt::Key_Left, Qt::ShiftModifier);
     QTest::keyClick(&view, Qt::Key_Down, Qt::ShiftModifier);
-    EXPECT_EQ(view.region(), QRect(11, 10, 19, 11));
+    EXPECT_EQ(view.state().marks.region, QRect(11, 10, 19, 11));
     EXPECT_EQ(changed.count(), 5);
     for (int i = 0; i < 30; ++i) QTest::keyClick(&view, Qt::Key_Left);
-    EXPECT_EQ(view.region().left(), 0);
+    EXPECT_EQ(view.state().marks.region.left(), 0);
     QTest::keyClick(&view, Qt::Key_Escape);
-    EXPECT_TRUE(view.region().isEmpty());
-    view.set_region({10, 8, 20, 10});
+    EXPECT_TRUE(view.state().marks.region.isEmpty());
+    view.set_mark(&Marks::region, {10, 8, 20, 10});
     view.set_tool(Tool::inspect);
     QTest::keyClick(&view, Qt::Key_Escape);  // no business of another tool
-    EXPECT_EQ(view.region(), QRect(10, 8, 20, 10));
+    EXPECT_EQ(view.state().marks.region, QRect(10, 8, 20, 10));
 }
 
 TEST_P(RectangleTest, IsPartOfOverlaysAlone) {
     view.set_pixel_grid(false);
     const auto plain = view.snapshot(false, false), before = view.snapshot(true, false);
-    view.set_region({10, 8, 20, 10});
+    view.set_mark(&Marks::region, {10, 8, 20, 10});
     EXPECT_EQ(view.snapshot(false, false), plain);
     const auto shot = view.snapshot(true, false);
     EXPECT_NE(shot, before);
@@ -148,7 +148,8 @@ TEST(RectangleInModes, IsTheSamePlaceEverywhere) {
         for (auto* pane : panes) {
             EXPECT_NEAR(rmse_of_drawn(compare, *pane, {4.5, 4.5, 20, 14}), 0.05, 1e-5) << int(mode);
             EXPECT_EQ(rmse_of_drawn(compare, *pane, {38.5, 30.5, 20, 14}), 0) << int(mode);
-            for (auto* other : panes) EXPECT_EQ(other->region(), pane->region()) << int(mode);
+            for (auto* other : panes)
+                EXPECT_EQ(other->state().marks.region, pane->state().marks.region) << int(mode);
         }
     }
 }

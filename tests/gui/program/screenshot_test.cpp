@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A guard for programs that hang; none of these takes a tenth of it.
-constexpr int most_seconds = 200;
+constexpr int max_seconds = 200;
 
 std::string contents(const fs::path& path) {
     std::ifstream stream(path, std::ios::binary);
@@ -57,7 +57,7 @@ class Screenshot : public testing::TestWithParam<Platform> {
     };
     Outcome shot(const fs::path& project) {
         const auto file = root_ / "window.png", err = root_ / "err";
-        const std::string command = "timeout " + std::to_string(most_seconds) + " env " +
+        const std::string command = "timeout " + std::to_string(max_seconds) + " env " +
                                     GetParam().environment + " " + PROGRAM + " " + project.string() +
                                     " --layout picture --size 900x600 --screenshot " + file.string() + " 2>" +
                                     err.string();

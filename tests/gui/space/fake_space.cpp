@@ -74,8 +74,8 @@ SpacePicture FakeSpace::draw(const SpaceScene& scene, QSize size) {
         info.key = layer.key;
         info.fields = layer.kind == OutputKind::sphere_values ? directions().fields : fields;
         info.elements = std::uint64_t(points);
-        info.low = info.least = 1e9;
-        info.high = info.most = -1e9;
+        info.low = info.min = 1e9;
+        info.high = info.max = -1e9;
         info.bounds = SpaceBox{};
         info.asked = layer;
         const int drawn = int(picture.layers.size());
@@ -83,8 +83,8 @@ SpacePicture FakeSpace::draw(const SpaceScene& scene, QSize size) {
             const double value = i % layers_of_points;
             if (!passes(layer, value)) continue;
             info.passing = info.passing.value_or(0) + 1;
-            info.least = std::min(info.least, value);
-            info.most = std::max(info.most, value);
+            info.min = std::min(info.min, value);
+            info.max = std::max(info.max, value);
             const glm::dvec3 from_eye = point(i, points) - picture.camera.eye;
             const double depth = glm::dot(from_eye, axes.forward);
             if (depth <= 0) continue;
@@ -95,8 +95,8 @@ SpacePicture FakeSpace::draw(const SpaceScene& scene, QSize size) {
             const auto& colour = colour_map(layer.colour_map)[std::size_t(40 + 85 * int(value))];
             splat(picture, at, i == layer.selected ? 2 * layer.size_px : layer.size_px, drawn, i, colour);
         }
-        info.low = layer.low.value_or(info.least);
-        info.high = layer.high.value_or(info.most);
+        info.low = layer.low.value_or(info.min);
+        info.high = layer.high.value_or(info.max);
         picture.layers.push_back(info);
     }
     return picture;

@@ -235,7 +235,7 @@ TEST_F(Panel, TheScrubberOfLayersIsThereAndFilters) {
     // A picture of one layer does not shorten the scrubber.
     panel_.set_layer_infos(drawn());
     ASSERT_EQ(panel_.details().filter_row("layer"), row);
-    EXPECT_EQ(row->slider().most(), 2);
+    EXPECT_EQ(row->slider().max(), 2);
     EXPECT_EQ(range_of(row->slider()), Range(1, 1));
     QTest::mouseDClick(&row->slider(), Qt::LeftButton, {}, row->slider().rect().center());
     EXPECT_TRUE(panel_.layers()[0].filters.empty());

@@ -281,8 +281,7 @@ TEST_F(SpaceViewTest, HiddenLayersShiftNoClicks) {
     hidden.visible = false;
     view_.set_layers({hidden, FakeSpace::layer()});
     QTest::qWait(20);
-    EXPECT_EQ(view_.element_at(in_view(view_, place_of(view_.picture(), 0, 250))),
-              (SpaceView::Element{1, 250}));
+    EXPECT_EQ(view_.element_at(in_view(view_, place_of(view_.picture(), 0, 250))), (SpaceElement{1, 250}));
 }
 
 TEST_F(SpaceViewTest, TheLegendIsOfThePictureThatIsShown) {

@@ -56,9 +56,9 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, EachSurface, testing::Values(true, false),
 
 TEST_P(EachSurface, RowZeroIsAtTheTop) {
     ImageView view(nullptr, surface());
-    view.set_image(corners(), Semantic::radiance);
+    view.set_picture(make_picture(corners(), Semantic::radiance));
     show(view);
-    EXPECT_STREQ(view.surface_kind(), GetParam() ? "OpenGL" : "raster");
+    EXPECT_STREQ(view.canvas().kind(), GetParam() ? "OpenGL" : "raster");
     EXPECT_EQ(colour_at(view, 1.5, 1.5).name(), "#ff0000");
     EXPECT_EQ(colour_at(view, 6.5, 1.5).name(), "#00ff00");
     EXPECT_EQ(colour_at(view, 1.5, 6.5).name(), "#0000ff");
@@ -67,7 +67,7 @@ TEST_P(EachSurface, RowZeroIsAtTheTop) {
 
 TEST_P(EachSurface, SurroundingsAreNeutralGrey) {
     ImageView view(nullptr, surface());
-    view.set_image(corners(), Semantic::radiance);
+    view.set_picture(make_picture(corners(), Semantic::radiance));
     show(view, {400, 200});
     EXPECT_EQ(view.grab().toImage().pixelColor(5, 100), surround_colour);
 }
@@ -78,7 +78,7 @@ TEST_P(EachSurface, MarksBadValues) {
     image.at(0, 0) = std::numeric_limits<float>::quiet_NaN();
     image.at(1, 0) = std::numeric_limits<float>::infinity();
     image.at(2, 0) = -1;
-    view.set_image(image, Semantic::radiance);
+    view.set_picture(make_picture(image, Semantic::radiance));
     show(view);
     EXPECT_EQ(colour_at(view, 0.1, 0.9).name(), "#ff00ff");
     EXPECT_EQ(colour_at(view, 1.1, 0.9).name(), "#ffff00");
@@ -91,7 +91,7 @@ TEST_P(EachSurface, MarksBadValues) {
 
 TEST_P(EachSurface, ExposureDoublesLightPerStop) {
     ImageView view(nullptr, surface());
-    view.set_image(Image(4, 4, 3, 0.25f), Semantic::radiance);
+    view.set_picture(make_picture(Image(4, 4, 3, 0.25f), Semantic::radiance));
     Display display;
     display.exposure = 1;
     view.set_display(display);
@@ -114,7 +114,7 @@ int written_pixels(ImageView& view, QPoint pixel, const QColor& flat) {
 
 TEST_P(EachSurface, WritesNumbersIntoLargePixels) {
     ImageView view(nullptr, surface());
-    view.set_image(corners(), Semantic::radiance);
+    view.set_picture(make_picture(corners(), Semantic::radiance));
     show(view);
     view.look_at({4, 4}, 64 * view.devicePixelRatio());
     EXPECT_GT(written_pixels(view, {3, 3}, QColor(255, 0, 0)), 20);
@@ -124,7 +124,7 @@ TEST_P(EachSurface, WritesNumbersIntoLargePixels) {
 
 TEST_P(EachSurface, SaysHowAToolIsUsedAndThatAPictureIsOld) {
     ImageView view(nullptr, surface());
-    view.set_image(corners(), Semantic::radiance);
+    view.set_picture(make_picture(corners(), Semantic::radiance));
     show(view, {640, 300});
     const QImage plain = view.grab().toImage();
     view.set_stale(true);
@@ -137,7 +137,7 @@ TEST_P(EachSurface, SaysHowAToolIsUsedAndThatAPictureIsOld) {
 TEST_P(EachSurface, SurvivesAMoveToAnotherWindow) {
     QMainWindow first, second;
     auto* view = new ImageView(nullptr, surface());
-    view->set_image(corners(), Semantic::radiance);
+    view->set_picture(make_picture(corners(), Semantic::radiance));
     for (QMainWindow* window : {&first, &second, &first}) {
         window->setCentralWidget(view);
         window->resize(300, 300);
@@ -161,7 +161,7 @@ TEST(Surfaces, ShowTheSameColours) {
         const Display display = display_for(semantic, "", image);
         ImageView gl(nullptr, ImageView::Surface::best), raster(nullptr, ImageView::Surface::raster);
         for (auto* view : {&gl, &raster}) {
-            view->set_image(image, semantic);
+            view->set_picture(make_picture(image, semantic));
             view->set_display(display);
             show(*view, {640, 40});
         }
@@ -209,7 +209,7 @@ TEST(Surfaces, ShowTheSameMeansOfReducedPictures) {
     Display display;
     display.mode = Display::Mode::scalar;
     ImageView gl(nullptr, ImageView::Surface::best);
-    gl.set_image(image, Semantic::depth);
+    gl.set_picture(make_picture(image, Semantic::depth));
     gl.set_display(display);
     show(gl, {300, 200});
     gl.look_at({200, 150}, 0.5);
@@ -332,13 +332,13 @@ TEST_P(EachSurface, ASharedPictureIsNotCopied) {
     show(view);
     view.grab();
     EXPECT_EQ(&view.image(), picture->image.get());
-    const int uploads = view.upload_count();
+    const int uploads = view.canvas().upload_count();
     Picture stale = *picture;
     stale.stale = true;
     view.set_picture(std::make_shared<const Picture>(stale));  // the same pixels
     view.look_at({3, 3}, 20);
     view.grab();
-    EXPECT_EQ(view.upload_count(), uploads);
+    EXPECT_EQ(view.canvas().upload_count(), uploads);
 }
 
 TEST(Pictures, PlacesAreToldWithinTheirTile) {
@@ -371,12 +371,12 @@ TEST(ImageView, TheSecondPictureHasTheSizeOfTheFirst) {
     EXPECT_THROW(view.set_second(make_picture(Image(5, 4, 1), Semantic::depth)), UsageError);
     view.set_second(make_picture(Image(4, 4, 1), Semantic::depth));
     view.set_picture(make_picture(Image(8, 8, 1), Semantic::depth));  // another resolution drops it
-    EXPECT_FALSE(view.second());
+    EXPECT_FALSE(view.state().pictures[1].picture);
 }
 
 TEST(ImageView, TellsThePixelUnderTheCursor) {
     ImageView view;
-    view.set_image(corners(), Semantic::radiance);
+    view.set_picture(make_picture(corners(), Semantic::radiance));
     show(view);
     QSignalSpy moves(&view, &ImageView::cursor_moved);
     const QPointF at = view.transform().view_from_image({5.5, 2.5});
@@ -420,7 +420,7 @@ TEST(ValueStrip, SaysNothingOfPixelsThatASmallerPictureLacks) {
 
 TEST(ImageView, WheelZoomsAboutTheCursor) {
     ImageView view;
-    view.set_image(Image(100, 100, 1), Semantic::generic);
+    view.set_picture(make_picture(Image(100, 100, 1), Semantic::generic));
     show(view);
     const QPointF cursor(200, 90);
     const QPointF before = view.transform().image_from_view(cursor * view.devicePixelRatio());
@@ -436,10 +436,10 @@ TEST(ImageView, WheelZoomsAboutTheCursor) {
 
 TEST(ImageView, AnOrbitIsOneGestureAndKeepsTheTarget) {
     ImageView view;
-    view.set_image(corners(), Semantic::radiance);
+    view.set_picture(make_picture(corners(), Semantic::radiance));
     show(view);
     CameraPose start;
-    view.set_camera(start);
+    view.camera().set_pose(start);
     view.set_tool(ImageView::Tool::orbit);
     QSignalSpy moves(&view, &ImageView::camera_moved), ends(&view, &ImageView::camera_gesture_finished);
     QTest::mousePress(&view, Qt::LeftButton, {}, {100, 100});
@@ -448,14 +448,14 @@ TEST(ImageView, AnOrbitIsOneGestureAndKeepsTheTarget) {
     QTest::mouseRelease(&view, Qt::LeftButton, {}, {140, 110});
     EXPECT_GE(moves.count(), 1);
     EXPECT_EQ(ends.count(), 1);
-    EXPECT_EQ(view.camera().target, start.target);
-    EXPECT_NE(view.camera().eye, start.eye);
-    EXPECT_NEAR(glm::length(view.camera().eye - view.camera().target), 5, 1e-9);
+    EXPECT_EQ(view.camera().pose().target, start.target);
+    EXPECT_NE(view.camera().pose().eye, start.eye);
+    EXPECT_NEAR(glm::length(view.camera().pose().eye - view.camera().pose().target), 5, 1e-9);
 }
 
 TEST(ImageView, InspectingNeverMovesTheCamera) {
     ImageView view;
-    view.set_image(corners(), Semantic::radiance);
+    view.set_picture(make_picture(corners(), Semantic::radiance));
     show(view);
     QSignalSpy moves(&view, &ImageView::camera_moved), picks(&view, &ImageView::picked_changed);
     QTest::mousePress(&view, Qt::LeftButton, {}, {100, 100});
@@ -465,21 +465,21 @@ TEST(ImageView, InspectingNeverMovesTheCamera) {
     EXPECT_EQ(picks.count(), 0);
     const QPointF at = view.transform().view_from_image({2.5, 3.5});
     QTest::mouseClick(&view, Qt::LeftButton, {}, at.toPoint() / view.devicePixelRatio());
-    EXPECT_EQ(view.picked(), QPoint(2, 3));
+    EXPECT_EQ(view.state().marks.picked, QPoint(2, 3));
 }
 
 TEST(ImageView, KeysFlyTheCamera) {
     ImageView view;
-    view.set_image(corners(), Semantic::radiance);
+    view.set_picture(make_picture(corners(), Semantic::radiance));
     show(view);
-    view.set_camera({});
+    view.camera().set_pose({});
     view.set_tool(ImageView::Tool::fly);
     QSignalSpy ends(&view, &ImageView::camera_gesture_finished);
     QTest::keyPress(&view, Qt::Key_W);
     QTest::qWait(60);
     QTest::keyRelease(&view, Qt::Key_W);
-    EXPECT_LT(view.camera().eye.z, 5);
-    EXPECT_DOUBLE_EQ(view.camera().eye.x, 0);
+    EXPECT_LT(view.camera().pose().eye.z, 5);
+    EXPECT_DOUBLE_EQ(view.camera().pose().eye.x, 0);
     EXPECT_TRUE(ends.wait(2000));
 }
 

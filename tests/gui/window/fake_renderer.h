@@ -313,7 +313,7 @@ class FakeRenderer final : public Renderer {
             drawn.fields = fake_fields(layer.key);
             drawn.elements = finds_none ? 0 : fake_elements;
             if (finds_none) drawn.note = "'" + layer.key + "' has no elements";
-            drawn.most = drawn.high = fake_elements - 1;
+            drawn.max = drawn.high = fake_elements - 1;
             picture.layers.push_back(drawn);
         }
         if (view.camera) picture.camera = *view.camera;

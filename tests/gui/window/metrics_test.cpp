@@ -170,23 +170,23 @@ TEST_F(MetricsWindowTest, ADrawnRectangleIsMeasuredInAllViewsAndKept) {
     EXPECT_EQ(panel().fields().rectangle, drawn);
     EXPECT_EQ(find<QSpinBox>("rectangle-width")->value(), 20);
     EXPECT_NEAR(value("mae", MetricsModel::rectangle_column), 0.5, 1e-6);
-    EXPECT_EQ(workspace().pane(1)->compare().main_view().region(), drawn);
+    EXPECT_EQ(workspace().pane(1)->compare().main_view().state().marks.region, drawn);
     auto* height = find<QSpinBox>("rectangle-height");
     height->setValue(4);
     ASSERT_TRUE(settle());
-    EXPECT_EQ(compare().main_view().region(), QRect(10, 8, 20, 4));
+    EXPECT_EQ(compare().main_view().state().marks.region, QRect(10, 8, 20, 4));
     const auto with = workspace().active_pane().snapshot(true);
     window.session().files().save_as((folder.path() + "/kept.interreflect").toStdString());
     QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
     trigger("close");
     ASSERT_TRUE(window.open_path(folder.path() + "/kept.interreflect"));
     ASSERT_TRUE(settle());
-    EXPECT_EQ(compare().main_view().region(), QRect(10, 8, 20, 4));
+    EXPECT_EQ(compare().main_view().state().marks.region, QRect(10, 8, 20, 4));
     const int cancels = renderer.cancels;
     compare().main_view().setFocus();
     QTest::keyClick(&compare().main_view(), Qt::Key_Escape);
-    EXPECT_TRUE(compare().main_view().region().isEmpty());
-    EXPECT_TRUE(workspace().pane(1)->compare().main_view().region().isEmpty());
+    EXPECT_TRUE(compare().main_view().state().marks.region.isEmpty());
+    EXPECT_TRUE(workspace().pane(1)->compare().main_view().state().marks.region.isEmpty());
     EXPECT_EQ(renderer.cancels, cancels);  // the window's Escape was not meant
     EXPECT_NE(workspace().active_pane().snapshot(true), with);
 }
@@ -200,7 +200,7 @@ TEST_F(MetricsWindowTest, EveryKindOfDifferenceIsChosenInTheHeader) {
             << widgets::to_key(kind) << ' ' << compare().refusal().toStdString();
         EXPECT_EQ(views().active_state().difference, kind);
         EXPECT_EQ(widgets::difference_from_key(widgets::to_key(kind)), kind);
-        EXPECT_TRUE(compare().main_view().legend());
+        EXPECT_TRUE(compare().main_view().state().legend);
         const auto kept = workspace().as_comparison();
         EXPECT_EQ(kept.mode, "difference:" + widgets::to_key(kind));
         workspace().open_comparison(kept);
@@ -222,7 +222,7 @@ TEST_F(MetricsWindowTest, SignificanceAsksForTheVariancesOfBoth) {
     const auto* strip = workspace().active_pane().findChild<widgets::ValueStrip*>();
     EXPECT_TRUE(strip->text().contains("A − B = (-0.5")) << strip->text().toStdString();
     EXPECT_TRUE(strip->text().contains("z = (-3.536")) << strip->text().toStdString();  // 0.5 / √0.02
-    EXPECT_TRUE(view.legend());
+    EXPECT_TRUE(view.state().legend);
 }
 
 TEST_F(MetricsWindowTest, AMaskLimitsWhatIsMeasured) {

@@ -73,7 +73,7 @@ TEST_F(MissingTest, WhatWasNeverRenderedSaysWhyInTheView) {
     show_output("cloud");
     EXPECT_EQ(pane.space().view().note().toStdString(), "out of memory");
     show_output("picture");
-    EXPECT_EQ(window.view().note().toStdString(), "out of memory");
+    EXPECT_EQ(window.view().state().note.toStdString(), "out of memory");
 }
 
 TEST_F(MissingTest, ACancelledPictureIsNotFinished) {

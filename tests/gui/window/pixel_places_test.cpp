@@ -54,19 +54,19 @@ TEST_F(PixelPlacesWindowTest, APixelOfALevelIsExplainedAsThatOfTheResultAndMarke
     ASSERT_TRUE(settle());
     click({10, 6}, Qt::ShiftModifier);
     EXPECT_EQ(window.inspector().explained(), QPoint(21, 13));
-    EXPECT_EQ(window.view().picked(), QPoint(10, 6));
+    EXPECT_EQ(window.view().state().marks.picked, QPoint(10, 6));
 }
 
 TEST_F(PixelPlacesWindowTest, AMarkSetByHandStaysWhilePicturesArrive) {
     click({20, 10}, Qt::ShiftModifier);
-    EXPECT_EQ(window.view().picked(), QPoint(20, 10));
+    EXPECT_EQ(window.view().state().marks.picked, QPoint(20, 10));
     click({12, 7}, {});
     type_level("0.5");
-    EXPECT_EQ(window.view().picked(), QPoint(12, 7));
+    EXPECT_EQ(window.view().state().marks.picked, QPoint(12, 7));
     EXPECT_EQ(window.inspector().explained(), QPoint(20, 10));
     window.inspector().explain({3, 4});
     ASSERT_TRUE(settle());
-    EXPECT_EQ(window.view().picked(), QPoint(3, 4));
+    EXPECT_EQ(window.view().state().marks.picked, QPoint(3, 4));
 }
 
 }  // namespace

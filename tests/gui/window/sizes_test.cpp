@@ -23,7 +23,7 @@ class SizesTest : public WindowTest {
         }
         ASSERT_TRUE(settle());
     }
-    void expect_fits(QSize smallest = least_for_all_panels) {
+    void expect_fits(QSize smallest = min_size_for_all_panels) {
         const auto least = window.minimumSizeHint();
         EXPECT_LE(least.width(), smallest.width()) << widest().toStdString();
         EXPECT_LE(least.height(), smallest.height()) << widest().toStdString();

@@ -138,14 +138,14 @@ TEST_F(StagesWindowTest, APixelIsMarkedInEveryPictureWhereItIs) {
     auto &half = *compare().views()[0], &whole = *compare().views()[1];
     window.inspector().explain({41, 31});
     ASSERT_TRUE(settle());
-    EXPECT_EQ(whole.picked(), QPoint(41, 31));
-    EXPECT_EQ(half.picked(), QPoint(20, 15));
-    whole.set_picked({12, 8});  // as a click does
+    EXPECT_EQ(whole.state().marks.picked, QPoint(41, 31));
+    EXPECT_EQ(half.state().marks.picked, QPoint(20, 15));
+    whole.set_mark(&widgets::Marks::picked, {12, 8});  // as a click does
     emit whole.picked_changed({12, 8});
-    EXPECT_EQ(half.picked(), QPoint(6, 4));
+    EXPECT_EQ(half.state().marks.picked, QPoint(6, 4));
     window.inspector().explain({12, 8});
     ASSERT_TRUE(settle());
-    EXPECT_EQ(whole.picked(), QPoint(12, 8)) << "the mark stays";
+    EXPECT_EQ(whole.state().marks.picked, QPoint(12, 8)) << "the mark stays";
 }
 
 TEST_F(StagesWindowTest, MetricsMeasureWhatTheRowMeasures) {

@@ -49,10 +49,10 @@ TEST_F(ViewsTest, AnyOutputOfAnyExperimentIsShownInAnyView) {
     choose(header("owner-a"), QString::fromStdString(window.session().document().experiments[1].name));
     EXPECT_FLOAT_EQ(window.view().image().at(0, 0), 0.75f);
     choose(header("output-a"), "Depth");
-    EXPECT_EQ(window.view().semantic(), Semantic::depth);
+    EXPECT_EQ(window.view().picture()->semantic, Semantic::depth);
     area().set_active(0);
     EXPECT_FLOAT_EQ(window.view().image().at(0, 0), 0.25f);
-    EXPECT_EQ(window.view().semantic(), Semantic::radiance);
+    EXPECT_EQ(window.view().picture()->semantic, Semantic::radiance);
     // One execution an experiment, however many views show it.
     std::set<std::string> tags;
     for (const auto& each : renderer.requests) tags.insert(each.tag);

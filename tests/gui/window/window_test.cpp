@@ -103,7 +103,7 @@ TEST_F(WindowTest, AClickedBufferIsShownAndComputed) {
     ASSERT_TRUE(settle());
     EXPECT_EQ(renderer.requests.back().parts.front().key, "depth");
     EXPECT_EQ(window.view().image().channels, 1);
-    EXPECT_EQ(window.view().semantic(), Semantic::depth);
+    EXPECT_EQ(window.view().picture()->semantic, Semantic::depth);
 }
 
 TEST_F(WindowTest, RenderingShowsProgressAndEscapeCancels) {

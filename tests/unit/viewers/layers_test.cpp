@@ -73,8 +73,8 @@ TEST_F(LayersTest, ColoursRunFromLeastToMostOfWhatIsShown) {
     run({row({0, 1, 2, nan, 4, infinity, 6, 7, 8, 9})});
     Layer layer{.key = "row", .colour_by = "pair", .colour_map = "turbo", .size_px = 7};
     auto picture = draw({layer}, layer_width, layer_height);
-    EXPECT_EQ(picture.layers[0].least, 0);
-    EXPECT_EQ(picture.layers[0].most, 9);
+    EXPECT_EQ(picture.layers[0].min, 0);
+    EXPECT_EQ(picture.layers[0].max, 9);
     EXPECT_EQ(picture.layers[0].high, 9);
     expect_colour(colour_at(picture, spot_px(0)), map_colour("turbo", 0));
     expect_colour(colour_at(picture, spot_px(9)), map_colour("turbo", 255));
@@ -83,15 +83,15 @@ TEST_F(LayersTest, ColoursRunFromLeastToMostOfWhatIsShown) {
 
     layer.filters = {{"change", -4, 1}};
     picture = draw({layer}, layer_width, layer_height);
-    EXPECT_EQ(picture.layers[0].least, 1);
-    EXPECT_EQ(picture.layers[0].most, 6);
+    EXPECT_EQ(picture.layers[0].min, 1);
+    EXPECT_EQ(picture.layers[0].max, 6);
     expect_colour(colour_at(picture, spot_px(1)), map_colour("turbo", 0));
 
     layer.low = -2;
     layer.high = 6;
     picture = draw({layer}, layer_width, layer_height);
     EXPECT_EQ(picture.layers[0].low, -2);
-    EXPECT_EQ(picture.layers[0].least, 1);
+    EXPECT_EQ(picture.layers[0].min, 1);
     expect_colour(colour_at(picture, spot_px(6)), map_colour("turbo", 255));
 }
 
@@ -99,24 +99,24 @@ TEST_F(LayersTest, ColoursByAnyComponentAndType) {
     run({row()});
     Layer layer{.key = "row", .colour_by = "pair", .component = 1, .size_px = 7};
     auto picture = draw({layer}, layer_width, layer_height);
-    EXPECT_EQ(picture.layers[0].least, 5.5);
-    EXPECT_EQ(picture.layers[0].most, 10);
+    EXPECT_EQ(picture.layers[0].min, 5.5);
+    EXPECT_EQ(picture.layers[0].max, 10);
     expect_colour(colour_at(picture, spot_px(9)), map_colour("viridis", 0));
 
     layer.component = 7;  // clamped
-    EXPECT_EQ(draw({layer}, layer_width, layer_height).layers[0].least, 5.5);
+    EXPECT_EQ(draw({layer}, layer_width, layer_height).layers[0].min, 5.5);
 
     layer.colour_by = "change";
     layer.component = 0;
     picture = draw({layer}, layer_width, layer_height);
-    EXPECT_EQ(picture.layers[0].least, -5);
-    EXPECT_EQ(picture.layers[0].most, 4);
+    EXPECT_EQ(picture.layers[0].min, -5);
+    EXPECT_EQ(picture.layers[0].max, 4);
     expect_colour(colour_at(picture, spot_px(0)), map_colour("viridis", 0));
 
     layer.colour_by = "id";
     picture = draw({layer}, layer_width, layer_height);
-    EXPECT_EQ(picture.layers[0].least, 4'000'000'000.0);
-    EXPECT_EQ(picture.layers[0].most, 4'000'000'009.0);
+    EXPECT_EQ(picture.layers[0].min, 4'000'000'000.0);
+    EXPECT_EQ(picture.layers[0].max, 4'000'000'009.0);
 }
 
 TEST_F(LayersTest, FacingTellsTheSides) {
