@@ -53,7 +53,7 @@ void PicturePresenter::update(int view, ViewPane& pane) {
         compare.set_noise_hint(views_.pictures().variance_hint());
     if (views_.rules().compares_reference(state)) shown.pop_back();  // it stands beside the row
     name_stages(view, shown);
-    const auto& before = compare.pictures();
+    const auto& before = compare.comparison().pictures;
     for (std::size_t i = 0; i < std::min(before.size(), shown.size()); ++i)
         shown[i] = unless_equal(before[i], shown[i]);
     update_reference(view, compare);
@@ -78,7 +78,7 @@ void PicturePresenter::update_reference(int view, CompareView& compare) {
     // Of the experiment's size it is compared like its own pictures, with stages of smaller sizes, too.
     if (picture && picture->size() == views_.rules().main_size(state.a.owner))
         picture = changed(*picture, [&](Picture& named) { named.origin = state.a.owner; });
-    compare.set_reference(!source.owner.empty(), unless_equal(compare.reference(), picture));
+    compare.set_reference(!source.owner.empty(), unless_equal(compare.comparison().reference, picture));
 }
 
 widgets::Display PicturePresenter::display_of(const ViewSource& source, int view) const {
@@ -123,10 +123,10 @@ void PicturePresenter::mark_explained(int view, ViewPane& pane) {
     const auto picture = pane.picture_at(0);
     const QSize main = views_.rules().main_size(owner);
     if (!picture || !picture->has_image() || picture->atlas.tiles.empty() || main.isEmpty())
-        return compare.set_picked(explained, main);
+        return compare.panes().set_picked(explained, main);
     const auto& first = picture->atlas.tiles.front();
     const QPoint mark = pixel_of_level(main, {first.width, first.height}, explained);
-    compare.set_picked(mark.x() < 0 ? mark : mark + QPoint(first.x, first.y), picture->size());
+    compare.panes().set_picked(mark.x() < 0 ? mark : mark + QPoint(first.x, first.y), picture->size());
 }
 
 }  // namespace ir::gui

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "projects/json.h"
-#include "widgets/compare/compare_view.h"
+#include "widgets/compare/pane_board.h"
 
 namespace ir::gui {
 
@@ -14,8 +14,8 @@ class PictureTools : public QObject {
   public:
     using Tool = widgets::ImageView::Tool;
 
-    /// A view that has them, too, from now on.
-    void add(widgets::CompareView& view);
+    /// Panes that have them, too, from now on.
+    void add(widgets::PaneBoard& panes);
 
     Tool tool() const { return tool_; }
     void set_tool(Tool tool);
@@ -34,7 +34,7 @@ class PictureTools : public QObject {
     void region_changed();
 
   private:
-    std::vector<widgets::CompareView*> views_;
+    std::vector<widgets::PaneBoard*> boards_;
     Tool tool_ = Tool::inspect;
     bool grid_ = true, legend_ = true;
     std::vector<widgets::PinMark> pins_;

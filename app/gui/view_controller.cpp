@@ -7,7 +7,6 @@
 
 namespace ir::gui {
 
-using widgets::CompareView;
 using widgets::Display;
 using widgets::ViewArea;
 using widgets::ViewMode;
@@ -54,20 +53,19 @@ QAction* ViewController::add(const char* name, const QString& text, const char* 
 }
 
 void ViewController::add_view_actions() {
-    const auto in_view = [this](void (CompareView::*run)()) {
-        return [this, run] { (workspace_.active_pane().compare().*run)(); };
+    const auto zoom = [this](int steps) {
+        return [this, steps] { workspace_.active_pane().compare().active_view().zoom(steps); };
     };
     add("fit", tr("&Fit picture"), "fit", {K(Qt::Key_F)}, [this] {
         auto& pane = workspace_.active_pane();
         if (pane.content() == widgets::ViewPane::Content::space) return pane.space().view().frame_all();
-        pane.compare().fit();
+        pane.compare().active_view().fit();
     });
     add("actual", tr("&Actual pixels, 1:1"), "actual", {K(Qt::CTRL | Qt::Key_0)},
-        in_view(&CompareView::actual_pixels));
+        [this] { workspace_.active_pane().compare().active_view().actual_pixels(); });
     add("zoom-in", tr("Zoom &in"), "zoom-in", {K(Qt::CTRL | Qt::Key_Plus), K(Qt::CTRL | Qt::Key_Equal)},
-        in_view(&CompareView::zoom_in));
-    add("zoom-out", tr("Zoom &out"), "zoom-out", {K(Qt::CTRL | Qt::Key_Minus)},
-        in_view(&CompareView::zoom_out));
+        zoom(1));
+    add("zoom-out", tr("Zoom &out"), "zoom-out", {K(Qt::CTRL | Qt::Key_Minus)}, zoom(-1));
     all_ << actions_.add_switch("grid", tr("Pixel &grid and numbers"), "grid", {K(Qt::Key_G)}, true,
                                 [this](bool on) { workspace_.tools().set_pixel_grid(on); });
     all_ << actions_.add_switch("legend", tr("&Legend"), nullptr, {K(Qt::SHIFT | Qt::Key_G)}, true,
@@ -223,7 +221,7 @@ void ViewController::update_cameras() {
         if (pose && worked_on) pane->compare().set_camera(*pose);
         if (!scene) continue;
         // Crossing the scene takes about six seconds.
-        pane->compare().set_fly_speed(std::max(0.05, double(scene->bounds.radius()) / 3));
+        pane->compare().panes().set_fly_speed(std::max(0.05, double(scene->bounds.radius()) / 3));
         if (pane->content() == widgets::ViewPane::Content::space)
             pane->space().view().set_bounds({glm::dvec3(scene->bounds.min), glm::dvec3(scene->bounds.max)});
     }

@@ -39,7 +39,7 @@ ViewPane* Workspace::make_pane(int view) {
     auto* pane = new ViewPane(nullptr, surface_);
     pane->setObjectName(QStringLiteral("pane-%1").arg(view + 1));
     panes_[std::size_t(view)] = pane;
-    tools_.add(pane->compare());
+    tools_.add(pane->compare().panes());
     connect_pane(view, *pane);
     connect_compare(view, *pane);
     return pane;
@@ -198,7 +198,7 @@ void Workspace::update_camera(int view) {
     if (!pose && result) pose = pose_of(result->camera);
     if (pose) compare.set_camera(*pose);
     const auto other = views_.linked() ? nullptr : live_.result(b);
-    if (other && b != a) compare.set_camera(1, pose_of(other->camera));
+    if (other && b != a) compare.set_camera(pose_of(other->camera), 1);
 }
 
 std::string Workspace::display_key() const {
@@ -207,14 +207,14 @@ std::string Workspace::display_key() const {
 
 std::shared_ptr<const widgets::Picture> Workspace::display_picture() const {
     const bool difference = views_.active_state().mode == ViewMode::difference;
-    if (difference && !active_pane().compare().refusal().isEmpty()) return nullptr;
+    if (difference && !active_pane().compare().comparison().refusal().isEmpty()) return nullptr;
     return active_pane().picture_at(difference ? -1 : 0);
 }
 
 Display Workspace::display() const {
     const auto& compare = active_pane().compare();
     return views_.active_state().mode == ViewMode::difference ? compare.difference_display()
-                                                              : compare.shown_display(0);
+                                                              : compare.comparison().shown_display(0);
 }
 
 bool Workspace::is_automatic() const {
@@ -318,9 +318,10 @@ void Workspace::load(const projects::Json& memory) {
     const auto& zoom = member_or_null(views, "zoom");
     auto& compare = active_pane().compare();
     if (field_or(zoom, "fitted", true))
-        compare.fit();
+        compare.active_view().fit();
     else
-        compare.look_at({field_or(zoom, "x", 0.0), field_or(zoom, "y", 0.0)}, field_or(zoom, "zoom", 1.0));
+        compare.active_view().look_at({field_or(zoom, "x", 0.0), field_or(zoom, "y", 0.0)},
+                                      field_or(zoom, "zoom", 1.0));
     active_pane().setFocus();  // whatever gets the focus is the active view
 }
 

@@ -63,4 +63,8 @@ class DifferenceWorker : public QObject {
     QThreadPool pool_;
 };
 
+/// Signed and significant: a diverging map from -m … m; absolute and squared: 0 … m; relative: 0 … 1, or to m
+/// where that is less; both kinds of ꟻLIP: 0 … 1. m is the largest magnitude of the finite values.
+Display display_for_difference(DifferenceKind kind, const Image& difference);
+
 }  // namespace ir::widgets

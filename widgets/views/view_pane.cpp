@@ -75,14 +75,14 @@ void ViewPane::watch_views() {
 
 std::shared_ptr<const Picture> ViewPane::picture_at(int number) const {
     if (number < 0) return compare_->difference_picture();
-    const auto& pictures = compare_->pictures();
-    return number < int(pictures.size()) ? pictures[std::size_t(number)] : compare_->reference();
+    const auto& pictures = compare_->comparison().pictures;
+    return number < int(pictures.size()) ? pictures[std::size_t(number)] : compare_->comparison().reference;
 }
 
 void ViewPane::update_summary() {
-    const bool difference = compare_->mode() == CompareView::Mode::difference;
+    const bool difference = compare_->comparison().mode == CompareView::Mode::difference;
     const auto picture = picture_at(difference ? -1 : 0);
-    if (!picture || !picture->has_image() || (difference && !compare_->refusal().isEmpty())) {
+    if (!picture || !picture->has_image() || (difference && !compare_->comparison().refusal().isEmpty())) {
         values_->set_picture({}, Semantic::generic, picture && !difference ? picture->label : QString(), {});
         summarised_.reset();
         return;
@@ -99,8 +99,10 @@ void ViewPane::update_summary() {
 void ViewPane::show_pixel() {
     const auto picture = compare_->pointed_picture();
     if (!picture || !picture->has_image()) return;
-    const bool difference = compare_->mode() == CompareView::Mode::difference;
-    const QString more = difference ? compare_->difference_text(cursor_) : QString();
+    const bool difference = compare_->comparison().mode == CompareView::Mode::difference;
+    const QString more =
+        difference ? compare_->comparison().difference_text(compare_->difference_picture().get(), cursor_)
+                   : QString();
     if (more.isEmpty()) return values_->show_pixel(*picture, cursor_);
     values_->show_text(place_text(*picture, cursor_) + QStringLiteral("   ") + more);
 }
@@ -114,7 +116,7 @@ void ViewPane::show_values(QPoint pixel) {
 QString ViewPane::missing() const {
     switch (content_) {
         case Content::picture:
-            return compare_->missing();
+            return compare_->panes().missing();
         case Content::space:
             return space_->isVisible() ? space_->view().note() : QString();
         case Content::table:
@@ -126,7 +128,7 @@ QString ViewPane::missing() const {
 QImage ViewPane::snapshot(bool overlays) const {
     if (content_ == Content::space && space_) return space_->view().snapshot(overlays);
     if (content_ == Content::table && table_) return table_->grab().toImage();
-    return compare_->snapshot(overlays, overlays);
+    return compare_->panes().snapshot(overlays, overlays);
 }
 
 bool ViewPane::eventFilter(QObject* watched, QEvent* event) {

@@ -22,7 +22,7 @@ TEST(Differences, KindsAndSwapping) {
     QSignalSpy swapped(&view, &CompareView::swapped);
     QTest::keyClick(&view.main_view(), Qt::Key_X);
     EXPECT_EQ(swapped.count(), 1);
-    EXPECT_EQ(view.pictures()[0]->label, "reference");
+    EXPECT_EQ(view.comparison().pictures[0]->label, "reference");
     EXPECT_FLOAT_EQ(shown_difference(view).at(3, 3), 2);
     view.set_difference(DifferenceKind::absolute);
     EXPECT_FLOAT_EQ(shown_difference(view).at(3, 3), 2);
@@ -88,7 +88,7 @@ TEST(Differences, ExcludedPixelsAreNoZeros) {
     masked.valid = valid;
     CompareView view;
     view.set_pictures({std::make_shared<const Picture>(masked), flat(1)});
-    view.set_pixel_grid(false);
+    view.panes().set_pixel_grid(false);
     view.set_mode(Mode::difference);
     show(view);
     shown_difference(view);

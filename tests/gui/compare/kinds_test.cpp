@@ -65,21 +65,21 @@ TEST(DifferenceKinds, SignificanceNeedsAVariance) {
     view.set_mode(Mode::difference);
     view.set_noise_hint("These have one: truth.");
     show(view);
-    EXPECT_TRUE(view.refusal().contains("Neither A nor B"));
-    EXPECT_TRUE(view.refusal().contains("truth"));
-    EXPECT_FALSE(view.refusal().contains('\n'));
-    EXPECT_EQ(view.main_view().state().note, view.refusal());
+    EXPECT_TRUE(view.comparison().refusal().contains("Neither A nor B"));
+    EXPECT_TRUE(view.comparison().refusal().contains("truth"));
+    EXPECT_FALSE(view.comparison().refusal().contains('\n'));
+    EXPECT_EQ(view.main_view().state().note, view.comparison().refusal());
     EXPECT_FALSE(view.is_computing());
     Picture coming = *flat(3);
     coming.awaits_variance = true;
     view.set_pictures({flat(1), std::make_shared<const Picture>(coming)});
-    EXPECT_TRUE(view.refusal().contains("Waiting"));
+    EXPECT_TRUE(view.comparison().refusal().contains("Waiting"));
     view.set_pictures({flat(1), noisy(3, 0.01f)});
-    EXPECT_TRUE(view.refusal().isEmpty());
+    EXPECT_TRUE(view.comparison().refusal().isEmpty());
     EXPECT_FLOAT_EQ(shown_difference(view).at(8, 6), -2);
     view.set_difference(Kind::signed_);  // asks for none
     view.set_pictures({flat(1), flat(3)});
-    EXPECT_TRUE(view.refusal().isEmpty());
+    EXPECT_TRUE(view.comparison().refusal().isEmpty());
 }
 
 TEST(DifferenceKinds, NoiseExplainsWhatItExplains) {
@@ -89,7 +89,7 @@ TEST(DifferenceKinds, NoiseExplainsWhatItExplains) {
     view.set_mode(Mode::difference);
     show(view);
     EXPECT_EQ(shown_difference(view).at(8, 6), 0);
-    const QString quiet = view.difference_text({8, 6});
+    const QString quiet = view.comparison().difference_text(view.difference_picture().get(), {8, 6});
     EXPECT_TRUE(quiet.contains("A − B = -0.1")) << quiet.toStdString();  // and not the 0 that is drawn
     EXPECT_TRUE(quiet.contains("z = -0.3333")) << quiet.toStdString();
     EXPECT_TRUE(quiet.contains("within noise"));
@@ -98,11 +98,12 @@ TEST(DifferenceKinds, NoiseExplainsWhatItExplains) {
     EXPECT_NEAR(grey.red(), zero_grey[0], 2);
     view.set_pictures({noisy(1, 1e-4f), noisy(1.1f, 1e-4f)});
     EXPECT_NEAR(shown_difference(view).at(8, 6), -0.1, 1e-6);
-    EXPECT_TRUE(view.difference_text({8, 6}).contains("significant"));
-    EXPECT_TRUE(view.difference_text({99, 6}).isEmpty());
+    EXPECT_TRUE(
+        view.comparison().difference_text(view.difference_picture().get(), {8, 6}).contains("significant"));
+    EXPECT_TRUE(view.comparison().difference_text(view.difference_picture().get(), {99, 6}).isEmpty());
     view.set_difference(Kind::signed_);
     shown_difference(view);
-    EXPECT_TRUE(view.difference_text({8, 6}).isEmpty());
+    EXPECT_TRUE(view.comparison().difference_text(view.difference_picture().get(), {8, 6}).isEmpty());
 }
 
 TEST(DifferenceKinds, NewVariancesAreNewQuestions) {

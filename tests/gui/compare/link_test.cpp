@@ -32,7 +32,7 @@ TEST(Linking, ZoomAndPanGoTogetherUntilUnlinked) {
     QSignalSpy linked(&view, &CompareView::linked_changed);
     QTest::keyClick(&a, Qt::Key_L);
     EXPECT_EQ(linked.count(), 1);
-    EXPECT_FALSE(view.is_linked());
+    EXPECT_FALSE(view.comparison().linked);
     const double before = a.transform().zoom();
     turn_wheel(&b, {100, 80}, 2);
     EXPECT_DOUBLE_EQ(a.transform().zoom(), before);
@@ -59,7 +59,7 @@ TEST(Linking, OtherSizesKeepOut) {
 TEST(Linking, TheCursorIsMarkedInTheOtherViews) {
     CompareView view;
     fill(view, {flat(0.1f), flat(0.1f)});
-    view.set_pixel_grid(false);
+    view.panes().set_pixel_grid(false);
     view.set_mode(Mode::side_by_side);
     show(view);
     ImageView &a = *view.views()[0], &b = *view.views()[1];
@@ -86,7 +86,7 @@ TEST(Linking, TheCameraMovesInAllViewsUntilUnlinked) {
     fill(view, {flat(0.1f), flat(0.9f)});
     view.set_camera(CameraPose());
     view.set_mode(Mode::side_by_side);
-    view.set_tool(ImageView::Tool::orbit);
+    view.panes().set_tool(ImageView::Tool::orbit);
     show(view);
     ImageView &a = *view.views()[0], &b = *view.views()[1];
     QSignalSpy moves(&view, &CompareView::camera_moved), ends(&view, &CompareView::camera_gesture_finished);
@@ -114,10 +114,10 @@ TEST(Linking, LikePicturesShareTheColourRange) {
     wide.high = 10;
     view.set_pictures({flat(0.5f), flat(0.5f), make_picture(Image(16, 12, 3), Semantic::normal)});
     view.set_displays({wide, narrow, narrow});
-    EXPECT_EQ(view.shown_display(1), wide);
-    EXPECT_EQ(view.shown_display(2), narrow);  // another kind of numbers
+    EXPECT_EQ(view.comparison().shown_display(1), wide);
+    EXPECT_EQ(view.comparison().shown_display(2), narrow);  // another kind of numbers
     view.set_linked(false);
-    EXPECT_EQ(view.shown_display(1), narrow);
+    EXPECT_EQ(view.comparison().shown_display(1), narrow);
     view.set_mode(Mode::side_by_side);
     EXPECT_EQ(view.views()[1]->display(), narrow);
 }
@@ -126,7 +126,7 @@ TEST(Linking, TheModeDoesNotLoseThePlace) {
     CompareView view;
     fill(view, {flat(0.1f, {}, 64, 64), flat(0.9f, {}, 64, 64), flat(0.3f, {}, 64, 64)});
     show(view, {800, 500});
-    view.look_at({20, 40}, 24);
+    view.active_view().look_at({20, 40}, 24);
     for (Mode mode : {Mode::side_by_side, Mode::wipe, Mode::stages, Mode::difference, Mode::flip}) {
         view.set_mode(mode);
         for (auto* each : view.views()) {

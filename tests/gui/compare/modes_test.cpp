@@ -31,7 +31,7 @@ void expect_quarters(ImageView& view, double scale) {
 TEST_P(CompareTest, NoModeTurnsAPicture) {
     CompareView view(nullptr, surface());
     fill(view, two());
-    view.set_pixel_grid(false);
+    view.panes().set_pixel_grid(false);
     view.set_difference_display(grey_display());
     view.set_difference(DifferenceKind::absolute);
     show(view);
@@ -45,12 +45,12 @@ TEST_P(CompareTest, NoModeTurnsAPicture) {
     expect_quarters(*view.views()[1], 0.5);
     view.set_mode(Mode::difference);
     wait_for_differences(view);
-    view.look_at({8, 6}, 20);
+    view.active_view().look_at({8, 6}, 20);
     expect_quarters(view.main_view(), 0.5);
     view.set_mode(Mode::stages);
     wait_for_differences(view);
     ASSERT_EQ(view.difference_views().size(), 1u);
-    view.fit();
+    view.active_view().fit();
     expect_quarters(*view.views()[1], 0.5);
     expect_quarters(*view.difference_views()[0], 0.5);
     view.set_mode(Mode::wipe);
@@ -64,13 +64,13 @@ TEST_P(CompareTest, SnapshotsAreNotTurnedEither) {
     CompareView view(nullptr, surface());
     fill(view, two());
     show(view);
-    const QImage shot = view.snapshot(false, false, ImageView::SnapshotScale::picture_pixels);
+    const QImage shot = view.panes().snapshot(false, false, ImageView::SnapshotScale::picture_pixels);
     ASSERT_EQ(shot.size(), QSize(16, 12));
     EXPECT_EQ(shot.pixelColor(1, 1).red(), grey_of(0.1));
     EXPECT_EQ(shot.pixelColor(14, 1).red(), grey_of(0.3));
     EXPECT_EQ(shot.pixelColor(1, 10).red(), grey_of(0.6));
     view.set_mode(Mode::wipe);
-    const QImage wipe = view.snapshot(false, false, ImageView::SnapshotScale::picture_pixels);
+    const QImage wipe = view.panes().snapshot(false, false, ImageView::SnapshotScale::picture_pixels);
     EXPECT_EQ(wipe.pixelColor(14, 10).red(), grey_of(0.5));
     EXPECT_EQ(wipe.pixelColor(1, 10).red(), grey_of(0.6));
 }
@@ -78,7 +78,7 @@ TEST_P(CompareTest, SnapshotsAreNotTurnedEither) {
 TEST_P(CompareTest, TheDividerIsDragged) {
     CompareView view(nullptr, surface());
     fill(view, two());
-    view.set_pixel_grid(false);
+    view.panes().set_pixel_grid(false);
     view.set_mode(Mode::wipe);
     show(view);
     ImageView& main = view.main_view();
@@ -92,15 +92,15 @@ TEST_P(CompareTest, TheDividerIsDragged) {
     QTest::mouseRelease(&main, Qt::LeftButton, {}, point(main, 4, 3));
     EXPECT_GE(moves.count(), 1);
     EXPECT_EQ(picks.count(), 0);
-    EXPECT_NEAR(view.wipe(), 0.25, 0.01);
+    EXPECT_NEAR(view.comparison().wipe, 0.25, 0.01);
     EXPECT_NEAR(grey_at(main, 5, 10), grey_of(0.3), 2);
     EXPECT_NEAR(grey_at(main, 3, 10), grey_of(0.6), 2);
     turn_wheel(&main, {200, 100}, 1);
     main.grab();
     EXPECT_EQ(main.canvas().upload_count(), uploads);  // neither dragging nor zooming costs an upload
-    const double before = view.wipe();
+    const double before = view.comparison().wipe;
     QTest::keyClick(&main, Qt::Key_Right);
-    EXPECT_NEAR(view.wipe(), before + 0.01, 1e-9);
+    EXPECT_NEAR(view.comparison().wipe, before + 0.01, 1e-9);
 }
 
 TEST_P(CompareTest, TheCursorTellsTheSideOfTheDivider) {
@@ -122,7 +122,7 @@ TEST_P(CompareTest, AHeldNumberShowsItsPicture) {
     auto pictures = two();
     pictures.push_back(flat(0.8f, "third"));
     fill(view, pictures);
-    view.set_pixel_grid(false);
+    view.panes().set_pixel_grid(false);
     show(view);
     ImageView& main = view.main_view();
     for (Mode mode : {Mode::single, Mode::wipe, Mode::flip, Mode::difference}) {
@@ -165,13 +165,13 @@ TEST_P(CompareTest, StagesHaveTheirDifferencesBeneath) {
     fill(view, {flat(0.2f, "first"), flat(0.5f, "second"), flat(0.4f, "third"), flat(0.4f, "fourth")});
     view.set_difference_display(grey_display());
     view.set_difference(DifferenceKind::absolute);
-    view.set_pixel_grid(false);
+    view.panes().set_pixel_grid(false);
     view.set_mode(Mode::stages);
     show(view, {1200, 400});
     wait_for_differences(view);
     ASSERT_EQ(view.views().size(), 4u);
     ASSERT_EQ(view.difference_views().size(), 3u);
-    view.fit();
+    view.active_view().fit();
     const double expected[] = {0.3, 0.1, 0};
     for (int i = 0; i < 3; ++i) {
         ImageView& below = *view.difference_views()[i];
@@ -194,7 +194,7 @@ TEST_P(CompareTest, FloatingAndDockingKeepsThePicture) {
     auto* dock = new QDockWidget(&window);
     auto* view = new CompareView(dock, surface());
     fill(*view, two());
-    view->set_pixel_grid(false);
+    view->panes().set_pixel_grid(false);
     view->set_mode(Mode::side_by_side);
     dock->setWidget(view);
     window.addDockWidget(Qt::RightDockWidgetArea, dock);
@@ -202,7 +202,7 @@ TEST_P(CompareTest, FloatingAndDockingKeepsThePicture) {
     for (bool floating : {false, true, false, true, false}) {
         dock->setFloating(floating);
         QTest::qWait(50);
-        view->fit();
+        view->active_view().fit();
         ASSERT_EQ(dock->isFloating(), floating);
         expect_quarters(*view->views()[0], 1);
         expect_quarters(*view->views()[1], 0.5);
@@ -215,18 +215,18 @@ TEST_P(CompareTest, RefusesUnequalSizesAndNamesThem) {
     show(view);
     for (Mode mode : {Mode::side_by_side, Mode::wipe, Mode::flip, Mode::difference, Mode::stages}) {
         view.set_mode(mode);
-        EXPECT_TRUE(view.refusal().contains("16×12")) << int(mode);
-        EXPECT_TRUE(view.refusal().contains("8×6")) << int(mode);
-        EXPECT_EQ(view.views().back()->state().note, view.refusal()) << int(mode);
+        EXPECT_TRUE(view.comparison().refusal().contains("16×12")) << int(mode);
+        EXPECT_TRUE(view.comparison().refusal().contains("8×6")) << int(mode);
+        EXPECT_EQ(view.views().back()->state().note, view.comparison().refusal()) << int(mode);
         EXPECT_FALSE(view.is_computing());
     }
     view.set_mode(Mode::side_by_side);
     EXPECT_FALSE(view.views()[0]->image().empty());
     QTest::keyClick(view.views()[0], Qt::Key_L);  // on their own, both can be looked at
-    EXPECT_TRUE(view.refusal().isEmpty());
+    EXPECT_TRUE(view.comparison().refusal().isEmpty());
     EXPECT_EQ(view.views()[1]->image().width, 8);
     view.set_mode(Mode::single);
-    EXPECT_TRUE(view.refusal().isEmpty());
+    EXPECT_TRUE(view.comparison().refusal().isEmpty());
 }
 
 TEST_P(CompareTest, SaysWhyAPictureIsMissing) {

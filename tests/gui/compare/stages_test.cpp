@@ -23,7 +23,7 @@ class StagesTest : public CompareTest {
         view->set_displays({grey_display(), grey_display(), grey_display()});
         view->set_difference_display(grey_display());
         view->set_difference(DifferenceKind::absolute);
-        view->set_pixel_grid(false);
+        view->panes().set_pixel_grid(false);
         view->set_mode(Mode::stages);
         show(*view, {1100, 480});
         wait_for_differences(*view);
@@ -36,14 +36,14 @@ class StagesTest : public CompareTest {
     }
     void click_name(int stage) {
         QWidget* board = view->main_view().parentWidget();
-        QTest::mouseClick(board, Qt::LeftButton, {}, view->stage_handle(stage).center());
+        QTest::mouseClick(board, Qt::LeftButton, {}, view->panes().caption_rect(stage).center());
         wait_for_differences(*view);
     }
     std::unique_ptr<CompareView> view;
 };
 
 TEST_P(StagesTest, NumbersStandUnderTheDifferences) {
-    const auto captions = view->captions();
+    const auto captions = view->panes().captions();
     ASSERT_EQ(captions.size(), 5);
     EXPECT_EQ(captions[0], "A   traced");
     EXPECT_EQ(captions[3], "RMSE 0.3");
@@ -58,11 +58,11 @@ TEST_P(StagesTest, ClicksOnNamesCompareAnyTwo) {
     EXPECT_EQ(view->difference_views().size(), 2u);
     click_name(0);
     EXPECT_EQ(chosen.count(), 2);
-    EXPECT_EQ(view->stage_pair(), (StagePair{2, 0}));
+    EXPECT_EQ(view->comparison().pair, (StagePair{2, 0}));
     ASSERT_EQ(view->difference_views().size(), 3u);
     ASSERT_EQ(view->views().size(), 4u);
     ImageView& beside = *view->difference_views()[2];
-    view->fit();
+    view->active_view().fit();
     EXPECT_NEAR(grey_at(beside, 8, 6), grey_of(0.2), 2);
     EXPECT_GT(beside.x(), view->views()[2]->geometry().right());
     EXPECT_EQ(beside.x(), view->views()[3]->x()) << "under B";
@@ -77,20 +77,20 @@ TEST_P(StagesTest, KeysChooseAndClear) {
     view->main_view().setFocus();
     QTest::keyClick(&view->main_view(), Qt::Key_1);
     QTest::keyClick(&view->main_view(), Qt::Key_3);
-    EXPECT_EQ(view->stage_pair(), (StagePair{0, 2}));
+    EXPECT_EQ(view->comparison().pair, (StagePair{0, 2}));
     QTest::keyClick(&view->main_view(), Qt::Key_7);
-    EXPECT_EQ(view->stage_pair(), (StagePair{0, 2})) << "there is no seventh";
+    EXPECT_EQ(view->comparison().pair, (StagePair{0, 2})) << "there is no seventh";
     QTest::keyClick(&view->main_view(), Qt::Key_0);
-    EXPECT_EQ(view->stage_pair(), StagePair());
+    EXPECT_EQ(view->comparison().pair, StagePair());
     wait_for_differences(*view);
 }
 
 TEST_P(StagesTest, APictureOfAnotherSizeAndMethodIsShownAndNotCompared) {
     view->set_pictures({flat(0.2f, "traced"), flat(0.5f, "smoothed"), flat(0.4f, "half", 8, 6)});
     wait_for_differences(*view);
-    EXPECT_TRUE(view->refusal().isEmpty());
-    EXPECT_EQ(view->captions()[3], "RMSE 0.3");
-    EXPECT_EQ(view->captions()[4], "");
+    EXPECT_TRUE(view->comparison().refusal().isEmpty());
+    EXPECT_EQ(view->panes().captions()[3], "RMSE 0.3");
+    EXPECT_EQ(view->panes().captions()[4], "");
     EXPECT_TRUE(view->views()[2]->state().note.isEmpty());
     EXPECT_TRUE(view->difference_views()[1]->state().note.contains("8×6"));
 }
@@ -112,9 +112,10 @@ TEST_P(StagesTest, StagesOfOneMethodAreComparedAtTheLargerSize) {
     for (int y = 0; y < 12; ++y)
         for (int x = 0; x < 16; ++x)
             ASSERT_NEAR(shown.at(x, y), x / 2 == 1 && y / 2 == 2 ? 0.4f : 0, 1e-6) << x << ", " << y;
-    EXPECT_EQ(view->captions()[3], QStringLiteral("RMSE %1").arg(std::sqrt(0.16 * 4 / 192), 0, 'g', 4));
+    EXPECT_EQ(view->panes().captions()[3],
+              QStringLiteral("RMSE %1").arg(std::sqrt(0.16 * 4 / 192), 0, 'g', 4));
     EXPECT_EQ(view->difference_views()[0]->state().label, "|A (8×6) − B|");
-    EXPECT_EQ(view->captions()[4], "RMSE 0.1");
+    EXPECT_EQ(view->panes().captions()[4], "RMSE 0.1");
     EXPECT_EQ(view->difference_views()[1]->state().label, "|B − C (8×6)|");
     QWidget* board = view->main_view().parentWidget();
     const QPoint caption(view->difference_views()[0]->geometry().center().x(),
@@ -132,9 +133,9 @@ TEST_P(StagesTest, TheReferenceIsInTheListWhereThereIsOne) {
     EXPECT_TRUE(qobject_cast<QStandardItemModel*>(list("stage-b")->model())->item(last)->isEnabled());
     choose(list("stage-a"), 2);
     choose(list("stage-b"), last);
-    EXPECT_EQ(view->stage_pair(), (StagePair{1, StagePair::reference}));
+    EXPECT_EQ(view->comparison().pair, (StagePair{1, StagePair::reference}));
     ASSERT_EQ(view->difference_views().size(), 3u);
-    EXPECT_EQ(view->captions().last(), "RMSE 0.05");
+    EXPECT_EQ(view->panes().captions().last(), "RMSE 0.05");
     EXPECT_FLOAT_EQ(view->views().back()->image().at(0, 0), 0.45f);
     view->set_reference(false, nullptr);
     EXPECT_EQ(view->difference_views().size(), 2u);

@@ -120,15 +120,16 @@ TEST(RegionArithmetic, KeepsToThePicture) {
 /// Draws in a pane and measures what was drawn.
 double rmse_of_drawn(CompareView& compare, ImageView& pane, const QRectF& where) {
     QRect drawn;
-    const auto connection = QObject::connect(&compare, &CompareView::region_changed,
+    const auto connection = QObject::connect(&compare.panes(), &PaneBoard::region_changed,
                                              [&](QSize, QRect region) { drawn = region; });
-    compare.set_region({}, {});
+    compare.panes().set_region({}, {});
     drag(pane, where.topLeft(), where.bottomRight());
     QObject::disconnect(connection);
     EXPECT_FALSE(drawn.isEmpty());
     if (drawn.isEmpty()) return -1;
     const std::atomic<bool> never{false};
-    const auto result = measure(request_of(compare.pictures()[0], compare.pictures()[1], drawn), never);
+    const auto result =
+        measure(request_of(compare.comparison().pictures[0], compare.comparison().pictures[1], drawn), never);
     EXPECT_TRUE(result.refusal.isEmpty()) << result.refusal.toStdString();
     return result.rectangle->values.at("rmse");
 }
@@ -137,12 +138,12 @@ TEST(RectangleInModes, IsTheSamePlaceEverywhere) {
     CompareView compare(nullptr, ImageView::Surface::raster);
     compare.set_pictures({radiance(with_error(ramp(64, 48)), "ours"), radiance(ramp(64, 48), "truth")});
     show(compare, {900, 500});
-    compare.set_tool(Tool::rectangle);
+    compare.panes().set_tool(Tool::rectangle);
     for (const Mode mode :
          {Mode::single, Mode::side_by_side, Mode::wipe, Mode::flip, Mode::difference, Mode::stages}) {
         compare.set_mode(mode);
         ASSERT_TRUE(QTest::qWaitFor([&] { return !compare.is_computing(); }, 20000));
-        compare.fit();
+        compare.active_view().fit();
         auto panes = compare.views();
         for (auto* each : compare.difference_views()) panes.push_back(each);
         for (auto* pane : panes) {

@@ -26,10 +26,10 @@ class CompareWindowTest : public WindowTest {
 TEST_F(CompareWindowTest, TwoExperimentsAreComparedInEveryMode) {
     for (const char* action : {"mode-side-by-side", "mode-wipe", "mode-flip", "mode-difference"}) {
         trigger(action);
-        ASSERT_GE(compare().pictures().size(), 2u) << action;
-        EXPECT_FLOAT_EQ(compare().pictures()[0]->image->at(0, 0), 0.25f) << action;
-        EXPECT_FLOAT_EQ(compare().pictures()[1]->image->at(0, 0), 0.75f) << action;
-        EXPECT_TRUE(compare().refusal().isEmpty()) << action;
+        ASSERT_GE(compare().comparison().pictures.size(), 2u) << action;
+        EXPECT_FLOAT_EQ(compare().comparison().pictures[0]->image->at(0, 0), 0.25f) << action;
+        EXPECT_FLOAT_EQ(compare().comparison().pictures[1]->image->at(0, 0), 0.75f) << action;
+        EXPECT_TRUE(compare().comparison().refusal().isEmpty()) << action;
     }
     ASSERT_TRUE(wait_for_difference());
     EXPECT_FLOAT_EQ(compare().difference_picture()->image->at(0, 0), -0.5f);
@@ -69,9 +69,13 @@ TEST_F(CompareWindowTest, AForeignImageTakesPart) {
     state.b = {"image:" + window.session().document().images[0].id, ""};
     views().set_state(0, state);
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return compare().pictures().size() == 2 && compare().pictures()[1]->has_image(); }, 5000));
-    EXPECT_FLOAT_EQ(compare().pictures()[1]->image->at(0, 0), 0.125f);
-    EXPECT_TRUE(compare().refusal().isEmpty());
+        [&] {
+            return compare().comparison().pictures.size() == 2 &&
+                   compare().comparison().pictures[1]->has_image();
+        },
+        5000));
+    EXPECT_FLOAT_EQ(compare().comparison().pictures[1]->image->at(0, 0), 0.125f);
+    EXPECT_TRUE(compare().comparison().refusal().isEmpty());
 }
 
 TEST_F(CompareWindowTest, AForeignImageMeansWhatItIsComparedWithOnEitherSide) {
@@ -88,13 +92,17 @@ TEST_F(CompareWindowTest, AForeignImageMeansWhatItIsComparedWithOnEitherSide) {
         views().set_state(0, state);
         ASSERT_TRUE(settle());
         ASSERT_TRUE(QTest::qWaitFor(
-            [&] { return compare().pictures()[0]->has_image() && compare().pictures()[1]->has_image(); },
+            [&] {
+                return compare().comparison().pictures[0]->has_image() &&
+                       compare().comparison().pictures[1]->has_image();
+            },
             5000));
         const int ours = turn == 0 ? 1 : 0;
-        EXPECT_EQ(compare().pictures()[1 - ours]->semantic, Semantic::depth);
-        const auto automatic = widgets::display_for(Semantic::depth, "", *compare().pictures()[ours]->image);
-        EXPECT_EQ(compare().shown_display(1 - ours), automatic) << "turn " << turn;
-        EXPECT_EQ(compare().shown_display(ours), automatic) << "turn " << turn;
+        EXPECT_EQ(compare().comparison().pictures[1 - ours]->semantic, Semantic::depth);
+        const auto automatic =
+            widgets::display_for(Semantic::depth, "", *compare().comparison().pictures[ours]->image);
+        EXPECT_EQ(compare().comparison().shown_display(1 - ours), automatic) << "turn " << turn;
+        EXPECT_EQ(compare().comparison().shown_display(ours), automatic) << "turn " << turn;
         EXPECT_EQ(workspace().display_key(), "depth");
         std::swap(state.a, state.b);
     }
@@ -106,8 +114,9 @@ TEST_F(CompareWindowTest, UnequalSizesAreRefusedWithAReason) {
         return projects::edits::set_size(project, second, {40, 30});
     });
     trigger("mode-difference");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !compare().refusal().isEmpty(); }, 3000));
-    EXPECT_TRUE(compare().refusal().contains("40")) << compare().refusal().toStdString();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !compare().comparison().refusal().isEmpty(); }, 3000));
+    EXPECT_TRUE(compare().comparison().refusal().contains("40"))
+        << compare().comparison().refusal().toStdString();
 }
 
 TEST_F(CompareWindowTest, DifferentScenesAreComparedOnlyWithAWarning) {
@@ -130,11 +139,11 @@ TEST_F(CompareWindowTest, ZoomIsOneForAllViewsUntilUnlinked) {
     trigger("views-2");
     auto& first = workspace().pane(0)->compare().main_view();
     auto& second = workspace().pane(1)->compare().main_view();
-    workspace().pane(0)->compare().look_at({10, 10}, 8);
+    workspace().pane(0)->compare().active_view().look_at({10, 10}, 8);
     EXPECT_DOUBLE_EQ(second.transform().zoom(), 8);
     trigger("link");
     EXPECT_FALSE(views().linked());
-    workspace().pane(0)->compare().look_at({10, 10}, 16);
+    workspace().pane(0)->compare().active_view().look_at({10, 10}, 16);
     EXPECT_DOUBLE_EQ(first.transform().zoom(), 16);
     EXPECT_DOUBLE_EQ(second.transform().zoom(), 8);
 }

@@ -15,7 +15,7 @@ class InspectWindowTest : public WindowTest {
     void SetUp() override {
         WindowTest::SetUp();
         open_scene();
-        window.workspace().active_pane().compare().look_at({15, 10}, 8);  // a pixel can be hit
+        window.workspace().active_pane().compare().active_view().look_at({15, 10}, 8);  // a pixel can be hit
     }
     /// A dock that stands behind a tab comes to the front.
     void raise(const char* name) {

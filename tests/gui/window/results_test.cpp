@@ -128,12 +128,16 @@ TEST_F(ResultsWindowTest, AKeptResultIsBInEveryMode) {
     for (const char* action : {"mode-wipe", "mode-flip", "mode-difference", "mode-side-by-side"}) {
         trigger(action);
         ASSERT_TRUE(QTest::qWaitFor(
-            [&] { return compare().pictures().size() > 1 && compare().pictures()[1]->has_image(); }, 3000))
+            [&] {
+                return compare().comparison().pictures.size() > 1 &&
+                       compare().comparison().pictures[1]->has_image();
+            },
+            3000))
             << action;
-        EXPECT_FLOAT_EQ(compare().pictures()[0]->image->at(0, 0), 0.75f) << action;
-        EXPECT_FLOAT_EQ(compare().pictures()[1]->image->at(0, 0), 0.25f) << action;
-        EXPECT_EQ(compare().pictures()[1]->semantic, Semantic::radiance) << action;
-        EXPECT_TRUE(compare().refusal().isEmpty()) << action;
+        EXPECT_FLOAT_EQ(compare().comparison().pictures[0]->image->at(0, 0), 0.75f) << action;
+        EXPECT_FLOAT_EQ(compare().comparison().pictures[1]->image->at(0, 0), 0.25f) << action;
+        EXPECT_EQ(compare().comparison().pictures[1]->semantic, Semantic::radiance) << action;
+        EXPECT_TRUE(compare().comparison().refusal().isEmpty()) << action;
     }
     // As A it is looked at like the buffer that it was.
     emit window.results().panel().show_wanted(model().rows()[0].key, false);
@@ -169,14 +173,18 @@ TEST_F(ResultsWindowTest, AViewRemembersAResultAndSaysWhenItIsGone) {
     ASSERT_TRUE(settle());
     EXPECT_EQ(views().active_state(), shown);
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return compare().pictures().size() > 1 && compare().pictures()[1]->has_image(); }, 3000));
+        [&] {
+            return compare().comparison().pictures.size() > 1 &&
+                   compare().comparison().pictures[1]->has_image();
+        },
+        3000));
     ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() == 1; }, 3000));
     window.results().set_confirm([](int) { return true; });
     emit window.results().panel().delete_wanted({model().rows()[0].key});
     ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() == 0; }, 3000));
     EXPECT_EQ(views().active_state(), shown);
-    EXPECT_FALSE(compare().pictures()[1]->has_image());
-    EXPECT_TRUE(compare().pictures()[1]->note.contains("deleted"));
+    EXPECT_FALSE(compare().comparison().pictures[1]->has_image());
+    EXPECT_TRUE(compare().comparison().pictures[1]->note.contains("deleted"));
 }
 
 TEST_F(ResultsWindowTest, DeletingAsksFirstAndTakesTheFiles) {

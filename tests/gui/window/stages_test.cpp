@@ -45,15 +45,15 @@ class StagesWindowTest : public WindowTest {
             return projects::edits::set_size(project, id, {64, 48});
         });
         trigger("stages");
-        ASSERT_EQ(compare().pictures()[0]->size(), QSize(32, 24));
-        ASSERT_EQ(compare().pictures()[1]->size(), QSize(64, 48));
+        ASSERT_EQ(compare().comparison().pictures[0]->size(), QSize(32, 24));
+        ASSERT_EQ(compare().comparison().pictures[1]->size(), QSize(64, 48));
     }
     std::string values() {
         return workspace().active_pane().findChild<QLabel*>("values")->text().toStdString();
     }
     QStringList names() {
         QStringList all;
-        for (const auto& picture : compare().pictures()) all << picture->label;
+        for (const auto& picture : compare().comparison().pictures) all << picture->label;
         return all;
     }
 };
@@ -61,8 +61,8 @@ class StagesWindowTest : public WindowTest {
 TEST_F(StagesWindowTest, TheChainStandsInARowInItsOrder) {
     trigger("stages");
     EXPECT_EQ(names(), QStringList({"Traced", "Smoothed", "Composed"}));
-    ASSERT_TRUE(compare().refusal().isEmpty()) << compare().refusal().toStdString();
-    EXPECT_EQ(compare().captions().mid(3), QStringList({"RMSE 0.375", "RMSE 0.125"}));
+    ASSERT_TRUE(compare().comparison().refusal().isEmpty()) << compare().comparison().refusal().toStdString();
+    EXPECT_EQ(compare().panes().captions().mid(3), QStringList({"RMSE 0.375", "RMSE 0.125"}));
     choose(header("difference"), "|A − B|");
     EXPECT_EQ(views().active_state().difference, DifferenceKind::absolute);
     EXPECT_EQ(compare().difference_views().size(), 2u);
@@ -91,8 +91,8 @@ TEST_F(StagesWindowTest, AnyStageIsComparedWithTheReference) {
     views().set_state(0, state);
     ASSERT_TRUE(settle());
     ASSERT_EQ(compare().difference_views().size(), 3u);
-    EXPECT_EQ(compare().captions().last(), "RMSE 0.5") << "0.75 instead of 0.25";
-    EXPECT_EQ(compare().pictures().size(), 3u) << "the reference is no stage";
+    EXPECT_EQ(compare().panes().captions().last(), "RMSE 0.5") << "0.75 instead of 0.25";
+    EXPECT_EQ(compare().comparison().pictures.size(), 3u) << "the reference is no stage";
 }
 
 TEST_F(StagesWindowTest, TheSessionRemembersRowAndPair) {
@@ -163,7 +163,7 @@ TEST_F(StagesWindowTest, MetricsMeasureWhatTheRowMeasures) {
     const auto measured = panel.model().value(rmse, widgets::MetricsModel::image_column);
     ASSERT_TRUE(measured);
     EXPECT_NEAR(*measured, 0.375, 1e-6);
-    EXPECT_EQ(compare().captions()[3], "RMSE 0.375");
+    EXPECT_EQ(compare().panes().captions()[3], "RMSE 0.375");
     workspace().tools().set_region({64, 48}, {32, 24, 8, 8});
     ASSERT_TRUE(settle());
     EXPECT_NEAR(panel.model().value(rmse, widgets::MetricsModel::rectangle_column).value_or(-1), 0.375, 1e-6);
@@ -176,16 +176,16 @@ TEST_F(StagesWindowTest, PicturesThatDoNotChangeAreNotMadeAnew) {
     state.pair = {0, StagePair::reference};
     views().set_state(0, state);
     ASSERT_TRUE(settle());
-    const auto pictures = compare().pictures();
-    const auto reference = compare().reference();
+    const auto pictures = compare().comparison().pictures;
+    const auto reference = compare().comparison().reference;
     ASSERT_TRUE(reference);
     window.session().edit(
         [](const projects::Project& project) { return projects::edits::set_notes(project, "a note"); });
     ASSERT_TRUE(settle());
-    EXPECT_EQ(compare().pictures(), pictures);
-    EXPECT_EQ(compare().reference(), reference);
+    EXPECT_EQ(compare().comparison().pictures, pictures);
+    EXPECT_EQ(compare().comparison().reference, reference);
     set_value("level", 0.5);
-    EXPECT_NE(compare().pictures(), pictures);
+    EXPECT_NE(compare().comparison().pictures, pictures);
     EXPECT_EQ(names(), QStringList({"Traced", "Smoothed", "Composed"}));
 }
 
@@ -200,7 +200,7 @@ TEST_F(StagesWindowTest, AMethodWithoutStagesSaysSo) {
     workspace().active_pane().header().findChild<QToolButton*>("chain")->click();
     ASSERT_TRUE(settle());
     EXPECT_FALSE(views().active_state().chain);
-    EXPECT_GT(compare().pictures().size(), 1u) << "a row of other pictures";
+    EXPECT_GT(compare().comparison().pictures.size(), 1u) << "a row of other pictures";
 }
 
 }  // namespace

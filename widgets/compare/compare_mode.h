@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QPointF>
+#include <QSize>
+
+#include "widgets/compare/comparison.h"
+
+namespace ir::widgets {
+
+/// What a pane shows: a picture by its place, or the difference in a slot.
+struct PaneContent {
+    int picture = 0;  ///< of a difference: its A
+    bool difference = false;
+    int slot = 0;
+};
+
+/// A way to show pictures against each other: what stands in which pane, and where.
+class CompareMode {
+  public:
+    static const CompareMode& of(Comparison::Mode mode);
+    virtual ~CompareMode() = default;
+
+    /// Of each pane; at least one.
+    virtual std::vector<PaneContent> contents(const Comparison& all) const;
+    /// Why these pictures, two or more, cannot be compared so; empty: they can.
+    virtual QString refusal(const Comparison& all) const;
+    /// Columns and rows.
+    virtual QSize grid(const Comparison& all, int panes) const;
+    /// The upper left corner of a pane, in columns and rows.
+    virtual QPointF place(const Comparison& all, const PaneContent& content, int pane) const;
+    /// A number shows its picture for as long as it is held down.
+    virtual bool holds_pictures() const { return true; }
+    /// A row of stages: each pane has a caption, numbers choose the pair.
+    virtual bool is_row() const { return false; }
+    /// A stays where the others are refused.
+    virtual bool keeps_first() const { return false; }
+    /// B stands right of a divider.
+    virtual bool has_divider() const { return false; }
+};
+
+}  // namespace ir::widgets
