@@ -73,7 +73,7 @@ std::optional<MetricsDock::Pair> MetricsDock::pair() const {
     if (!session_.has_project() || !workspace_.pane(active)) return {};
     const auto& pane = workspace_.active_pane();
     const auto& state = views_.active_state();
-    const auto& shown = workspace_.active_pane().compare().comparison().pictures;
+    const auto& shown = workspace_.active_pane().compare().compared().pictures;
     if (pane.content() != widgets::ViewPane::Content::picture || !widgets::compares(state.mode) ||
         shown.size() < 2)
         return {};

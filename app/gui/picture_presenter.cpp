@@ -53,7 +53,7 @@ void PicturePresenter::update(int view, ViewPane& pane) {
         compare.set_noise_hint(views_.pictures().variance_hint());
     if (views_.rules().compares_reference(state)) shown.pop_back();  // it stands beside the row
     name_stages(view, shown);
-    const auto& before = compare.comparison().pictures;
+    const auto& before = compare.compared().pictures;
     for (std::size_t i = 0; i < std::min(before.size(), shown.size()); ++i)
         shown[i] = unless_equal(before[i], shown[i]);
     update_reference(view, compare);
@@ -78,7 +78,7 @@ void PicturePresenter::update_reference(int view, CompareView& compare) {
     // Of the experiment's size it is compared like its own pictures, with stages of smaller sizes, too.
     if (picture && picture->size() == views_.rules().main_size(state.a.owner))
         picture = changed(*picture, [&](Picture& named) { named.origin = state.a.owner; });
-    compare.set_reference(!source.owner.empty(), unless_equal(compare.comparison().reference, picture));
+    compare.set_reference(!source.owner.empty(), unless_equal(compare.compared().reference, picture));
 }
 
 widgets::Display PicturePresenter::display_of(const ViewSource& source, int view) const {

@@ -207,14 +207,14 @@ std::string Workspace::display_key() const {
 
 std::shared_ptr<const widgets::Picture> Workspace::display_picture() const {
     const bool difference = views_.active_state().mode == ViewMode::difference;
-    if (difference && !active_pane().compare().comparison().refusal().isEmpty()) return nullptr;
+    if (difference && !active_pane().compare().compared().refusal().isEmpty()) return nullptr;
     return active_pane().picture_at(difference ? -1 : 0);
 }
 
 Display Workspace::display() const {
     const auto& compare = active_pane().compare();
     return views_.active_state().mode == ViewMode::difference ? compare.difference_display()
-                                                              : compare.comparison().shown_display(0);
+                                                              : compare.compared().shown_display(0);
 }
 
 bool Workspace::is_automatic() const {

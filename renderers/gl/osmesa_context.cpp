@@ -10,7 +10,7 @@ namespace ir::gl {
 namespace {
 
 // The part of OSMesa's interface that is used here; newer distributions do not have its header.
-using Handle = struct osmesa_context*;
+using OsmesaHandle = struct osmesa_context*;
 constexpr int format_attribute = 0x22;
 constexpr int depth_bits_attribute = 0x30;
 constexpr int profile_attribute = 0x33;
@@ -22,9 +22,9 @@ constexpr int minor_version_attribute = 0x37;
 /// their symbols, and because newer Mesa releases do not have it. It is never unloaded: its threads may
 /// outlive the last context.
 struct OsMesa {
-    Handle (*create_context)(const int* attributes, Handle share);
-    void (*destroy_context)(Handle context);
-    GLboolean (*make_current)(Handle context, void* pixels, GLenum type, GLsizei width, GLsizei height);
+    OsmesaHandle (*create_context)(const int* attributes, OsmesaHandle share);
+    void (*destroy_context)(OsmesaHandle context);
+    GLboolean (*make_current)(OsmesaHandle context, void* pixels, GLenum type, GLsizei width, GLsizei height);
     GLADapiproc (*get_function)(const char* name);
 };
 
@@ -107,7 +107,7 @@ class OsMesaContext final : public Context {
     }
 
     OsMesa osmesa_;
-    Handle context_ = nullptr;
+    OsmesaHandle context_ = nullptr;
     std::vector<std::uint8_t> pixels_ = std::vector<std::uint8_t>(size * size * 4);
 };
 

@@ -9,8 +9,9 @@ namespace ir::widgets {
 namespace {
 
 /// Why the first `compared` pictures do not fit, and the mend.
-QString refused_sizes(const Comparison& all, int compared,
-                      const QString& advice = Comparison::tr("Render both at one size to compare them.")) {
+QString refused_sizes(
+    const ComparedPictures& all, int compared,
+    const QString& advice = ComparedPictures::tr("Render both at one size to compare them.")) {
     const QString refusal = all.sizes_differ(compared);
     return refusal.isEmpty() ? refusal : refusal + QLatin1Char(' ') + advice;
 }
@@ -18,7 +19,7 @@ QString refused_sizes(const Comparison& all, int compared,
 /// Of A and B alone.
 class OfTwo : public CompareMode {
   public:
-    QString refusal(const Comparison& all) const override {
+    QString refusal(const ComparedPictures& all) const override {
         if (const QString missing = all.missing_picture(); !missing.isEmpty()) return missing;
         return refused_sizes(all, 2);
     }
@@ -31,10 +32,10 @@ class Wipe : public OfTwo {
 
 class Difference : public OfTwo {
   public:
-    std::vector<PaneContent> contents(const Comparison& all) const override {
+    std::vector<PaneContent> contents(const ComparedPictures& all) const override {
         return all.held < 0 ? std::vector<PaneContent>{{0, true}} : OfTwo::contents(all);
     }
-    QString refusal(const Comparison& all) const override {
+    QString refusal(const ComparedPictures& all) const override {
         const QString refusal = OfTwo::refusal(all);
         return refusal.isEmpty() ? all.noise_unknown() : refusal;
     }
@@ -43,18 +44,19 @@ class Difference : public OfTwo {
 /// All pictures at once.
 class SideBySide : public CompareMode {
   public:
-    std::vector<PaneContent> contents(const Comparison& all) const override {
+    std::vector<PaneContent> contents(const ComparedPictures& all) const override {
         if (all.count() < 2) return CompareMode::contents(all);
         std::vector<PaneContent> contents;
         for (int i = 0; i < all.count(); ++i) contents.push_back({i});
         return contents;
     }
-    QString refusal(const Comparison& all) const override {
+    QString refusal(const ComparedPictures& all) const override {
         if (!all.linked) return {};
-        return refused_sizes(all, all.count(),
-                             Comparison::tr("Render both at one size, or unlink the views to see both."));
+        return refused_sizes(
+            all, all.count(),
+            ComparedPictures::tr("Render both at one size, or unlink the views to see both."));
     }
-    QSize grid(const Comparison&, int panes) const override {
+    QSize grid(const ComparedPictures&, int panes) const override {
         const int columns = panes <= 3 ? std::max(1, panes) : int(std::ceil(std::sqrt(double(panes))));
         return {columns, (panes + columns - 1) / columns};
     }
@@ -65,24 +67,24 @@ class SideBySide : public CompareMode {
 /// All pictures in a row, below each two neighbours their difference, and beside it a pair of choice.
 class Stages : public SideBySide {
   public:
-    std::vector<PaneContent> contents(const Comparison& all) const override {
+    std::vector<PaneContent> contents(const ComparedPictures& all) const override {
         auto contents = SideBySide::contents(all);
         for (int i = 0; i + 1 < all.count(); ++i) contents.push_back({i, true, i});
         if (all.has_pair()) {
-            contents.push_back({all.pair.b, false, Comparison::pair_slot});
-            contents.push_back({all.pair.a, true, Comparison::pair_slot});
+            contents.push_back({all.pair.b, false, ComparedPictures::pair_slot});
+            contents.push_back({all.pair.a, true, ComparedPictures::pair_slot});
         }
         return contents;
     }
-    QString refusal(const Comparison& all) const override {
+    QString refusal(const ComparedPictures& all) const override {
         // Of three or more each difference says for itself whether there is one.
         return all.count() > 2 || all.has_difference(0) ? QString() : CompareMode::refusal(all);
     }
-    QSize grid(const Comparison& all, int) const override {
+    QSize grid(const ComparedPictures& all, int) const override {
         return {all.count() + (all.has_pair() ? 1 : 0), 2};
     }
-    QPointF place(const Comparison& all, const PaneContent& content, int) const override {
-        if (content.slot == Comparison::pair_slot) return QPointF(all.count(), content.difference);
+    QPointF place(const ComparedPictures& all, const PaneContent& content, int) const override {
+        if (content.slot == ComparedPictures::pair_slot) return QPointF(all.count(), content.difference);
         return {content.picture + (content.difference ? 0.5 : 0.0), double(content.difference)};
     }
     bool is_row() const override { return true; }
@@ -91,42 +93,42 @@ class Stages : public SideBySide {
 
 }  // namespace
 
-const CompareMode& CompareMode::of(Comparison::Mode mode) {
+const CompareMode& CompareMode::of(ComparedPictures::Mode mode) {
     static const CompareMode one_at_a_time;
     static const SideBySide side_by_side;
     static const Wipe wipe;
     static const Difference difference;
     static const Stages stages;
     switch (mode) {
-        case Comparison::Mode::side_by_side:
+        case ComparedPictures::Mode::side_by_side:
             return side_by_side;
-        case Comparison::Mode::wipe:
+        case ComparedPictures::Mode::wipe:
             return wipe;
-        case Comparison::Mode::difference:
+        case ComparedPictures::Mode::difference:
             return difference;
-        case Comparison::Mode::stages:
+        case ComparedPictures::Mode::stages:
             return stages;
-        case Comparison::Mode::single:
-        case Comparison::Mode::flip:
+        case ComparedPictures::Mode::single:
+        case ComparedPictures::Mode::flip:
             break;
     }
     return one_at_a_time;
 }
 
-std::vector<PaneContent> CompareMode::contents(const Comparison& all) const {
+std::vector<PaneContent> CompareMode::contents(const ComparedPictures& all) const {
     if (all.held >= 0) return {{all.held}};
-    return {{all.mode == Comparison::Mode::flip ? all.flipped : 0}};
+    return {{all.mode == ComparedPictures::Mode::flip ? all.flipped : 0}};
 }
 
-QString CompareMode::refusal(const Comparison& all) const {
+QString CompareMode::refusal(const ComparedPictures& all) const {
     return refused_sizes(all, all.count());
 }
 
-QSize CompareMode::grid(const Comparison&, int) const {
+QSize CompareMode::grid(const ComparedPictures&, int) const {
     return {1, 1};
 }
 
-QPointF CompareMode::place(const Comparison& all, const PaneContent&, int pane) const {
+QPointF CompareMode::place(const ComparedPictures& all, const PaneContent&, int pane) const {
     const int columns = grid(all, all.count()).width();
     return QPointF(pane % columns, pane / columns);
 }

@@ -3,7 +3,7 @@
 #include <QPointF>
 #include <QSize>
 
-#include "widgets/compare/comparison.h"
+#include "widgets/compare/compared_pictures.h"
 
 namespace ir::widgets {
 
@@ -17,17 +17,17 @@ struct PaneContent {
 /// A way to show pictures against each other: what stands in which pane, and where.
 class CompareMode {
   public:
-    static const CompareMode& of(Comparison::Mode mode);
+    static const CompareMode& of(ComparedPictures::Mode mode);
     virtual ~CompareMode() = default;
 
     /// Of each pane; at least one.
-    virtual std::vector<PaneContent> contents(const Comparison& all) const;
+    virtual std::vector<PaneContent> contents(const ComparedPictures& all) const;
     /// Why these pictures, two or more, cannot be compared so; empty: they can.
-    virtual QString refusal(const Comparison& all) const;
+    virtual QString refusal(const ComparedPictures& all) const;
     /// Columns and rows.
-    virtual QSize grid(const Comparison& all, int panes) const;
+    virtual QSize grid(const ComparedPictures& all, int panes) const;
     /// The upper left corner of a pane, in columns and rows.
-    virtual QPointF place(const Comparison& all, const PaneContent& content, int pane) const;
+    virtual QPointF place(const ComparedPictures& all, const PaneContent& content, int pane) const;
     /// A number shows its picture for as long as it is held down.
     virtual bool holds_pictures() const { return true; }
     /// A row of stages: each pane has a caption, numbers choose the pair.

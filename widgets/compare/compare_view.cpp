@@ -375,7 +375,7 @@ void CompareView::update_bar() {
     for (int i = 0; i < all_.count(); ++i) titles << all_.title(i);
     bar_->set_stages(titles, all_.has_reference);
     bar_->set_pair(all_.pair);
-    bar_->set_number(all_.has_pair() ? number_of(Comparison::pair_slot) : QString());
+    bar_->set_number(all_.has_pair() ? number_of(ComparedPictures::pair_slot) : QString());
 }
 
 /// The picture that a number shows for as long as it is held; -1: none.

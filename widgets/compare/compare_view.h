@@ -23,11 +23,11 @@ class ViewLink;
 class CompareView : public QWidget {
     Q_OBJECT
   public:
-    using Mode = Comparison::Mode;
+    using Mode = ComparedPictures::Mode;
 
     explicit CompareView(QWidget* parent = nullptr, ImageView::Surface surface = ImageView::Surface::best);
 
-    const Comparison& comparison() const { return all_; }
+    const ComparedPictures& compared() const { return all_; }
     PaneBoard& panes() { return *panes_; }
 
     /// Zoom and place stay. Pictures that are the same object as before cost nothing.
@@ -116,7 +116,7 @@ class CompareView : public QWidget {
     void choose_pair(StagePair pair);
     bool choose_by_key(const QKeyEvent& event);
 
-    Comparison all_;
+    ComparedPictures all_;
     std::vector<PaneContent> contents_;  ///< of the panes that are shown
     Display shown_difference_;
     PaneBoard* panes_;

@@ -14,7 +14,7 @@ using projects::Motion;
 using projects::Project;
 using Kind = Motion::Kind;
 
-QString tr(const char* text) {
+QString motion_text(const char* text) {
     return QCoreApplication::translate("Motion", text);
 }
 
@@ -46,23 +46,25 @@ QString target_id(const Motion& motion) {
 QString target_name(const Project& project, const Motion& motion) {
     switch (motion.kind) {
         case Kind::camera:
-            return tr("Camera %1").arg(name_of(project.cameras, motion.camera));
+            return motion_text("Camera %1").arg(name_of(project.cameras, motion.camera));
         case Kind::light: {
             const auto* set = projects::find_item(project.lights, motion.lights);
             const auto set_name = motion.lights == projects::scene_lights
-                                      ? tr("the scene")
+                                      ? motion_text("the scene")
                                       : name_of(project.lights, motion.lights);
-            if (!motion.light_name.empty()) return tr("Light %1 of %2").arg(q(motion.light_name), set_name);
+            if (!motion.light_name.empty())
+                return motion_text("Light %1 of %2").arg(q(motion.light_name), set_name);
             const bool known = set && std::size_t(motion.light) < set->lights.size();
-            const auto type = known ? light_name(set->lights[std::size_t(motion.light)].type) : tr("Light");
-            return tr("%1, no. %2 of %3").arg(type).arg(motion.light + 1).arg(set_name);
+            const auto type =
+                known ? light_name(set->lights[std::size_t(motion.light)].type) : motion_text("Light");
+            return motion_text("%1, no. %2 of %3").arg(type).arg(motion.light + 1).arg(set_name);
         }
         default: {
             const auto* scene = projects::find_item(project.scenes, motion.scene);
             const bool known = scene && std::size_t(motion.part) < scene->parts.size();
-            const auto source =
-                known ? q(scene->parts[std::size_t(motion.part)].source).section('/', -1) : tr("File");
-            return tr("%1, no. %2 of %3")
+            const auto source = known ? q(scene->parts[std::size_t(motion.part)].source).section('/', -1)
+                                      : motion_text("File");
+            return motion_text("%1, no. %2 of %3")
                 .arg(source)
                 .arg(motion.part + 1)
                 .arg(name_of(project.scenes, motion.scene));

@@ -12,7 +12,7 @@ namespace {
 using namespace projects;
 using Node = ProjectModel::Node;
 
-QString tr(const char* text, int count = -1) {
+QString node_text(const char* text, int count = -1) {
     return QCoreApplication::translate("ProjectNodes", text, nullptr, count);
 }
 
@@ -22,7 +22,7 @@ QString vector_text(const glm::dvec3& v) {
 
 /// "1 light", "3 lights"
 QString counted(std::size_t count, const char* one, const char* many) {
-    return count == 1 ? tr(one) : tr(many).arg(count);
+    return count == 1 ? node_text(one) : node_text(many).arg(count);
 }
 
 /// Name of an item, or its id where it is not there.
@@ -47,7 +47,8 @@ Node made(ItemKind kind, const QString& id, const QString& name, const QString& 
     node.detail = detail;
     node.icon = icon;
     node.tooltip = QStringLiteral("<p><b>%1</b><br>%2</p>").arg(name.toHtmlEscaped(), about.toHtmlEscaped());
-    if (!id.isEmpty()) node.tooltip += QStringLiteral("<p>%1</p>").arg(tr("Id: %1").arg(id.toHtmlEscaped()));
+    if (!id.isEmpty())
+        node.tooltip += QStringLiteral("<p>%1</p>").arg(node_text("Id: %1").arg(id.toHtmlEscaped()));
     return node;
 }
 
@@ -67,20 +68,20 @@ Node& add_group(Node& root, ItemKind kind, const QString& name, std::size_t coun
 
 QString part_detail(const ScenePart& part) {
     QStringList words;
-    if (part.transform) words << tr("placed");
+    if (part.transform) words << node_text("placed");
     if (!part.materials.empty())
         words << counted(part.materials.size(), "1 material changed", "%1 materials changed");
     return words.join(QStringLiteral(" · "));
 }
 
 void add_scenes(Node& root, const Project& project) {
-    Node& group = add_group(root, ItemKind::scene, tr("Scenes"), project.scenes.size(),
-                            tr("No scenes yet. Add one with Ins."));
+    Node& group = add_group(root, ItemKind::scene, node_text("Scenes"), project.scenes.size(),
+                            node_text("No scenes yet. Add one with Ins."));
     for (const auto& scene : project.scenes) {
         const QString files = scene.parts.size() == 1 ? source_name(scene.parts.front().source)
-                                                      : tr("%1 files").arg(scene.parts.size());
+                                                      : node_text("%1 files").arg(scene.parts.size());
         Node& node = add_child(group, made(ItemKind::scene, q(scene.id), q(scene.name), files, "scene",
-                                           tr("Scene: files with transforms and changed materials")));
+                                           node_text("Scene: files with transforms and changed materials")));
         for (std::size_t i = 0; i < scene.parts.size(); ++i) {
             const auto& part = scene.parts[i];
             Node child = made(ItemKind::part, q(scene.id), source_name(part.source), part_detail(part),
@@ -92,35 +93,36 @@ void add_scenes(Node& root, const Project& project) {
 }
 
 QString camera_detail(const Camera& camera) {
-    if (!camera.scene_camera.empty()) return tr("from the file: %1").arg(q(camera.scene_camera));
+    if (!camera.scene_camera.empty()) return node_text("from the file: %1").arg(q(camera.scene_camera));
     const QString eye = vector_text(camera.eye);
-    return camera.orthographic ? tr("%1 m high · at %2").arg(number_text(camera.height), eye)
-                               : tr("%1° · at %2").arg(number_text(camera.fov_y_degrees), eye);
+    return camera.orthographic ? node_text("%1 m high · at %2").arg(number_text(camera.height), eye)
+                               : node_text("%1° · at %2").arg(number_text(camera.fov_y_degrees), eye);
 }
 
 void add_cameras(Node& root, const Project& project) {
-    Node& group = add_group(root, ItemKind::camera, tr("Cameras"), project.cameras.size(),
-                            tr("No cameras yet. Bookmark the view with Ctrl+B."));
+    Node& group = add_group(root, ItemKind::camera, node_text("Cameras"), project.cameras.size(),
+                            node_text("No cameras yet. Bookmark the view with Ctrl+B."));
     for (const auto& camera : project.cameras)
         add_child(group, made(ItemKind::camera, q(camera.id), q(camera.name), camera_detail(camera), "camera",
-                              tr("Camera. Double click: look through it")));
+                              node_text("Camera. Double click: look through it")));
 }
 
 QString set_detail(const LightSet& set) {
-    QString text =
-        set.use_scene_lights ? tr("the scene's lights") : counted(set.lights.size(), "1 light", "%1 lights");
-    if (set.environment.kind == Environment::Kind::constant) text += tr(" · even sky");
+    QString text = set.use_scene_lights ? node_text("the scene's lights")
+                                        : counted(set.lights.size(), "1 light", "%1 lights");
+    if (set.environment.kind == Environment::Kind::constant) text += node_text(" · even sky");
     if (set.environment.kind == Environment::Kind::map)
         text += QStringLiteral(" · ") + source_name(set.environment.source);
     return text;
 }
 
 void add_lights(Node& root, const Project& project) {
-    Node& group = add_group(root, ItemKind::light_set, tr("Lights"), project.lights.size(),
-                            tr("No own lights yet. Add a set with Ins."));
+    Node& group = add_group(root, ItemKind::light_set, node_text("Lights"), project.lights.size(),
+                            node_text("No own lights yet. Add a set with Ins."));
     for (const auto& set : project.lights) {
-        Node& node = add_child(group, made(ItemKind::light_set, q(set.id), q(set.name), set_detail(set),
-                                           "lights", tr("Set of lights, used instead of the scene's")));
+        Node& node =
+            add_child(group, made(ItemKind::light_set, q(set.id), q(set.name), set_detail(set), "lights",
+                                  node_text("Set of lights, used instead of the scene's")));
         for (std::size_t i = 0; i < set.lights.size(); ++i) {
             const auto& light = set.lights[i];
             Node child = made(ItemKind::light, q(set.id), light_name(light.type), light_text(light), "light",
@@ -133,27 +135,30 @@ void add_lights(Node& root, const Project& project) {
 
 void add_motions(Node& root, const Project& project) {
     if (project.motion.empty()) return;
-    Node& group = add_group(root, ItemKind::motion, tr("Motions"), project.motion.size(), {});
+    Node& group = add_group(root, ItemKind::motion, node_text("Motions"), project.motion.size(), {});
     for (const auto& motion : project.motion)
-        add_child(group, made(ItemKind::motion, q(motion.id), q(motion.name),
-                              tr("%1 · %2").arg(target_name(project, motion),
+        add_child(group,
+                  made(ItemKind::motion, q(motion.id), q(motion.name),
+                       node_text("%1 · %2").arg(target_name(project, motion),
                                                 counted(motion.keys.size(), "1 key", "%1 keys")),
-                              "motion", tr("What a camera, a light or a file of a scene does over time")));
+                       "motion", node_text("What a camera, a light or a file of a scene does over time")));
 }
 
 void add_experiments(Node& root, const Project& project, const Registry& registry) {
-    Node& group = add_group(root, ItemKind::experiment, tr("Experiments"), project.experiments.size(),
-                            tr("No experiments yet. Add one with Ctrl+E."));
+    Node& group = add_group(root, ItemKind::experiment, node_text("Experiments"), project.experiments.size(),
+                            node_text("No experiments yet. Add one with Ctrl+E."));
     for (const auto& experiment : project.experiments) {
         const auto* method = registry.find(experiment.method);
         const auto run = effective(experiment);
         const QString size = QStringLiteral("%1×%2").arg(run.size.x).arg(run.size.y);
         const QString detail =
-            tr("%1 · %2 · %3").arg(q(experiment.method), name_in(project.scenes, experiment.scene), size);
+            node_text("%1 · %2 · %3")
+                .arg(q(experiment.method), name_in(project.scenes, experiment.scene), size);
         const QString about =
-            tr("Experiment: %1, %2, %3, %4. Double click: look at it")
-                .arg(method ? q(method->title)
-                            : tr("method '%1', which this build does not have").arg(q(experiment.method)),
+            node_text("Experiment: %1, %2, %3, %4. Double click: look at it")
+                .arg(method
+                         ? q(method->title)
+                         : node_text("method '%1', which this build does not have").arg(q(experiment.method)),
                      name_in(project.scenes, experiment.scene), size,
                      counted(std::size_t(run.frames), "1 frame", "%1 frames"));
         add_child(group, made(ItemKind::experiment, q(experiment.id), q(experiment.name), detail,
@@ -167,27 +172,27 @@ QString picture_name(const Project& project, const std::string& id) {
 }
 
 void add_comparisons(Node& root, const Project& project) {
-    Node& group = add_group(root, ItemKind::comparison, tr("Comparisons"), project.comparisons.size(),
-                            tr("No comparisons yet. Add one with Ins."));
+    Node& group = add_group(root, ItemKind::comparison, node_text("Comparisons"), project.comparisons.size(),
+                            node_text("No comparisons yet. Add one with Ins."));
     for (const auto& comparison : project.comparisons)
         add_child(group, made(ItemKind::comparison, q(comparison.id), q(comparison.name),
-                              tr("%1 – %2 · %3")
+                              node_text("%1 – %2 · %3")
                                   .arg(picture_name(project, comparison.a),
                                        picture_name(project, comparison.b), q(comparison.mode)),
-                              "comparison", tr("Comparison of two pictures. Double click: show it")));
+                              "comparison", node_text("Comparison of two pictures. Double click: show it")));
 }
 
 void add_images(Node& root, const Project& project) {
-    Node& group = add_group(root, ItemKind::image, tr("Foreign images"), project.images.size(),
-                            tr("No foreign images. Add one with Ins."));
+    Node& group = add_group(root, ItemKind::image, node_text("Foreign images"), project.images.size(),
+                            node_text("No foreign images. Add one with Ins."));
     for (const auto& image : project.images)
         add_child(group, made(ItemKind::image, q(image.id), q(image.name), source_name(image.source), "image",
                               q(image.source)));
 }
 
 void add_sweeps(Node& root, const Project& project) {
-    Node& group = add_group(root, ItemKind::sweep, tr("Sweeps"), project.sweeps.size(),
-                            tr("No sweeps yet. Add one with Ins."));
+    Node& group = add_group(root, ItemKind::sweep, node_text("Sweeps"), project.sweeps.size(),
+                            node_text("No sweeps yet. Add one with Ins."));
     for (const auto& sweep : project.sweeps) {
         std::size_t count = 1;
         QStringList keys;
@@ -196,21 +201,21 @@ void add_sweeps(Node& root, const Project& project) {
             keys << q(axis.key);
         }
         add_child(group, made(ItemKind::sweep, q(sweep.id), q(sweep.name),
-                              tr("%1 · %2").arg(name_in(project.experiments, sweep.experiment),
-                                                counted(count, "1 point", "%1 points")),
-                              "sweep", tr("Varies %1").arg(keys.join(QStringLiteral(", ")))));
+                              node_text("%1 · %2").arg(name_in(project.experiments, sweep.experiment),
+                                                       counted(count, "1 point", "%1 points")),
+                              "sweep", node_text("Varies %1").arg(keys.join(QStringLiteral(", ")))));
     }
 }
 
 void add_plots(Node& root, const Project& project) {
-    Node& group = add_group(root, ItemKind::plot, tr("Plots"), project.plots.size(),
-                            tr("No plots of the error yet. Add one with Ins."));
+    Node& group = add_group(root, ItemKind::plot, node_text("Plots"), project.plots.size(),
+                            node_text("No plots of the error yet. Add one with Ins."));
     for (const auto& plot : project.plots) {
         const QString against =
-            plot.reference.empty() ? tr("no reference") : picture_name(project, plot.reference);
+            plot.reference.empty() ? node_text("no reference") : picture_name(project, plot.reference);
         add_child(group, made(ItemKind::plot, q(plot.id), q(plot.name),
-                              tr("%1 · %2 · %3").arg(q(plot.metric), q(plot.over), against), "plot",
-                              tr("Error of %1 against %2")
+                              node_text("%1 · %2 · %3").arg(q(plot.metric), q(plot.over), against), "plot",
+                              node_text("Error of %1 against %2")
                                   .arg(counted(plot.experiments.size(), "1 experiment", "%1 experiments"),
                                        against)));
     }
@@ -226,15 +231,15 @@ QString source_name(const std::string& source) {
 QString light_name(LightSpec::Type type) {
     switch (type) {
         case LightSpec::Type::point:
-            return tr("Point light");
+            return node_text("Point light");
         case LightSpec::Type::spot:
-            return tr("Spot light");
+            return node_text("Spot light");
         case LightSpec::Type::directional:
-            return tr("Directional light");
+            return node_text("Directional light");
         case LightSpec::Type::rect:
-            return tr("Rectangle light");
+            return node_text("Rectangle light");
         default:
-            return tr("Disk light");
+            return node_text("Disk light");
     }
 }
 
@@ -242,14 +247,15 @@ QString light_text(const LightSpec& light) {
     const QString amount =
         number_text(light.amount) + QLatin1Char(' ') + q(projects::quantity_text(light.quantity).unit);
     if (light.type == LightSpec::Type::directional)
-        return tr("%1 along %2").arg(amount, vector_text(light.travel()));
-    return tr("%1 at %2").arg(amount, vector_text(light.position));
+        return node_text("%1 along %2").arg(amount, vector_text(light.travel()));
+    return node_text("%1 at %2").arg(amount, vector_text(light.position));
 }
 
 std::unique_ptr<Node> project_nodes(const Project& project, const Registry& registry) {
     auto root = std::make_unique<Node>();
-    add_child(*root, made(ItemKind::project, {}, project.name.empty() ? tr("Project") : q(project.name),
-                          tr("project"), "app", tr("The project: name and notes")));
+    add_child(*root,
+              made(ItemKind::project, {}, project.name.empty() ? node_text("Project") : q(project.name),
+                   node_text("project"), "app", node_text("The project: name and notes")));
     add_experiments(*root, project, registry);
     add_comparisons(*root, project);
     add_scenes(*root, project);

@@ -7,7 +7,7 @@
 namespace ir::widgets {
 namespace {
 
-QString tr(const char* text) {
+QString report_text(const char* text) {
     return QCoreApplication::translate("Rows", text);
 }
 
@@ -23,13 +23,13 @@ QString size_text(const ResourceReport& resource) {
     if (resource.width == 0) return QString::number(resource.elements);
     QString text = QStringLiteral("%1×%2").arg(resource.width).arg(resource.height);
     if (resource.layers > 1) text += QStringLiteral("×%1").arg(resource.layers);
-    if (resource.levels > 1) text += tr(", %1 levels").arg(resource.levels);
+    if (resource.levels > 1) text += report_text(", %1 levels").arg(resource.levels);
     return text;
 }
 
 QString state_text(const ResourceReport& resource) {
-    if (resource.is_history) return tr("history");
-    if (resource.width == 0) return tr("list");
+    if (resource.is_history) return report_text("history");
+    if (resource.width == 0) return report_text("list");
     return text_of(to_string(resource.semantic));
 }
 
@@ -42,22 +42,23 @@ Row resource_row(const ResourceReport& resource, const std::map<std::string, QIm
     tooltip += QStringLiteral("<br>%1, %2, %3")
                    .arg(text_of(to_string(resource.kind)), text_of(to_string(resource.semantic)),
                         text_of(resource.format));
-    if (!resource.unit.empty()) tooltip += tr("<br>Unit: %1").arg(text_of(resource.unit));
+    if (!resource.unit.empty()) tooltip += report_text("<br>Unit: %1").arg(text_of(resource.unit));
     if (!resource.available)
-        tooltip += tr("<br><i>Not computed, because nobody looks at it. Click to compute it.</i>");
+        tooltip += report_text("<br><i>Not computed, because nobody looks at it. Click to compute it.</i>");
     const auto thumbnail = thumbnails.find(resource.key);
     Row row{resource.key, {}, {}, !resource.available, resource.key == shown};
     row.cells = {{label, tooltip, thumbnail == thumbnails.end() ? QImage() : thumbnail->second},
                  number_cell(size_text(resource)),
                  number_cell(bytes_text(resource.bytes)),
-                 {resource.available ? state_text(resource) : tr("not computed"), tooltip},
+                 {resource.available ? state_text(resource) : report_text("not computed"), tooltip},
                  {text_of(resource.format)}};
     return row;
 }
 
 Row pass_row(const std::string& pass, std::uint64_t bytes) {
     Row row{"pass:" + pass, {}};
-    row.cells = {{pass.empty() ? tr("other") : text_of(pass)}, {}, number_cell(bytes_text(bytes)), {}, {}};
+    row.cells = {
+        {pass.empty() ? report_text("other") : text_of(pass)}, {}, number_cell(bytes_text(bytes)), {}, {}};
     return row;
 }
 
@@ -93,7 +94,7 @@ std::size_t add_nodes(const SceneListing& scene, int parent, std::vector<Row>& r
         Row row{"node:" + std::to_string(i), {}};
         row.folded = true;
         const std::size_t triangles = node.triangles + add_nodes(scene, i, row.children);
-        const QString name = node.name.empty() ? tr("node %1").arg(i) : text_of(node.name);
+        const QString name = node.name.empty() ? report_text("node %1").arg(i) : text_of(node.name);
         row.cells = {{name}, number_cell(QString::number(triangles))};
         sum += triangles;
         rows.push_back(std::move(row));
@@ -125,7 +126,8 @@ QString milliseconds_text(double ms) {
 }
 
 QStringList buffer_headings() {
-    return {tr("Buffer"), tr("Size"), tr("Memory"), tr("Meaning"), tr("Format")};
+    return {report_text("Buffer"), report_text("Size"), report_text("Memory"), report_text("Meaning"),
+            report_text("Format")};
 }
 
 std::vector<Row> buffer_rows(const FrameReport& report, const std::map<std::string, QImage>& thumbnails,
@@ -159,7 +161,8 @@ std::vector<Row> buffer_rows(const FrameReport& report, const std::map<std::stri
 }
 
 QStringList timing_headings() {
-    return {tr("Pass"), tr("Queue"), tr("GPU ms"), tr("CPU ms"), tr("Slices"), tr("Memory")};
+    return {report_text("Pass"),   report_text("Queue"),  report_text("GPU ms"),
+            report_text("CPU ms"), report_text("Slices"), report_text("Memory")};
 }
 
 std::vector<Row> timing_rows(const FrameReport& report) {
@@ -171,8 +174,8 @@ std::vector<Row> timing_rows(const FrameReport& report) {
         row.dim = pass.culled;
         row.cells = {
             {text_of(pass.name)},
-            {pass.culled ? tr("skipped") : text_of(pass.queue),
-             pass.culled ? tr("Nobody looks at what this pass writes.") : QString()},
+            {pass.culled ? report_text("skipped") : text_of(pass.queue),
+             pass.culled ? report_text("Nobody looks at what this pass writes.") : QString()},
             number_cell(pass.culled || pass.queue == "cpu" ? QString() : milliseconds_text(pass.gpu_ms)),
             number_cell(pass.culled ? QString() : milliseconds_text(pass.cpu_ms)),
             number_cell(pass.culled ? QString() : QString::number(pass.slices)),
@@ -183,20 +186,20 @@ std::vector<Row> timing_rows(const FrameReport& report) {
     }
     if (rows.empty()) return rows;
     Row total{"total", {}, {}, false, true};
-    total.cells = {
-        {tr("Total"), tr("Wall clock %1 ms; memory at most %2")
-                          .arg(milliseconds_text(report.wall_ms), bytes_text(report.peak_memory_bytes))},
-        {},
-        number_cell(milliseconds_text(gpu)),
-        number_cell(milliseconds_text(cpu)),
-        {},
-        number_cell(bytes_text(report.memory_bytes))};
+    total.cells = {{report_text("Total"),
+                    report_text("Wall clock %1 ms; memory at most %2")
+                        .arg(milliseconds_text(report.wall_ms), bytes_text(report.peak_memory_bytes))},
+                   {},
+                   number_cell(milliseconds_text(gpu)),
+                   number_cell(milliseconds_text(cpu)),
+                   {},
+                   number_cell(bytes_text(report.memory_bytes))};
     rows.push_back(std::move(total));
     return rows;
 }
 
 QStringList counter_headings() {
-    return {tr("Counter"), tr("Value")};
+    return {report_text("Counter"), report_text("Value")};
 }
 
 std::vector<Row> counter_rows(const FrameReport& report) {
@@ -207,33 +210,34 @@ std::vector<Row> counter_rows(const FrameReport& report) {
 }
 
 QStringList scene_headings() {
-    return {tr("Scene"), tr("Triangles")};
+    return {report_text("Scene"), report_text("Triangles")};
 }
 
 std::vector<Row> scene_rows(const SceneListing& scene) {
     if (scene.name.empty()) return {};
     Row root{"scene", {}, {}, false, true};
-    const QString tooltip = tr("%1 triangles, %2 textures, %3")
+    const QString tooltip = report_text("%1 triangles, %2 textures, %3")
                                 .arg(scene.triangles)
                                 .arg(scene.textures)
                                 .arg(text_of(scene.extent));
     const std::string short_name = scene.name.substr(scene.name.find_last_of('/') + 1);
     root.cells = {{text_of(short_name), text_of(scene.name) + QLatin1Char('\n') + tooltip},
                   number_cell(QString::number(scene.triangles))};
-    Row nodes{"group:nodes", {{tr("Nodes")}, number_cell(QString::number(scene.nodes.size()))}};
+    Row nodes{"group:nodes", {{report_text("Nodes")}, number_cell(QString::number(scene.nodes.size()))}};
     nodes.folded = scene.nodes.size() > 12;
     add_nodes(scene, -1, nodes.children);
     std::vector<Row> rows;
     rows.push_back(std::move(root));
-    rows.push_back(group_row("cameras", tr("Cameras"), scene.cameras, "camera:", scene.used_camera));
-    rows.push_back(group_row("lights", tr("Lights"), scene.lights, "light:"));
-    rows.push_back(group_row("materials", tr("Materials"), scene.materials, "material:"));
+    rows.push_back(group_row("cameras", report_text("Cameras"), scene.cameras, "camera:", scene.used_camera));
+    rows.push_back(group_row("lights", report_text("Lights"), scene.lights, "light:"));
+    rows.push_back(group_row("materials", report_text("Materials"), scene.materials, "material:"));
     rows.push_back(std::move(nodes));
     if (!scene.warnings.empty())
-        rows.push_back(group_row("warnings", tr("Warnings"), scene.warnings, "warning:"));
+        rows.push_back(group_row("warnings", report_text("Warnings"), scene.warnings, "warning:"));
     for (auto& row : rows)
         if (row.key == "group:cameras")
-            for (auto& camera : row.children) camera.cells[0].tooltip = tr("Double-click to use this camera");
+            for (auto& camera : row.children)
+                camera.cells[0].tooltip = report_text("Double-click to use this camera");
     return rows;
 }
 

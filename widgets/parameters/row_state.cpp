@@ -7,7 +7,7 @@
 namespace ir::widgets {
 namespace {
 
-QString tr(const char* text) {
+QString row_text(const char* text) {
     return QCoreApplication::translate("Parameters", text);
 }
 
@@ -17,9 +17,9 @@ QString escaped(const std::string& text) {
 
 QString range_text(const Range& range) {
     const bool low = std::isfinite(range.min), high = std::isfinite(range.max);
-    if (low && high) return tr("%1 … %2").arg(number_text(range.min), number_text(range.max));
-    if (low) return tr("at least %1").arg(number_text(range.min));
-    if (high) return tr("at most %1").arg(number_text(range.max));
+    if (low && high) return row_text("%1 … %2").arg(number_text(range.min), number_text(range.max));
+    if (low) return row_text("at least %1").arg(number_text(range.min));
+    if (high) return row_text("at most %1").arg(number_text(range.max));
     return {};
 }
 
@@ -42,18 +42,19 @@ QString why_inactive(const ParameterDescription& parameter, const std::vector<Pa
         values << (other ? value_text(*other, value) : QString::fromStdString(to_string(value)));
     const QString label =
         other ? QString::fromStdString(other->label) : QString::fromStdString(parameter.active_when.key);
-    return tr("Has no effect now: it is used when “%1” is %2.").arg(label, values.join(tr(" or ")));
+    return row_text("Has no effect now: it is used when “%1” is %2.")
+        .arg(label, values.join(row_text(" or ")));
 }
 
 QString tooltip_of(const ParameterDescription& parameter) {
     QString text =
         QStringLiteral("<p><b>%1</b></p><p>%2</p><p>").arg(escaped(parameter.label), escaped(parameter.doc));
-    text += tr("Key: %1").arg(escaped(parameter.key));
-    text += tr("<br>Default: %1").arg(value_text(parameter, parameter.default_value).toHtmlEscaped());
+    text += row_text("Key: %1").arg(escaped(parameter.key));
+    text += row_text("<br>Default: %1").arg(value_text(parameter, parameter.default_value).toHtmlEscaped());
     const QString range = range_text(parameter.hard);
-    if (!range.isEmpty()) text += tr("<br>Allowed: %1").arg(range);
-    if (parameter.effect == Effect::cost) text += tr("<br>Changes the cost, not the picture");
-    if (!parameter.citation.empty()) text += tr("<br>Source: %1").arg(escaped(parameter.citation));
+    if (!range.isEmpty()) text += row_text("<br>Allowed: %1").arg(range);
+    if (parameter.effect == Effect::cost) text += row_text("<br>Changes the cost, not the picture");
+    if (!parameter.citation.empty()) text += row_text("<br>Source: %1").arg(escaped(parameter.citation));
     return text + QStringLiteral("</p>");
 }
 
@@ -73,7 +74,7 @@ QString suffix_text(const ParameterDescription& parameter) {
 }
 
 QString value_text(const ParameterDescription& parameter, const Value& value) {
-    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? tr("on") : tr("off");
+    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? row_text("on") : row_text("off");
     if (const auto* key = std::get_if<std::string>(&value)) {
         for (const auto& choice : parameter.choices)
             if (choice.key == *key) return QString::fromStdString(choice.label);

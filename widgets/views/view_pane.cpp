@@ -75,14 +75,14 @@ void ViewPane::watch_views() {
 
 std::shared_ptr<const Picture> ViewPane::picture_at(int number) const {
     if (number < 0) return compare_->difference_picture();
-    const auto& pictures = compare_->comparison().pictures;
-    return number < int(pictures.size()) ? pictures[std::size_t(number)] : compare_->comparison().reference;
+    const auto& pictures = compare_->compared().pictures;
+    return number < int(pictures.size()) ? pictures[std::size_t(number)] : compare_->compared().reference;
 }
 
 void ViewPane::update_summary() {
-    const bool difference = compare_->comparison().mode == CompareView::Mode::difference;
+    const bool difference = compare_->compared().mode == CompareView::Mode::difference;
     const auto picture = picture_at(difference ? -1 : 0);
-    if (!picture || !picture->has_image() || (difference && !compare_->comparison().refusal().isEmpty())) {
+    if (!picture || !picture->has_image() || (difference && !compare_->compared().refusal().isEmpty())) {
         values_->set_picture({}, Semantic::generic, picture && !difference ? picture->label : QString(), {});
         summarised_.reset();
         return;
@@ -99,9 +99,9 @@ void ViewPane::update_summary() {
 void ViewPane::show_pixel() {
     const auto picture = compare_->pointed_picture();
     if (!picture || !picture->has_image()) return;
-    const bool difference = compare_->comparison().mode == CompareView::Mode::difference;
+    const bool difference = compare_->compared().mode == CompareView::Mode::difference;
     const QString more =
-        difference ? compare_->comparison().difference_text(compare_->difference_picture().get(), cursor_)
+        difference ? compare_->compared().difference_text(compare_->difference_picture().get(), cursor_)
                    : QString();
     if (more.isEmpty()) return values_->show_pixel(*picture, cursor_);
     values_->show_text(place_text(*picture, cursor_) + QStringLiteral("   ") + more);

@@ -26,10 +26,10 @@ class CompareWindowTest : public WindowTest {
 TEST_F(CompareWindowTest, TwoExperimentsAreComparedInEveryMode) {
     for (const char* action : {"mode-side-by-side", "mode-wipe", "mode-flip", "mode-difference"}) {
         trigger(action);
-        ASSERT_GE(compare().comparison().pictures.size(), 2u) << action;
-        EXPECT_FLOAT_EQ(compare().comparison().pictures[0]->image->at(0, 0), 0.25f) << action;
-        EXPECT_FLOAT_EQ(compare().comparison().pictures[1]->image->at(0, 0), 0.75f) << action;
-        EXPECT_TRUE(compare().comparison().refusal().isEmpty()) << action;
+        ASSERT_GE(compare().compared().pictures.size(), 2u) << action;
+        EXPECT_FLOAT_EQ(compare().compared().pictures[0]->image->at(0, 0), 0.25f) << action;
+        EXPECT_FLOAT_EQ(compare().compared().pictures[1]->image->at(0, 0), 0.75f) << action;
+        EXPECT_TRUE(compare().compared().refusal().isEmpty()) << action;
     }
     ASSERT_TRUE(wait_for_difference());
     EXPECT_FLOAT_EQ(compare().difference_picture()->image->at(0, 0), -0.5f);
@@ -70,12 +70,12 @@ TEST_F(CompareWindowTest, AForeignImageTakesPart) {
     views().set_state(0, state);
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
-            return compare().comparison().pictures.size() == 2 &&
-                   compare().comparison().pictures[1]->has_image();
+            return compare().compared().pictures.size() == 2 &&
+                   compare().compared().pictures[1]->has_image();
         },
         5000));
-    EXPECT_FLOAT_EQ(compare().comparison().pictures[1]->image->at(0, 0), 0.125f);
-    EXPECT_TRUE(compare().comparison().refusal().isEmpty());
+    EXPECT_FLOAT_EQ(compare().compared().pictures[1]->image->at(0, 0), 0.125f);
+    EXPECT_TRUE(compare().compared().refusal().isEmpty());
 }
 
 TEST_F(CompareWindowTest, AForeignImageMeansWhatItIsComparedWithOnEitherSide) {
@@ -93,16 +93,16 @@ TEST_F(CompareWindowTest, AForeignImageMeansWhatItIsComparedWithOnEitherSide) {
         ASSERT_TRUE(settle());
         ASSERT_TRUE(QTest::qWaitFor(
             [&] {
-                return compare().comparison().pictures[0]->has_image() &&
-                       compare().comparison().pictures[1]->has_image();
+                return compare().compared().pictures[0]->has_image() &&
+                       compare().compared().pictures[1]->has_image();
             },
             5000));
         const int ours = turn == 0 ? 1 : 0;
-        EXPECT_EQ(compare().comparison().pictures[1 - ours]->semantic, Semantic::depth);
+        EXPECT_EQ(compare().compared().pictures[1 - ours]->semantic, Semantic::depth);
         const auto automatic =
-            widgets::display_for(Semantic::depth, "", *compare().comparison().pictures[ours]->image);
-        EXPECT_EQ(compare().comparison().shown_display(1 - ours), automatic) << "turn " << turn;
-        EXPECT_EQ(compare().comparison().shown_display(ours), automatic) << "turn " << turn;
+            widgets::display_for(Semantic::depth, "", *compare().compared().pictures[ours]->image);
+        EXPECT_EQ(compare().compared().shown_display(1 - ours), automatic) << "turn " << turn;
+        EXPECT_EQ(compare().compared().shown_display(ours), automatic) << "turn " << turn;
         EXPECT_EQ(workspace().display_key(), "depth");
         std::swap(state.a, state.b);
     }
@@ -114,9 +114,9 @@ TEST_F(CompareWindowTest, UnequalSizesAreRefusedWithAReason) {
         return projects::edits::set_size(project, second, {40, 30});
     });
     trigger("mode-difference");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !compare().comparison().refusal().isEmpty(); }, 3000));
-    EXPECT_TRUE(compare().comparison().refusal().contains("40"))
-        << compare().comparison().refusal().toStdString();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !compare().compared().refusal().isEmpty(); }, 3000));
+    EXPECT_TRUE(compare().compared().refusal().contains("40"))
+        << compare().compared().refusal().toStdString();
 }
 
 TEST_F(CompareWindowTest, DifferentScenesAreComparedOnlyWithAWarning) {

@@ -79,7 +79,7 @@ TEST_F(MetricsWindowTest, AnyPairOfTheActiveViewIsMeasured) {
     EXPECT_TRUE(find<QLabel>("empty")->text().contains("Choose two pictures"));
     for (const char* mode : {"mode-side-by-side", "mode-wipe", "mode-flip", "mode-difference"}) {
         trigger(mode);
-        const auto& pictures = compare().comparison().pictures;
+        const auto& pictures = compare().compared().pictures;
         const auto expected = compute_metrics(*pictures[0]->image, *pictures[1]->image, metric_names());
         for (const auto& [name, number] : expected.values)
             EXPECT_DOUBLE_EQ(value(name.c_str()), number) << mode << ' ' << name;
@@ -103,7 +103,7 @@ TEST_F(MetricsWindowTest, NumbersFollowTheParametersAndRememberTheLastOnes) {
     QTest::mouseClick(find<QToolButton>("swap"), Qt::LeftButton);
     ASSERT_TRUE(settle());
     EXPECT_TRUE(find<QLabel>("picture-b")->text().contains("reference"));
-    EXPECT_FLOAT_EQ(compare().comparison().pictures[0]->image->at(0, 0), 0.75f);
+    EXPECT_FLOAT_EQ(compare().compared().pictures[0]->image->at(0, 0), 0.75f);
 }
 
 TEST_F(MetricsWindowTest, WhatDoesNotComputeTheSameIsComparedOnRequestAlone) {
@@ -197,7 +197,7 @@ TEST_F(MetricsWindowTest, EveryKindOfDifferenceIsChosenInTheHeader) {
         choose(header("difference"), widgets::difference_name(kind));
         ASSERT_TRUE(settle());
         ASSERT_TRUE(QTest::qWaitFor([&] { return compare().difference_picture() != nullptr; }, 5000))
-            << widgets::to_key(kind) << ' ' << compare().comparison().refusal().toStdString();
+            << widgets::to_key(kind) << ' ' << compare().compared().refusal().toStdString();
         EXPECT_EQ(views().active_state().difference, kind);
         EXPECT_EQ(widgets::difference_from_key(widgets::to_key(kind)), kind);
         EXPECT_TRUE(compare().main_view().state().legend);
@@ -215,8 +215,8 @@ TEST_F(MetricsWindowTest, SignificanceAsksForTheVariancesOfBoth) {
     choose(header("difference"), widgets::difference_name(DifferenceKind::significant));
     ASSERT_TRUE(settle());
     ASSERT_TRUE(QTest::qWaitFor([&] { return compare().difference_picture() != nullptr; }, 5000));
-    ASSERT_TRUE(compare().comparison().pictures[0]->variance && compare().comparison().pictures[1]->variance);
-    EXPECT_FLOAT_EQ(compare().comparison().pictures[0]->variance->at(1, 1), 0.01f);
+    ASSERT_TRUE(compare().compared().pictures[0]->variance && compare().compared().pictures[1]->variance);
+    EXPECT_FLOAT_EQ(compare().compared().pictures[0]->variance->at(1, 1), 0.01f);
     auto& view = compare().main_view();
     emit compare().cursor_moved({5, 5}, -1);
     const auto* strip = workspace().active_pane().findChild<widgets::ValueStrip*>();

@@ -129,15 +129,15 @@ TEST_F(ResultsWindowTest, AKeptResultIsBInEveryMode) {
         trigger(action);
         ASSERT_TRUE(QTest::qWaitFor(
             [&] {
-                return compare().comparison().pictures.size() > 1 &&
-                       compare().comparison().pictures[1]->has_image();
+                return compare().compared().pictures.size() > 1 &&
+                       compare().compared().pictures[1]->has_image();
             },
             3000))
             << action;
-        EXPECT_FLOAT_EQ(compare().comparison().pictures[0]->image->at(0, 0), 0.75f) << action;
-        EXPECT_FLOAT_EQ(compare().comparison().pictures[1]->image->at(0, 0), 0.25f) << action;
-        EXPECT_EQ(compare().comparison().pictures[1]->semantic, Semantic::radiance) << action;
-        EXPECT_TRUE(compare().comparison().refusal().isEmpty()) << action;
+        EXPECT_FLOAT_EQ(compare().compared().pictures[0]->image->at(0, 0), 0.75f) << action;
+        EXPECT_FLOAT_EQ(compare().compared().pictures[1]->image->at(0, 0), 0.25f) << action;
+        EXPECT_EQ(compare().compared().pictures[1]->semantic, Semantic::radiance) << action;
+        EXPECT_TRUE(compare().compared().refusal().isEmpty()) << action;
     }
     // As A it is looked at like the buffer that it was.
     emit window.results().panel().show_wanted(model().rows()[0].key, false);
@@ -174,8 +174,8 @@ TEST_F(ResultsWindowTest, AViewRemembersAResultAndSaysWhenItIsGone) {
     EXPECT_EQ(views().active_state(), shown);
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
-            return compare().comparison().pictures.size() > 1 &&
-                   compare().comparison().pictures[1]->has_image();
+            return compare().compared().pictures.size() > 1 &&
+                   compare().compared().pictures[1]->has_image();
         },
         3000));
     ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() == 1; }, 3000));
@@ -183,8 +183,8 @@ TEST_F(ResultsWindowTest, AViewRemembersAResultAndSaysWhenItIsGone) {
     emit window.results().panel().delete_wanted({model().rows()[0].key});
     ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() == 0; }, 3000));
     EXPECT_EQ(views().active_state(), shown);
-    EXPECT_FALSE(compare().comparison().pictures[1]->has_image());
-    EXPECT_TRUE(compare().comparison().pictures[1]->note.contains("deleted"));
+    EXPECT_FALSE(compare().compared().pictures[1]->has_image());
+    EXPECT_TRUE(compare().compared().pictures[1]->note.contains("deleted"));
 }
 
 TEST_F(ResultsWindowTest, DeletingAsksFirstAndTakesTheFiles) {

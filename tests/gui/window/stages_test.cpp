@@ -45,15 +45,15 @@ class StagesWindowTest : public WindowTest {
             return projects::edits::set_size(project, id, {64, 48});
         });
         trigger("stages");
-        ASSERT_EQ(compare().comparison().pictures[0]->size(), QSize(32, 24));
-        ASSERT_EQ(compare().comparison().pictures[1]->size(), QSize(64, 48));
+        ASSERT_EQ(compare().compared().pictures[0]->size(), QSize(32, 24));
+        ASSERT_EQ(compare().compared().pictures[1]->size(), QSize(64, 48));
     }
     std::string values() {
         return workspace().active_pane().findChild<QLabel*>("values")->text().toStdString();
     }
     QStringList names() {
         QStringList all;
-        for (const auto& picture : compare().comparison().pictures) all << picture->label;
+        for (const auto& picture : compare().compared().pictures) all << picture->label;
         return all;
     }
 };
@@ -61,7 +61,7 @@ class StagesWindowTest : public WindowTest {
 TEST_F(StagesWindowTest, TheChainStandsInARowInItsOrder) {
     trigger("stages");
     EXPECT_EQ(names(), QStringList({"Traced", "Smoothed", "Composed"}));
-    ASSERT_TRUE(compare().comparison().refusal().isEmpty()) << compare().comparison().refusal().toStdString();
+    ASSERT_TRUE(compare().compared().refusal().isEmpty()) << compare().compared().refusal().toStdString();
     EXPECT_EQ(compare().panes().captions().mid(3), QStringList({"RMSE 0.375", "RMSE 0.125"}));
     choose(header("difference"), "|A − B|");
     EXPECT_EQ(views().active_state().difference, DifferenceKind::absolute);
@@ -92,7 +92,7 @@ TEST_F(StagesWindowTest, AnyStageIsComparedWithTheReference) {
     ASSERT_TRUE(settle());
     ASSERT_EQ(compare().difference_views().size(), 3u);
     EXPECT_EQ(compare().panes().captions().last(), "RMSE 0.5") << "0.75 instead of 0.25";
-    EXPECT_EQ(compare().comparison().pictures.size(), 3u) << "the reference is no stage";
+    EXPECT_EQ(compare().compared().pictures.size(), 3u) << "the reference is no stage";
 }
 
 TEST_F(StagesWindowTest, TheSessionRemembersRowAndPair) {
@@ -176,16 +176,16 @@ TEST_F(StagesWindowTest, PicturesThatDoNotChangeAreNotMadeAnew) {
     state.pair = {0, StagePair::reference};
     views().set_state(0, state);
     ASSERT_TRUE(settle());
-    const auto pictures = compare().comparison().pictures;
-    const auto reference = compare().comparison().reference;
+    const auto pictures = compare().compared().pictures;
+    const auto reference = compare().compared().reference;
     ASSERT_TRUE(reference);
     window.session().edit(
         [](const projects::Project& project) { return projects::edits::set_notes(project, "a note"); });
     ASSERT_TRUE(settle());
-    EXPECT_EQ(compare().comparison().pictures, pictures);
-    EXPECT_EQ(compare().comparison().reference, reference);
+    EXPECT_EQ(compare().compared().pictures, pictures);
+    EXPECT_EQ(compare().compared().reference, reference);
     set_value("level", 0.5);
-    EXPECT_NE(compare().comparison().pictures, pictures);
+    EXPECT_NE(compare().compared().pictures, pictures);
     EXPECT_EQ(names(), QStringList({"Traced", "Smoothed", "Composed"}));
 }
 
@@ -200,7 +200,7 @@ TEST_F(StagesWindowTest, AMethodWithoutStagesSaysSo) {
     workspace().active_pane().header().findChild<QToolButton*>("chain")->click();
     ASSERT_TRUE(settle());
     EXPECT_FALSE(views().active_state().chain);
-    EXPECT_GT(compare().comparison().pictures.size(), 1u) << "a row of other pictures";
+    EXPECT_GT(compare().compared().pictures.size(), 1u) << "a row of other pictures";
 }
 
 }  // namespace

@@ -137,6 +137,22 @@ TEST(Layers, HeadersIncludeEachOtherInNoCircle) {
     EXPECT_NE(Cycles({{"a.h", "#include \"b.h\"\n"}, {"b.h", "#include \"a.h\"\n"}}).find(), "");
 }
 
+TEST(Layers, FoldersOfWidgetsUseEachOtherInNoCircle) {
+    const auto folder_of = [](const std::string& path) { return path.substr(0, path.rfind('/')); };
+    std::map<std::string, SourceFile> folders;
+    for (const auto& file : source_files({"widgets"}, {".h", ".cpp"}))
+        for (const auto& include : includes_of(file.text).own) {
+            const std::string from = folder_of(file.path), to = folder_of(include);
+            if (from == to) continue;
+            folders[from].path = from;
+            folders[from].text += "#include \"" + to + "\"\n";
+        }
+    EXPECT_GT(folders.size(), 5u);
+    std::vector<SourceFile> all;
+    for (const auto& [path, folder] : folders) all.push_back(folder);
+    EXPECT_EQ(Cycles(all).find(), "");
+}
+
 TEST(Layers, EveryHeaderIsReadOnce) {
     for (const auto& file : source_files(code_folders, {".h"}))
         EXPECT_NE(file.text.find("#pragma once\n"), std::string::npos) << file.path;

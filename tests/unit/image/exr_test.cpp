@@ -1,4 +1,5 @@
 #include "renderers/image/exr.h"
+#include "renderers/core/constants.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -18,8 +19,6 @@
 
 namespace ir {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// Different in every pixel and channel, and under every flip.
 Image pattern(int width, int height, int channels, float offset = 0) {

@@ -1,4 +1,5 @@
 #include "renderers/image/metrics.h"
+#include "renderers/core/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,6 @@ namespace ir {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 Image grey(std::initializer_list<float> values) {
     Image image(static_cast<int>(values.size()), 1, 1);

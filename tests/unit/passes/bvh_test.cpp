@@ -1,4 +1,5 @@
 #include "renderers/passes/raytracing/bvh.h"
+#include "renderers/core/constants.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -17,7 +18,6 @@ namespace {
 
 using passes::Bvh;
 using test::SmallWorld;
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 struct Ray {
     glm::vec3 origin, direction;

@@ -1,4 +1,5 @@
 #include "renderers/passes/raytracing/trace_rays.h"
+#include "renderers/core/constants.h"
 
 #include <cmath>
 #include <cstring>
@@ -19,7 +20,6 @@ using passes::RayRecord;
 using passes::Tracer;
 using Rays = std::vector<RayRecord>;
 using Hits = std::vector<RayHitRecord>;
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 Rays random_rays(const scene::Bounds& bounds, std::size_t count, unsigned seed) {
     std::mt19937 random(seed);

@@ -12,8 +12,6 @@ namespace ir::methods::deep_screen_space {
 namespace {
 
 constexpr std::uint64_t expected_candidates = 4096;
-/// Of the surfels: so finely can the search be sliced.
-constexpr std::int64_t parts = 256;
 
 /// Candidates and sums are first what the device found, and then what the host made of it: buffers of their
 /// own in between would be kept where their keys are asked for, and the explanation of another pixel would
@@ -49,7 +47,7 @@ glm::ivec2 picked_pixel(const graph::FrameInputs& inputs) {
 void dispatch_surfels(const graph::PassContext& p, const gl::Program& program, const Splats& splats,
                       graph::Slice slice) {
     const auto capacity = static_cast<std::int64_t>(p.capacity(splats.surfels));
-    gl::dispatch_items(program, capacity * slice.begin / parts, capacity * slice.end / parts);
+    gl::dispatch_items(program, capacity * slice.begin / surfel_parts, capacity * slice.end / surfel_parts);
 }
 
 /// The uniforms of explain_splat.glsl.
@@ -107,7 +105,7 @@ void explain_pixel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
         .writes("Sums", sums.elements)
         .counts("CandidateCount", candidates.count)
         .counts("SumCount", sums.count)
-        .execute_sliced(parts, [=](graph::PassContext& p, graph::Slice slice) { search(p, slice, visible); });
+        .execute_sliced(surfel_parts, [=](graph::PassContext& p, graph::Slice slice) { search(p, slice, visible); });
     builder.pass("judge splats onto the pixel", graph::Queue::cpu)
         .reads(candidates.elements, sums.elements)
         .writes(candidates.elements, sums.elements)
@@ -124,7 +122,7 @@ graph::BufferRef choose_surfel(graph::GraphBuilder& builder, const VisibleSplats
             .reads("Stored", visible.splats.stored)
             .reads(visible.gbuffer.position)
             .writes("Choice", choice)
-            .execute_sliced(parts, [=](graph::PassContext& p, graph::Slice slice) {
+            .execute_sliced(surfel_parts, [=](graph::PassContext& p, graph::Slice slice) {
                 gl::ProgramSource source{{folder + "explain_choice.comp"}};
                 source.defines["FIND"] = find;
                 const auto& program = p.use(source);

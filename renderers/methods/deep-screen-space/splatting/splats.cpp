@@ -10,8 +10,6 @@ namespace {
 using graph::FieldType;
 using graph::PassContext;
 
-/// Of the surfels: so finely can each layer's work be sliced.
-constexpr std::int64_t parts = 256;
 /// Surfels whose rectangles are known at a time.
 constexpr std::uint64_t max_at_once = 1 << 16;
 /// Without mip levels in its sampler a texture has one.
@@ -91,11 +89,11 @@ void draw_layer(const PassContext& p, const Splats& splats, const SplatLayer& la
 void draw_slice(const PassContext& p, graph::Slice slice, const Splats& splats, const BindLayer& bind) {
     const auto capacity = p.capacity(splats.surfels);
     const auto surfel_at = [&](std::int64_t part) {
-        return capacity * static_cast<std::uint64_t>(part) / static_cast<std::uint64_t>(parts);
+        return capacity * static_cast<std::uint64_t>(part) / static_cast<std::uint64_t>(surfel_parts);
     };
     for (auto item = slice.begin; item < slice.end;) {
-        const auto index = item / parts, begin = item % parts;
-        const auto end = std::min(parts, begin + slice.end - item);
+        const auto index = item / surfel_parts, begin = item % surfel_parts;
+        const auto end = std::min(surfel_parts, begin + slice.end - item);
         SplatLayer layer;
         layer.sample = static_cast<int>(index) / splats.hierarchy.levels;
         layer.level = static_cast<int>(index) % splats.hierarchy.levels;
@@ -178,7 +176,7 @@ void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer&
         .writes("Rectangles", splats.rectangles)
         .writes("Draw", splats.command);
     if (is_counted(splats)) pass.counts("Drawn", splats.drawn).counts("Culled", splats.culled);
-    pass.execute_sliced(splats.samples * splats.hierarchy.levels * parts,
+    pass.execute_sliced(splats.samples * splats.hierarchy.levels * surfel_parts,
                         [=](PassContext& p, graph::Slice slice) { draw_slice(p, slice, splats, bind); });
 }
 

@@ -8,6 +8,9 @@
 
 namespace ir::methods::deep_screen_space {
 
+/// Of the surfels: so finely can work on them be sliced.
+inline constexpr std::int64_t surfel_parts = 256;
+
 /// What all draws of splats share.
 struct Splats {
     Hierarchy hierarchy;

@@ -1,0 +1,148 @@
+#include <QComboBox>
+#include <QHelpEvent>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QStandardItemModel>
+#include <QToolTip>
+#include <cmath>
+
+#include "tests/gui/widgets/compare/pictures.h"
+
+namespace ir::widgets {
+namespace {
+
+using Mode = CompareView::Mode;
+
+class StagesTest : public CompareTest {
+  protected:
+    void SetUp() override {
+        CompareTest::SetUp();
+        if (IsSkipped()) return;
+        view = std::make_unique<CompareView>(nullptr, surface());
+        view->set_pictures({flat(0.2f, "traced"), flat(0.5f, "smoothed"), flat(0.4f, "clipped")});
+        view->set_displays({grey_display(), grey_display(), grey_display()});
+        view->set_difference_display(grey_display());
+        view->set_difference(DifferenceKind::absolute);
+        view->panes().set_pixel_grid(false);
+        view->set_mode(Mode::stages);
+        show(*view, {1100, 480});
+        wait_for_differences(*view);
+    }
+    QComboBox* list(const char* name) { return view->findChild<QComboBox*>(name); }
+    void choose(QComboBox* combo, int index) {
+        combo->setCurrentIndex(index);
+        emit combo->activated(index);
+        wait_for_differences(*view);
+    }
+    void click_name(int stage) {
+        QWidget* board = view->main_view().parentWidget();
+        QTest::mouseClick(board, Qt::LeftButton, {}, view->panes().caption_rect(stage).center());
+        wait_for_differences(*view);
+    }
+    std::unique_ptr<CompareView> view;
+};
+
+TEST_P(StagesTest, NumbersStandUnderTheDifferences) {
+    const auto captions = view->panes().captions();
+    ASSERT_EQ(captions.size(), 5);
+    EXPECT_EQ(captions[0], "A   traced");
+    EXPECT_EQ(captions[3], "RMSE 0.3");
+    EXPECT_EQ(captions[4], "RMSE 0.1");
+    for (auto* each : view->difference_views())
+        EXPECT_LT(each->geometry().bottom(), each->parentWidget()->height() - 12);
+}
+
+TEST_P(StagesTest, ClicksOnNamesCompareAnyTwo) {
+    QSignalSpy chosen(view.get(), &CompareView::stage_pair_chosen);
+    click_name(2);
+    EXPECT_EQ(view->difference_views().size(), 2u);
+    click_name(0);
+    EXPECT_EQ(chosen.count(), 2);
+    EXPECT_EQ(view->compared().pair, (StagePair{2, 0}));
+    ASSERT_EQ(view->difference_views().size(), 3u);
+    ASSERT_EQ(view->views().size(), 4u);
+    ImageView& beside = *view->difference_views()[2];
+    view->active_view().fit();
+    EXPECT_NEAR(grey_at(beside, 8, 6), grey_of(0.2), 2);
+    EXPECT_GT(beside.x(), view->views()[2]->geometry().right());
+    EXPECT_EQ(beside.x(), view->views()[3]->x()) << "under B";
+    EXPECT_EQ(view->findChild<QLabel*>("stage-number")->text(), "RMSE 0.2");
+    turn_wheel(&beside, {60, 60}, 3);
+    EXPECT_DOUBLE_EQ(view->main_view().transform().zoom(), beside.transform().zoom());
+    click_name(0);
+    EXPECT_EQ(view->difference_views().size(), 2u) << "chosen no longer";
+}
+
+TEST_P(StagesTest, KeysChooseAndClear) {
+    view->main_view().setFocus();
+    QTest::keyClick(&view->main_view(), Qt::Key_1);
+    QTest::keyClick(&view->main_view(), Qt::Key_3);
+    EXPECT_EQ(view->compared().pair, (StagePair{0, 2}));
+    QTest::keyClick(&view->main_view(), Qt::Key_7);
+    EXPECT_EQ(view->compared().pair, (StagePair{0, 2})) << "there is no seventh";
+    QTest::keyClick(&view->main_view(), Qt::Key_0);
+    EXPECT_EQ(view->compared().pair, StagePair());
+    wait_for_differences(*view);
+}
+
+TEST_P(StagesTest, APictureOfAnotherSizeAndMethodIsShownAndNotCompared) {
+    view->set_pictures({flat(0.2f, "traced"), flat(0.5f, "smoothed"), flat(0.4f, "half", 8, 6)});
+    wait_for_differences(*view);
+    EXPECT_TRUE(view->compared().refusal().isEmpty());
+    EXPECT_EQ(view->panes().captions()[3], "RMSE 0.3");
+    EXPECT_EQ(view->panes().captions()[4], "");
+    EXPECT_TRUE(view->views()[2]->state().note.isEmpty());
+    EXPECT_TRUE(view->difference_views()[1]->state().note.contains("8×6"));
+}
+
+TEST_P(StagesTest, StagesOfOneMethodAreComparedAtTheLargerSize) {
+    const auto of_method = [](std::shared_ptr<const Picture> picture) {
+        auto named = *picture;
+        named.origin = "method";
+        return std::make_shared<const Picture>(std::move(named));
+    };
+    Image half(8, 6, 1, 0.5f);
+    half.at(1, 2) = 0.9f;  // covers four pixels of 192
+    view->set_pictures({of_method(make_picture(half, Semantic::generic, "half")),
+                        of_method(flat(0.5f, "whole")), of_method(flat(0.4f, "small", 8, 6))});
+    wait_for_differences(*view);
+    ASSERT_EQ(view->difference_views().size(), 2u);
+    const Image& shown = view->difference_views()[0]->image();
+    ASSERT_EQ(QSize(shown.width, shown.height), QSize(16, 12));
+    for (int y = 0; y < 12; ++y)
+        for (int x = 0; x < 16; ++x)
+            ASSERT_NEAR(shown.at(x, y), x / 2 == 1 && y / 2 == 2 ? 0.4f : 0, 1e-6) << x << ", " << y;
+    EXPECT_EQ(view->panes().captions()[3],
+              QStringLiteral("RMSE %1").arg(std::sqrt(0.16 * 4 / 192), 0, 'g', 4));
+    EXPECT_EQ(view->difference_views()[0]->state().label, "|A (8×6) − B|");
+    EXPECT_EQ(view->panes().captions()[4], "RMSE 0.1");
+    EXPECT_EQ(view->difference_views()[1]->state().label, "|B − C (8×6)|");
+    QWidget* board = view->main_view().parentWidget();
+    const QPoint caption(view->difference_views()[0]->geometry().center().x(),
+                         view->difference_views()[0]->geometry().bottom() + 4);
+    QHelpEvent help(QEvent::ToolTip, caption, board->mapToGlobal(caption));
+    QApplication::sendEvent(board, &help);
+    EXPECT_TRUE(QToolTip::text().contains("A has 8×6 pixels, B has 16×12")) << QToolTip::text().toStdString();
+}
+
+TEST_P(StagesTest, TheReferenceIsInTheListWhereThereIsOne) {
+    const int last = list("stage-b")->count() - 1;
+    auto* item = qobject_cast<QStandardItemModel*>(list("stage-b")->model())->item(last);
+    EXPECT_FALSE(item->isEnabled());
+    view->set_reference(true, flat(0.45f, "truth"));
+    EXPECT_TRUE(qobject_cast<QStandardItemModel*>(list("stage-b")->model())->item(last)->isEnabled());
+    choose(list("stage-a"), 2);
+    choose(list("stage-b"), last);
+    EXPECT_EQ(view->compared().pair, (StagePair{1, StagePair::reference}));
+    ASSERT_EQ(view->difference_views().size(), 3u);
+    EXPECT_EQ(view->panes().captions().last(), "RMSE 0.05");
+    EXPECT_FLOAT_EQ(view->views().back()->image().at(0, 0), 0.45f);
+    view->set_reference(false, nullptr);
+    EXPECT_EQ(view->difference_views().size(), 2u);
+}
+
+INSTANTIATE_TEST_SUITE_P(, StagesTest, testing::Bool(),
+                         [](const auto& each) { return each.param ? "opengl" : "raster"; });
+
+}  // namespace
+}  // namespace ir::widgets

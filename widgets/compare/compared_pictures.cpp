@@ -1,0 +1,102 @@
+#include "widgets/compare/compared_pictures.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "renderers/image/channels.h"
+#include "widgets/compare/compare_mode.h"
+#include "widgets/compare/one_size.h"
+#include "widgets/compare/significance.h"
+
+namespace ir::widgets {
+
+const std::shared_ptr<const Picture>& ComparedPictures::picture(int place) const {
+    return place == StagePair::reference ? reference : pictures[std::size_t(place)];
+}
+
+const CameraPose* ComparedPictures::pose(int place) const {
+    if (poses.empty()) return nullptr;
+    return &poses[std::min<std::size_t>(std::size_t(std::max(place, 0)), poses.size() - 1)];
+}
+
+QString ComparedPictures::name(int place) const {
+    if (place == StagePair::reference) return tr("Reference");
+    return place < 26 ? QString(QChar('A' + place)) : QString::number(place + 1);
+}
+
+QString ComparedPictures::title(int place) const {
+    const QString& label = picture(place)->label;
+    return label.isEmpty() ? name(place) : name(place) + QStringLiteral("   ") + label;
+}
+
+Display ComparedPictures::shown_display(int place) const {
+    if (place < 0 || place >= count()) return {};
+    const auto kind_of = [](const Picture& each) {
+        return std::tuple(each.semantic, each.unit,
+                          each.has_image() ? value_channels(each.semantic, each.image->channels) : 0);
+    };
+    const bool alike = kind_of(*picture(place)) == kind_of(*pictures.front());
+    return displays[std::size_t(linked && alike ? 0 : place)];
+}
+
+bool ComparedPictures::has_pair() const {
+    if (mode != Mode::stages || count() < 2 || pair.a < 0 || pair.a >= count()) return false;
+    if (pair.b == StagePair::reference) return reference != nullptr;
+    return pair.b >= 0 && pair.b < count() && pair.b != pair.a;
+}
+
+StagePair ComparedPictures::ends_of(int slot) const {
+    return slot == pair_slot ? pair : StagePair{slot, slot + 1};
+}
+
+bool ComparedPictures::has_difference(int slot) const {
+    const auto [a, b] = ends_of(slot);
+    return have_difference(*picture(a), *picture(b));
+}
+
+QString ComparedPictures::difference_text(const Picture* difference, QPoint pixel) const {
+    if (kind != DifferenceKind::significant || !difference || count() < 2) return {};
+    const QString numbers = significance_text(*pictures[0], *pictures[1], pixel);
+    if (numbers.isEmpty() || difference->size() != pictures[0]->size()) return numbers;
+    bool explained = true;
+    for (int c = 0; c < difference->image->channels; ++c)
+        explained &= difference->image->at(pixel.x(), pixel.y(), c) == 0;
+    return numbers + QStringLiteral("   ") + (explained ? tr("within noise") : tr("significant"));
+}
+
+QString ComparedPictures::refusal() const {
+    if (mode == Mode::single) return {};
+    if (count() < 2) return tr("Choose a second picture to compare with.");
+    return CompareMode::of(mode).refusal(*this);
+}
+
+QString ComparedPictures::missing_picture() const {
+    for (int i = 0; i < std::min(2, count()); ++i)
+        if (!pictures[i]->has_image())
+            return pictures[i]->note.isEmpty() ? tr("%1 has no picture yet.").arg(name(i))
+                                               : tr("%1: %2").arg(name(i), pictures[i]->note);
+    return {};
+}
+
+QString ComparedPictures::sizes_differ(int pictures_compared) const {
+    int first = -1;
+    for (int i = 0; i < std::min(pictures_compared, count()); ++i) {
+        if (!pictures[i]->has_image()) continue;
+        if (first < 0) first = i;
+        if (pictures[i]->size() != pictures[first]->size())
+            return tr("Sizes differ: %1 has %2, %3 has %4 pixels.")
+                .arg(name(first), size_text(*pictures[first]), name(i), size_text(*pictures[i]));
+    }
+    return {};
+}
+
+QString ComparedPictures::noise_unknown() const {
+    if (kind != DifferenceKind::significant || count() < 2) return {};
+    const Picture &a = *pictures[0], &b = *pictures[1];
+    if (a.awaits_variance || b.awaits_variance) return tr("Waiting for the variance …");
+    if (has_variance(a) || has_variance(b)) return {};
+    return tr("Neither A nor B comes with its variance, so noise cannot be told from error. %1")
+        .arg(noise_hint.isEmpty() ? tr("Compare with a result of a method that estimates it.") : noise_hint);
+}
+
+}  // namespace ir::widgets
