@@ -11,7 +11,8 @@
 namespace ir::cli {
 namespace {
 
-constexpr std::chrono::seconds shortest_pause{1}, longest_pause{10};
+/// Between lines off a terminal, twice as long each time.
+constexpr std::chrono::seconds min_pause{1}, max_pause{16};
 /// Seconds of work that an estimate of the rest is made from.
 constexpr double enough_seconds = 2;
 constexpr std::size_t longest_text = 120;
@@ -42,7 +43,10 @@ std::string duration_text(double seconds) {
 }  // namespace
 
 ProgressLine::ProgressLine(bool is_shown, double work)
-    : is_shown_(is_shown), is_terminal_(isatty(STDERR_FILENO) != 0), work_(std::max(work, 1e-9)) {}
+    : is_shown_(is_shown),
+      is_terminal_(isatty(STDERR_FILENO) != 0),
+      work_(std::max(work, 1e-9)),
+      pause_(min_pause) {}
 
 void ProgressLine::begin(std::string name, double work) {
     clear();
@@ -88,8 +92,9 @@ std::string ProgressLine::text(const std::string& what) const {
 bool ProgressLine::is_due() {
     const auto tenths = static_cast<int>(10 * (done_ + fraction_ * part_) / work_);
     const auto pause = Clock::now() - last_line_;
-    if (pause < (tenths > tenths_ ? shortest_pause : longest_pause)) return false;
+    if (pause < (tenths > tenths_ ? min_pause : pause_)) return false;
     tenths_ = tenths;
+    pause_ = std::min<Clock::duration>(2 * pause_, max_pause);
     last_line_ = Clock::now();
     return true;
 }

@@ -9,7 +9,7 @@ namespace ir::cli {
 
 /// How far a command has come with all that it was asked for, and how long the rest will take, on standard
 /// error. On a terminal one line that follows the work; elsewhere plain lines: at each tenth but at most one
-/// a second, and one every ten seconds, as far as the work tells of itself.
+/// a second, and after 1, 2, 4, 8 and then every 16 seconds, as far as the work tells of itself.
 class ProgressLine {
   public:
     /// `work`: of all parts, in any unit.
@@ -39,6 +39,7 @@ class ProgressLine {
     double given_ = 0;  ///< work that was done before
     bool is_told_ = false;
     int tenths_ = 0;
+    Clock::duration pause_;
 };
 
 }  // namespace ir::cli

@@ -34,7 +34,7 @@ inline engine::Machine& machine(const std::string& backend = "") {
 }
 
 /// Integers are what work is multiplied by: more than this of anything takes too long here.
-inline constexpr std::int64_t quick_limit = 48;
+inline constexpr std::int64_t quick_limit = 16;
 
 /// Defaults, with every large integer lowered as far as its slider goes.
 inline Settings quick_settings(const MethodDescription& method) {

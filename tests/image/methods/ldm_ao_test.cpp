@@ -152,7 +152,7 @@ TEST_F(LdmAo, NearACornerMatchesTheClosedForm) {
         }
         return std::sqrt(sum);
     };
-    const double coarse = rms(ao_maps(128, 110), 60), fine = rms(ao_maps(512, 110), 60);
+    const double coarse = rms(ao_maps(128, 110), 20), fine = rms(ao_maps(512, 110), 10);
     std::printf("RMS error of 128 directions %.4f, of 512 %.4f\n", coarse, fine);
     EXPECT_LE(coarse, 0.02);
     EXPECT_LE(fine, 0.006);

@@ -36,8 +36,8 @@ def flags_by_folder(build):
             words = shlex.split(entry["command"])
             kept, skip = [], False
             for word in words:
-                if skip or word in ("-c", "-o", "-MD", "-MF", "-MT", entry["file"]) or word.endswith("ccache"):
-                    skip = word in ("-o", "-MF", "-MT")
+                if skip or word in ("-c", "-o", "-MD", "-MF", "-MT", "-include", entry["file"]) or word.endswith("ccache"):
+                    skip = word in ("-o", "-MF", "-MT", "-include")
                     continue
                 kept.append(word)
             for source in sources_of(entry):
