@@ -137,6 +137,17 @@ TEST(Layers, HeadersIncludeEachOtherInNoCircle) {
     EXPECT_NE(Cycles({{"a.h", "#include \"b.h\"\n"}, {"b.h", "#include \"a.h\"\n"}}).find(), "");
 }
 
+TEST(Layers, WidgetsKnowTheDocumentInOneFolder) {
+    std::size_t inside = 0;
+    for (const auto& file : source_files({"widgets"}, {".h", ".cpp"}))
+        for (const auto& include : includes_of(file.text).own) {
+            if (!include.starts_with("projects/")) continue;
+            ++inside;
+            EXPECT_TRUE(file.path.starts_with("widgets/document/")) << file.path << " includes " << include;
+        }
+    EXPECT_GT(inside, 5u);
+}
+
 TEST(Layers, FoldersOfWidgetsUseEachOtherInNoCircle) {
     const auto folder_of = [](const std::string& path) { return path.substr(0, path.rfind('/')); };
     std::map<std::string, SourceFile> folders;
