@@ -41,6 +41,13 @@ struct Field {
     bool operator==(const Field&) const = default;
 };
 
+/// Null where there is none of that name.
+inline const Field* find_field(const std::vector<Field>& fields, const std::string& name) {
+    for (const auto& field : fields)
+        if (field.name == name) return &field;
+    return nullptr;
+}
+
 /// A resource of the graph as listings and inspectors see it.
 struct ResourceReport {
     std::string key, label, doc;

@@ -26,12 +26,6 @@ QIcon map_icon(const std::string& name) {
     return QIcon(QPixmap::fromImage(strip));
 }
 
-const Field* find_field(const std::vector<Field>& fields, const std::string& name) {
-    const auto found =
-        std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.name == name; });
-    return found == fields.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 LayerDetails::LayerDetails(QWidget* parent) : QWidget(parent) {

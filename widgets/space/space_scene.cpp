@@ -11,12 +11,6 @@ namespace {
 
 constexpr std::size_t scalar_bytes = 4;
 
-const Field* find_field(const std::vector<Field>& fields, const std::string& name) {
-    const auto found =
-        std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.name == name; });
-    return found == fields.end() ? nullptr : &*found;
-}
-
 /// Whole numbers are names of things or counts; where something was measured it is the better colour.
 bool is_measured(const Field& field) {
     return field.type == FieldType::f32;

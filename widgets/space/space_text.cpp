@@ -53,9 +53,8 @@ QString colour_text(const SpaceLayer& layer, const std::vector<Field>& fields) {
     if (layer.colour_by.empty()) return QStringLiteral("one colour");
     if (layer.colour_by == SpaceLayer::facing) return QStringLiteral("facing");
     const QString name = QString::fromStdString(layer.colour_by);
-    const auto field =
-        std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == layer.colour_by; });
-    if (field == fields.end() || field->count < 2) return name;
+    const Field* field = find_field(fields, layer.colour_by);
+    if (!field || field->count < 2) return name;
     return QStringLiteral("%1, %2").arg(name, component_name(layer.kind, *field, layer.component));
 }
 
