@@ -240,7 +240,7 @@ bool Explanation::run_again(const std::vector<std::string>& wanted) {
         const auto counts = frame_.read_counters();
         const bool overflow = frame_.grow(counts);
         if (overflow) frame_.drop_unsure_fingerprints();
-        frame_.fill_report(counts);
+        fill_report(frame_, counts);
         if (!overflow) return frame_.remember_committed(joined(frame_.cache.committed, wanted)), true;
     }
     throw Error("method '" + frame_.method->description.id + "': buffers still overflow after " +

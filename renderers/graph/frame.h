@@ -65,15 +65,6 @@ struct Frame {
     void run_passes();
     void resolve_times();
 
-    // history.cpp: contents from elsewhere as those of the previous frame
-    const History::Entry* restored_entry(const std::string& key) const;
-    std::string why_not_restored() const;
-    /// False where the restored history does not fit what is declared: it was dropped, and the frame has to
-    /// be declared again as one that begins anew.
-    bool accept_restored();
-    void begin_anew();
-    void put_restored();
-
     /// For explanations, which run on what is there then.
     void remember_committed(std::vector<std::string> wanted);
 
@@ -107,9 +98,17 @@ struct Frame {
     int run_slices(const Pass& pass, std::size_t index, PassContext& pass_context);
     void serve_views(bool on_gl, std::size_t index);
     void drop_contents(const Pass& pass);
-
-    void fill_report(const std::vector<std::uint64_t>& counts);
 };
+
+// history.cpp: contents from elsewhere as those of the previous frame
+
+/// False where the restored history does not fit what is declared: it was dropped, and the frame has to be
+/// declared again as one that begins anew.
+bool accept_restored(Frame& frame);
+void put_restored(Frame& frame);
+
+/// frame_report.cpp: what the passes left, with the frame's counts.
+void fill_report(Frame& frame, const std::vector<std::uint64_t>& counts);
 
 /// A frame that still overflows then never ends.
 inline constexpr int max_growths_per_frame = 16;

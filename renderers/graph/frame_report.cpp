@@ -55,16 +55,35 @@ std::vector<std::string> what_was_lost(const GraphBuilder& builder,
     return lines;
 }
 
-}  // namespace
+/// Fills the report of a frame whose passes ran, part by part.
+class Reporter {
+  public:
+    Reporter(Frame& frame, const std::vector<std::uint64_t>& counts)
+        : frame_(frame),
+          builder_(*frame.builder),
+          cache_(frame.cache),
+          report_(cache_.report),
+          description_(frame.method->description),
+          counts_(counts) {}
 
-void Frame::fill_report(const std::vector<std::uint64_t>& counts) {
-    const auto& description = method->description;
-    cache.report.resources.clear();
-    for (std::size_t i = 0; i < builder->images().size(); ++i) {
-        const auto& desc = builder->images()[i];
-        auto row = described(desc.text, description);
-        const auto shape = resolve(desc, inputs->view);
-        row.pass = first_writer(*builder, Kind::image, static_cast<int>(i));
+    void fill() {
+        report_.resources.clear();
+        for (std::size_t i = 0; i < builder_.images().size(); ++i) add_image(i);
+        for (std::size_t i = 0; i < builder_.buffers().size(); ++i) add_buffer(i);
+        report_.memory_bytes = cache_.pool.bytes() + cache_.counter_capacity + cache_.parameter_bytes;
+        for (const auto& desc : builder_.objects()) add_object(desc);
+        report_.peak_memory_bytes = std::max(report_.peak_memory_bytes, report_.memory_bytes);
+        add_counters();
+        for (std::size_t p = 0; p < builder_.passes().size(); ++p) add_accesses(p);
+        add_messages();
+    }
+
+  private:
+    void add_image(std::size_t i) {
+        const auto& desc = builder_.images()[i];
+        auto row = described(desc.text, description_);
+        const auto shape = resolve(desc, frame_.inputs->view);
+        row.pass = first_writer(builder_, Kind::image, static_cast<int>(i));
         row.kind = desc.layers > 0   ? OutputKind::stack
                    : desc.levels > 1 ? OutputKind::pyramid
                                      : OutputKind::image;
@@ -73,74 +92,104 @@ void Frame::fill_report(const std::vector<std::uint64_t>& counts) {
         row.height = shape.height;
         row.levels = shape.levels;
         row.layers = std::max(1, shape.layers);
-        row.available = images[i] && images[i]->has_contents();
-        row.is_history = plan.image_history[i];
-        if (images[i]) row.bytes = cache.pool.bytes(*images[i]);
-        cache.report.resources.push_back(std::move(row));
+        row.is_history = frame_.plan.image_history[i];
+        add(std::move(row), frame_.images[i]);
     }
-    for (std::size_t i = 0; i < builder->buffers().size(); ++i) {
-        const auto& desc = builder->buffers()[i];
-        auto row = described(desc.text, description);
-        row.pass = first_writer(*builder, Kind::buffer, static_cast<int>(i));
+
+    void add_buffer(std::size_t i) {
+        const auto& desc = builder_.buffers()[i];
+        const auto* buffer = frame_.buffers[i];
+        auto row = described(desc.text, description_);
+        row.pass = first_writer(builder_, Kind::buffer, static_cast<int>(i));
         row.kind = desc.kind;
         row.fields = desc.fields;
         row.format = std::to_string(stride(desc)) + " B";
-        row.available = buffers[i] && buffers[i]->has_contents();
-        row.is_history = plan.buffer_history[i];
-        row.elements = buffers[i] ? buffers[i]->capacity : desc.elements;
-        std::uint64_t used = 0;
-        bool counted = false;
-        for (std::size_t c = 0; c < counts.size(); ++c) {
-            if (builder->counters()[c].growth_of.index != static_cast<int>(i)) continue;
-            used = std::max(used, counts[c]);
-            counted = true;
-        }
-        if (counted) row.elements = std::min(row.elements, used);
-        cache.elements_in_use[row.key] = row.elements;
-        if (buffers[i]) row.bytes = cache.pool.bytes(*buffers[i]);
-        cache.report.resources.push_back(std::move(row));
+        row.is_history = frame_.plan.buffer_history[i];
+        row.elements = buffer ? buffer->capacity : desc.elements;
+        if (const auto used = elements_counted(static_cast<int>(i)))
+            row.elements = std::min(row.elements, *used);
+        cache_.elements_in_use[row.key] = row.elements;
+        add(std::move(row), buffer);
     }
-    cache.report.memory_bytes = cache.pool.bytes() + cache.counter_capacity + cache.parameter_bytes;
-    for (const auto& desc : builder->objects()) {
-        auto row = described(desc.text, description);
-        const auto found = cache.objects.find(desc.text.key);
+
+    void add(ResourceReport row, const Physical* physical) {
+        row.available = physical && physical->has_contents();
+        if (physical) row.bytes = cache_.pool.bytes(*physical);
+        report_.resources.push_back(std::move(row));
+    }
+
+    /// By the counters for which the buffer grows, where it has any.
+    std::optional<std::uint64_t> elements_counted(int buffer) const {
+        std::optional<std::uint64_t> used;
+        for (std::size_t c = 0; c < counts_.size(); ++c)
+            if (builder_.counters()[c].growth_of.index == buffer)
+                used = std::max(used.value_or(0), counts_[c]);
+        return used;
+    }
+
+    void add_object(const ObjectDesc& desc) {
+        auto row = described(desc.text, description_);
+        const auto found = cache_.objects.find(desc.text.key);
         row.format = "object";
         row.kind = OutputKind::table;
-        row.available = found != cache.objects.end();
+        row.available = found != cache_.objects.end();
         if (row.available) row.bytes = found->second.bytes;
-        cache.report.memory_bytes += row.bytes;
-        cache.report.resources.push_back(std::move(row));
+        report_.memory_bytes += row.bytes;
+        report_.resources.push_back(std::move(row));
     }
-    cache.report.peak_memory_bytes = std::max(cache.report.peak_memory_bytes, cache.report.memory_bytes);
-    cache.report.counters.clear();
-    const auto known = counted(*builder, ran, cached);
-    for (std::size_t c = 0; c < counts.size(); ++c)
-        if (known[c]) cache.report.counters[builder->counters()[c].key] += static_cast<double>(counts[c]);
-    for (const auto& [key, value] : cache.figures) cache.report.counters[key] = value;
-    cache.report.figures = cache.figures;
-    cache.report.counters["growth"] = cache.growths;
-    cache.report.counters["batches"] = std::min(cache.batches, builder->batch_limit());
-    for (std::size_t p = 0; p < builder->passes().size(); ++p) {
-        for (const auto& access : builder->passes()[p].accesses) {
-            const auto& key = access.kind == Kind::image    ? builder->images()[access.index].text.key
-                              : access.kind == Kind::buffer ? builder->buffers()[access.index].text.key
-                                                            : builder->objects()[access.index].text.key;
-            auto& keys = access.write ? cache.report.passes[p].writes : cache.report.passes[p].reads;
-            keys.push_back(key);
+
+    void add_counters() {
+        report_.counters.clear();
+        const auto known = counted(builder_, frame_.ran, frame_.cached);
+        for (std::size_t c = 0; c < counts_.size(); ++c)
+            if (known[c]) report_.counters[builder_.counters()[c].key] += static_cast<double>(counts_[c]);
+        for (const auto& [key, value] : cache_.figures) report_.counters[key] = value;
+        report_.figures = cache_.figures;
+        report_.counters["growth"] = cache_.growths;
+        report_.counters["batches"] = batches();
+    }
+
+    int batches() const { return std::min(cache_.batches, builder_.batch_limit()); }
+
+    void add_accesses(std::size_t pass) {
+        for (const auto& access : builder_.passes()[pass].accesses) {
+            const auto& key = access.kind == Kind::image    ? builder_.images()[access.index].text.key
+                              : access.kind == Kind::buffer ? builder_.buffers()[access.index].text.key
+                                                            : builder_.objects()[access.index].text.key;
+            auto& row = report_.passes[pass];
+            (access.write ? row.writes : row.reads).push_back(key);
         }
     }
-    auto notes = builder->notes();
-    if (const int parts = std::min(cache.batches, builder->batch_limit()); parts > 1)
-        notes.push_back("works in " + std::to_string(parts) + " batches to stay within the memory budget");
-    const auto say = [&](Severity severity, const std::string& text) {
+
+    void add_messages() {
+        for (const auto& note : builder_.notes()) say(Severity::note, note);
+        if (batches() > 1)
+            say(Severity::note,
+                "works in " + std::to_string(batches()) + " batches to stay within the memory budget");
+        for (const auto& lost : what_was_lost(builder_, report_.counters)) say(Severity::warning, lost);
+        for (const auto& warning : cache_.warnings) say(Severity::warning, warning);
+        for (auto& message : cache_.device.take_messages()) report_.messages.push_back(std::move(message));
+    }
+
+    /// Once where it is the same.
+    void say(Severity severity, const std::string& text) {
         const auto same = [&](const Message& message) { return message.text == text; };
-        if (std::none_of(cache.report.messages.begin(), cache.report.messages.end(), same))
-            cache.report.messages.push_back({severity, description.id, text});
-    };
-    for (const auto& note : notes) say(Severity::note, note);
-    for (const auto& lost : what_was_lost(*builder, cache.report.counters)) say(Severity::warning, lost);
-    for (const auto& warning : cache.warnings) say(Severity::warning, warning);
-    for (auto& message : cache.device.take_messages()) cache.report.messages.push_back(std::move(message));
+        if (std::none_of(report_.messages.begin(), report_.messages.end(), same))
+            report_.messages.push_back({severity, description_.id, text});
+    }
+
+    Frame& frame_;
+    const GraphBuilder& builder_;
+    GraphCache& cache_;
+    FrameReport& report_;
+    const MethodDescription& description_;
+    const std::vector<std::uint64_t>& counts_;
+};
+
+}  // namespace
+
+void fill_report(Frame& frame, const std::vector<std::uint64_t>& counts) {
+    Reporter(frame, counts).fill();
 }
 
 }  // namespace ir::graph

@@ -89,7 +89,7 @@ void Frame::run_passes() {
     buffers.clear();
     ran.clear();
     allocate();
-    put_restored();
+    put_restored(*this);
     prepare_counters();
     prepare_parameters();
     find_cached_passes();
@@ -121,7 +121,7 @@ void Frame::run_attempts(const std::vector<std::string>& wanted) {
         builder = &declared;
         method->setup(declared, *settings);
         plan = make_plan(declared, wanted);
-        if (!accept_restored()) continue;
+        if (!accept_restored(*this)) continue;
         const auto memory = plan_memory();
         if (!fits(memory)) {
             if (!divide_further()) refuse(memory);
@@ -136,7 +136,7 @@ void Frame::run_attempts(const std::vector<std::string>& wanted) {
         const auto counts = read_counters();
         cache.report.complete = !grow(counts);
         if (!cache.report.complete) drop_unsure_fingerprints();
-        fill_report(counts);
+        fill_report(*this, counts);
         if (cache.report.complete) remember_committed(wanted);
         if (cache.report.complete || options->growth == Growth::next_frame) return;
         if (++attempt > max_growths_per_frame)
