@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <ranges>
@@ -33,13 +34,19 @@ inline engine::Machine& machine(const std::string& backend = "") {
     return *result;
 }
 
+inline bool is_number(const std::string& text) {
+    return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+}
+
 /// Integers are what work is multiplied by: more than this of anything takes too long here.
 inline constexpr std::int64_t quick_limit = 16;
 
-/// Defaults, with every large integer lowered as far as its slider goes.
+/// Defaults, with every large integer lowered as far as its slider goes, and the lowest of chosen numbers.
 inline Settings quick_settings(const MethodDescription& method) {
     auto settings = defaults(method.parameters);
     for (const auto& p : method.parameters) {
+        if (p.type == ParameterType::choice && is_number(p.choices.front().key))
+            settings[p.key] = p.choices.front().key;
         if (p.type != ParameterType::integer) continue;
         auto& value = std::get<std::int64_t>(settings.at(p.key));
         const auto least = static_cast<std::int64_t>(std::max(p.soft.min, -1e15));
@@ -48,7 +55,8 @@ inline Settings quick_settings(const MethodDescription& method) {
     return settings;
 }
 
-/// The values between which a parameter is tried: both ends of its slider, or all choices.
+/// The values between which a parameter is tried: both ends of its slider, all choices, or the two lowest of
+/// chosen numbers.
 inline std::vector<Value> tried_values(const ParameterDescription& p) {
     if (p.type == ParameterType::toggle) return {false, true};
     if (p.type == ParameterType::choice) {
@@ -57,6 +65,7 @@ inline std::vector<Value> tried_values(const ParameterDescription& p) {
             if (p.supported.empty() ||
                 std::find(p.supported.begin(), p.supported.end(), choice.key) != p.supported.end())
                 values.push_back(choice.key);
+        if (is_number(p.choices.front().key)) values.resize(2);  // larger ones take long and show no more
         return values;
     }
     const double low = std::max({p.soft.min, p.hard.min, -1e6}),
@@ -108,42 +117,80 @@ struct Shot {
     Inspection inspection = {};
 };
 
-/// The outputs of a method after some frames in which everything was wanted.
-inline Frame render(const graph::Method& method, const Settings& settings, const Shot& run = {}) {
-    engine::Experiment experiment;
-    experiment.scene = run.scene;
-    experiment.method = method.description.id;
-    experiment.settings = settings;
-    experiment.width = 48;
-    experiment.height = 32;
-    experiment.seed = run.seed;
-    engine::Execution execution(machine(run.backend), experiment);
-    execution.inspect(run.inspection);
-    graph::FrameOptions options;
-    options.wanted = {"*"};
-    Frame frame;
-    for (int i = 0; i < run.frames; ++i) frame.report = execution.run_frame(options);
-    frame.main = execution.main_result();
-    frame.valid = execution.graph().read_image("valid").value_or(Image());
-    for (const auto& output : method.description.outputs) {
+/// A method on one scene. Settings are changed one after another, as in a window: what a change leaves valid
+/// is not computed again.
+class Studio {
+  public:
+    Studio(const graph::Method& method, Shot shot)
+        : method_(method), shot_(std::move(shot)), execution_(machine(shot_.backend), experiment({})) {}
+
+    const graph::Method& method() const { return method_; }
+    const std::string& scene() const { return shot_.scene; }
+
+    /// The outputs after the shot's frames, in which everything was wanted.
+    Frame render(const Settings& settings) { return render(settings, shot_.frames); }
+    Frame render(const Settings& settings, int frames) {
+        execution_.update(experiment(settings));
+        execution_.restart();
+        execution_.inspect(shot_.inspection);
+        graph::FrameOptions options;
+        options.wanted = {"*"};
+        Frame frame;
+        for (int i = 0; i < frames; ++i) frame.report = execution_.run_frame(options);
+        const auto& graph = execution_.graph();
+        frame.main = execution_.main_result();
+        frame.valid = graph.read_image("valid").value_or(Image());
         for (const auto& resource : frame.report.resources) {
-            if (resource.key != output.key) continue;
-            auto& texels = frame.images[output.key];
-            for (int level = 0; level < resource.levels; ++level)
-                for (int layer = 0; layer < resource.layers; ++layer)
-                    if (const auto image = execution.graph().read_image(output.key, level, layer))
-                        texels.insert(texels.end(), image->pixels.begin(), image->pixels.end());
+            if (!resource.is_output) continue;
+            if (auto texels = read_texels(resource); !texels.empty())
+                frame.images[resource.key] = std::move(texels);
+            if (auto bytes = graph.read_buffer(resource.key)) {
+                // Beyond the elements in use is rubbish.
+                const std::size_t used = resource.elements * graph::stride(*graph.buffer_desc(resource.key));
+                bytes->resize(std::min(bytes->size(), used));
+                frame.buffers[resource.key] = std::move(*bytes);
+            }
         }
-        if (auto bytes = execution.graph().read_buffer(output.key)) {
-            for (const auto& resource : frame.report.resources)  // beyond the elements in use is rubbish
-                if (resource.key == output.key)
-                    bytes->resize(std::min<std::size_t>(
-                        bytes->size(),
-                        resource.elements * graph::stride(*execution.graph().buffer_desc(output.key))));
-            frame.buffers[output.key] = std::move(*bytes);
-        }
+        return frame;
     }
-    return frame;
+
+  private:
+    engine::Experiment experiment(const Settings& settings) const {
+        engine::Experiment result;
+        result.scene = shot_.scene;
+        result.method = method_.description.id;
+        result.settings = settings;
+        result.width = 48;
+        result.height = 32;
+        result.seed = shot_.seed;
+        return result;
+    }
+
+    /// Of all levels and layers.
+    std::vector<float> read_texels(const ResourceReport& resource) const {
+        std::vector<float> texels;
+        for (int level = 0; level < resource.levels; ++level)
+            for (int layer = 0; layer < resource.layers; ++layer)
+                if (const auto image = execution_.graph().read_image(resource.key, level, layer))
+                    texels.insert(texels.end(), image->pixels.begin(), image->pixels.end());
+        return texels;
+    }
+
+    const graph::Method& method_;
+    Shot shot_;
+    engine::Execution execution_;
+};
+
+/// One for each of `scenes`.
+inline std::vector<Studio> studios(const graph::Method& method) {
+    std::vector<Studio> all;
+    for (const auto& scene : scenes) all.emplace_back(method, Shot{.scene = scene});
+    return all;
+}
+
+/// With nothing left from another picture.
+inline Frame render(const graph::Method& method, const Settings& settings, const Shot& shot = {}) {
+    return Studio(method, shot).render(settings);
 }
 
 /// `settings`, changed by `more`.

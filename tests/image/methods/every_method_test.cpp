@@ -118,7 +118,7 @@ std::size_t count_not_finite(const std::vector<std::byte>& bytes, const std::vec
 
 TEST_P(EveryMethod, ExplanationsAreFiniteAndLeaveTheResultAlone) {
     for (const auto& selector : description().selectors) {
-        if (std::ranges::all_of(selector.count, [](char c) { return c >= '0' && c <= '9'; })) continue;
+        if (is_number(selector.count)) continue;
         const auto* count = find(description().parameters, selector.count);
         ASSERT_NE(count, nullptr) << selector.key;
         EXPECT_EQ(count->type, ParameterType::integer) << selector.key;
@@ -188,24 +188,24 @@ bool is_way_to_the_same(const ParameterDescription& p, const Value& value) {
 }
 
 /// Whether the parameter's values give different outputs somewhere, and those that should not do not.
-bool changes_outputs(const graph::Method& method, const ParameterDescription& p) {
-    const auto quick = quick_settings(method.description);
+bool changes_outputs(std::vector<Studio>& studios, const ParameterDescription& p) {
+    const auto& method = studios.front().method().description;
+    const auto quick = quick_settings(method);
     for (const bool middle : {false, true}) {
-        auto settings = middle ? middle_settings(method.description, quick) : quick;
-        if (!activate(method.description, p, settings)) return false;
-        for (const auto& scene : scenes) {
-            const Shot run{.scene = scene, .frames = middle ? 2 : 1};
+        auto settings = middle ? middle_settings(method, quick) : quick;
+        if (!activate(method, p, settings)) return false;
+        for (auto& studio : studios) {
             std::vector<Frame> frames;
             std::vector<bool> same_picture;
             bool all_differ = true;
             for (const auto& value : tried_values(p)) {
                 settings[p.key] = value;
-                frames.push_back(render(method, settings, run));
+                frames.push_back(studio.render(settings, middle ? 2 : 1));
                 same_picture.push_back(is_way_to_the_same(p, value));
                 for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
                     if (same_picture[i] && same_picture.back())
                         EXPECT_LT(difference(frames[i], frames.back()), cost_tolerance)
-                            << p.key << " = " << to_string(value) << " on " << scene;
+                            << p.key << " = " << to_string(value) << " on " << studio.scene();
                     else
                         all_differ = all_differ && !same_outputs(frames[i], frames.back());
                 }
@@ -217,9 +217,10 @@ bool changes_outputs(const graph::Method& method, const ParameterDescription& p)
 }
 
 TEST_P(EveryMethod, EveryImageParameterChangesAnOutput) {
+    auto all = studios(method());
     for (const auto& p : description().parameters) {
         if (p.effect != Effect::image || tried_values(p).size() < 2) continue;
-        EXPECT_TRUE(changes_outputs(method(), p)) << p.key;
+        EXPECT_TRUE(changes_outputs(all, p)) << p.key;
     }
 }
 
@@ -233,18 +234,19 @@ std::string costs(const FrameReport& report) {
 }
 
 TEST_P(EveryMethod, EveryCostParameterChangesOnlyCosts) {
+    auto all = studios(method());
     for (const auto& p : description().parameters) {
         if (p.effect != Effect::cost || tried_values(p).size() < 2) continue;
         bool changes_costs = false;  // a scene of which all is seen has nothing to cull
-        for (const auto& scene : scenes) {
+        for (auto& studio : all) {
             auto settings = quick_settings(description());
             ASSERT_TRUE(activate(description(), p, settings)) << p.key;
             std::vector<Frame> frames;
             for (const auto& value : tried_values(p)) {
                 settings[p.key] = value;
-                frames.push_back(render(method(), settings, {.scene = scene}));
+                frames.push_back(studio.render(settings));
                 if (frames.size() == 1) continue;
-                const auto which = p.key + " = " + to_string(value) + " on " + scene;
+                const auto which = p.key + " = " + to_string(value) + " on " + studio.scene();
                 EXPECT_LT(difference(frames[0], frames.back()), cost_tolerance) << which;
                 changes_costs = changes_costs || costs(frames[0].report) != costs(frames.back().report);
             }
