@@ -10,4 +10,8 @@ std::filesystem::path data_directory();
 std::filesystem::path shader_directory();
 std::filesystem::path samples_directory();
 
+/// Where modules are that a program loads when it needs them: lib/interreflect beside the binary's bin/
+/// folder.
+std::filesystem::path module_directory();
+
 }  // namespace ir

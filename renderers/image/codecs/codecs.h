@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderers/image/image.h"
+
+namespace ir {
+
+struct DecodedImage {
+    Image image;  ///< values as the file has them, integers as fractions of their maximum
+    bool is_srgb = false;
+    int alpha_channel = -1;
+    std::string error;  ///< empty where all went well
+};
+
+struct EncodedImage {
+    std::vector<unsigned char> bytes;
+    std::string error;  ///< empty where all went well
+};
+
+/// What the module image_codecs does with OpenImageIO.
+struct ImageCodecs {
+    /// Refuses more than `max_pixels`.
+    DecodedImage (*read)(const std::string& file, std::int64_t max_pixels);
+    /// 8 bits a channel, sRGB, of 1, 3 or 4 channels with alpha unassociated.
+    EncodedImage (*png)(int width, int height, int channels, std::span<const std::uint8_t> pixels);
+};
+
+/// The module, loaded by the first call: OpenImageIO brings some 240 libraries, for which a program would
+/// wait a third of a second each time that it starts. Throws Error where the module is missing.
+const ImageCodecs& image_codecs();
+
+inline constexpr const char* image_codecs_symbol = "ir_image_codecs";
+
+}  // namespace ir
