@@ -115,6 +115,7 @@ struct Shot {
     std::uint64_t seed = 7;
     int frames = 1;
     Inspection inspection = {};
+    glm::ivec2 size{48, 32};
 };
 
 /// A method on one scene. Settings are changed one after another, as in a window: what a change leaves valid
@@ -160,8 +161,8 @@ class Studio {
         result.scene = shot_.scene;
         result.method = method_.description.id;
         result.settings = settings;
-        result.width = 48;
-        result.height = 32;
+        result.width = shot_.size.x;
+        result.height = shot_.size.y;
         result.seed = shot_.seed;
         return result;
     }
@@ -182,9 +183,9 @@ class Studio {
 };
 
 /// One for each of `scenes`.
-inline std::vector<Studio> studios(const graph::Method& method) {
+inline std::vector<Studio> studios(const graph::Method& method, glm::ivec2 size) {
     std::vector<Studio> all;
-    for (const auto& scene : scenes) all.emplace_back(method, Shot{.scene = scene});
+    for (const auto& scene : scenes) all.emplace_back(method, Shot{.scene = scene, .size = size});
     return all;
 }
 

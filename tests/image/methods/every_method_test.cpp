@@ -12,6 +12,9 @@
 namespace ir::test {
 namespace {
 
+/// For what does not depend on details.
+constexpr glm::ivec2 small{24, 16};
+
 class EveryMethod : public testing::TestWithParam<const graph::Method*> {
   protected:
     static void TearDownTestSuite() { machines().clear(); }
@@ -79,7 +82,7 @@ TEST_P(EveryMethod, DescribesItself) {
 TEST_P(EveryMethod, OutputsExistAndAreFiniteWhereValid) {
     for (const auto& scene : scenes) {
         const auto settings = quick_settings(description());
-        const auto frame = render(method(), settings, {.scene = scene});
+        const auto frame = render(method(), settings, {.scene = scene, .size = small});
         ASSERT_FALSE(frame.main.empty());
         EXPECT_FALSE(frame.valid.empty()) << "every method writes a valid mask";
         for (const auto& output : description().outputs) {
@@ -126,11 +129,12 @@ TEST_P(EveryMethod, ExplanationsAreFiniteAndLeaveTheResultAlone) {
     std::map<std::string, bool> is_filled;  // a list may be empty where nothing reaches the pixel
     for (const auto& scene : scenes) {
         const auto settings = quick_settings(description());
-        const auto expected = render(method(), settings, {.scene = scene});
+        const auto expected = render(method(), settings, {.scene = scene, .size = small});
         for (const int item : {1, Inspection::all}) {
-            Inspection inspection{24, 20, {}};
+            Inspection inspection{small.x / 2, small.y * 5 / 8, {}};
             for (const auto& selector : description().selectors) inspection.chosen[selector.key] = item;
-            const auto frame = render(method(), settings, {.scene = scene, .inspection = inspection});
+            const auto frame =
+                render(method(), settings, {.scene = scene, .inspection = inspection, .size = small});
             EXPECT_EQ(frame.main.pixels, expected.main.pixels) << scene;
             for (const auto& resource : frame.report.resources) {
                 if (!resource.explains) continue;
@@ -148,7 +152,7 @@ TEST_P(EveryMethod, ExplanationsAreFiniteAndLeaveTheResultAlone) {
 
 TEST_P(EveryMethod, SameSeedSameBits) {
     const auto settings = quick_settings(description());
-    const Shot run{.scene = scenes.back(), .frames = 2};
+    const Shot run{.scene = scenes.back(), .frames = 2, .size = small};
     const auto a = render(method(), settings, run), b = render(method(), settings, run);
     ASSERT_EQ(a.main.pixels.size(), b.main.pixels.size());
     EXPECT_EQ(std::memcmp(a.main.pixels.data(), b.main.pixels.data(), a.main.pixels.size() * sizeof(float)),
@@ -158,8 +162,8 @@ TEST_P(EveryMethod, SameSeedSameBits) {
 TEST_P(EveryMethod, BothBackendsAgree) {
     const auto settings = quick_settings(description());
     for (const auto& scene : scenes) {
-        const auto egl = render(method(), settings, {.scene = scene, .backend = "egl"});
-        const auto osmesa = render(method(), settings, {.scene = scene, .backend = "osmesa"});
+        const auto egl = render(method(), settings, {.scene = scene, .backend = "egl", .size = small});
+        const auto osmesa = render(method(), settings, {.scene = scene, .backend = "osmesa", .size = small});
         EXPECT_LT(difference(egl, osmesa), 0.01) << scene;
     }
 }
@@ -217,7 +221,7 @@ bool changes_outputs(std::vector<Studio>& studios, const ParameterDescription& p
 }
 
 TEST_P(EveryMethod, EveryImageParameterChangesAnOutput) {
-    auto all = studios(method());
+    auto all = studios(method(), {48, 32});
     for (const auto& p : description().parameters) {
         if (p.effect != Effect::image || tried_values(p).size() < 2) continue;
         EXPECT_TRUE(changes_outputs(all, p)) << p.key;
@@ -234,7 +238,7 @@ std::string costs(const FrameReport& report) {
 }
 
 TEST_P(EveryMethod, EveryCostParameterChangesOnlyCosts) {
-    auto all = studios(method());
+    auto all = studios(method(), small);
     for (const auto& p : description().parameters) {
         if (p.effect != Effect::cost || tried_values(p).size() < 2) continue;
         bool changes_costs = false;  // a scene of which all is seen has nothing to cull

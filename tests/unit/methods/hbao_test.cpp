@@ -73,7 +73,7 @@ double corner_accessibility(double t) {
 
 double smooth_corner_accessibility(double t) {
     double closed = 0;
-    constexpr int n = 1000;
+    constexpr int n = 200;
     const double reach = std::sqrt(1 - t * t), cell = reach / n;
     for (int i = 0; i < n; ++i)
         for (int j = -n; j < n; ++j) {
