@@ -2,7 +2,9 @@
 
 #include <QApplication>
 #include <QPalette>
-#include <QStyleFactory>
+#include <QToolTip>
+
+#include "widgets/style/theme_style.h"
 
 namespace ir::widgets {
 namespace {
@@ -39,20 +41,9 @@ QPalette dark_palette() {
 }  // namespace
 
 void apply_theme(QApplication& application) {
-    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    application.setStyle(new ThemeStyle);
     application.setPalette(dark_palette());
-    application.setStyleSheet(QStringLiteral(
-        "QToolTip { color: #dedede; background: #1c1c1c; border: 1px solid #5a5a5a; padding: 3px; }"
-        "QDockWidget::title { background: #3a3a3a; padding: 5px 8px; }"
-        "QMainWindow::separator { background: #262626; width: 4px; height: 4px; }"
-        "QMainWindow::separator:hover { background: #56708c; }"
-        "QStatusBar::item { border: none; }"
-        "QToolButton:checked { background: #56708c; border-radius: 3px; }"
-        "QHeaderView::section { background: #3a3a3a; border: none; border-right: 1px solid #2a2a2a; padding: "
-        "3px "
-        "6px; }"
-        "QTreeView::item { padding: 2px 0; }"
-        "QTreeView, QTableView, QScrollArea { border: none; }"));
+    QToolTip::setPalette(dark_palette());
 }
 
 }  // namespace ir::widgets

@@ -5,6 +5,8 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 
+#include "widgets/style/theme_style.h"
+
 namespace ir::widgets {
 namespace {
 
@@ -73,12 +75,11 @@ void ViewArea::set_title(int number, const QString& title) {
 
 void ViewArea::mark_active() {
     const bool several = open_views().size() > 1;
-    for (int i = 0; i < max_views; ++i)
-        docks_[std::size_t(i)]->setStyleSheet(
-            several && i == active_
-                ? QStringLiteral(
-                      "QDockWidget { font-weight: bold; } QDockWidget::title { background: #46586c; }")
-                : QString());
+    for (int i = 0; i < max_views; ++i) {
+        auto* dock = docks_[std::size_t(i)];
+        dock->setProperty(active_dock_property, several && i == active_);
+        dock->update();
+    }
 }
 
 void ViewArea::follow_focus(QWidget* now) {
