@@ -4,7 +4,6 @@
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
-#include <algorithm>
 #include <filesystem>
 
 #include "app/engine/execution.h"
@@ -42,23 +41,11 @@ struct RealWindow {
     }
 };
 
-/// A sample project as installed: the smallest by name that runs here; else a project made of a built-in
-/// scene.
+/// A sample whose scene is small.
 std::filesystem::path sample_copy(const std::filesystem::path& folder) {
-    const auto samples = data_directory() / "samples";
     const auto copy = folder / "sample.interreflect";
-    std::vector<std::filesystem::path> found;
-    if (std::filesystem::is_directory(samples))
-        for (const auto& entry : std::filesystem::directory_iterator(samples))
-            if (entry.path().extension() == ".interreflect") found.push_back(entry.path());
-    std::sort(found.begin(), found.end());
-    if (!found.empty()) {
-        std::filesystem::copy(found.front(), copy, std::filesystem::copy_options::recursive);
-        return copy;
-    }
-    RealWindow maker;
-    maker.window.open_path("builtin:cornell");
-    maker.window.session().files().save_as(copy);
+    std::filesystem::copy(samples_directory() / "corner-closed-form.interreflect", copy,
+                          std::filesystem::copy_options::recursive);
     return copy;
 }
 
