@@ -29,11 +29,16 @@ bool is_punctual(Light light) {
 
 /// Fraction of a spot's intensity in a direction whose angle to the axis has this cosine: squared linear
 /// between the cones, a hard edge where they coincide.  [glTF2 KHR_lights_punctual, inner and outer cone angles]
-float spot_profile(Light light, float cosine) {
-    float width = light.cos_inner - light.cos_outer;
-    if (width < 1e-6) return cosine >= light.cos_outer ? 1.0 : 0.0;
-    float fraction = clamp((cosine - light.cos_outer) / width, 0.0, 1.0);
+float spot_profile(float cosine, float cos_inner, float cos_outer) {
+    float width = cos_inner - cos_outer;
+    if (width < 1e-6) return cosine >= cos_outer ? 1.0 : 0.0;
+    float fraction = clamp((cosine - cos_outer) / width, 0.0, 1.0);
     return fraction * fraction;
+}
+
+/// The same of a light; 1 where it is no spot.
+float spot_fraction(Light light, float cosine) {
+    return light.type == LIGHT_SPOT ? spot_profile(cosine, light.cos_inner, light.cos_outer) : 1.0;
 }
 
 /// The recommended window that takes a light to 0 at its range.  [glTF2 KHR_lights_punctual, range property]
@@ -56,8 +61,7 @@ Arrival arrival(Light light, vec3 position_ws) {
     float distance = sqrt(squared);
     if (distance == 0.0) return Arrival(vec3(0, 1, 0), 0.0, vec3(0));
     vec3 direction_ws = offset / distance;
-    float profile =
-        light.type == LIGHT_SPOT ? spot_profile(light, -dot(direction_ws, light.direction_ws)) : 1.0;
+    float profile = spot_fraction(light, -dot(direction_ws, light.direction_ws));
     float part = profile * range_window(light.range, distance) / squared;
     return Arrival(direction_ws, distance, part * light.intensity);
 }

@@ -28,7 +28,7 @@ struct Material {
 };
 
 /// The slot's coordinates. `precise` keeps the rounding of scene::transformed_uv.
-vec2 transformed_uv(TextureSlot slot, vec2 uv0, vec2 uv1) {
+vec2 uv_of_slot(TextureSlot slot, vec2 uv0, vec2 uv1) {
     vec2 uv = slot.uv_set == 0 ? uv0 : uv1;
     precise vec2 scaled = slot.scale * uv;
     precise vec2 rotated = vec2(slot.cosine * scaled.x + slot.sine * scaled.y,

@@ -143,21 +143,23 @@ def compare(item, programs, folder):
 
 
 def differences(jobs, programs, folder):
-    """Prints each render whose buffers differ; their number."""
-    differing = 0
-    unstable = set()
+    """Prints each render whose buffers differ; their number. What is other at each run of one render is compared in
+    none: elsewhere two runs may be the same by chance."""
+    found, unstable = {}, set()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
         results = workers.map(lambda item: compare(item, programs, folder), jobs.items())
         for number, (name, (keys, not_compared)) in enumerate(zip(jobs, results), 1):
             if sys.stderr.isatty():
                 print(f"\r{number} of {len(jobs)}\033[K", end="", file=sys.stderr)
             unstable.update(not_compared)
-            if keys:
-                differing += 1
-                print(f"{name}: {', '.join(keys)}", flush=True)
+            found[name] = keys
     if unstable:
         print(f"not compared, other at each run of BASE: {', '.join(sorted(unstable))}")
-    return differing
+    differing = {name: [key for key in keys if key not in unstable] for name, keys in found.items()}
+    for name, keys in differing.items():
+        if keys:
+            print(f"{name}: {', '.join(keys)}", flush=True)
+    return sum(1 for keys in differing.values() if keys)
 
 
 def main():

@@ -57,8 +57,8 @@ struct BsdfLobes {
     }
 
     float distribution(glm::vec3 h) const {
-        if (glm::dot(b.n_, h) <= 0) return ggx_distribution(1, b.alpha_);  // as rasterisation clamps n·h
-        return ggx_distribution(squared_length(glm::cross(b.n_, h)), b.alpha_);
+        if (glm::dot(b.n_, h) <= 0) return ggx_distribution_of_sine(1, b.alpha_);  // as rasterisation clamps n·h
+        return ggx_distribution_of_sine(squared_length(glm::cross(b.n_, h)), b.alpha_);
     }
 
     /// Density of a reflection about a visible normal: G1(v) D(h) / (4 n·v).  [Heitz18 eq. 17]

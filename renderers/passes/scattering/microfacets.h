@@ -16,7 +16,7 @@ constexpr float min_view_cosine = 1e-4f;
 
 /// From the squared sine between normal and half vector: near the peak its cosine has lost the digits that
 /// count, 10 % of the value at α = 1e-3.  [Walter07 eq. 33, (n·h)² (α² - 1) + 1 = α² + (1 - α²) sin²]
-inline float ggx_distribution(float squared_sine, float alpha) {
+inline float ggx_distribution_of_sine(float squared_sine, float alpha) {
     const float squared = alpha * alpha;
     const float denominator = squared + (1 - squared) * squared_sine;
     return squared / (glm::pi<float>() * denominator * denominator);

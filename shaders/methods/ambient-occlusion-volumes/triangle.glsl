@@ -23,9 +23,9 @@ bool is_there(uint triangle, float u, float v) {
     uvec3 corners = scene_triangle(triangle);
     uint material = scene_triangle_materials[triangle];
     TextureSlot slot = materials[material].base_colour_slot;
-    vec2 a = transformed_uv(slot, scene_uv0[corners.x], scene_uv1[corners.x]),
-         b = transformed_uv(slot, scene_uv0[corners.y], scene_uv1[corners.y]),
-         c = transformed_uv(slot, scene_uv0[corners.z], scene_uv1[corners.z]);
+    vec2 a = uv_of_slot(slot, scene_uv0[corners.x], scene_uv1[corners.x]),
+         b = uv_of_slot(slot, scene_uv0[corners.y], scene_uv1[corners.y]),
+         c = uv_of_slot(slot, scene_uv0[corners.z], scene_uv1[corners.z]);
     precise vec2 uv = (1.0 - u - v) * a + u * b + v * c;
     return is_covered(material, uv);
 }

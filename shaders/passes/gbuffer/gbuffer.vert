@@ -35,7 +35,7 @@ layout(location = 11) out vec2 emission_uv;
 layout(location = 12) out vec2 transmission_uv;
 
 vec2 slot_uv(TextureSlot slot) {
-    return slot.texture < 0 ? vec2(0) : transformed_uv(slot, uv01.xy, uv01.zw);
+    return slot.texture < 0 ? vec2(0) : uv_of_slot(slot, uv01.xy, uv01.zw);
 }
 
 void main() {

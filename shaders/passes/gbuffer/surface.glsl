@@ -99,6 +99,6 @@ bool is_seen_through(float glass, vec3 emission) { return glass > MOSTLY_GLASS &
 
 /// To be asked last, so that all texture look-ups have all neighbours.
 bool has_hole_here(Material material) {
-    vec2 mask_uv = transformed_uv(material.base_colour_slot, uv01.xy, uv01.zw);
+    vec2 mask_uv = uv_of_slot(material.base_colour_slot, uv01.xy, uv01.zw);
     return !is_covered(uint(material_index), mask_uv);
 }

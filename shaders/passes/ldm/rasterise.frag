@@ -27,7 +27,7 @@ void main() {
     uint triangle = first_triangle + uint(gl_PrimitiveID);
 #ifdef MASKED
     uint material = scene_triangle_materials[triangle];
-    if (!is_covered(material, transformed_uv(ldm_materials[material].base_colour_slot, uv0, uv1))) return;
+    if (!is_covered(material, uv_of_slot(ldm_materials[material].base_colour_slot, uv0, uv1))) return;
 #endif
     if (!(slope < STEEP)) {
         uvec3 corners = scene_triangle(triangle);

@@ -31,6 +31,6 @@ float texel_depth() {
 }
 
 bool texel_is_covered() {
-    vec2 mask_uv = transformed_uv(materials[material_index].base_colour_slot, uv01.xy, uv01.zw);
+    vec2 mask_uv = uv_of_slot(materials[material_index].base_colour_slot, uv01.xy, uv01.zw);
     return is_covered(uint(material_index), mask_uv);
 }

@@ -49,7 +49,7 @@ vec3 hit_turned(vec3 n, vec3 vertex_normal_ws, vec3 geometric_normal_ws) {
 /// The tangent frame is used as interpolated, neither normalised nor made orthogonal, as bakers assume.
 /// [Mikkelsen08; glTF2 §3.7.2.1]
 vec3 hit_mapped_normal(Material m, HitCorners c, vec4 uv, vec3 normal_ws) {
-    vec3 n_ts = 2.0 * texture_at(m.normal_slot.texture, transformed_uv(m.normal_slot, uv.xy, uv.zw)) - 1.0;
+    vec3 n_ts = 2.0 * texture_at(m.normal_slot.texture, uv_of_slot(m.normal_slot, uv.xy, uv.zw)) - 1.0;
     n_ts.xy *= m.normal_scale;
     vec4 tangent = hit_mix(c, 2u);
     vec3 bitangent_ws = cross(normal_ws, tangent.xyz) * tangent.w;
@@ -85,16 +85,16 @@ HitSurface hit_surface(uint triangle, float u, float v, vec3 direction_ws, bool 
     vec4 uv = hit_mix(c, 3u);
     if (m.base_colour_slot.texture >= 0)
         s.base_colour *=
-            texture_at(m.base_colour_slot.texture, transformed_uv(m.base_colour_slot, uv.xy, uv.zw));
+            texture_at(m.base_colour_slot.texture, uv_of_slot(m.base_colour_slot, uv.xy, uv.zw));
     if (m.metallic_roughness_slot.texture >= 0) {
         vec3 texel = texture_at(m.metallic_roughness_slot.texture,
-                                transformed_uv(m.metallic_roughness_slot, uv.xy, uv.zw));
+                                uv_of_slot(m.metallic_roughness_slot, uv.xy, uv.zw));
         s.metallic *= texel.b;
         s.roughness *= texel.g;
     }
     if (m.transmission_slot.texture >= 0)
         s.transmission *=
-            texture_at(m.transmission_slot.texture, transformed_uv(m.transmission_slot, uv.xy, uv.zw)).r;
+            texture_at(m.transmission_slot.texture, uv_of_slot(m.transmission_slot, uv.xy, uv.zw)).r;
     if (normal_maps && m.normal_slot.texture >= 0) normal_ws = hit_mapped_normal(m, c, uv, vertex_normal_ws);
     s.shading_normal_ws = hit_turned(normal_ws, vertex_normal_ws, s.geometric_normal_ws);
     return s;

@@ -24,6 +24,6 @@ void main() {
     depth = dot(position_ws - origin_ws, depth_axis_ws);
 #if MASKED
     material = scene_triangle_materials[gl_VertexID / 3];
-    uv = transformed_uv(materials[material].base_colour_slot, scene_uv0[vertex], scene_uv1[vertex]);
+    uv = uv_of_slot(materials[material].base_colour_slot, scene_uv0[vertex], scene_uv1[vertex]);
 #endif
 }

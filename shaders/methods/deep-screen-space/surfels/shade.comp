@@ -38,7 +38,7 @@ vec3 emitted(uint triangle, vec2 weights) {
     c.first = 4u * uvec3(hit_indices[3u * triangle], hit_indices[3u * triangle + 1u], hit_indices[3u * triangle + 2u]);
     c.weights = vec3(1.0 - weights.x - weights.y, weights);
     vec4 uv = hit_mix(c, 3u);
-    return m.emission * texture_at(m.emission_slot.texture, transformed_uv(m.emission_slot, uv.xy, uv.zw)).rgb;
+    return m.emission * texture_at(m.emission_slot.texture, uv_of_slot(m.emission_slot, uv.xy, uv.zw)).rgb;
 }
 #endif
 

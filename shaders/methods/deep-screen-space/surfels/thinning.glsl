@@ -24,7 +24,7 @@ bool is_there(FineSurfel s) {
     vec3 weights = vec3(1.0 - w.x - w.y, w);
     vec2 uv0 = weights.x * scene_uv0[corners.x] + weights.y * scene_uv0[corners.y] + weights.z * scene_uv0[corners.z];
     vec2 uv1 = weights.x * scene_uv1[corners.x] + weights.y * scene_uv1[corners.y] + weights.z * scene_uv1[corners.z];
-    return is_covered(material, transformed_uv(materials[material].base_colour_slot, uv0, uv1));
+    return is_covered(material, uv_of_slot(materials[material].base_colour_slot, uv0, uv1));
 }
 
 #if THINNING == 1

@@ -61,7 +61,7 @@ Primary emitted_photon(uint source, ivec2 texel, int layer, float side) {
     p.solid_angle = perspective ? pixel_solid_angle(vec2(texel), extent, side)
                                 : 4.0 * extent.x * extent.y / (side * side);
     p.emitted = light.intensity * p.solid_angle;
-    if (light.type == LIGHT_SPOT) p.emitted *= spot_profile(light, dot(p.direction_ws, light.direction_ws));
+    p.emitted *= spot_fraction(light, dot(p.direction_ws, light.direction_ws));
     p.path_length = texelFetch(shadow_maps, ivec3(texel, layer), 0).r * view.far * size;
     p.reached = range_window(light.range, perspective ? p.path_length : 0.0);
     p.fate = PRIMARY_NOTHING;

@@ -23,7 +23,7 @@ uniform int normal_maps;
 /// Of the light's intensity that arrives: spot's profile and window at its range.
 float part_of(Light light, Ray ray, float distance) {
     if (light.type == LIGHT_DIRECTIONAL) return 1.0;
-    float profile = light.type == LIGHT_SPOT ? spot_profile(light, dot(ray.direction_ws, light.direction_ws)) : 1.0;
+    float profile = spot_fraction(light, dot(ray.direction_ws, light.direction_ws));
     return profile * range_window(light.range, distance);
 }
 

@@ -47,7 +47,7 @@ RsmTexel rsm_texel(ivec2 texel, int layer) {
     t.distance = depth * size;
     Light light = lights[view.light];
     t.part = range_window(light.range, perspective ? t.distance : 0.0);
-    if (light.type == LIGHT_SPOT) t.part *= spot_profile(light, dot(direction_ws, light.direction_ws) / size);
+    t.part *= spot_fraction(light, dot(direction_ws, light.direction_ws) / size);
     // dω = dA cosθ / d² on the plane at distance 1
     t.extent_part = perspective ? 1.0 / (size * size * size) : 1.0;
     t.extent = 4.0 * length(view.right_ws) * length(view.up_ws) / float(resolution * resolution) * t.extent_part;
