@@ -2,17 +2,15 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 #include "projects/json.h"
+#include "renderers/core/hash.h"
 #include "renderers/core/progress.h"
 
 namespace ir::projects {
 
-/// XXH3-128 as 32 lower-case hexadecimal digits.
-std::string hash_bytes(std::string_view bytes);
-/// Of a file's bytes, read in blocks of 1 MiB. Throws InputError when it cannot be read, and Cancelled
-/// between two blocks once that is asked for.
+/// As hash_bytes() of a file's bytes, read in blocks of 1 MiB. Throws InputError when it cannot be read, and
+/// Cancelled between two blocks once that is asked for.
 std::string hash_file(const std::filesystem::path& file, const CancelToken* cancel = nullptr);
 /// Of the canonical text: neither the order of keys nor the layout matters.
 std::string hash_json(const Json& json);

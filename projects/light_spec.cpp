@@ -124,14 +124,14 @@ void parse(std::string_view, const std::string& what, Other&) {
     throw std::logic_error(what + ": no light has such a field");
 }
 
-std::string text_of(double number) {
+std::string shortest_text(double number) {
     char text[40];
     return {text, std::to_chars(text, text + sizeof text, number).ptr};
 }
 
-std::string text_of(const std::vector<double>& numbers) {
+std::string shortest_text(const std::vector<double>& numbers) {
     std::string text;
-    for (const double number : numbers) text += (text.empty() ? "" : ",") + text_of(number);
+    for (const double number : numbers) text += (text.empty() ? "" : ",") + shortest_text(number);
     return text;
 }
 
@@ -224,13 +224,13 @@ std::string to_string(const LightSpec& light) {
     for (const auto& field : light_fields()) {
         const auto numbers = numbers_of(field.slot(values));
         if (!field.counts_in(light) || numbers.empty()) continue;
-        const auto part = field.text.key + "=" + text_of(numbers) + ";";
+        const auto part = field.text.key + "=" + shortest_text(numbers) + ";";
         if (field.text.key == "color")
-            color = light.color == glm::dvec3(1) ? "" : ";color=" + text_of(numbers);
+            color = light.color == glm::dvec3(1) ? "" : ";color=" + shortest_text(numbers);
         else if (field.text.key != "inner" || light.inner != 0)
             text += part;
     }
-    return text + to_string(light.quantity) + "=" + text_of(light.amount) + color;
+    return text + to_string(light.quantity) + "=" + shortest_text(light.amount) + color;
 }
 
 glm::dvec3 parse_vec3(std::string_view text, const std::string& what) {

@@ -43,7 +43,7 @@ void copy_companions(const fs::path& from, const fs::path& to, FileSystem& files
 }  // namespace
 
 OpenProject::OpenProject(const Registry& registry, FileSystem& files)
-    : registry_(registry), files_(files), autosave_(files) {
+    : EditedDocument(registry), files_(files), autosave_(files) {
     project_.name = "Untitled";
 }
 
@@ -55,7 +55,7 @@ OpenProject::OpenProject(Project start, const Registry& registry, FileSystem& fi
 }
 
 OpenProject::OpenProject(const fs::path& given, const Registry& registry, FileSystem& files)
-    : registry_(registry),
+    : EditedDocument(registry),
       files_(files),
       folder_(project_folder(given)),
       lock_(Lock::acquire(folder_)),
@@ -91,14 +91,11 @@ void OpenProject::close() {
 
 void OpenProject::load() {
     read_only_ = !lock_.is_held();
-    auto loaded = load_project(folder_, registry_, files_);
+    auto loaded = load_project(folder_, registry(), files_);
     schema_in_file_ = loaded.schema_in_file;
     reading_messages_ = std::move(loaded.messages);
     file_hash_ = loaded.file_hash;
-    project_ = std::move(loaded.project);
-    last_kept_ = std::move(loaded.last_kept);
-    undo_.clear();
-    recorded_.clear();
+    begin(std::move(loaded.project), std::move(loaded.last_kept));
     begins_unsaved_ = false;
     has_autosave_ = lost_lock_ = false;
     recovery_.reset();
@@ -106,7 +103,7 @@ void OpenProject::load() {
     taken_.clear();
     // While another process edits, the autosave is that one's.
     if (!read_only_) remove_left_overs(folder_);
-    if (!read_only_) older_recoveries_ = collect_recoveries(folder_, registry_, files_);
+    if (!read_only_) older_recoveries_ = collect_recoveries(folder_, registry(), files_);
     std::reverse(older_recoveries_.begin(), older_recoveries_.end());
     next_recovery();
     contents_.clear();
@@ -115,7 +112,7 @@ void OpenProject::load() {
 }
 
 void OpenProject::check_again() {
-    messages_ = check({project_, schema_in_file_, reading_messages_}, folder_, registry_, &contents_);
+    messages_ = check({project_, schema_in_file_, reading_messages_}, folder_, registry(), &contents_);
 }
 
 void OpenProject::look_at_files() {
@@ -147,12 +144,10 @@ void OpenProject::wait_for_files() {
 }
 
 std::vector<std::string> OpenProject::stale_experiments() const {
-    return projects::stale_experiments(project_, registry_, contents_);
+    return projects::stale_experiments(project_, registry(), contents_);
 }
 
-void OpenProject::changed() {
-    ++revision_;
-    tell_last_kept(project_, last_kept_);
+void OpenProject::has_changed() {
     look_at_new_files();
 }
 
@@ -160,53 +155,12 @@ void OpenProject::require_writable() const {
     if (read_only_) throw UsageError(lock_.reason().empty() ? "the project is closed" : lock_.reason());
 }
 
-bool OpenProject::edit(EditPtr edit) {
-    require_writable();
-    const bool is_change = undo_.push(project_, std::move(edit));
-    if (!is_change) return false;
-    forget_named_anew();
-    changed();
-    return true;
-}
-
-void OpenProject::undo() {
-    undo_.undo(project_);
-    undone();
-}
-
-void OpenProject::redo() {
-    undo_.redo(project_);
-    undone();
-}
-
-void OpenProject::undone() {
-    record_missing_hashes(project_, recorded_);
-    changed();
-}
-
-/// A file that an edit names anew may have another content by now.
-void OpenProject::forget_named_anew() {
-    if (recorded_.empty()) return;
-    auto copy = project_;
-    for (const auto& [source, hash] : record_missing_hashes(copy, recorded_)) recorded_.erase(source);
-}
-
-/// Without it nobody would notice later that a file changed.
-void OpenProject::record_hashes() {
-    recorded_.merge(record_missing_hashes(project_, contents_));
-}
-
-bool OpenProject::set_last_kept(LastKept keys) {
-    last_kept_ = std::move(keys);
-    return tell_last_kept(project_, last_kept_);
-}
-
 void OpenProject::write(const std::string& expected_hash) {
     autosave_.settle();
     // It would be older than what is saved now, and no longer be offered.
     if (recovery_ && recovery_->file == folder_ / autosave_file_name)
         recovery_->file = put_autosave_aside(folder_, files_);
-    autosaved_revision_ = revision_ - 1;  // what was dropped is asked for again if saving fails
+    autosaved_revision_ = revision() - 1;  // what was dropped is asked for again if saving fails
     try {
         file_hash_ = save_project(project_, folder_, expected_hash, files_);
     } catch (const Error&) {
@@ -248,7 +202,7 @@ void OpenProject::save(bool overwrite) {
     if (folder_.empty()) throw UsageError("the project has no folder yet; use save as");
     if (!holds_lock())
         throw Error(folder_.string() + ": somebody else took the lock; save under another name");
-    record_hashes();
+    record_hashes(contents_);
     write(overwrite ? "" : file_hash_);
 }
 
@@ -286,13 +240,13 @@ void OpenProject::save_as(const fs::path& given) {
     const auto folder_before = folder_;
     const auto hash_before = file_hash_;
     const bool was_ours = !folder_.empty() && !read_only_ && lock_.is_still_ours();
-    record_hashes();
+    record_hashes(contents_);
     const bool moved = move_sources(target);
     if (folder_.empty() && (project_.name.empty() || project_.name == "Untitled"))
         project_.name = target.stem().string();
     try {
         autosave_.settle();
-        autosaved_revision_ = revision_ - 1;  // what was dropped is asked for again if saving fails
+        autosaved_revision_ = revision() - 1;  // what was dropped is asked for again if saving fails
         if (!folder_.empty()) copy_companions(folder_, target, files_);
         folder_ = target;
         write("");
@@ -311,7 +265,7 @@ void OpenProject::save_as(const fs::path& given) {
     recovery_.reset();
     older_recoveries_.clear();
     taken_.clear();  // what was undone stays where it is and is offered there
-    if (moved) undo_.clear(), recorded_.clear();
+    if (moved) forget_steps();
     contents_.clear();
     look_at_files();
     check_again();
@@ -355,7 +309,7 @@ void OpenProject::drop_unsaved_home() {
 void OpenProject::autosave_unsaved() {
     if (unsaved_place_.empty() || !is_dirty()) return;
     const bool has_home = unsaved_home_.is_ours();
-    if (has_home && has_autosave_ && autosaved_revision_ == revision_ && !autosave_.has_failed()) return;
+    if (has_home && has_autosave_ && autosaved_revision_ == revision() && !autosave_.has_failed()) return;
     try {
         if (!has_home) unsaved_home_ = UnsavedHome::make(unsaved_place_, project_.name, files_);
     } catch (const Error& error) {
@@ -363,7 +317,7 @@ void OpenProject::autosave_unsaved() {
         return;
     }
     autosave_.request(with_absolute_sources(project_, {}), unsaved_home_.folder(), "");
-    autosaved_revision_ = revision_;
+    autosaved_revision_ = revision();
     has_autosave_ = true;
 }
 
@@ -380,9 +334,9 @@ void OpenProject::autosave() {
         return;
     }
     if (!is_dirty()) return drop_autosave();
-    if (has_autosave_ && autosaved_revision_ == revision_ && !autosave_.has_failed()) return;
+    if (has_autosave_ && autosaved_revision_ == revision() && !autosave_.has_failed()) return;
     autosave_.request(project_, folder_, file_hash_, contained_recoveries());
-    autosaved_revision_ = revision_;
+    autosaved_revision_ = revision();
     has_autosave_ = true;
 }
 

@@ -7,16 +7,17 @@
 #include <vector>
 
 #include "projects/autosave.h"
+#include "projects/edited_document.h"
 #include "projects/lock.h"
 #include "projects/scene_hasher.h"
 #include "projects/store.h"
-#include "projects/undo_stack.h"
 #include "projects/unsaved.h"
 
 namespace ir::projects {
 
-/// A project open in a window: document, undo, lock, saving, autosave. One thread (the GUI's).
-class OpenProject {
+/// A project open in a window: the document with its place on the disk: lock, saving, autosave. One thread
+/// (the GUI's).
+class OpenProject : public EditedDocument {
   public:
     /// A new, empty, unsaved project.
     explicit OpenProject(const Registry& registry, FileSystem& files = real_file_system());
@@ -31,13 +32,11 @@ class OpenProject {
                                                         const Registry& registry,
                                                         FileSystem& files = real_file_system());
     /// Gives the lock back. Without close() before, an autosave stays behind and is offered as a recovery.
-    ~OpenProject();
+    ~OpenProject() override;
     /// The user is done with the project, unsaved changes included: removes the autosave, gives back the
     /// lock.
     void close();
 
-    const Project& project() const { return project_; }
-    const Registry& registry() const { return registry_; }
     const std::filesystem::path& folder() const { return folder_; }  ///< empty: never saved
     bool is_read_only() const { return read_only_; }
     const std::string& read_only_reason() const { return lock_.reason(); }
@@ -53,7 +52,6 @@ class OpenProject {
     void set_on_files_read(std::function<void()> on_news) { hasher_.set_on_news(std::move(on_news)); }
     /// Looks at all files again (the window became active, a file was located); unchanged ones are not read.
     void look_at_files();
-    bool is_reading_files() const { return hasher_.is_busy(); }
     void wait_for_files();  ///< blocks until all are read: for commands and tests
     /// What is known of the files, for status(…, folder(), &contents()) in scene_files.h.
     const ContentHashes& contents() const { return contents_; }
@@ -61,18 +59,6 @@ class OpenProject {
     double animation_end(const std::string& source) const;
     /// Experiments whose kept result is no longer what they would render now.
     std::vector<std::string> stale_experiments() const;
-
-    /// Applies and remembers. Throws UsageError when read-only.
-    bool edit(EditPtr edit);
-    void end_gesture() { undo_.end_gesture(); }
-    void undo();
-    void redo();
-    const UndoStack& undo_stack() const { return undo_; }
-    bool is_dirty() const { return !undo_.is_clean() || begins_unsaved_; }
-
-    /// What the index of the results says now; others keep results, too. No change of the document, and no
-    /// matter of undo. Returns whether it was news.
-    bool set_last_kept(LastKept keys);
 
     /// Throws Error (one line) and loses nothing on failure. `overwrite` also when the file on disk changed.
     /// Sources without a recorded hash get that of contents(), as far as it is known; no step of undo.
@@ -110,10 +96,10 @@ class OpenProject {
         bool is_held = false;  ///< the document has that step
     };
     class TakeRecovery;
+    void require_writable() const override;
+    void has_changed() override;
     void load();
-    void changed();
     void look_at_new_files();
-    void require_writable() const;
     void write(const std::string& expected_hash);
     void drop_autosave();
     void next_recovery();
@@ -124,33 +110,25 @@ class OpenProject {
     bool move_sources(const std::filesystem::path& to);
     void autosave_unsaved();
     void drop_unsaved_home();
-    void record_hashes();
-    void forget_named_anew();
-    void undone();
-    const Registry& registry_;
     FileSystem& files_;
     std::filesystem::path folder_;
     Lock lock_;
     std::filesystem::path unsaved_place_;
     UnsavedHome unsaved_home_;
-    bool read_only_ = false, begins_unsaved_ = false;
+    bool read_only_ = false;
     bool has_autosave_ = false, lost_lock_ = false;
     std::string autosave_error_, unsaved_error_;
     int schema_in_file_ = schema_version;
     std::vector<Message> reading_messages_;
-    Project project_;
-    LastKept last_kept_;
-    UndoStack undo_;
     std::vector<Message> messages_;
     ContentHashes contents_;
     AnimationEnds animation_ends_;
-    ContentHashes recorded_;  ///< at saves, where nothing was: older states do not have it
     std::set<std::string> requested_sources_;
     std::optional<Recovery> recovery_;
     std::vector<Recovery> older_recoveries_;             ///< oldest first
     std::vector<std::shared_ptr<TakenRecovery>> taken_;  ///< not saved yet, oldest first
     std::string file_hash_;
-    std::size_t autosaved_revision_ = 0, revision_ = 0;
+    std::size_t autosaved_revision_ = 0;
     AutosaveThread autosave_;
     SceneHasher hasher_;
 };

@@ -13,6 +13,7 @@
 #include "app/engine/interruption.h"
 #include "app/engine/moving.h"
 #include "app/engine/number_text.h"
+#include "app/engine/pictures.h"
 #include "app/engine/run_frames.h"
 #include "projects/autosave.h"
 #include "projects/check.h"
@@ -121,7 +122,7 @@ void verify(Json& row, engine::Machine& machine, const projects::LoadedProject& 
         row["changed"].push_back("device: " + kept->provenance.driver + " → " + report.device);
     for (const auto& file : kept->files)
         if (file.role == "main")
-            compare_pictures(row, execution.main_result(), loaded.folder / "results" / file.path);
+            compare_pictures(row, main_result(execution), loaded.folder / "results" / file.path);
 }
 
 void print_row(const Json& row) {

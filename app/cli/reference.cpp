@@ -13,6 +13,7 @@
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
 #include "app/engine/moving.h"
+#include "app/engine/pictures.h"
 #include "projects/open_project.h"
 #include "projects/results.h"
 #include "projects/results_guard.h"
@@ -155,7 +156,7 @@ class References {
     void write(const engine::Execution& execution, const FrameReport& report, const std::string& id) const {
         if (flags_.out.empty()) return;
         const auto stem = (fs::path(flags_.out) / id).string();
-        write_exr(stem + ".exr", execution.layers({execution.method().variance}), execution.attributes());
+        write_exr(stem + ".exr", layers(execution, {execution.method().variance}), attributes(execution));
         write_file(stem + ".json", engine::statistics_json(report) + "\n");
     }
 

@@ -14,6 +14,7 @@
 #include "app/cli/run_frames.h"
 #include "app/engine/execution.h"
 #include "app/engine/from_project.h"
+#include "app/engine/pictures.h"
 #include "projects/match.h"
 #include "projects/samples.h"
 #include "renderers/core/error.h"
@@ -42,7 +43,7 @@ scene::Environment parse_environment(const std::string& text) {
             throw UsageError("--env '" + text + "': radiance is never negative");
         return {glm::vec3(radiance), nullptr};
     }
-    return {glm::vec3(0), std::make_shared<Image>(read_image(text))};
+    return scene::map_environment(std::make_shared<Image>(read_image(text)));
 }
 
 std::uint64_t parse_seed(const std::string& text) {
@@ -170,7 +171,7 @@ int render_scene(const RenderFlags& flags) {
         report.messages.push_back(std::move(warning));
     warn_of_unmatched(flags.dumps, report);
     if (!flags.quiet) note_lists(flags.dumps, report);
-    write_exr(flags.out, execution.layers(flags.dumps), execution.attributes());
+    write_exr(flags.out, layers(execution, flags.dumps), attributes(execution));
     print_messages(execution, report);
     if (flags.json == "-")
         std::cout << engine::statistics_json(report) << "\n";

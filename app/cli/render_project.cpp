@@ -11,6 +11,7 @@
 #include "app/cli/run_and_keep.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/from_project.h"
+#include "app/engine/pictures.h"
 #include "renderers/core/error.h"
 #include "renderers/core/write_file.h"
 #include "renderers/image/channels.h"
@@ -80,9 +81,9 @@ std::string render_one(const ProjectRender& job, engine::Machine& machine, const
     for (auto& warning : inspection_warnings(inspection, resolved))
         report.messages.push_back(std::move(warning));
     warn_of_unmatched(job.dumps, report);
-    write_exr(with(".exr"), execution.layers(job.dumps), execution.attributes());
+    write_exr(with(".exr"), layers(execution, job.dumps), attributes(execution));
     Image colours;  // a result's fourth channel is no opacity
-    write_png(with(".png"), values_of(execution.main_result(), Semantic::radiance, colours));
+    write_png(with(".png"), values_of(main_result(execution), Semantic::radiance, colours));
     write_file(with(".json"), engine::statistics_json(report) + "\n");
     print_messages(execution, report);
     (job.json == "-" ? std::cerr : std::cout) << experiment.id << "  " << with(".exr").string() << "  "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/engine/pictures.h"
 #include "renderers/core/error.h"
 #include "renderers/image/difference.h"
 #include "renderers/image/metrics.h"
@@ -123,7 +124,7 @@ Cell ratio(double value, double to) {
 }  // namespace
 
 BenchmarkPicture picture_of(const Execution& execution) {
-    return {execution.main_result(), execution.graph().read_image("valid").value_or(Image())};
+    return {main_result(execution), execution.graph().read_image("valid").value_or(Image())};
 }
 
 void fill_cells(BenchmarkReport& report, BenchmarkRow& row, const FrameReport& frame, Execution& execution,

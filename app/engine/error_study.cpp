@@ -7,6 +7,7 @@
 
 #include "app/engine/from_project.h"
 #include "app/engine/moving.h"
+#include "app/engine/pictures.h"
 #include "app/engine/study_plan.h"
 #include "app/engine/study_reference.h"
 #include "projects/samples.h"
@@ -218,7 +219,7 @@ class Study {
     void measure(Execution& execution, const FrameReport& report, ErrorPoint& point) {
         machine_.context().make_current();
         const auto& reference = reference_of(execution);
-        const auto image = execution.main_result();
+        const auto image = main_result(execution);
         const auto valid = execution.graph().read_image("valid").value_or(Image());
         point.memory_bytes = report.memory_bytes;
         std::string refusal;

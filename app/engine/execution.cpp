@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "app/engine/lighting_digest.h"
 #include "app/engine/moving.h"
 #include "projects/samples.h"
 #include "renderers/core/error.h"
@@ -27,15 +28,13 @@ bool same_camera(const std::optional<scene::Camera>& a, const std::optional<scen
                   a->orthographic == b->orthographic && a->height == b->height);
 }
 
-bool same_light(const scene::Light& a, const scene::Light& b) {
-    return a.type == b.type && a.colour == b.colour && a.intensity == b.intensity &&
-           a.position == b.position && a.direction == b.direction && a.inner_angle == b.inner_angle &&
-           a.outer_angle == b.outer_angle && a.range == b.range && a.size == b.size;
+bool shine_alike(const scene::Light& a, const scene::Light& b) {
+    return a.shines_like(b);
 }
 
 bool same_lights(const Experiment& a, const Experiment& b) {
     return a.replace_lights == b.replace_lights &&
-           std::equal(a.lights.begin(), a.lights.end(), b.lights.begin(), b.lights.end(), same_light);
+           std::equal(a.lights.begin(), a.lights.end(), b.lights.begin(), b.lights.end(), shine_alike);
 }
 
 }  // namespace
@@ -57,11 +56,6 @@ Execution::Execution(Machine& machine, Experiment experiment)
 
 const MethodDescription& Execution::method() const {
     return method_->description;
-}
-
-std::string Execution::main_key() const {
-    const auto* output = main_output(method_->description, settings_);
-    return output ? output->key : std::string();
 }
 
 void Execution::load() {
@@ -106,11 +100,8 @@ void Execution::forget_frames() {
 
 bool Execution::update(Experiment experiment) {
     const auto& old = experiment_;
-    const bool reload =
-        experiment.composition() != old.composition() || experiment.method != old.method ||
-        !same_lights(experiment, old) || experiment.environment.has_value() != old.environment.has_value() ||
-        (experiment.environment && (experiment.environment->constant != old.environment->constant ||
-                                    experiment.environment->map != old.environment->map));
+    const bool reload = experiment.composition() != old.composition() || experiment.method != old.method ||
+                        !same_lights(experiment, old) || experiment.environment != old.environment;
     bool changed = reload || experiment.width != old.width || experiment.height != old.height ||
                    experiment.seed != old.seed || experiment.time != old.time ||
                    experiment.camera_name != old.camera_name || !same_camera(experiment.camera, old.camera) ||
@@ -181,7 +172,7 @@ void Execution::move_world(double time) {
     lights_time_ = time;
     world_.lights = lights_at(experiment_, own_lights_, time);
     const auto previous = lights_at(experiment_, own_lights_, before);
-    world_.lights_moved = !std::equal(previous.begin(), previous.end(), world_.lights.begin(), same_light);
+    world_.lights_moved = !std::equal(previous.begin(), previous.end(), world_.lights.begin(), shine_alike);
 }
 
 FrameReport Execution::run_frame(const graph::FrameOptions& options, std::uint64_t max_samples) {
@@ -219,20 +210,8 @@ std::string Execution::world_fingerprint() const {
     std::ostringstream text;
     text << std::hexfloat << scene_->content_hash << '@' << world_time_;
     if (world_previous_ != world_time_) text << '<' << world_previous_;
-    const auto add = [&](auto... numbers) { ((text << ' ' << numbers), ...); };
-    const auto& environment = scene_->environment;
-    add(environment.constant.x, environment.constant.y, environment.constant.z, environment.map.get());
-    for (const auto& light : world_.lights) {
-        text << ';' << static_cast<int>(light.type);
-        for (const auto& vector : {light.position, light.direction, light.colour})
-            add(vector.x, vector.y, vector.z);
-        add(light.intensity, light.range, light.inner_angle, light.outer_angle, light.size.x, light.size.y);
-    }
+    text << ' ' << lighting_digest(world_.lights, scene_->environment);
     return text.str();
-}
-
-Image Execution::main_result() const {
-    return graph_->read_image(main_key()).value_or(Image());
 }
 
 }  // namespace ir::engine

@@ -70,8 +70,8 @@ class Execution {
 
     const Experiment& experiment() const { return experiment_; }
     const MethodDescription& method() const;
-    /// Key of the resource that holds the main result.
-    std::string main_key() const;
+    /// All values of the method's parameters.
+    const Settings& settings() const { return settings_; }
     const scene::Scene& scene() const { return *scene_; }
     const scene::World& world() const { return world_; }
 
@@ -99,8 +99,6 @@ class Execution {
     /// What another execution could go on from: the history of the last committed frame. Empty where there is
     /// none, or where it could not be restored.
     std::optional<StoredState> state() const;
-    /// Of everything that a state depends on.
-    std::string state_fingerprint() const;
     /// The runs whose samples were restored; empty where all are this execution's own.
     const std::vector<StateOrigin>& origins() const { return origins_; }
     /// Whether this execution has added samples itself.
@@ -130,15 +128,6 @@ class Execution {
     /// What the last frame was made from (valid until the next one); without a scene before the first, and
     /// after update() has loaded another scene.
     const graph::FrameInputs& inputs() const { return inputs_; }
-    /// The main result and its valid mask after the last frame.
-    Image main_result() const;
-    /// Default layer with the main result, "valid", its variance, and each resource that matches a pattern:
-    /// images as they are (levels and layers as "key.level1", "key.layer3"), buffers as images with a channel
-    /// per field, at most 4096 wide.
-    std::vector<ImageLayer> layers(const std::vector<std::string>& patterns) const;
-    /// Parameters, seed, camera, scene hash, versions: for the EXR header.
-    ImageAttributes attributes() const;
-
     /// The camera in force, after the first frame.
     scene::Camera camera() const;
 

@@ -21,7 +21,7 @@ class Exact {
     }
     void add_vector(const glm::vec3& v) { add(v.x, v.y, v.z); }
     void add_text(const std::string& text) { text_ << ' ' << text.size() << ':' << text; }
-    std::string hash() const { return projects::hash_bytes(text_.str()); }
+    std::string hash() const { return hash_bytes(text_.str()); }
     Exact() { text_ << std::hexfloat; }
 
   private:
@@ -30,8 +30,7 @@ class Exact {
 
 void add(Exact& exact, const scene::Light& light) {
     exact.add(static_cast<int>(light.type));
-    for (const auto& vector : {light.position, light.direction, light.colour}) exact.add_vector(vector);
-    exact.add(light.intensity, light.range, light.inner_angle, light.outer_angle, light.size.x, light.size.y);
+    for (const float number : light.numbers()) exact.add(number);
 }
 
 void add(Exact& exact, const scene::Environment& environment) {
@@ -39,8 +38,7 @@ void add(Exact& exact, const scene::Environment& environment) {
     if (!environment.map) return;
     const auto& map = *environment.map;
     exact.add(map.width, map.height, map.channels);
-    exact.add_text(projects::hash_bytes(
-        {reinterpret_cast<const char*>(map.pixels.data()), map.pixels.size() * sizeof(float)}));
+    exact.add_text(environment.hash_of_map());
 }
 
 void add(Exact& exact, const scene::Camera& camera) {
@@ -72,10 +70,6 @@ std::string state_fingerprint(const Experiment& experiment, const std::string& s
     exact.add(experiment.width, experiment.height, experiment.seed, experiment.time);
     if (const auto motion = motion_text(experiment); !motion.empty()) exact.add_text(motion);
     return exact.hash();
-}
-
-std::string Execution::state_fingerprint() const {
-    return engine::state_fingerprint(experiment_, scene_->content_hash);
 }
 
 bool Execution::accumulates() const {
@@ -120,7 +114,8 @@ void Execution::restore(StoredState state) {
         throw Error(
             "a stored state cannot be continued here: " +
             std::string(scene_->is_animated() ? "the scene moves" : "the method does not accumulate"));
-    if (state.fingerprint != state_fingerprint()) throw Error("the stored state is of another picture");
+    if (state.fingerprint != state_fingerprint(experiment_, scene_->content_hash))
+        throw Error("the stored state is of another picture");
     restart();
     graph_->restore(std::move(state.history));
     origins_ = std::move(state.origins);
@@ -131,7 +126,8 @@ std::optional<StoredState> Execution::state() const {
     if (!accumulates() || samples_ == 0) return {};
     auto history = graph_->history();
     if (!history) return {};
-    StoredState state{std::move(*history), samples_, state_fingerprint(), origins_};
+    StoredState state{std::move(*history), samples_, state_fingerprint(experiment_, scene_->content_hash),
+                      origins_};
     if (is_extended_ || origins_.empty()) {
         const auto& report = graph_->last_report();
         state.origins.push_back({version(), report.device, report.backend, projects::utc_now(), samples_});

@@ -144,7 +144,7 @@ void set_lights(Experiment& result, const projects::Project& project, const std:
         result.environment = scene::Environment{glm::vec3(environment.constant), nullptr};
     } else if (environment.kind == Kind::map) {
         const auto file = projects::resolve(environment.source, folder);
-        result.environment = scene::Environment{glm::vec3(0), std::make_shared<Image>(read_image(file))};
+        result.environment = scene::map_environment(std::make_shared<Image>(read_image(file)));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/engine/pictures.h"
 #include "app/engine/version.h"
 #include "projects/hash.h"
 #include "projects/keep.h"
@@ -70,9 +71,9 @@ void write_files(KeptResult& result, const Execution& execution, const FrameRepo
     const auto relative = projects::result_folder(result.key);
     files.create_directories(results / relative);
     const auto& variance = execution.method().variance;
-    const auto attributes = execution.attributes();
+    const auto attributes = engine::attributes(execution);
     write_exr(files, results / relative / "main.exr",
-              execution.layers(variance.empty() ? std::vector<std::string>() : std::vector{variance}),
+              layers(execution, variance.empty() ? std::vector<std::string>() : std::vector{variance}),
               attributes);
     add_file(result, projects::main_role, results, relative + "/main.exr");
     write_atomically(files, results / relative / "statistics.json", statistics_json(report) + "\n");

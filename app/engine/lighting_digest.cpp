@@ -1,9 +1,8 @@
 #include "app/engine/lighting_digest.h"
 
 #include <sstream>
-#include <string_view>
 
-#include "projects/hash.h"
+#include "renderers/core/hash.h"
 
 namespace ir::engine {
 
@@ -13,16 +12,13 @@ std::string lighting_digest(const std::vector<scene::Light>& lights, const scene
     const auto add = [&](auto... numbers) { ((text << ' ' << numbers), ...); };
     add(environment.constant.x, environment.constant.y, environment.constant.z);
     if (const auto& map = environment.map; map && !map->empty()) {
-        const std::string_view bytes(reinterpret_cast<const char*>(map->pixels.data()),
-                                     map->pixels.size() * sizeof(float));
-        text << ' ' << map->width << 'x' << map->height << ' ' << projects::hash_bytes(bytes);
+        text << ' ' << map->width << 'x' << map->height << ' ' << environment.hash_of_map();
     }
     for (const auto& light : lights) {
         text << ';' << static_cast<int>(light.type);
-        for (const auto& v : {light.position, light.direction, light.colour}) add(v.x, v.y, v.z);
-        add(light.intensity, light.range, light.inner_angle, light.outer_angle, light.size.x, light.size.y);
+        for (const float number : light.numbers()) add(number);
     }
-    return projects::hash_bytes(text.str());
+    return hash_bytes(text.str());
 }
 
 }  // namespace ir::engine

@@ -226,7 +226,7 @@ void LiveSession::export_layers(const ExportRequest& request) const {
                          }))
             throw Error("no buffer that was computed matches '" + pattern + "'");
     machine_.context().make_current();
-    write_exr(request.file, entry.execution->layers(request.patterns), entry.execution->attributes());
+    write_exr(request.file, layers(*entry.execution, request.patterns), attributes(*entry.execution));
 }
 
 std::string LiveSession::keep(const KeepRequest& request) {
@@ -239,7 +239,8 @@ std::string LiveSession::keep(const KeepRequest& request) {
     const auto& execution = *found->second.execution;
     const auto asked = from_project(request.project, *experiment, request.folder);
     const auto& scene = *machine_.scenes().load(asked.composition());
-    const bool is_same = state_fingerprint(asked, scene.content_hash) == execution.state_fingerprint();
+    const bool is_same = state_fingerprint(asked, scene.content_hash) ==
+                         state_fingerprint(execution.experiment(), scene.content_hash);
     if (!is_same || execution.experiment().frames != asked.frames)
         throw Error("what is shown is not what '" + experiment->name +
                     "' asks for now; wait until it is rendered");

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/engine/live_session.h"
+#include "app/engine/pictures.h"
 #include "renderers/image/atlas.h"
 #include "renderers/image/channels.h"
 
@@ -104,7 +105,7 @@ Image thumbnail(const Image& image, int width) {
 
 void read_back(LiveResult& result, const LiveRequest& request, const Execution& execution) {
     const auto& graph = execution.graph();
-    const auto main_key = execution.main_key();
+    const auto main_key = engine::main_key(execution);
     for (const auto& part : request.parts) {
         const auto* resource = find(result.report, part.key.empty() ? main_key : part.key);
         if (!resource || !resource->available || resource->width == 0) continue;
@@ -130,7 +131,7 @@ ProbeResult LiveSession::probe(const ProbeRequest& request) const {
     if (found == entries_.end() || !found->second.execution) return result;
     const auto& execution = found->second.execution;
     const auto& report = found->second.report;
-    const auto* main = find(report, execution->main_key());
+    const auto* main = find(report, engine::main_key(*execution));
     if (!main || main->width < 1 || main->height < 1) return result;
     machine_.context().make_current();
     for (const auto& resource : report.resources)

@@ -21,7 +21,7 @@ struct StateOrigin {
 struct StoredState {
     graph::History history;
     std::uint64_t samples = 0;         ///< projects/samples.h
-    std::string fingerprint;           ///< Execution::state_fingerprint() of what it was computed for
+    std::string fingerprint;           ///< state_fingerprint() of what it was computed for
     std::vector<StateOrigin> origins;  ///< oldest first; the last one stored it
 };
 

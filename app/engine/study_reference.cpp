@@ -5,6 +5,7 @@
 
 #include "app/engine/from_project.h"
 #include "app/engine/keep_result.h"
+#include "app/engine/pictures.h"
 #include "app/engine/run_frames.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
@@ -79,7 +80,7 @@ StudyReference rendered(Machine& machine, const projects::Project& project,
     } catch (const Error& error) {
         result.notes.push_back(std::string("the reference was not kept: ") + error.what());
     }
-    result.image = execution.main_result();
+    result.image = main_result(execution);
     result.valid = execution.graph().read_image("valid").value_or(Image());
     const auto variance = key.empty() ? std::nullopt : execution.graph().read_image(key);
     if (variance) result.noise = noise_of(*variance, result.valid);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderers/image/exr.h"
+#include "renderers/scene/scene.h"
 
 namespace ir::gui {
 namespace {
@@ -36,6 +37,11 @@ ImageFile ImageLoader::get(const std::filesystem::path& file) {
     return nullptr;
 }
 
+std::string ImageLoader::hash(const std::filesystem::path& file) const {
+    const auto found = entries_.find(file);
+    return found == entries_.end() ? std::string() : found->second.hash;
+}
+
 std::string ImageLoader::error(const std::filesystem::path& file) const {
     const auto found = entries_.find(file);
     return found == entries_.end() ? std::string() : found->second.error;
@@ -47,9 +53,10 @@ void ImageLoader::read_next() {
     reading_ = true;
     const auto file = waiting_.front();
     thread_ = std::thread([this, file] {
-        Entry entry{time_of(file), nullptr, {}};
+        Entry entry{time_of(file), nullptr, {}, {}};
         try {
             entry.layers = std::make_shared<const std::vector<ImageLayer>>(read_layers(file));
+            entry.hash = scene::hash_of(entry.layers->front().image);
         } catch (const std::exception& reason) {
             entry.error = reason.what();
         }

@@ -25,6 +25,8 @@ class ImageLoader : public QObject {
     /// The file when it is there; else null, and arrived() or failed() follows. A file that failed is tried
     /// again only when it has changed.
     ImageFile get(const std::filesystem::path& file);
+    /// scene::hash_of() the default layer; empty where the file is not there.
+    std::string hash(const std::filesystem::path& file) const;
     /// Why a file could not be read; empty when nothing is known against it.
     std::string error(const std::filesystem::path& file) const;
     bool is_reading() const { return reading_; }
@@ -37,7 +39,7 @@ class ImageLoader : public QObject {
     struct Entry {
         std::filesystem::file_time_type time;
         ImageFile layers;
-        std::string error;
+        std::string error, hash;
     };
     void read_next();
     void finish(const std::filesystem::path& file, Entry entry);

@@ -212,8 +212,8 @@ std::optional<engine::Experiment> LivePictures::resolved(const projects::Experim
     projects::Project without = document;  // the map is here already and not to be read again
     projects::find_item(without.lights, lights->id)->environment.kind = Kind::scene;
     auto wanted = engine::from_project(without, chosen, folder);
-    wanted.environment =
-        scene::Environment{glm::vec3(0), std::shared_ptr<const Image>(map, &map->front().image)};
+    wanted.environment = scene::Environment{
+        glm::vec3(0), std::shared_ptr<const Image>(map, &map->front().image), images_.hash(file)};
     return wanted;
 }
 

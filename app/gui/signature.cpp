@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "app/engine/lighting_digest.h"
 #include "app/engine/moving.h"
 
 namespace ir::gui {
@@ -15,11 +16,6 @@ void write_camera(std::ostream& out, const scene::Camera& c) {
     out << c.eye << c.target << c.up << c.fov_y << ',' << c.orthographic << ',' << c.height << '\n';
 }
 
-void write_light(std::ostream& out, const scene::Light& l) {
-    out << int(l.type) << ';' << l.colour << l.intensity << ';' << l.position << l.direction << l.inner_angle
-        << ',' << l.outer_angle << ',' << l.range << ',' << l.size.x << ',' << l.size.y << '\n';
-}
-
 }  // namespace
 
 std::string signature(const engine::Experiment& e) {
@@ -30,8 +26,8 @@ std::string signature(const engine::Experiment& e) {
     out << e.camera_name << '\n';
     if (e.camera) write_camera(out, *e.camera);
     if (e.replace_lights) out << "lights\n";
-    for (const auto& light : e.lights) write_light(out, light);
-    if (e.environment) out << "environment " << e.environment->constant << e.environment->map.get() << '\n';
+    if (e.environment) out << "environment\n";
+    out << engine::lighting_digest(e.lights, e.environment.value_or(scene::Environment{})) << '\n';
     out << e.width << 'x' << e.height << ' ' << e.seed << ' ' << e.frames << ' ' << e.time;
     out << '\n' << engine::motion_text(e);
     return out.str();

@@ -2,28 +2,70 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/gtc/type_ptr.hpp>
 
 namespace ir::gl {
 namespace {
 
-/// Samplers and images, which are set by int; their enumerants lie in these ranges.
-bool is_opaque(GLenum type) {
-    static constexpr std::array<std::pair<GLenum, GLenum>, 6> ranges{{
-        {GL_SAMPLER_1D, GL_SAMPLER_2D_RECT_SHADOW},
-        {GL_SAMPLER_1D_ARRAY, GL_SAMPLER_CUBE_SHADOW},
-        {GL_INT_SAMPLER_1D, GL_UNSIGNED_INT_SAMPLER_BUFFER},
-        {GL_SAMPLER_CUBE_MAP_ARRAY, GL_UNSIGNED_INT_SAMPLER_CUBE_MAP_ARRAY},
-        {GL_IMAGE_1D, GL_UNSIGNED_INT_IMAGE_2D_MULTISAMPLE_ARRAY},
-        {GL_SAMPLER_2D_MULTISAMPLE, GL_UNSIGNED_INT_SAMPLER_2D_MULTISAMPLE_ARRAY},
-    }};
-    return std::any_of(ranges.begin(), ranges.end(),
-                       [type](const auto& range) { return type >= range.first && type <= range.second; });
+/// Whether a uniform of type `declared` takes a constant. A bool may also be an int of 0 or 1.
+bool accepts(GLenum declared, Constant::Type given) {
+    using Type = Constant::Type;
+    switch (given) {
+        case Type::int_:
+            return declared == GL_INT || declared == GL_BOOL;
+        case Type::uint:
+            return declared == GL_UNSIGNED_INT || declared == GL_BOOL;
+        case Type::bool_:
+            return declared == GL_BOOL || declared == GL_INT;
+        case Type::float_:
+            return declared == GL_FLOAT;
+        case Type::vec2:
+            return declared == GL_FLOAT_VEC2;
+        case Type::vec3:
+            return declared == GL_FLOAT_VEC3;
+        case Type::vec4:
+        case Type::vec4s:
+            return declared == GL_FLOAT_VEC4;
+        case Type::ivec2:
+            return declared == GL_INT_VEC2;
+        case Type::mat4:
+            return declared == GL_FLOAT_MAT4;
+    }
+    return false;
 }
 
-/// "lights[2].position" → "lights"
-std::string first_identifier(const std::string& uniform) {
-    return uniform.substr(0, uniform.find_first_of("[."));
+template <class T>
+const T& read(const void* bytes) {
+    return *static_cast<const T*>(bytes);
+}
+
+void put(const Api& api, GLuint program, GLint location, const Constant& constant, const void* value) {
+    using Type = Constant::Type;
+    const auto floats = static_cast<const float*>(value);
+    switch (constant.type) {
+        case Type::int_:
+            return api.ProgramUniform1i(program, location, read<int>(value));
+        case Type::uint:
+            return api.ProgramUniform1ui(program, location, read<unsigned>(value));
+        case Type::bool_:
+            return api.ProgramUniform1i(program, location, read<bool>(value));
+        case Type::float_:
+            return api.ProgramUniform1f(program, location, *floats);
+        case Type::vec2:
+            return api.ProgramUniform2fv(program, location, 1, floats);
+        case Type::vec3:
+            return api.ProgramUniform3fv(program, location, 1, floats);
+        case Type::vec4:
+            return api.ProgramUniform4fv(program, location, constant.count, floats);
+        case Type::ivec2:
+            return api.ProgramUniform2iv(program, location, 1, static_cast<const int*>(value));
+        case Type::mat4:
+            return api.ProgramUniformMatrix4fv(program, location, 1, GL_FALSE, floats);
+        case Type::vec4s: {
+            const auto& values = read<std::span<const glm::vec4>>(value);
+            return api.ProgramUniform4fv(program, location, static_cast<GLsizei>(values.size()),
+                                         reinterpret_cast<const float*>(values.data()));
+        }
+    }
 }
 
 }  // namespace
@@ -32,70 +74,31 @@ void Program::use() const {
     api_->UseProgram(name_);
 }
 
-const Program::Uniform& Program::find_uniform(const std::string& uniform) const {
-    const auto known = uniforms_.find(uniform);
-    if (known != uniforms_.end()) return known->second;
-    if (!identifiers_.contains(first_identifier(uniform)))
-        throw Error(label_ + ": the source has no uniform '" + uniform + "'; check its name");
-    Uniform found;
-    const GLuint index = api_->GetProgramResourceIndex(name_, GL_UNIFORM, uniform.c_str());
-    if (index != GL_INVALID_INDEX) {
-        const std::array<GLenum, 2> properties{GL_LOCATION, GL_TYPE};
-        std::array<GLint, 2> values{-1, 0};
-        api_->GetProgramResourceiv(name_, GL_UNIFORM, index, 2, properties.data(), 2, nullptr, values.data());
-        found = {values[0], static_cast<GLenum>(values[1])};
+std::vector<GLint> Program::locations_of(const ConstantLayout& layout) const {
+    std::vector<GLint> locations;
+    for (const auto& constant : layout) {
+        const auto uniform = uniforms_.find(constant.name);
+        if (uniform == uniforms_.end() && !identifiers_.contains(constant.name))
+            throw ConstantsError(label_ + ": the source has no uniform '" + constant.name +
+                                 "'; check its name");
+        if (uniform != uniforms_.end() && !accepts(uniform->second.type, constant.type))
+            throw ConstantsError(label_ + ": uniform '" + constant.name +
+                                 "' has another type than the constant of its name");
+        locations.push_back(uniform == uniforms_.end() ? -1 : uniform->second.location);
     }
-    // the resource of an array is its element 0; the other elements are only known to this query
-    if (found.location < 0) found = {api_->GetUniformLocation(name_, uniform.c_str()), GL_NONE};
-    return uniforms_.emplace(uniform, found).first->second;
+    return locations;
 }
 
-GLint Program::location(const char* uniform, std::initializer_list<GLenum> accepted) const {
-    const Uniform& found = find_uniform(uniform);
-    if (!unset_.empty()) unset_.erase(first_identifier(uniform));
-    if (found.location < 0 || found.type == GL_NONE) return found.location;
-    const bool by_int = *accepted.begin() == GL_INT && is_opaque(found.type);
-    if (!by_int && std::find(accepted.begin(), accepted.end(), found.type) == accepted.end())
-        throw Error(label_ + ": uniform '" + uniform + "' is set with another type than it is declared with");
-    return found.location;
-}
-
-void Program::set(const char* uniform, int value) const {
-    api_->ProgramUniform1i(name_, location(uniform, {GL_INT, GL_BOOL}), value);
-}
-
-void Program::set(const char* uniform, unsigned value) const {
-    api_->ProgramUniform1ui(name_, location(uniform, {GL_UNSIGNED_INT, GL_BOOL}), value);
-}
-
-void Program::set(const char* uniform, float value) const {
-    api_->ProgramUniform1f(name_, location(uniform, {GL_FLOAT}), value);
-}
-
-void Program::set(const char* uniform, glm::vec2 value) const {
-    api_->ProgramUniform2fv(name_, location(uniform, {GL_FLOAT_VEC2}), 1, glm::value_ptr(value));
-}
-
-void Program::set(const char* uniform, glm::vec3 value) const {
-    api_->ProgramUniform3fv(name_, location(uniform, {GL_FLOAT_VEC3}), 1, glm::value_ptr(value));
-}
-
-void Program::set(const char* uniform, glm::vec4 value) const {
-    api_->ProgramUniform4fv(name_, location(uniform, {GL_FLOAT_VEC4}), 1, glm::value_ptr(value));
-}
-
-void Program::set(const char* uniform, glm::ivec2 value) const {
-    api_->ProgramUniform2iv(name_, location(uniform, {GL_INT_VEC2}), 1, glm::value_ptr(value));
-}
-
-void Program::set(const char* uniform, std::span<const glm::vec4> values) const {
-    api_->ProgramUniform4fv(name_, location(uniform, {GL_FLOAT_VEC4}), static_cast<GLsizei>(values.size()),
-                            &values.data()->x);
-}
-
-void Program::set(const char* uniform, const glm::mat4& value) const {
-    api_->ProgramUniformMatrix4fv(name_, location(uniform, {GL_FLOAT_MAT4}), 1, GL_FALSE,
-                                  glm::value_ptr(value));
+void Program::set(const ConstantLayout& layout, const void* constants) const {
+    auto& locations = locations_[&layout];
+    if (locations.empty()) {
+        locations = locations_of(layout);
+        for (const auto& constant : layout) unset_.erase(constant.name);
+    }
+    for (std::size_t i = 0; i < layout.size(); ++i)
+        if (locations[i] >= 0)
+            put(*api_, name_, locations[i], layout[i],
+                static_cast<const std::byte*>(constants) + layout[i].offset);
 }
 
 const ProgramResource* Program::find_resource(const std::string& name) const {
@@ -130,7 +133,7 @@ void Program::bind_image(const char* image, Name texture, Format format) const {
 }
 
 void Program::require_uniforms() const {
-    if (!unset_.empty()) throw Error(label_ + ": nobody gives '" + *unset_.begin() + "' a value");
+    if (!unset_.empty()) throw ConstantsError(label_ + ": nobody gives '" + *unset_.begin() + "' a value");
 }
 
 void Program::dispatch(std::int64_t x, std::int64_t y, std::int64_t z) const {

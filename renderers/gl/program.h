@@ -3,34 +3,24 @@
 #include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
-#include <initializer_list>
 #include <map>
 #include <memory>
 #include <set>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 #include "renderers/core/error.h"
 #include "renderers/core/parameter.h"
 #include "renderers/core/report.h"
+#include "renderers/gl/constants.h"
 #include "renderers/gl/context.h"
 #include "renderers/gl/device.h"
 #include "renderers/gl/program_resources.h"
+#include "renderers/gl/program_source.h"
 
 namespace ir::gl {
-
-/// What a program is made of. Files are relative to the shader folder and end in .vert .tesc .tese .geom
-/// .frag .comp.
-struct ProgramSource {
-    std::vector<std::string> files;
-    std::map<std::string, std::string> defines = {};
-    std::string preamble = {};  ///< GLSL put after #version and defines, e.g. a generated parameter block
-    std::vector<std::string> feedback = {};  ///< transform-feedback varyings, interleaved
-    auto operator<=>(const ProgramSource&) const = default;
-};
 
 /// A program that does not compile or link. what() is the first error, "passes/ldm/build.comp:12: …".
 class ShaderError : public Error {
@@ -39,8 +29,13 @@ class ShaderError : public Error {
     std::vector<Message> messages;  ///< all errors
 };
 
-/// A linked program. Uniforms that the compiler removed are ignored when set; setting one that the source
-/// never names, or with another type than declared, throws Error.
+/// Constants that do not fit the program, or that nobody gave. what() names program and uniform.
+class ConstantsError : public Error {
+  public:
+    using Error::Error;
+};
+
+/// A linked program.
 class Program {
   public:
     GLuint name() const { return name_; }
@@ -50,16 +45,15 @@ class Program {
     /// Whether the source declares a block, sampler or image of this name, also one that was optimised away.
     bool declares(const std::string& resource) const { return declarations_.names(resource); }
     void use() const;
-    void set(const char* uniform, int value) const;
-    void set(const char* uniform, unsigned value) const;
-    void set(const char* uniform, float value) const;
-    void set(const char* uniform, glm::vec2 value) const;
-    void set(const char* uniform, glm::vec3 value) const;
-    void set(const char* uniform, glm::vec4 value) const;
-    void set(const char* uniform, glm::ivec2 value) const;
-    void set(const char* uniform, const glm::mat4& value) const;
-    void set(const char* uniform, std::span<const glm::vec4> values) const;  ///< from element 0 on
-    /// Throws Error that names a uniform which the program uses and nobody ever gave a value.
+    /// Gives the uniforms the values of a struct with IR_FIELDS. It is compared with the linked program once:
+    /// throws ConstantsError for a member whose uniform the source never names, and for one of another type.
+    /// Uniforms that the compiler removed are ignored.
+    template <HasFields T>
+    void set(const T& constants) const {
+        set(constants_of<T>(), &constants);
+    }
+    void set(const ConstantLayout& layout, const void* constants) const;
+    /// Throws ConstantsError for a uniform which the program uses and nobody ever gave a value.
     void require_uniforms() const;
     /// Binds to the unit that a resource of the program has; all of the buffer where `bytes` is 0. One that
     /// the compiler removed is ignored; one that the source never declares throws Error.
@@ -75,13 +69,7 @@ class Program {
   private:
     friend class ProgramLibrary;
     Program() = default;
-    struct Uniform {
-        GLint location = -1;  ///< -1: removed by the compiler
-        GLenum type = GL_NONE;
-    };
-    const Uniform& find_uniform(const std::string& uniform) const;
-    /// The location for a value whose type is one of `accepted`, or -1.
-    GLint location(const char* uniform, std::initializer_list<GLenum> accepted) const;
+    std::vector<GLint> locations_of(const ConstantLayout& layout) const;
     const ProgramResource* find_resource(const std::string& name) const;
 
     const Api* api_ = nullptr;
@@ -91,8 +79,10 @@ class Program {
     std::unordered_set<std::string> identifiers_;  ///< all words of the source
     ResourceDeclarations declarations_;
     std::vector<ProgramResource> resources_;
-    mutable std::unordered_map<std::string, Uniform> uniforms_;
-    mutable std::set<std::string> unset_;  ///< without [0]
+    std::map<std::string, PlainUniform> uniforms_;  ///< active ones
+    mutable std::set<std::string> unset_;           ///< of these
+    /// Of the members of each struct of constants that was given; -1 where the compiler removed the uniform.
+    mutable std::map<const ConstantLayout*, std::vector<GLint>> locations_;
 };
 
 /// Compiles, caches and reloads the programs of one context. `#include "lib/random.glsl"` is resolved against

@@ -190,7 +190,8 @@ void ProgramLibrary::compile(const ProgramSource& source, Entry& entry) {
         }
         link(api, handle, source);
         program.resources_ = assign_units(api, handle.name, program.declarations_);
-        program.unset_ = plain_uniforms(api, handle.name);
+        program.uniforms_ = plain_uniforms(api, handle.name);
+        for (const auto& [name, uniform] : program.uniforms_) program.unset_.insert(name);
         api.ObjectLabel(GL_PROGRAM, handle.name,
                         static_cast<GLsizei>(std::min<std::size_t>(label.size(), 255)), label.c_str());
         program.api_ = &api;

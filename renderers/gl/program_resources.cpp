@@ -171,12 +171,11 @@ void ResourceDeclarations::add(const std::string& text) {
     }
 }
 
-std::set<std::string> plain_uniforms(const Api& api, GLuint program) {
-    std::set<std::string> names;
-    for (const auto& uniform : active_uniforms(api, program))
-        if (uniform.location >= 0 && !is_resource(uniform.type))
-            names.insert(uniform.name.substr(0, uniform.name.find('.')));
-    return names;
+std::map<std::string, PlainUniform> plain_uniforms(const Api& api, GLuint program) {
+    std::map<std::string, PlainUniform> uniforms;
+    for (const auto& [name, type, count, location] : active_uniforms(api, program))
+        if (location >= 0 && !is_resource(type)) uniforms[name] = {type, location};
+    return uniforms;
 }
 
 std::vector<ProgramResource> assign_units(const Api& api, GLuint program,

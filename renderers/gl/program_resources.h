@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -53,8 +52,14 @@ class ResourceDeclarations {
     std::map<std::string, Declaration> declared_;
 };
 
-/// Names of the active uniforms of a linked program that are no samplers and no images, without [0].
-std::set<std::string> plain_uniforms(const Api& api, GLuint program);
+struct PlainUniform {
+    GLenum type = GL_NONE;
+    GLint location = -1;
+};
+
+/// The active uniforms of a linked program that are no samplers and no images, by name; of arrays without
+/// [0].
+std::map<std::string, PlainUniform> plain_uniforms(const Api& api, GLuint program);
 
 /// The active resources of a linked program, in the order of their names. Each gets a unit of its kind.
 std::vector<ProgramResource> assign_units(const Api& api, GLuint program,

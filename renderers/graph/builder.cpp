@@ -67,31 +67,37 @@ void PassBuilder::execute_sliced(std::int64_t items, std::function<void(PassCont
     pass_->execute = std::move(run);
 }
 
-void PassBuilder::compute(const gl::ProgramSource& source, ImageRef over, Set set) {
-    execute([source, over, set = std::move(set)](PassContext& context) {
+void Constants::give(const PassContext& context, const gl::Program& program) const {
+    if (give_)
+        give_(context,
+              [&](const gl::ConstantLayout& layout, const void* values) { program.set(layout, values); });
+}
+
+void PassBuilder::compute(const gl::ProgramSource& source, ImageRef over, Constants constants) {
+    execute([source, over, constants = std::move(constants)](PassContext& context) {
         const auto& program = context.use(source);
-        if (set) set(context, program);
+        constants.give(context, program);
         const auto shape = context.shape(over);
         program.dispatch(shape.width, shape.height, std::max(1, shape.layers));
     });
 }
 
-void PassBuilder::compute(const gl::ProgramSource& source, std::int64_t invocations, Set set) {
-    execute([source, invocations, set = std::move(set)](PassContext& context) {
+void PassBuilder::compute(const gl::ProgramSource& source, std::int64_t invocations, Constants constants) {
+    execute([source, invocations, constants = std::move(constants)](PassContext& context) {
         const auto& program = context.use(source);
-        if (set) set(context, program);
+        constants.give(context, program);
         program.dispatch(invocations);
     });
 }
 
-void PassBuilder::draw(const gl::ProgramSource& source, ImageRef target, Set set) {
+void PassBuilder::draw(const gl::ProgramSource& source, ImageRef target, Constants constants) {
     writes(target);
     auto drawn = source;
     drawn.files.insert(drawn.files.begin(), "lib/full_screen.vert");
-    execute([drawn = std::move(drawn), target, set = std::move(set)](PassContext& context) {
+    execute([drawn = std::move(drawn), target, constants = std::move(constants)](PassContext& context) {
         context.bind_framebuffer({{target}});
         const auto& program = context.use(drawn);
-        if (set) set(context, program);
+        constants.give(context, program);
         context.draw_full_screen();
     });
 }

@@ -10,12 +10,13 @@
 
 #include "renderers/core/method.h"
 #include "renderers/core/parameter.h"
+#include "renderers/gl/constants.h"
+#include "renderers/gl/program_source.h"
 #include "renderers/graph/frame_inputs.h"
 #include "renderers/graph/resource.h"
 
 namespace ir::gl {
 class Program;
-struct ProgramSource;
 }  // namespace ir::gl
 
 namespace ir::graph {
@@ -53,6 +54,28 @@ struct Pass {
     std::vector<std::pair<std::string, Binding>> bindings;
     std::int64_t items = 1, first_slice = 0;
     std::function<void(PassContext&, Slice)> execute;
+};
+
+/// The constants of a pass's program: a struct with IR_FIELDS, or a function of the running pass that returns
+/// one.
+class Constants {
+  public:
+    Constants() = default;
+    template <HasFields T>
+    Constants(const T& values)
+        : give_(
+              [values](const PassContext&, const Receiver& give) { give(gl::constants_of<T>(), &values); }) {}
+    template <std::invocable<const PassContext&> F>
+    requires HasFields<std::invoke_result_t<F, const PassContext&>> Constants(F values)
+        : give_([values = std::move(values)](const PassContext& context, const Receiver& give) {
+              const auto constants = values(context);
+              give(gl::constants_of<std::remove_const_t<decltype(constants)>>(), &constants);
+          }) {}
+    void give(const PassContext& context, const gl::Program& program) const;
+
+  private:
+    using Receiver = std::function<void(const gl::ConstantLayout&, const void*)>;
+    std::function<void(const PassContext&, const Receiver&)> give_;
 };
 
 template <class Ref>
@@ -104,13 +127,11 @@ class PassBuilder {
     /// 30 ms; `first_slice` is the size of the first one (0: items / 1024).
     void execute_sliced(std::int64_t items, std::function<void(PassContext&, Slice)> run,
                         std::int64_t first_slice = 0);
-    /// Gives values to the uniforms of the pass's program.
-    using Set = std::function<void(const PassContext&, const gl::Program&)>;
     /// One dispatch, with an invocation for each texel of all layers of an image.
-    void compute(const gl::ProgramSource& source, ImageRef over, Set set = {});
-    void compute(const gl::ProgramSource& source, std::int64_t invocations, Set set = {});
+    void compute(const gl::ProgramSource& source, ImageRef over, Constants constants = {});
+    void compute(const gl::ProgramSource& source, std::int64_t invocations, Constants constants = {});
     /// Writes all of an image by a fragment shader behind shaders/lib/full_screen.vert.
-    void draw(const gl::ProgramSource& source, ImageRef target, Set set = {});
+    void draw(const gl::ProgramSource& source, ImageRef target, Constants constants = {});
 
   private:
     PassBuilder& bind(std::string name, ImageRef ref, bool write, bool previous);

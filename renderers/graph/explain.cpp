@@ -76,7 +76,7 @@ bool Explanation::is_held(const Pass::Access& access, const Plan& before) const 
     const auto* physical = frame_.cache.pool.find(desc.text.key);
     return physical && !physical->is_image &&
            physical->element_bytes == static_cast<std::uint64_t>(stride(desc)) &&
-           physical->capacity == frame_.capacity_of(desc) &&
+           physical->capacity == FrameMemory(frame_).capacity_of(desc) &&
            physical->history == before.buffer_history[access.index] && physical->has_contents();
 }
 
@@ -160,7 +160,7 @@ std::optional<Explanation::Again> Explanation::plan_again(const std::vector<std:
     };
     if (asked_of_frame(frame_.builder->images(), again.before.image_live) ||
         asked_of_frame(frame_.builder->buffers(), again.before.buffer_live) || !has_known_counts(again) ||
-        !frame_.fits(frame_.plan_memory()))
+        !FrameMemory(frame_).fits(FrameMemory(frame_).plan()))
         return {};
     return again;
 }
@@ -184,16 +184,17 @@ void Explanation::allocate_again(const Again& again) {
         if (again.before.buffer_live[i])
             frame_.buffers[i] = frame_.cache.pool.find(desc.text.key);
         else if (frame_.plan.buffer_live[i])
-            frame_.buffers[i] = &frame_.cache.pool.buffer(desc.text.key, desc.text.label, stride(desc),
-                                                          frame_.capacity_of(desc), desc.elements, false);
+            frame_.buffers[i] =
+                &frame_.cache.pool.buffer(desc.text.key, desc.text.label, stride(desc),
+                                          FrameMemory(frame_).capacity_of(desc), desc.elements, false);
     }
 }
 
 void Explanation::run_passes_again(const Again& again) {
     const auto& passes = frame_.builder->passes();
     allocate_again(again);
-    frame_.prepare_counters();
-    frame_.prepare_parameters();
+    FrameMemory(frame_).prepare_counters();
+    FrameMemory(frame_).prepare_parameters();
     frame_.find_cached_passes();
     for (std::size_t i = 0; i < passes.size(); ++i) {
         if (again.before.pass_live[i]) frame_.cached[i] = true;  // for its counters
@@ -238,7 +239,7 @@ bool Explanation::run_again(const std::vector<std::string>& wanted) {
             throw;
         }
         const auto counts = frame_.read_counters();
-        const bool overflow = frame_.grow(counts);
+        const bool overflow = FrameMemory(frame_).grow(counts);
         if (overflow) frame_.drop_unsure_fingerprints();
         fill_report(frame_, counts);
         if (!overflow) return frame_.remember_committed(joined(frame_.cache.committed, wanted)), true;

@@ -68,20 +68,6 @@ struct Frame {
     /// For explanations, which run on what is there then.
     void remember_committed(std::vector<std::string> wanted);
 
-    // frame_memory.cpp
-    std::uint64_t capacity_of(const BufferDesc& desc) const;
-    MemoryPlan plan_memory() const;
-    bool fits(const MemoryPlan& memory) const;
-    void allocate();
-    void free_dead_objects();
-    void prepare_counters();
-    void prepare_parameters();
-    bool grow(const std::vector<std::uint64_t>& counts);
-
-    // memory_advice.cpp: a frame that does not fit
-    class Adviser;
-    [[noreturn]] void refuse(const MemoryPlan& memory) const;
-
     // frame_cache.cpp: contents that outlive a frame
     bool has_contents(const Pass::Access& access) const;
     bool is_cached(const Pass& pass) const;
@@ -99,6 +85,27 @@ struct Frame {
     void serve_views(bool on_gl, std::size_t index);
     void drop_contents(const Pass& pass);
 };
+
+/// What a frame takes on the device: frame_memory.cpp.
+class FrameMemory {
+  public:
+    explicit FrameMemory(Frame& frame) : frame_(frame) {}
+    std::uint64_t capacity_of(const BufferDesc& desc) const;
+    MemoryPlan plan() const;
+    bool fits(const MemoryPlan& memory) const;
+    void allocate();
+    void prepare_counters();
+    void prepare_parameters();
+    /// Enlarges buffers that were too small for what was counted; whether there were any.
+    bool grow(const std::vector<std::uint64_t>& counts);
+
+  private:
+    void free_dead_objects();
+    Frame& frame_;
+};
+
+/// memory_advice.cpp: throws BudgetError that says what would make the frame fit.
+[[noreturn]] void refuse(Frame& frame, const MemoryPlan& memory);
 
 // history.cpp: contents from elsewhere as those of the previous frame
 

@@ -88,10 +88,11 @@ void Frame::run_passes() {
     images.clear();
     buffers.clear();
     ran.clear();
-    allocate();
+    FrameMemory memory(*this);
+    memory.allocate();
     put_restored(*this);
-    prepare_counters();
-    prepare_parameters();
+    memory.prepare_counters();
+    memory.prepare_parameters();
     find_cached_passes();
     cache.report.passes.clear();
     views_ms.assign(builder->passes().size(), 0);
@@ -122,9 +123,10 @@ void Frame::run_attempts(const std::vector<std::string>& wanted) {
         method->setup(declared, *settings);
         plan = make_plan(declared, wanted);
         if (!accept_restored(*this)) continue;
-        const auto memory = plan_memory();
-        if (!fits(memory)) {
-            if (!divide_further()) refuse(memory);
+        FrameMemory memory(*this);
+        const auto needed = memory.plan();
+        if (!memory.fits(needed)) {
+            if (!divide_further()) refuse(*this, needed);
             continue;
         }
         try {
@@ -134,7 +136,7 @@ void Frame::run_attempts(const std::vector<std::string>& wanted) {
             throw;
         }
         const auto counts = read_counters();
-        cache.report.complete = !grow(counts);
+        cache.report.complete = !memory.grow(counts);
         if (!cache.report.complete) drop_unsure_fingerprints();
         fill_report(*this, counts);
         if (cache.report.complete) remember_committed(wanted);

@@ -106,7 +106,7 @@ bool accept_restored(Frame& frame) {
         if (!frame.plan.buffer_live[i] || !frame.plan.buffer_history[i]) continue;
         const auto* entry = find_entry(*cache.restored, desc.text.key);
         if (!is_growth(*entry, desc)) continue;
-        cache.grown[desc.text.key] = std::max(entry->elements, frame.capacity_of(desc));
+        cache.grown[desc.text.key] = std::max(entry->elements, FrameMemory(frame).capacity_of(desc));
         cache.estimates[desc.text.key] = desc.elements;
     }
     return true;

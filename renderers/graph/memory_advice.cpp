@@ -58,13 +58,11 @@ double number_of(const Value& value) {
     return whole ? static_cast<double>(*whole) : std::get<double>(value);
 }
 
-}  // namespace
-
 /// Declares frames other than the one in flight, without running them.
-class Frame::Adviser {
+class Adviser {
   public:
     using Measure = std::uint64_t (*)(const MemoryPlan&);
-    Adviser(const Frame& frame, Measure measure) : frame_(frame), measure_(measure) {}
+    Adviser(Frame& frame, Measure measure) : frame_(frame), measure_(measure) {}
 
     /// What saves the most first.
     std::vector<Advice> advice(std::uint64_t needed) {
@@ -118,19 +116,18 @@ class Frame::Adviser {
     /// Where a capacity was learned it changes with the estimate, except by what does not change the picture.
     std::uint64_t expected_elements(const BufferDesc& desc, Effect effect) const {
         const auto estimate = frame_.cache.estimates.find(desc.text.key);
-        if (!desc.growable || estimate == frame_.cache.estimates.end()) return frame_.capacity_of(desc);
+        if (!desc.growable || estimate == frame_.cache.estimates.end())
+            return FrameMemory(frame_).capacity_of(desc);
         const auto learned = frame_.cache.grown.at(desc.text.key);
         if (effect == Effect::cost || estimate->second == 0) return learned;
         return static_cast<std::uint64_t>(static_cast<double>(learned) * static_cast<double>(desc.elements) /
                                           static_cast<double>(estimate->second));
     }
 
-    const Frame& frame_;
+    Frame& frame_;
     Measure measure_;
     std::vector<Advice> all_;
 };
-
-namespace {
 
 /// What to do, in the order of what it saves: at most two changes, the second only where it saves at least
 /// half as much.
@@ -146,21 +143,22 @@ std::string mend(const MemoryPlan::Resource& largest, std::uint64_t needed, std:
 
 }  // namespace
 
-void Frame::refuse(const MemoryPlan& memory) const {
-    const auto start = "method '" + method->description.id + "' needs ";
-    if (const auto& buffer = memory.largest_buffer; buffer.bytes > cache.device.max_buffer_bytes()) {
-        const auto advice = Adviser(*this, [](const MemoryPlan& plan) {
+void refuse(Frame& frame, const MemoryPlan& memory) {
+    const auto start = "method '" + frame.method->description.id + "' needs ";
+    if (const auto& buffer = memory.largest_buffer; buffer.bytes > frame.cache.device.max_buffer_bytes()) {
+        const auto advice = Adviser(frame, [](const MemoryPlan& plan) {
                                 return plan.largest_buffer.bytes;
                             }).advice(buffer.bytes);
         throw BudgetError(start + "a buffer, '" + buffer.key + "' (" + rounded_up(buffer.bytes) +
-                          "), beyond the device's limit of " + as_given(cache.device.max_buffer_bytes()) +
-                          "; " + mend(buffer, buffer.bytes, advice));
+                          "), beyond the device's limit of " +
+                          as_given(frame.cache.device.max_buffer_bytes()) + "; " +
+                          mend(buffer, buffer.bytes, advice));
     }
     const auto advice =
-        Adviser(*this, [](const MemoryPlan& plan) { return plan.bytes; }).advice(memory.bytes);
+        Adviser(frame, [](const MemoryPlan& plan) { return plan.bytes; }).advice(memory.bytes);
     throw BudgetError(start + rounded_up(memory.bytes) + ", more than the memory budget of " +
-                      as_given(options->memory_budget) + "; its largest resource is '" + memory.largest.key +
-                      "' (" + rounded_up(memory.largest.bytes) + "); " +
+                      as_given(frame.options->memory_budget) + "; its largest resource is '" +
+                      memory.largest.key + "' (" + rounded_up(memory.largest.bytes) + "); " +
                       mend(memory.largest, memory.bytes, advice) + ", or raise --memory");
 }
 

@@ -179,16 +179,20 @@ void PassContext::add(CounterRef ref, std::uint32_t amount) const {
     frame_.host_counters[ref.index].fetch_add(amount, std::memory_order_relaxed);
 }
 
-void PassContext::set_figure(const std::string& key, double value) const {
+PassNotes PassContext::notes() const {
+    return PassNotes(frame_);
+}
+
+void PassNotes::set_figure(const std::string& key, double value) const {
     frame_.cache.figures[key] = value;
 }
 
-void PassContext::set_sum(const std::string& key, double value) const {
+void PassNotes::set_sum(const std::string& key, double value) const {
     set_figure(key, value);
     frame_.cache.report.sums.insert(key);
 }
 
-void PassContext::warn(std::string text) const {
+void PassNotes::warn(std::string text) const {
     frame_.cache.warnings.push_back(std::move(text));
 }
 

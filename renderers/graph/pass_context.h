@@ -18,6 +18,22 @@ namespace ir::graph {
 struct Frame;
 struct Physical;
 
+/// What a pass says of the frame besides its resources. Of the graph's thread.
+class PassNotes {
+  public:
+    explicit PassNotes(Frame& frame) : frame_(frame) {}
+    /// A number for the report's counters that is no count: a speed, an estimated error. The last value of a
+    /// frame counts.
+    void set_figure(const std::string& key, double value) const;
+    /// A figure that adds up over frames, such as a time.
+    void set_sum(const std::string& key, double value) const;
+    /// Adds a warning to the frame's messages, once where it is the same.
+    void warn(std::string text) const;
+
+  private:
+    Frame& frame_;
+};
+
 /// What a running pass may touch: only what it declared; anything else throws std::logic_error that names
 /// pass and resource. Images and buffers are in device memory for passes of the gl queue, in host memory for
 /// those of the cpu queue; the graph copies.
@@ -34,8 +50,6 @@ class PassContext {
     gl::Name buffer(BufferRef ref) const;
     gl::Name previous(BufferRef ref) const;
 
-    const gl::Program& program(const gl::ProgramSource& source) const;
-
     /// Makes a program current and binds to its names what the pass declares. Programs with a file in
     /// "methods/" see the method's `params`. Throws Error that names pass, program and resource for a name
     /// to which nothing is bound, and for a wrong kind, format or access.
@@ -47,7 +61,7 @@ class PassContext {
     void bind(const std::string& name, ImageRef ref, const scene::Sampler& sampler) const;
     void bind(const std::string& name, BufferRef ref) const;
     /// The program sees the image's texels as another format of as many bytes.
-    void bind_as(const std::string& name, ImageRef ref, gl::Format format) const;
+    void bind(const std::string& name, ImageRef ref, gl::Format format) const;
 
     /// A framebuffer with these attachments (layer -1: all layers, for layered rendering), bound with a
     /// fitting viewport.
@@ -78,25 +92,20 @@ class PassContext {
         return cast<T>(host(ref, layer, false));
     }
     template <class T>
-    std::span<T> previous_pixels(ImageRef ref, int layer = 0) const {
-        return cast<T>(host(ref, layer, true));
-    }
-    template <class T>
     std::span<T> elements(BufferRef ref) const {
         return cast<T>(host(ref, false));
     }
+    /// Of history.
     template <class T>
-    std::span<T> previous_elements(BufferRef ref) const {
+    std::span<T> previous_contents(ImageRef ref, int layer = 0) const {
+        return cast<T>(host(ref, layer, true));
+    }
+    template <class T>
+    std::span<T> previous_contents(BufferRef ref) const {
         return cast<T>(host(ref, true));
     }
     void add(CounterRef ref, std::uint32_t amount) const;  ///< thread-safe
-    /// A number for the report's counters that is no count: a speed, an estimated error. Of the graph's
-    /// thread; the last value of a frame counts.
-    void set_figure(const std::string& key, double value) const;
-    /// A figure that adds up over frames, such as a time.
-    void set_sum(const std::string& key, double value) const;
-    /// Adds a warning to the frame's messages, once where it is the same. Of the graph's thread.
-    void warn(std::string text) const;
+    PassNotes notes() const;
 
     // objects
     // ----------------------------------------------------------------------------------------------------
@@ -118,6 +127,7 @@ class PassContext {
     PassContext(Frame& frame, const Pass& pass);
     /// Throws Error for a declared name that no program of the pass has.
     void check_names() const;
+    const gl::Program& program(const gl::ProgramSource& source) const;
     const gl::Program& method_program(const gl::ProgramSource& source) const;
     void offer(const std::string& name, const Pass::Binding& binding);
     bool writes(Pass::Access::Kind kind, int index) const;

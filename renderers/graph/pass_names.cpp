@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "renderers/core/error.h"
+#include "renderers/core/record.h"
 #include "renderers/graph/frame.h"
 #include "renderers/graph/pass_context.h"
 
@@ -155,14 +156,6 @@ void PassContext::bind_block(const gl::ProgramResource& resource, const Pass::Bi
     api().BindBufferBase(GL_SHADER_STORAGE_BUFFER, resource.unit, bound);
 }
 
-/// "position_ws" and "distance_m" stand for the fields position and distance, "sample_" for sample, which is
-/// a word of GLSL.
-std::string plain_name(const std::string& member) {
-    for (const std::string suffix : {"_ws", "_m", "_"})
-        if (member.ends_with(suffix)) return member.substr(0, member.size() - suffix.size());
-    return member;
-}
-
 void PassContext::compare_records(const gl::ProgramResource& resource, BufferRef ref) const {
     if (resource.members.empty()) return;
     auto& s = frame_;
@@ -247,7 +240,7 @@ void PassContext::bind(const std::string& name, ImageRef ref, const scene::Sampl
     put(name, {BindingKind::image, ref.index, false, false, 0, sampler});
 }
 
-void PassContext::bind_as(const std::string& name, ImageRef ref, gl::Format format) const {
+void PassContext::bind(const std::string& name, ImageRef ref, gl::Format format) const {
     put(name, {.kind = BindingKind::image,
                .index = ref.index,
                .write = writes(Pass::Access::Kind::image, ref.index),

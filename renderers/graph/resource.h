@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderers/core/output.h"
+#include "renderers/core/record.h"
 #include "renderers/core/report.h"
 #include "renderers/gl/device.h"
 

@@ -130,15 +130,20 @@ PassReport Frame::run_pass(const Pass& pass, std::size_t index) {
         cache.device.begin_pass(pass.name);
     }
     const auto start = Clock::now();
+    const auto clean_up = [&] {
+        drop_contents(pass);  // half written
+        if (!on_gl) return;
+        if (cache.context && !cache.context->is_current()) cache.context->make_current();
+        cache.device.end_pass();
+        cache.delete_framebuffers();
+    };
     try {
         result.slices = run_slices(pass, index, pass_context);
+    } catch (const gl::ConstantsError& error) {
+        clean_up();
+        throw Error("pass '" + pass.name + "', " + error.what());
     } catch (...) {
-        drop_contents(pass);  // half written
-        if (on_gl) {
-            if (cache.context && !cache.context->is_current()) cache.context->make_current();
-            cache.device.end_pass();
-            cache.delete_framebuffers();
-        }
+        clean_up();
         throw;
     }
     result.cpu_ms = ms_since(start) - views_ms[index];

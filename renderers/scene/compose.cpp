@@ -1,26 +1,17 @@
 #include "renderers/scene/compose.h"
 
-#include <xxhash.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
 
 #include "renderers/core/error.h"
+#include "renderers/core/hash.h"
 #include "renderers/scene/part_motion.h"
 #include "renderers/scene/placement.h"
 
 namespace ir::scene {
 namespace {
-
-std::string hash_of(const std::string& text) {
-    const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
-    char hex[33];
-    std::snprintf(hex, sizeof hex, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
-                  static_cast<unsigned long long>(hash.low64));
-    return hex;
-}
 
 void check_transform(const Part& part) {
     const auto& m = part.transform;
@@ -87,7 +78,7 @@ class Composer {
         std::string hashes;
         for (const auto& part : parts) hashes += add(part) + ";";
         result_.name = composition_name(parts);
-        result_.content_hash = hash_of(hashes);
+        result_.content_hash = hash_bytes(hashes);
         if (result_.cameras.empty()) result_.cameras.push_back(framing_camera(bounds_of(result_, 0)));
         return std::move(result_);
     }

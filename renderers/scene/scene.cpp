@@ -3,8 +3,31 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+
+#include "renderers/core/hash.h"
 
 namespace ir::scene {
+
+std::string Environment::hash_of_map() const {
+    if (!map || !map_hash.empty()) return map_hash;
+    return hash_of(*map);
+}
+
+bool Environment::operator==(const Environment& other) const {
+    if (constant != other.constant || (map == nullptr) != (other.map == nullptr)) return false;
+    return map == other.map || (map->width == other.map->width && hash_of_map() == other.hash_of_map());
+}
+
+std::string hash_of(const Image& image) {
+    const auto bytes = std::as_bytes(std::span(image.pixels));
+    return hash_bytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+Environment map_environment(std::shared_ptr<const Image> map) {
+    auto hash = hash_of(*map);
+    return {glm::vec3(0), std::move(map), std::move(hash)};
+}
 
 float Scene::duration() const {
     float last = 0;

@@ -119,6 +119,13 @@ struct Light {
     float range = 0;                                 ///< metres; 0 = unlimited
     glm::vec2 size{1, 1};                            ///< rectangle: sides; disk: diameters
     int node = -1;  ///< when ≥ 0 position and direction are in the node's space (light at origin, -Z)
+
+    /// All but name, type and node.
+    std::array<float, 15> numbers() const {
+        return {position.x, position.y, position.z, direction.x, direction.y, direction.z, colour.x, colour.y,
+                colour.z,   intensity,  range,      inner_angle, outer_angle, size.x,      size.y};
+    }
+    bool shines_like(const Light& other) const { return type == other.type && numbers() == other.numbers(); }
 };
 
 struct Camera {
@@ -134,7 +141,17 @@ struct Camera {
 struct Environment {
     glm::vec3 constant{0};
     std::shared_ptr<const Image> map;
+    std::string map_hash = {};  ///< hash_of(*map) where it is known
+    /// hash_of(*map), empty without a map.
+    std::string hash_of_map() const;
+    bool operator==(const Environment& other) const;
 };
+
+/// Of an image's pixels, as hash_bytes() gives it.
+std::string hash_of(const Image& image);
+
+/// With its hash, which takes a while for large maps.
+Environment map_environment(std::shared_ptr<const Image> map);
 
 struct Scene {
     std::string name;          ///< as it was asked for: path or builtin:NAME@VERSION?options

@@ -1,5 +1,5 @@
 // The ray through a point of the picture, in pixels from the upper left corner;
-// renderers/passes/gbuffer/pixel_rays.h sets the uniforms.
+// renderers/passes/gbuffer/pixel_rays.h has the constants.
 
 uniform vec3 ray_origin_ws, ray_origin_dx, ray_origin_dy;
 uniform vec3 ray_direction_ws, ray_direction_dx, ray_direction_dy;

@@ -15,13 +15,12 @@ void blend(const graph::PassContext& context, const Volumes& volumes, const gl::
     std::vector<graph::PassContext::Attachment> colours;
     for (const auto target : targets) colours.push_back({target});
     context.bind_framebuffer(colours);
-    const auto& program = context.use(source);
-    set_volumes(context, program, volumes);
+    context.use(source).set(hull(context.inputs(), volumes));
     const auto& gl = context.api();
     gl.Enable(GL_BLEND);
     gl.BlendEquation(GL_FUNC_ADD);
     gl.BlendFunc(GL_ONE, GL_ONE);
-    draw_volumes(context, program, slice.begin, slice.end);
+    draw_volumes(context, slice.begin, slice.end);
     gl.Disable(GL_BLEND);
 }
 

@@ -5,6 +5,13 @@
 namespace ir::methods::ambient_occlusion_volumes {
 namespace {
 
+/// Constants of a program with bounced.frag.
+struct BouncedZ {
+    Hull hull;
+    int layer;
+    IR_FIELDS(hull, layer)
+};
+
 struct BouncedPass {
     Volumes volumes;
     passes::bounce::Directions directions;
@@ -31,7 +38,7 @@ struct BouncedPass {
     void run(const graph::PassContext& context, graph::Slice slice) const {
         if (slice.first) clear(context);
         const auto& program = context.use(drawing_with("bounced.frag"));
-        set_volumes(context, program, volumes);
+        BouncedZ constants{hull(context.inputs(), volumes), 0};
         const auto& gl = context.api();
         gl.Enable(GL_DEPTH_TEST);
         gl.DepthFunc(GL_LESS);
@@ -39,8 +46,9 @@ struct BouncedPass {
             const auto layer = begin / volumes.triangles, first = layer * volumes.triangles;
             const auto end = std::min(slice.end, first + volumes.triangles);
             bind(context, static_cast<int>(layer));
-            program.set("layer", static_cast<int>(layer));
-            draw_volumes(context, program, begin - first, end - first);
+            constants.layer = static_cast<int>(layer);
+            program.set(constants);
+            draw_volumes(context, begin - first, end - first);
             begin = end;
         }
         gl.Disable(GL_DEPTH_TEST);

@@ -3,13 +3,30 @@
 #include <algorithm>
 #include <optional>
 
+#include "renderers/core/record.h"
 #include "renderers/passes/scan/scan.h"
 
 namespace ir::methods::ambient_occlusion_volumes {
 namespace {
 
-using graph::Field;
-using graph::FieldType;
+/// As explain.comp writes it.
+struct TriangleNear {
+    glm::vec3 centre, normal;
+    float radius;
+    std::uint32_t triangle;
+    float form_factor, weight, occlusion;
+    std::uint32_t hits, won;
+    float distance;
+    IR_FIELDS(centre, normal, radius, triangle, form_factor, weight, occlusion, hits, won, distance)
+};
+
+/// Constants of explain.comp.
+struct Explain {
+    TriangleConstants triangles;
+    glm::ivec2 picked;
+    unsigned triangle_count;
+    IR_FIELDS(triangles, picked, triangle_count)
+};
 
 struct Explanation {
     Volumes volumes;
@@ -23,18 +40,17 @@ struct Explanation {
         if (directions) pass.reads("directions", directions->directions).reads("winners", bounced->winner);
     }
 
-    const gl::Program& use(const graph::PassContext& context, bool write) const {
+    /// Finds the volumes, or writes what their triangles do.
+    void compute(graph::PassBuilder& pass, const graph::FrameInputs& inputs, bool write) const {
         gl::ProgramSource source{{"methods/ambient-occlusion-volumes/explain.comp"}};
         source.defines = {{"WRITE", write ? "1" : "0"}, {"BOUNCED", directions ? "1" : "0"}};
-        const auto& program = context.use(source);
-        set_volumes(context, program, volumes);
-        const auto& inputs = context.inputs();
         const auto& picked = inputs.inspection;
         const bool inside =
             picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
-        program.set("picked", inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1));
-        program.set("triangle_count", static_cast<unsigned>(volumes.triangles));
-        return program;
+        pass.compute(source, volumes.triangles,
+                     Explain{triangle_constants(inputs, volumes),
+                             inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1),
+                             static_cast<unsigned>(volumes.triangles)});
     }
 };
 
@@ -48,21 +64,12 @@ void explain(graph::GraphBuilder& builder, const Volumes& volumes,
     const auto count = static_cast<std::uint64_t>(std::max<std::int64_t>(1, volumes.triangles));
     e.concerned = builder.buffer(
         {.text = {.key = "volumes.explain.concerned", .label = "Volumes entered by the picked pixel's point"},
-         .fields = {{"within", FieldType::u32}},
+         .fields = {{"within", graph::FieldType::u32}},
          .elements = count});
     const auto text = builder.text_of_output("volumes.explain.triangles");
     e.triangles = builder.buffer({.text = text,
                                   .kind = OutputKind::glyphs,
-                                  .fields = {{"centre", FieldType::f32, 3},
-                                             {"normal", FieldType::f32, 3},
-                                             {"radius", FieldType::f32},
-                                             {"triangle", FieldType::u32},
-                                             {"form_factor", FieldType::f32},
-                                             {"weight", FieldType::f32},
-                                             {"occlusion", FieldType::f32},
-                                             {"hits", FieldType::u32},
-                                             {"won", FieldType::u32},
-                                             {"distance", FieldType::f32}},
+                                  .fields = record_fields<TriangleNear>(),
                                   .elements = std::min<std::uint64_t>(count, 4096),
                                   .growable = true});
     const auto total =
@@ -72,21 +79,13 @@ void explain(graph::GraphBuilder& builder, const Volumes& volumes,
                          .growth_of = e.triangles});
     auto find = builder.pass("explain: find volumes");
     e.read_by(find);
-    find.writes("Found", e.concerned).execute([e](graph::PassContext& context) {
-        e.use(context, false).dispatch(e.volumes.triangles);
-        context.barrier();
-    });
+    find.writes("Found", e.concerned);
+    e.compute(find, builder.inputs(), false);
     e.places = passes::exclusive_scan(builder, "volumes.explain.concerned", e.concerned, count, total);
     auto write = builder.pass("explain: volumes");
     e.read_by(write);
-    write.reads("Concerned", e.concerned)
-        .reads("Places", e.places)
-        .writes("Explained", e.triangles)
-        .execute([e](graph::PassContext& context) {
-            const auto& program = e.use(context, true);
-            program.dispatch(e.volumes.triangles);
-            context.barrier();
-        });
+    write.reads("Concerned", e.concerned).reads("Places", e.places).writes("Explained", e.triangles);
+    e.compute(write, builder.inputs(), true);
 }
 
 std::vector<OutputDescription> explanation_outputs() {

@@ -9,13 +9,18 @@
 namespace ir::methods::ambient_occlusion_volumes {
 namespace {
 
-using graph::Field;
 using graph::FieldType;
 
 /// Boxes of what tiles of the picture show.
 struct Tiles {
     graph::ImageRef low, high;
     int side = 0;  ///< pixels
+};
+
+/// Constants of bounds.comp.
+struct TileBounds {
+    int side;
+    IR_FIELDS(side)
 };
 
 /// At least 8 pixels a side, at most 64 tiles along each: an invocation may look at all of them.
@@ -38,20 +43,8 @@ Tiles declare_tiles(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
         .reads(gbuffer.position)
         .writes("low", tiles.low)
         .writes("high", tiles.high)
-        .compute({{"methods/ambient-occlusion-volumes/bounds.comp"}}, tiles.low,
-                 [side = tiles.side](const graph::PassContext&, const gl::Program& program) {
-                     program.set("side", side);
-                 });
+        .compute({{"methods/ambient-occlusion-volumes/bounds.comp"}}, tiles.low, TileBounds{tiles.side});
     return tiles;
-}
-
-/// What is said of all triangles.
-void set_triangles(const graph::PassContext& context, const gl::Program& program, const Volumes& volumes) {
-    program.set("opaque_triangles", context.inputs().world->opaque_triangles);
-    program.set("reach", volumes.reach);
-    program.set("both_sides", volumes.both_sides ? 1 : 0);
-    program.set("min_offset", passes::min_ray_offset_m);
-    program.set("offset_scale", passes::relative_ray_offset);
 }
 
 void read_triangles(graph::PassBuilder& pass, const passes::SceneBuffers& scene) {
@@ -63,17 +56,14 @@ bool is_orthographic(const scene::View& view) {
     return view.clip_from_view[2][3] == 0;
 }
 
-void set_hull(const graph::PassContext& context, const gl::Program& program) {
-    const auto& view = context.inputs().view;
-    const glm::vec3 axis = -glm::vec3(glm::transpose(view.view_from_world)[2]);
-    const auto rays = passes::pixel_rays(view);
-    program.set("viewer_ws", is_orthographic(view) ? glm::vec4(-axis, 0) : glm::vec4(view.eye_ws, 1));
-    program.set("view_axis_ws", axis);
-    program.set("pixel_size",
-                glm::vec2(std::max(glm::length(rays.origin_dx), glm::length(rays.origin_dy)),
-                          std::max(glm::length(rays.direction_dx), glm::length(rays.direction_dy))));
-    program.set("clip_from_world", view.clip_from_world());
-}
+/// Constants of cull.comp.
+struct Cull {
+    Hull hull;
+    int side;
+    glm::vec2 size_px;
+    unsigned first_triangle, end_triangle;
+    IR_FIELDS(hull, side, size_px, first_triangle, end_triangle)
+};
 
 struct CullPass {
     Volumes volumes;
@@ -84,13 +74,12 @@ struct CullPass {
         gl::ProgramSource source{{"methods/ambient-occlusion-volumes/cull.comp"}};
         source.defines["CULLING"] = tiles ? "1" : "0";
         const auto& program = context.use(source);
-        set_triangles(context, program, volumes);
-        set_hull(context, program);
-        if (tiles) program.set("side", tiles->side);
         const auto& view = context.inputs().view;
-        program.set("size_px", glm::vec2(view.width, view.height));
-        program.set("first_triangle", static_cast<unsigned>(slice.begin));
-        program.set("end_triangle", static_cast<unsigned>(slice.end));
+        program.set(Cull{.hull = hull(context.inputs(), volumes),
+                         .side = tiles ? tiles->side : 0,
+                         .size_px = {view.width, view.height},
+                         .first_triangle = static_cast<unsigned>(slice.begin),
+                         .end_triangle = static_cast<unsigned>(slice.end)});
         program.dispatch(slice.end - slice.begin);
     }
 };
@@ -140,8 +129,24 @@ void read_volumes(graph::PassBuilder& pass, const Volumes& volumes) {
     pass.reads("Occluders", volumes.occluders).reads(g.position, g.normal, g.geometric_normal);
 }
 
-void set_volumes(const graph::PassContext& context, const gl::Program& program, const Volumes& volumes) {
-    set_triangles(context, program, volumes);
+TriangleConstants triangle_constants(const graph::FrameInputs& inputs, const Volumes& volumes) {
+    return {.opaque_triangles = inputs.world->opaque_triangles,
+            .reach = volumes.reach,
+            .both_sides = volumes.both_sides,
+            .min_offset = passes::min_ray_offset_m,
+            .offset_scale = passes::relative_ray_offset};
+}
+
+Hull hull(const graph::FrameInputs& inputs, const Volumes& volumes) {
+    const auto& view = inputs.view;
+    const glm::vec3 axis = -glm::vec3(glm::transpose(view.view_from_world)[2]);
+    const auto rays = passes::pixel_rays(view);
+    return {.triangles = triangle_constants(inputs, volumes),
+            .viewer_ws = is_orthographic(view) ? glm::vec4(-axis, 0) : glm::vec4(view.eye_ws, 1),
+            .view_axis_ws = axis,
+            .pixel_size = {std::max(glm::length(rays.origin_dx), glm::length(rays.origin_dy)),
+                           std::max(glm::length(rays.direction_dx), glm::length(rays.direction_dy))},
+            .clip_from_world = view.clip_from_world()};
 }
 
 gl::ProgramSource drawing_with(const std::string& fragments) {
@@ -149,10 +154,8 @@ gl::ProgramSource drawing_with(const std::string& fragments) {
     return {{folder + "volume.vert", folder + "volume.geom", folder + fragments}};
 }
 
-void draw_volumes(const graph::PassContext& context, const gl::Program& program, std::int64_t begin,
-                  std::int64_t end) {
+void draw_volumes(const graph::PassContext& context, std::int64_t begin, std::int64_t end) {
     if (begin == end) return;
-    set_hull(context, program);
     context.bind_empty_vertex_array();
     context.api().Enable(GL_DEPTH_CLAMP);  // near and far plane cut no volume
     context.api().DrawArrays(GL_POINTS, static_cast<GLint>(begin), static_cast<GLsizei>(end - begin));

@@ -2,7 +2,6 @@
 
 #include <functional>
 
-#include "renderers/gl/program.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ambient-occlusion-volumes/parameters.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
@@ -27,15 +26,33 @@ Volumes declare_volumes(graph::GraphBuilder& builder, const passes::SceneBuffers
 /// Declares what a pass reads to draw volumes, or to look at triangles.
 void read_volumes(graph::PassBuilder& pass, const Volumes& volumes);
 
-/// Sets the uniforms of triangle.glsl and origin.glsl, `reach` and `both_sides`.
-void set_volumes(const graph::PassContext& context, const gl::Program& program, const Volumes& volumes);
+/// Constants of shaders that look at triangles: of triangle.glsl and origin.glsl, and which volumes they
+/// have.
+struct TriangleConstants {
+    unsigned opaque_triangles;
+    float reach;
+    bool both_sides;
+    float min_offset, offset_scale;
+    IR_FIELDS(opaque_triangles, reach, both_sides, min_offset, offset_scale)
+};
+TriangleConstants triangle_constants(const graph::FrameInputs& inputs, const Volumes& volumes);
 
-/// volume.vert and volume.geom with this fragment shader.
+/// Constants of hull.glsl.
+struct Hull {
+    TriangleConstants triangles;
+    glm::vec4 viewer_ws;
+    glm::vec3 view_axis_ws;
+    glm::vec2 pixel_size;
+    glm::mat4 clip_from_world;
+    IR_FIELDS(triangles, viewer_ws, view_axis_ws, pixel_size, clip_from_world)
+};
+Hull hull(const graph::FrameInputs& inputs, const Volumes& volumes);
+
+/// volume.vert and volume.geom with this fragment shader; they take the constants of Hull.
 gl::ProgramSource drawing_with(const std::string& fragments);
 
 /// Draws the volumes of the triangles from `begin` to `end` into the framebuffer that is bound, with a
-/// program that is in use.
-void draw_volumes(const graph::PassContext& context, const gl::Program& program, std::int64_t begin,
-                  std::int64_t end);
+/// program that is in use and has its constants.
+void draw_volumes(const graph::PassContext& context, std::int64_t begin, std::int64_t end);
 
 }  // namespace ir::methods::ambient_occlusion_volumes

@@ -2,9 +2,8 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <vector>
 
-#include "renderers/graph/resource.h"
+#include "renderers/core/record.h"
 
 namespace ir::methods::deep_screen_space {
 
@@ -21,9 +20,13 @@ struct Surfel {
     glm::vec3 radiance_back;     ///< on the other side
     std::uint32_t identity;  ///< hash of triangle and place: what random choices about the surfel are made
                              ///< of, the same whatever else is culled
+    IR_FIELDS(centre_ws, triangle, normal_ws, radius, radiance_front, barycentrics, radiance_back, identity)
 };
-static_assert(sizeof(Surfel) == 64);
 
-std::vector<graph::Field> surfel_fields();
+/// What the device reads of an indirect draw.
+struct DrawCommand {
+    std::uint32_t vertices, instances, first_vertex, base_instance;
+    IR_FIELDS(vertices, instances, first_vertex, base_instance)
+};
 
 }  // namespace ir::methods::deep_screen_space

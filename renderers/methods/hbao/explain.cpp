@@ -1,15 +1,10 @@
 #include "renderers/methods/hbao/explain.h"
 
-#include <algorithm>
-
-#include "renderers/graph/pass_context.h"
+#include "renderers/core/record.h"
 #include "renderers/methods/hbao/passes.h"
 
 namespace ir::methods::hbao {
 namespace {
-
-using graph::Field;
-using graph::FieldType;
 
 const std::string no_surface = "the pixel shows no surface";
 
@@ -19,7 +14,7 @@ struct Explained {
 };
 
 Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputKind kind,
-                  std::vector<Field> fields, std::uint64_t elements) {
+                  std::vector<graph::Field> fields, std::uint64_t elements) {
     const auto text = builder.text_of_output("hbao.explain." + what);
     Explained e;
     // Growable, so that counters tell how many elements are in use.
@@ -32,39 +27,38 @@ Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputK
     return e;
 }
 
-Explained declare_horizons(graph::GraphBuilder& builder, std::uint64_t directions) {
-    return declare(builder, "horizons", OutputKind::sphere_values,
-                   {{"centre", FieldType::f32, 3},
-                    {"horizon", FieldType::f32},
-                    {"tangent", FieldType::f32},
-                    {"contribution", FieldType::f32},
-                    {"distance", FieldType::f32},
-                    {"direction", FieldType::u32}},
-                   directions);
-}
+/// As explain.comp writes it.
+struct Horizon {
+    glm::vec3 centre;
+    float horizon, tangent, contribution, distance;
+    std::uint32_t direction;
+    IR_FIELDS(centre, horizon, tangent, contribution, distance, direction)
+};
 
-Explained declare_lines(graph::GraphBuilder& builder, std::uint64_t directions) {
-    return declare(builder, "lines", OutputKind::line_set,
-                   {{"start", FieldType::f32, 3},
-                    {"end", FieldType::f32, 3},
-                    {"found", FieldType::u32},
-                    {"distance", FieldType::f32},
-                    {"contribution", FieldType::f32},
-                    {"direction", FieldType::u32}},
-                   directions);
-}
+/// The same.
+struct LineToHorizon {
+    glm::vec3 start, end;
+    std::uint32_t found;
+    float distance, contribution;
+    std::uint32_t direction;
+    IR_FIELDS(start, end, found, distance, contribution, direction)
+};
 
-Explained declare_samples(graph::GraphBuilder& builder, std::uint64_t samples) {
-    return declare(builder, "samples", OutputKind::point_set,
-                   {{"position", FieldType::f32, 3},
-                    {"role", FieldType::u32},
-                    {"distance", FieldType::f32},
-                    {"elevation", FieldType::f32},
-                    {"taken", FieldType::f32},
-                    {"direction", FieldType::u32},
-                    {"step", FieldType::u32}},
-                   samples);
-}
+/// The same.
+struct SampleMarched {
+    glm::vec3 position;
+    std::uint32_t role;
+    float distance, elevation, taken;
+    std::uint32_t direction, step;
+    IR_FIELDS(position, role, distance, elevation, taken, direction, step)
+};
+
+/// Constants of explain.comp.
+struct Explain {
+    MarchConstants march;
+    glm::ivec2 picked;
+    IR_FIELDS(march, picked)
+};
 
 }  // namespace
 
@@ -112,23 +106,22 @@ SelectorDescription direction_selector() {
 
 void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Parameters& parameters) {
     const auto directions = static_cast<std::uint64_t>(parameters.directions);
-    const auto horizons = declare_horizons(builder, directions), lines = declare_lines(builder, directions),
-               samples = declare_samples(builder, directions * static_cast<std::uint64_t>(parameters.steps));
+    const auto horizons =
+        declare(builder, "horizons", OutputKind::sphere_values, record_fields<Horizon>(), directions);
+    const auto lines =
+        declare(builder, "lines", OutputKind::line_set, record_fields<LineToHorizon>(), directions);
+    const auto samples = declare(builder, "samples", OutputKind::point_set, record_fields<SampleMarched>(),
+                                 directions * static_cast<std::uint64_t>(parameters.steps));
+    const auto& view = builder.inputs().view;
+    const auto& picked = builder.inputs().inspection;
+    const bool inside = picked.has_pixel() && picked.x < view.width && picked.y < view.height;
     auto pass = builder.pass("explain");
     pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal);
     pass.writes("Horizons", horizons.elements).counts("HorizonCount", horizons.count);
     pass.writes("Lines", lines.elements).counts("LineCount", lines.count);
     pass.writes("Samples", samples.elements).counts("SampleCount", samples.count);
-    pass.execute([=](graph::PassContext& context) {
-        const auto& program = context.use({{"methods/hbao/explain.comp"}});
-        set_march(context, program);
-        const auto& inputs = context.inputs();
-        const auto& picked = inputs.inspection;
-        const bool inside =
-            picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
-        program.set("picked", inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1));
-        program.dispatch(1);
-    });
+    pass.compute({{"methods/hbao/explain.comp"}}, 1,
+                 Explain{march_constants(view), inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1)});
 }
 
 }  // namespace ir::methods::hbao

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/passes/gbuffer/pixel_rays.h"
 
 namespace ir::methods::hbao {
 namespace {
@@ -11,11 +10,16 @@ namespace {
 /// Drivers may stop the loops of an invocation after 65,535 turns in all.
 constexpr int steps_per_dispatch = 8192;
 
+/// Constants of march.comp.
+struct March {
+    MarchConstants march;
+    int first_direction, end_direction;
+    IR_FIELDS(march, first_direction, end_direction)
+};
+
 void march_directions(graph::PassContext& context, graph::ImageRef sums, int first, int end) {
     const auto& program = context.use({{"methods/hbao/march.comp"}});
-    set_march(context, program);
-    program.set("first_direction", first);
-    program.set("end_direction", end);
+    program.set(March{march_constants(context.inputs().view), first, end});
     const auto shape = context.shape(sums);
     program.dispatch(shape.width, shape.height);
     context.barrier();
@@ -69,10 +73,8 @@ Marched march(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, cons
     return marched;
 }
 
-void set_march(const graph::PassContext& context, const gl::Program& program) {
-    const auto& view = context.inputs().view;
-    passes::set_pixel_rays(program, view);
-    program.set("pixel_from_world", passes::pixel_from_world(view));
+MarchConstants march_constants(const scene::View& view) {
+    return {passes::pixel_rays(view), passes::pixel_from_world(view)};
 }
 
 }  // namespace ir::methods::hbao

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "renderers/gl/program.h"
 #include "renderers/graph/builder.h"
 #include "renderers/methods/hbao/parameters.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
 
 namespace ir::methods::hbao {
 
@@ -19,7 +19,12 @@ std::vector<OutputDescription> marched_outputs();
 /// Declares the passes "march" and "resolve".
 Marched march(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Parameters& parameters);
 
-/// Sets the uniforms of shaders/methods/hbao/march.glsl.
-void set_march(const graph::PassContext& context, const gl::Program& program);
+/// Constants of shaders/methods/hbao/march.glsl.
+struct MarchConstants {
+    passes::PixelRays rays;
+    glm::mat4 pixel_from_world;
+    IR_FIELDS(rays, pixel_from_world)
+};
+MarchConstants march_constants(const scene::View& view);
 
 }  // namespace ir::methods::hbao

@@ -105,9 +105,8 @@ ExactHits declare_exact_hits(graph::GraphBuilder& builder, const passes::ldm::Ma
     return {builder.buffer(desc), passes::bvh(builder), parameters.exact, parameters.exact_texels};
 }
 
-void set_exact(const gl::Program& program, const ExactHits& exact, const passes::ldm::Maps& maps) {
-    program.set("exact_words", static_cast<unsigned>(words_per_pixel(maps)));
-    program.set("exact_texels", exact.exact == Exact::all ? -1.0f : exact.texels);
+ExactConstants exact_constants(const ExactHits& exact, const passes::ldm::Maps& maps) {
+    return {static_cast<unsigned>(words_per_pixel(maps)), exact.exact == Exact::all ? -1.0f : exact.texels};
 }
 
 void trace_exact(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,

@@ -20,8 +20,13 @@ ExactHits declare_exact_hits(graph::GraphBuilder& builder, const passes::ldm::Ma
 void trace_exact(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
                  const ExactHits& exact, const Transport& transport);
 
-/// For programs that include methods/ldm-ao/exact.glsl.
-void set_exact(const gl::Program& program, const ExactHits& exact, const passes::ldm::Maps& maps);
+/// Constants of exact.glsl.
+struct ExactConstants {
+    unsigned exact_words = 0;
+    float exact_texels = 0;
+    IR_FIELDS(exact_words, exact_texels)
+};
+ExactConstants exact_constants(const ExactHits& exact, const passes::ldm::Maps& maps);
 
 /// Distance up to which hits of the map come from exact rays, m; infinite for all of them.
 float exact_reach(const passes::ldm::MapFrame& frame, Exact exact, float texels);

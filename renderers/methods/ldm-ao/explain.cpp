@@ -15,13 +15,32 @@ constexpr std::uint64_t expected_entries = 64;
 
 const std::string no_surface = "the pixel shows no surface";
 
-void set_pick(const graph::PassContext& context, const gl::Program& program) {
-    const auto& inputs = context.inputs();
+/// Constants of explained.glsl.
+struct Explained {
+    glm::ivec2 pixel;
+    glm::vec3 scene_min, scene_max;
+    IR_FIELDS(pixel, scene_min, scene_max)
+};
+
+/// Constants of explain_hits.comp.
+struct ExplainHits {
+    Explained explained;
+    unsigned first_frame, map_count, all_maps;
+    IR_FIELDS(explained, first_frame, map_count, all_maps)
+};
+
+/// Constants of explain_entries.comp.
+struct ExplainEntries {
+    Explained explained;
+    unsigned frame_index, map;
+    IR_FIELDS(explained, frame_index, map)
+};
+
+Explained explained(const graph::FrameInputs& inputs) {
     const auto& picked = inputs.inspection;
     const bool inside = picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
-    program.set("pixel", inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1));
-    program.set("scene_min", inputs.world->bounds.min);
-    program.set("scene_max", inputs.world->bounds.max);
+    return {inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1), inputs.world->bounds.min,
+            inputs.world->bounds.max};
 }
 
 void explain_hits(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
@@ -38,10 +57,10 @@ void explain_hits(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, 
         for (const auto& field : ldm::region_fields(*maps)) words += field.count;
         source.defines["REGION_WORDS"] = std::to_string(words) + "u";
         const auto& program = context.use(source);
-        set_pick(context, program);
-        program.set("first_frame", static_cast<unsigned>(maps->first_map(batch)));
-        program.set("map_count", static_cast<unsigned>(maps->batch_maps(batch)));
-        program.set("all_maps", static_cast<unsigned>(maps->layout.maps));
+        program.set(ExplainHits{.explained = explained(context.inputs()),
+                                .first_frame = static_cast<unsigned>(maps->first_map(batch)),
+                                .map_count = static_cast<unsigned>(maps->batch_maps(batch)),
+                                .all_maps = static_cast<unsigned>(maps->layout.maps)});
         program.dispatch(maps->batch_maps(batch));
     });
 }
@@ -63,11 +82,10 @@ void explain_entries(graph::GraphBuilder& builder, const passes::GBuffer& gbuffe
         gl::ProgramSource source{{"methods/ldm-ao/explain_entries.comp"}};
         source.defines = ldm::defines_of(context, *maps);
         const auto& program = context.use(source);
-        set_pick(context, program);
         // One after another, so that elements come in the order of the maps.
         for (int map = range.first; map < range.first + range.count; ++map) {
-            program.set("frame_index", static_cast<unsigned>(map));
-            program.set("map", static_cast<unsigned>(map - maps->first_map(batch)));
+            program.set(ExplainEntries{explained(context.inputs()), static_cast<unsigned>(map),
+                                       static_cast<unsigned>(map - maps->first_map(batch))});
             program.dispatch(1);
             context.barrier();
         }

@@ -12,7 +12,20 @@ namespace ldm = passes::ldm;
 /// Directions of one dispatch: drivers may stop the loops of an invocation after 65,535 turns in all, and
 /// each direction walks through a list.
 constexpr std::int64_t directions_per_dispatch = 16;
-/// Behind those of the maps' storage.
+
+/// Constants of trace.comp.
+struct Trace {
+    ldm::FrameConstants frames;
+    ExactConstants exact;
+    unsigned first_frame, first_map, map_count;
+    IR_FIELDS(frames, exact, first_frame, first_map, map_count)
+};
+
+/// Constants of resolve.comp.
+struct Resolve {
+    bool continues;
+    IR_FIELDS(continues)
+};
 
 void declare_trace(graph::GraphBuilder& builder, const std::string& name, const passes::GBuffer& gbuffer,
                    MapsPointer maps, int batch, graph::ImageRef sums, bool views, const ExactHits* exact) {
@@ -20,24 +33,24 @@ void declare_trace(graph::GraphBuilder& builder, const std::string& name, const 
     ldm::reads_maps(pass, *maps);
     pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).writes("sums", sums);
     if (exact) pass.reads("ExactHits", exact->hits);
-    const auto replaced = exact ? std::optional(*exact) : std::nullopt;
+    const auto replaced = exact ? std::optional(exact_constants(*exact, *maps)) : std::nullopt;
     const auto run = [=](graph::PassContext& context, graph::Slice slice) {
         gl::ProgramSource source{{"methods/ldm-ao/trace.comp"}};
         source.defines = ldm::defines_of(context, *maps);
         if (views) source.defines["LDM_VIEWS"] = "1";
         if (replaced) source.defines["EXACT_HITS"] = "1";
         const auto& program = context.use(source);
-        if (replaced) set_exact(program, *replaced, *maps);
         const auto shape = context.shape(sums);
         const auto end = std::min<std::int64_t>(slice.end * directions_per_dispatch, maps->batch_maps(batch));
         for (auto first = slice.begin * directions_per_dispatch; first < end;
              first += directions_per_dispatch) {
             const auto count = std::min(directions_per_dispatch, end - first);
             const auto frame = maps->first_map(batch) + first;
-            ldm::set_frames(program, *maps, frame, count);
-            program.set("first_frame", static_cast<unsigned>(frame));
-            program.set("first_map", static_cast<unsigned>(first));
-            program.set("map_count", static_cast<unsigned>(count));
+            program.set(Trace{.frames = ldm::frame_constants(*maps, frame, count),
+                              .exact = replaced.value_or(ExactConstants{}),
+                              .first_frame = static_cast<unsigned>(frame),
+                              .first_map = static_cast<unsigned>(first),
+                              .map_count = static_cast<unsigned>(count)});
             program.dispatch(shape.width, shape.height);
             context.barrier();
         }
@@ -105,13 +118,10 @@ void resolve(graph::GraphBuilder& builder, const Images& images, const Parameter
         pass.writes("average", images.average).reads_previous("previous", images.average);
     gl::ProgramSource source{{"methods/ldm-ao/resolve.comp"}};
     if (parameters.progressive) source.defines["PROGRESSIVE"] = "1";
-    pass.compute(source, images.accessibility,
-                 [progressive = parameters.progressive](const graph::PassContext& context,
-                                                        const gl::Program& program) {
-                     if (!progressive) return;
-                     const bool still = passes::stands_still(context.inputs(), passes::Watched::surfaces);
-                     program.set("continues", context.has_previous() && still);
-                 });
+    pass.compute(source, images.accessibility, [](const graph::PassContext& context) {
+        return Resolve{context.has_previous() &&
+                       passes::stands_still(context.inputs(), passes::Watched::surfaces)};
+    });
 }
 
 void resolve_views(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Images& images) {

@@ -2,16 +2,15 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <vector>
 
-#include "renderers/graph/resource.h"
+#include "renderers/core/fields.h"
 
 namespace ir::methods::ldm_indirect {
 
 /// A photon where it arrived, with its differential. 64 bytes; equals struct Photon of
 /// shaders/methods/ldm-indirect/records.glsl. Seen as glyphs, photons are their footprints.
 struct Photon {
-    glm::vec3 position_ws;
+    glm::vec3 centre_ws;
     std::uint32_t source;  ///< texel of the lights' images that it comes from: (layer * side + row) * side +
                            ///< column, side being the parameter `emission`
     glm::vec3 axis_u;      ///< m: half of D_u x, before scaling by splat_size and clamping
@@ -20,11 +19,9 @@ struct Photon {
     glm::vec3 axis_v;   ///< m: half of D_v x
     float path_length;  ///< m: from the light
     glm::vec3 flux;     ///< W
-    std::uint32_t
-        normal;  ///< geometric normal of the receiver, on the viewer's side; octahedral, 2 x 16 bits SNORM
+    std::uint32_t normal;  ///< geometric normal of the receiver, on the viewer's side; octahedral, 2 x 16
+                           ///< bits SNORM
+    IR_FIELDS(centre_ws, source, axis_u, leg, axis_v, path_length, flux, normal)
 };
-static_assert(sizeof(Photon) == 64);
-
-std::vector<graph::Field> photon_fields();
 
 }  // namespace ir::methods::ldm_indirect

@@ -7,8 +7,6 @@
 namespace ir::methods::photon_mapping {
 namespace {
 
-using graph::FieldType;
-
 /// Of RGB9E5.  [OpenGL 4.5 §8.25]
 constexpr int mantissa_bits = 9, exponent_bias = 15;
 constexpr float largest_power = 65408;
@@ -25,16 +23,6 @@ std::uint32_t mantissa(float power, int shared_exponent) {
 }
 
 }  // namespace
-
-std::vector<graph::Field> sample_point_fields() {
-    return {{"position", FieldType::f32, 3}, {"power", FieldType::u32},  {"normal", FieldType::u32},
-            {"surface", FieldType::u32},     {"origin", FieldType::u32}, {"seed", FieldType::u32}};
-}
-
-std::vector<graph::Field> photon_fields() {
-    return {{"position", FieldType::f32, 3}, {"power", FieldType::u32},      {"normal", FieldType::u32},
-            {"direction", FieldType::u32},   {"ray_length", FieldType::f32}, {"bits", FieldType::u32}};
-}
 
 std::uint32_t packed_power(glm::vec3 power) {
     const glm::vec3 c(representable(power.r), representable(power.g), representable(power.b));

@@ -2,9 +2,8 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <vector>
 
-#include "renderers/graph/resource.h"
+#include "renderers/core/record.h"
 
 namespace ir::methods::photon_mapping {
 
@@ -20,8 +19,8 @@ struct SamplePoint {
     std::uint32_t
         origin;  ///< bits 0-9 texel x, 10-19 texel y, 20-25 layer of the RSM, 26-31 metalness in 63rds
     std::uint32_t seed;  ///< index in the emission set: what all random numbers of its paths come from
+    IR_FIELDS(position_ws, power, normal, surface, origin, seed)
 };
-static_assert(sizeof(SamplePoint) == 32);
 
 /// A photon where it arrived. 32 bytes; equals struct Photon of records.glsl.  [Smal19 table 4.1]
 struct Photon {
@@ -32,11 +31,8 @@ struct Photon {
     float ray_length;         ///< m
     std::uint32_t bits;       ///< 0: normal is below z = 0; 1: direction is; 2-5 bounce, from 1; 6-11 light;
                               ///< 12-31 the low bits of the path's seed
+    IR_FIELDS(position_ws, power, normal, direction, ray_length, bits)
 };
-static_assert(sizeof(Photon) == 32);
-
-std::vector<graph::Field> sample_point_fields();
-std::vector<graph::Field> photon_fields();
 
 /// RGB9E5: shared 5-bit exponent, three 9-bit mantissas, rounded to nearest; negative and NaN give 0, larger
 /// than 65408 that.  [OpenGL 4.5 §8.25, EXT_texture_shared_exponent]

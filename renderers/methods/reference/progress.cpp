@@ -43,7 +43,7 @@ bool Progress::continues(const graph::PassContext& context) {
 SampleRange Progress::of_frame(const graph::PassContext& context, std::uint64_t per_frame) const {
     const auto added = std::min(per_frame, context.inputs().sample_limit);
     if (!continues(context)) return {0, std::max<std::uint64_t>(1, added)};
-    const std::uint64_t before = context.previous_elements<std::uint32_t>(buffer_)[0];
+    const std::uint64_t before = context.previous_contents<std::uint32_t>(buffer_)[0];
     return {before, before + added};
 }
 
@@ -51,7 +51,7 @@ Totals Progress::advance(const graph::PassContext& context, std::uint64_t per_fr
                          const Tally& tally) const {
     Totals totals{of_frame(context, per_frame).end, tally.bad, tally.cut};
     if (continues(context)) {
-        const auto before = context.previous_elements<std::uint32_t>(buffer_);
+        const auto before = context.previous_contents<std::uint32_t>(buffer_);
         totals.bad += word_pair(before[bad_word], before[bad_word + 1]);
         totals.cut += word_pair(before[cut_word], before[cut_word + 1]);
     }
@@ -69,7 +69,7 @@ constexpr double compared_error = 0.02;
 
 void warn_of_bad_samples(const graph::PassContext& context, const Totals& totals) {
     if (totals.bad == 0) return;
-    context.warn(std::to_string(totals.bad) + (totals.bad == 1 ? " sample was" : " samples were") +
+    context.notes().warn(std::to_string(totals.bad) + (totals.bad == 1 ? " sample was" : " samples were") +
                  " no finite number and counted as black: the picture is too dark there; look for extreme "
                  "radiances and for degenerate triangles in the scene");
 }
@@ -81,17 +81,17 @@ void report_figures(const graph::PassContext& context, const Tally& tally, const
     const auto samples = static_cast<double>(totals.samples);
     const auto& view = context.inputs().view;
     const auto pixels = static_cast<double>(view.width) * view.height;
-    context.set_sum("rays", static_cast<double>(tally.rays));
-    context.set_sum("reference.trace_ms", tally.milliseconds);
-    context.set_figure("reference.samples_total", pixels * samples);
-    context.set_figure("reference.error", std::sqrt(mean_variance));
+    context.notes().set_sum("rays", static_cast<double>(tally.rays));
+    context.notes().set_sum("reference.trace_ms", tally.milliseconds);
+    context.notes().set_figure("reference.samples_total", pixels * samples);
+    context.notes().set_figure("reference.error", std::sqrt(mean_variance));
     // All samples made the variance, this frame's the time. Variance falls as 1 / time, or faster.
     const auto paths = static_cast<double>(tally.paths);
     const double all_ms = paths > 0 ? tally.milliseconds * pixels * samples / paths : 0;
-    context.set_figure("reference.ms_to_rmse_0.02",
+    context.notes().set_figure("reference.ms_to_rmse_0.02",
                        all_ms * mean_variance / (compared_error * compared_error));
-    context.set_figure("reference.cut_paths", static_cast<double>(totals.cut));
-    context.set_figure("reference.bad_samples", static_cast<double>(totals.bad));
+    context.notes().set_figure("reference.cut_paths", static_cast<double>(totals.cut));
+    context.notes().set_figure("reference.bad_samples", static_cast<double>(totals.bad));
     warn_of_bad_samples(context, totals);
 }
 

@@ -13,7 +13,7 @@ void start_sums(const graph::PassContext& context, graph::ImageRef sums, int lay
             std::fill(now.begin(), now.end(), glm::vec4(0));
             continue;
         }
-        const auto before = context.previous_pixels<glm::vec4>(sums, layer);
+        const auto before = context.previous_contents<glm::vec4>(sums, layer);
         std::copy(before.begin(), before.end(), now.begin());
     }
 }

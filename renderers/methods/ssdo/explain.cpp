@@ -1,10 +1,9 @@
 #include "renderers/methods/ssdo/explain.h"
 
+#include "renderers/core/record.h"
+
 namespace ir::methods::ssdo {
 namespace {
-
-using graph::Field;
-using graph::FieldType;
 
 const std::string no_surface = "the pixel shows no surface";
 const std::string roles =
@@ -21,7 +20,7 @@ struct Explained {
 };
 
 Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputKind kind,
-                  std::vector<Field> fields, int elements) {
+                  std::vector<graph::Field> fields, int elements) {
     const auto text = builder.text_of_output("ssdo.explain." + what);
     Explained e;
     // Growable, so that counters tell how many elements are in use.
@@ -37,28 +36,33 @@ Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputK
     return e;
 }
 
-Explained declare_samples(graph::GraphBuilder& builder, int samples) {
-    return declare(builder, "samples", OutputKind::point_set,
-                   {{"position", FieldType::f32, 3},
-                    {"role", FieldType::u32},
-                    {"step", FieldType::f32},
-                    {"sent", FieldType::f32, 3},
-                    {"sky", FieldType::f32, 3},
-                    {"sample", FieldType::u32}},
-                   samples);
-}
+/// As explain.comp writes it.
+struct SampleEnd {
+    glm::vec3 position;
+    std::uint32_t role;
+    float step;
+    glm::vec3 sent, sky;
+    std::uint32_t sample;
+    IR_FIELDS(position, role, step, sent, sky, sample)
+};
 
-Explained declare_lines(graph::GraphBuilder& builder, int samples) {
-    return declare(builder, "lines", OutputKind::line_set,
-                   {{"start", FieldType::f32, 3},
-                    {"end", FieldType::f32, 3},
-                    {"role", FieldType::u32},
-                    {"distance", FieldType::f32},
-                    {"sent", FieldType::f32, 3},
-                    {"pixel", FieldType::i32, 2},
-                    {"sample", FieldType::u32}},
-                   samples);
-}
+/// The same.
+struct LineToOccluder {
+    glm::vec3 start, end;
+    std::uint32_t role;
+    float distance;
+    glm::vec3 sent;
+    glm::ivec2 pixel;
+    std::uint32_t sample;
+    IR_FIELDS(start, end, role, distance, sent, pixel, sample)
+};
+
+/// Constants of explain.comp.
+struct Explain {
+    SampleConstants samples;
+    glm::ivec2 picked;
+    IR_FIELDS(samples, picked)
+};
 
 }  // namespace
 
@@ -95,19 +99,18 @@ SelectorDescription sample_selector() {
 
 void explain(graph::GraphBuilder& builder, const Inputs& inputs, graph::ImageRef senders) {
     const int all = inputs.parameters.samples;
-    const auto samples = declare_samples(builder, all), lines = declare_lines(builder, all);
+    const auto samples = declare(builder, "samples", OutputKind::point_set, record_fields<SampleEnd>(), all);
+    const auto lines = declare(builder, "lines", OutputKind::line_set, record_fields<LineToOccluder>(), all);
+    const auto& frame = builder.inputs();
+    const auto& picked = frame.inspection;
+    const bool inside = picked.has_pixel() && picked.x < frame.view.width && picked.y < frame.view.height;
     auto pass = builder.pass("explain");
     declare_reads(pass, inputs, senders);
     pass.writes("Ends", samples.elements).counts("EndCount", samples.count);
     pass.writes("Lines", lines.elements).counts("LineCount", lines.count);
-    pass.execute([=](graph::PassContext& context) {
-        const auto& program = use_samples(context, "methods/ssdo/explain.comp", inputs);
-        const auto& view = context.inputs().view;
-        const auto& picked = context.inputs().inspection;
-        const bool inside = picked.has_pixel() && picked.x < view.width && picked.y < view.height;
-        program.set("picked", inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1));
-        program.dispatch(1);
-    });
+    pass.compute(
+        with_samples("methods/ssdo/explain.comp", inputs), 1,
+        Explain{sample_constants(frame, inputs), inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1)});
 }
 
 }  // namespace ir::methods::ssdo

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "renderers/passes/bounce/receiver.h"
-#include "renderers/passes/gbuffer/pixel_rays.h"
-
 namespace ir::methods::ssdo {
 namespace {
 
@@ -23,25 +20,33 @@ passes::bounce::Receivers receivers_of(const Inputs& inputs) {
     return {inputs.scene, inputs.gbuffer, options};
 }
 
+/// Constants of sky.comp and senders.comp.
+struct Gather {
+    SampleConstants samples;
+    int first_sample, end_sample;
+    IR_FIELDS(samples, first_sample, end_sample)
+};
+
 /// Runs `shader` over all samples, some at a time; it adds to `sums`, the images that it writes.
 void add_samples(graph::PassBuilder& pass, const std::string& shader, const Inputs& inputs,
                  graph::ImageRef senders, const std::vector<std::pair<const char*, graph::ImageRef>>& sums) {
     declare_reads(pass, inputs, senders);
     for (const auto& [name, image] : sums) pass.writes(name, image);
     const int all = inputs.parameters.samples;
-    pass.execute_sliced((all + samples_per_dispatch - 1) / samples_per_dispatch,
-                        [=](graph::PassContext& context, graph::Slice slice) {
-                            const auto& program = use_samples(context, shader, inputs);
-                            const auto shape = context.shape(sums.front().second);
-                            for (auto i = static_cast<int>(slice.begin); i < static_cast<int>(slice.end);
-                                 ++i) {
-                                program.set("first_sample", i * samples_per_dispatch);
-                                program.set("end_sample", std::min(all, (i + 1) * samples_per_dispatch));
-                                program.dispatch(shape.width, shape.height);
-                                context.barrier();
-                            }
-                        },
-                        1);
+    pass.execute_sliced(
+        (all + samples_per_dispatch - 1) / samples_per_dispatch,
+        [=](graph::PassContext& context, graph::Slice slice) {
+            const auto& program = context.use(with_samples(shader, inputs));
+            const auto samples = sample_constants(context.inputs(), inputs);
+            const auto shape = context.shape(sums.front().second);
+            for (auto i = static_cast<int>(slice.begin); i < static_cast<int>(slice.end); ++i) {
+                program.set(
+                    Gather{samples, i * samples_per_dispatch, std::min(all, (i + 1) * samples_per_dispatch)});
+                program.dispatch(shape.width, shape.height);
+                context.barrier();
+            }
+        },
+        1);
 }
 
 }  // namespace
@@ -100,20 +105,16 @@ void declare_reads(graph::PassBuilder& pass, const Inputs& inputs, graph::ImageR
     pass.reads("environment_texture", inputs.environment).reads("senders_texture", senders);
 }
 
-const gl::Program& use_samples(const graph::PassContext& context, const std::string& shader,
-                               const Inputs& inputs) {
-    const auto receivers = receivers_of(inputs);
+gl::ProgramSource with_samples(const std::string& shader, const Inputs& inputs) {
     gl::ProgramSource source{{shader}};
-    receivers.define(source);
+    receivers_of(inputs).define(source);
     source.defines.erase("LIGHT");  // samples.glsl says so itself
-    const auto& program = context.use(source);
-    receivers.set(context, program);
-    const auto& view = context.inputs().view;
-    passes::set_pixel_rays(program, view);
-    program.set("pixel_from_world", passes::pixel_from_world(view));
-    program.set("reach", inputs.reach);
-    program.set("seed", static_cast<unsigned>(context.inputs().seed));
-    return program;
+    return source;
+}
+
+SampleConstants sample_constants(const graph::FrameInputs& frame, const Inputs& inputs) {
+    return {receivers_of(inputs).constants(frame), passes::pixel_rays(frame.view),
+            passes::pixel_from_world(frame.view), inputs.reach, static_cast<unsigned>(frame.seed)};
 }
 
 }  // namespace ir::methods::ssdo

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "renderers/core/method.h"
-#include "renderers/gl/program.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ssdo/parameters.h"
-#include "renderers/passes/gbuffer/gbuffer.h"
+#include "renderers/passes/bounce/receiver.h"
 
 namespace ir::methods::ssdo {
 
@@ -36,7 +35,16 @@ std::vector<OutputDescription> gathered_outputs();
 
 /// For passes that include shaders/methods/ssdo/samples.glsl: `senders` has no index where none are read.
 void declare_reads(graph::PassBuilder& pass, const Inputs& inputs, graph::ImageRef senders);
-const gl::Program& use_samples(const graph::PassContext& context, const std::string& shader,
-                               const Inputs& inputs);
+gl::ProgramSource with_samples(const std::string& shader, const Inputs& inputs);
+/// Constants of samples.glsl.
+struct SampleConstants {
+    passes::bounce::ReceiverConstants receiver;
+    passes::PixelRays rays;
+    glm::mat4 pixel_from_world;
+    float reach;
+    unsigned seed;
+    IR_FIELDS(receiver, rays, pixel_from_world, reach, seed)
+};
+SampleConstants sample_constants(const graph::FrameInputs& frame, const Inputs& inputs);
 
 }  // namespace ir::methods::ssdo

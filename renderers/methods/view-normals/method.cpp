@@ -1,6 +1,5 @@
 // The smallest whole method; copy this folder and shaders/methods/view-normals to begin another.
 #include "renderers/graph/method.h"
-#include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 
 namespace ir::methods::view_normals {
@@ -37,21 +36,25 @@ MethodDescription description() {
             .outputs = {{.key = "normal", .label = "Normal", .semantic = Semantic::normal, .doc = doc}}};
 }
 
-// 4. One frame: resources and passes. Nothing runs here; passes run later, in this order.
+// 4. What else the shader knows: a uniform for each field.
+struct Constants {
+    glm::mat4 view_from_world;
+    IR_FIELDS(view_from_world)
+};
+
+// 5. One frame: resources and passes. Nothing runs here; passes run later, in this order.
 void setup(graph::GraphBuilder& builder, const Parameters& p) {
     const auto gbuffer = passes::gbuffer(builder, passes::upload_scene(builder));
     const auto normal = builder.output("normal", {.format = gl::Format::rgba16f});
     builder.pass("view normals")
         .reads("normal_image", p.source == Source::shading ? gbuffer.normal : gbuffer.geometric_normal)
         .draw({{"methods/view-normals/view_normals.frag"}}, normal,
-              [](const graph::PassContext& pass, const gl::Program& program) {
-                  program.set("view_from_world", pass.inputs().view.view_from_world);
-              });
+              Constants{builder.inputs().view.view_from_world});
 }
 
 }  // namespace
 
-// 5. The one name that the generated registry asks for.
+// 6. The one name that the generated registry asks for.
 const graph::Method& method() {
     static const auto method = graph::make_method<Parameters>(description(), parameters(), setup);
     return method;

@@ -14,21 +14,22 @@ ImageRef declare(graph::GraphBuilder& builder, graph::ResourceText text, gl::For
     return builder.image(std::move(desc));
 }
 
+/// Constants of blur.comp.
+struct Blur {
+    glm::ivec2 axis;
+    int radius;
+    float plane_tolerance, normal_power;
+    IR_FIELDS(axis, radius, plane_tolerance, normal_power)
+};
+
 void blur_axis(graph::GraphBuilder& builder, const std::string& name, const GBuffer& gbuffer, ImageRef from,
                ImageRef to, const BlurOptions& options, glm::ivec2 axis) {
     auto pass = builder.pass(name);
     pass.reads("image", from)
         .reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal)
         .writes("result", to);
-    pass.execute([=](graph::PassContext& context) {
-        const auto& program = context.use({{"passes/blur/blur.comp"}});
-        program.set("axis", axis);
-        program.set("radius", options.radius);
-        program.set("plane_tolerance", options.plane_tolerance);
-        program.set("normal_power", options.normal_power);
-        const auto shape = context.shape(to);
-        program.dispatch(shape.width, shape.height);
-    });
+    pass.compute({{"passes/blur/blur.comp"}}, to,
+                 Blur{axis, options.radius, options.plane_tolerance, options.normal_power});
 }
 
 }  // namespace

@@ -5,6 +5,13 @@
 namespace ir::passes::bounce {
 namespace {
 
+/// Constants of directions.comp.
+struct ChooseDirections {
+    ReceiverConstants receivers;
+    unsigned seed_low, seed_high, frame;
+    IR_FIELDS(receivers, seed_low, seed_high, frame)
+};
+
 gl::ProgramSource source_of(const Receivers& receivers) {
     gl::ProgramSource source{{"passes/bounce/directions.comp"}};
     receivers.define(source);
@@ -87,15 +94,12 @@ Directions directions(graph::GraphBuilder& builder, const SceneBuffers& scene, c
     auto pass = builder.pass("directions");
     receivers.declare_reads(pass);
     pass.writes("directions", result.directions);
-    execute_by_tiles(pass, builder, [=](graph::PassContext& context) -> const gl::Program& {
-        const auto& program = context.use(source_of(receivers));
-        const auto& inputs = context.inputs();
-        receivers.set(context, program);
-        program.set("seed_low", static_cast<unsigned>(inputs.seed));
-        program.set("seed_high", static_cast<unsigned>(inputs.seed >> 32));
-        program.set("frame", options.vary ? static_cast<unsigned>(inputs.frame) : 0u);
-        return program;
-    });
+    const auto& inputs = builder.inputs();
+    compute_by_tiles(pass, builder, source_of(receivers),
+                     ChooseDirections{.receivers = receivers.constants(inputs),
+                                      .seed_low = static_cast<unsigned>(inputs.seed),
+                                      .seed_high = static_cast<unsigned>(inputs.seed >> 32),
+                                      .frame = options.vary ? static_cast<unsigned>(inputs.frame) : 0u});
     return result;
 }
 

@@ -48,6 +48,14 @@ Lines declare(graph::GraphBuilder& builder, const std::string& key, int channels
     return lines;
 }
 
+/// Constants of explain.comp.
+struct Explain {
+    FilterConstants filter;
+    glm::ivec2 picked;
+    float miss_length;
+    IR_FIELDS(filter, picked, miss_length)
+};
+
 float length_of_misses(const scene::World& world, float asked) {
     return asked > 0 ? asked : 0.2f * world.bounds.radius();
 }
@@ -90,18 +98,14 @@ void explain_rays(graph::GraphBuilder& builder, const SceneBuffers& scene, const
     pass.reads("distances", samples.distance);
     pass.writes("OwnLines", own.elements).counts("OwnCount", own.count);
     pass.writes("OtherLines", others.elements).counts("OtherCount", others.count);
-    pass.execute([=](graph::PassContext& context) {
-        gl::ProgramSource source{{"passes/bounce/explain.comp"}};
-        filter.define(source);
-        const auto& program = context.use(source);
-        filter.set(context, program);
-        const auto& inputs = context.inputs();
-        const auto& pick = inputs.inspection;
-        const bool inside = pick.has_pixel() && pick.x < inputs.view.width && pick.y < inputs.view.height;
-        program.set("picked", inside ? glm::ivec2(pick.x, pick.y) : glm::ivec2(-1));
-        program.set("miss_length", length_of_misses(*inputs.world, miss_length));
-        program.dispatch(1);
-    });
+    const auto& inputs = builder.inputs();
+    const auto& pick = inputs.inspection;
+    const bool inside = pick.has_pixel() && pick.x < inputs.view.width && pick.y < inputs.view.height;
+    gl::ProgramSource source{{"passes/bounce/explain.comp"}};
+    filter.define(source);
+    pass.compute(source, 1,
+                 Explain{filter.constants(inputs), inside ? glm::ivec2(pick.x, pick.y) : glm::ivec2(-1),
+                         length_of_misses(*inputs.world, miss_length)});
 }
 
 }  // namespace ir::passes::bounce

@@ -12,14 +12,14 @@ void Filter::declare_reads(graph::PassBuilder& pass) const {
     pass.reads("directions", directions.directions).reads("incoming", samples.incoming);
 }
 
-void Filter::set(const graph::PassContext& context, const gl::Program& program) const {
-    receivers.set(context, program);
+FilterConstants Filter::constants(const graph::FrameInputs& inputs) const {
     const auto blur = options_of(parameters.blur);
-    program.set("radius", blur.radius);
-    program.set("plane_tolerance", blur.plane_tolerance);
-    program.set("normal_power", blur.normal_power);
-    program.set("samples", directions.samples);
-    if (directions.options.light) program.set("material_tolerance", parameters.material_tolerance);
+    return {.receivers = receivers.constants(inputs),
+            .radius = blur.radius,
+            .samples = directions.samples,
+            .plane_tolerance = blur.plane_tolerance,
+            .normal_power = blur.normal_power,
+            .material_tolerance = parameters.material_tolerance};
 }
 
 }  // namespace ir::passes::bounce

@@ -5,7 +5,15 @@
 
 namespace ir::passes::bounce {
 
-/// What shaders/passes/bounce/filter.glsl needs.
+/// Constants of shaders/passes/bounce/filter.glsl.
+struct FilterConstants {
+    ReceiverConstants receivers;
+    int radius, samples;
+    float plane_tolerance, normal_power, material_tolerance;
+    IR_FIELDS(receivers, radius, samples, plane_tolerance, normal_power, material_tolerance)
+};
+
+/// What shaders/passes/bounce/filter.glsl needs: defines, accesses and constants.
 struct Filter {
     Receivers receivers;
     Directions directions;
@@ -14,7 +22,7 @@ struct Filter {
 
     void define(gl::ProgramSource& source) const;
     void declare_reads(graph::PassBuilder& pass) const;
-    void set(const graph::PassContext& context, const gl::Program& program) const;
+    FilterConstants constants(const graph::FrameInputs& inputs) const;
 };
 
 }  // namespace ir::passes::bounce

@@ -12,14 +12,8 @@ void Receivers::declare_reads(graph::PassBuilder& pass) const {
     if (options.light) pass.reads(gbuffer.albedo, gbuffer.material, scene.materials);
 }
 
-void Receivers::set(const graph::PassContext& context, const gl::Program& program) const {
-    if (!options.light) return;
-    const auto& view = context.inputs().view;
-    const bool orthographic = view.clip_from_view[3][3] != 0;
-    const auto axis = -glm::vec3(glm::transpose(view.view_from_world)[2]);
-    program.set("eye_ws", view.eye_ws);
-    program.set("view_axis_ws", orthographic ? axis : glm::vec3(0));
-    program.set("least_roughness", options.parameters.least_roughness);
+ReceiverConstants Receivers::constants(const graph::FrameInputs& inputs) const {
+    return {viewer(inputs.view), options.parameters.least_roughness};
 }
 
 }  // namespace ir::passes::bounce

@@ -2,10 +2,18 @@
 
 #include "renderers/passes/bounce/directions.h"
 #include "renderers/passes/bounce/tiles.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
 
 namespace ir::passes::bounce {
 
-/// What shaders/passes/bounce/receiver.glsl needs: defines, accesses and uniforms.
+/// Constants of shaders/passes/bounce/receiver.glsl, with light or without.
+struct ReceiverConstants {
+    Viewer viewer;
+    float least_roughness;
+    IR_FIELDS(viewer, least_roughness)
+};
+
+/// What shaders/passes/bounce/receiver.glsl needs: defines, accesses and constants.
 struct Receivers {
     SceneBuffers scene;
     GBuffer gbuffer;
@@ -13,7 +21,7 @@ struct Receivers {
 
     void define(gl::ProgramSource& source) const;
     void declare_reads(graph::PassBuilder& pass) const;
-    void set(const graph::PassContext& context, const gl::Program& program) const;
+    ReceiverConstants constants(const graph::FrameInputs& inputs) const;
 };
 
 }  // namespace ir::passes::bounce

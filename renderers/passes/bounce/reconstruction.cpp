@@ -54,13 +54,9 @@ graph::ImageRef reconstruct(graph::GraphBuilder& builder, const SceneBuffers& sc
     auto pass = builder.pass("reconstruction");
     filter.declare_reads(pass);
     pass.writes("result", result);
-    execute_by_tiles(pass, builder, [=](graph::PassContext& context) -> const gl::Program& {
-        gl::ProgramSource source{{"passes/bounce/reconstruct.comp"}};
-        filter.define(source);
-        const auto& program = context.use(source);
-        filter.set(context, program);
-        return program;
-    });
+    gl::ProgramSource source{{"passes/bounce/reconstruct.comp"}};
+    filter.define(source);
+    compute_by_tiles(pass, builder, source, filter.constants(builder.inputs()));
     return result;
 }
 

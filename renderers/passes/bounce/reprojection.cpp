@@ -19,14 +19,14 @@ graph::ResourceText of_this_frame(graph::ResourceText text) {
     return text;
 }
 
-void set_uniforms(const graph::PassContext& context, const gl::Program& program,
-                  const ReprojectionParameters& parameters) {
-    const auto& inputs = context.inputs();
-    program.set("has_history", context.has_previous() ? 1 : 0);
-    program.set("history", parameters.history);
-    program.set("depth_row", -glm::vec4(glm::transpose(inputs.view.view_from_world)[2]));
-    set_pixel_rays(program, inputs.previous_view);
-}
+/// Constants of reproject.comp.
+struct Reproject {
+    bool has_history;
+    float history;
+    glm::vec4 depth_row;
+    PixelRays rays;
+    IR_FIELDS(has_history, history, depth_row, rays)
+};
 
 }  // namespace
 
@@ -86,11 +86,14 @@ graph::ImageRef reproject(graph::GraphBuilder& builder, const GBuffer& gbuffer,
         .writes("average", images.average)
         .writes("surfaces", images.surfaces)
         .writes("frames", images.frames);
-    bounce::execute_by_tiles(pass, builder, [=](graph::PassContext& context) -> const gl::Program& {
-        const auto& program = context.use({{"passes/bounce/reproject.comp"}});
-        set_uniforms(context, program, parameters);
-        return program;
-    });
+    bounce::compute_by_tiles(
+        pass, builder, {{"passes/bounce/reproject.comp"}}, [=](const graph::PassContext& context) {
+            const auto& inputs = context.inputs();
+            return Reproject{.has_history = context.has_previous(),
+                             .history = parameters.history,
+                             .depth_row = -glm::vec4(glm::transpose(inputs.view.view_from_world)[2]),
+                             .rays = pixel_rays(inputs.previous_view)};
+        });
     return images.average;
 }
 

@@ -5,6 +5,12 @@
 namespace ir::passes::bounce {
 namespace {
 
+/// Constants of visibility.comp.
+struct See {
+    float max_distance;
+    IR_FIELDS(max_distance)
+};
+
 OutputDescription incoming(Effects effects) {
     OutputDescription d{.key = "bounce.incoming", .label = "Incoming", .kind = OutputKind::stack};
     if (effects == Effects::ambient_occlusion) {
@@ -54,13 +60,9 @@ graph::ImageRef visibility_of(graph::GraphBuilder& builder, const GBuffer& gbuff
         .reads("directions", directions.directions)
         .reads("distances", distance)
         .writes("incoming", result);
-    execute_by_tiles(pass, builder, [=](graph::PassContext& context) -> const gl::Program& {
-        gl::ProgramSource source{{"passes/bounce/visibility.comp"}};
-        source.defines["SMOOTH"] = transport.falloff == Transport::Falloff::smooth ? "1" : "0";
-        const auto& program = context.use(source);
-        program.set("max_distance", transport.max_distance);
-        return program;
-    });
+    const bool is_smooth = transport.falloff == Transport::Falloff::smooth;
+    compute_by_tiles(pass, builder, {{"passes/bounce/visibility.comp"}, {{"SMOOTH", is_smooth ? "1" : "0"}}},
+                     See{transport.max_distance});
     return result;
 }
 

@@ -4,10 +4,10 @@
 
 namespace ir::passes::bounce {
 
-/// Runs a pass over all pixels of the view in slices of 8 × 8 of them: a row of the picture would be too much
-/// at once for the widest filters. `use(context)` makes a program current whose shader includes
-/// shaders/passes/bounce/tiles.glsl.
-void execute_by_tiles(graph::PassBuilder& pass, const graph::GraphBuilder& builder,
-                      std::function<const gl::Program&(graph::PassContext&)> use);
+/// An invocation for each pixel of the view, in slices of 8 × 8 of them: a row of the picture would be too
+/// much at once for the widest filters. The shader includes shaders/passes/bounce/tiles.glsl, whose constants
+/// come from here.
+void compute_by_tiles(graph::PassBuilder& pass, const graph::GraphBuilder& builder,
+                      const gl::ProgramSource& source, graph::Constants constants = {});
 
 }  // namespace ir::passes::bounce

@@ -3,7 +3,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/glass.h"
 
 namespace ir::passes {
@@ -18,15 +17,18 @@ struct Parts {
     glm::vec3 background{0};
 };
 
-void add_up(const graph::PassContext& context, const Parts& parts, graph::ImageRef radiance) {
+/// Constants of compose.comp.
+struct Compose {
+    glm::vec3 background;
+    IR_FIELDS(background)
+};
+
+gl::ProgramSource source_of(const Parts& parts) {
     gl::ProgramSource source{{"passes/direct/compose.comp"}};
     if (parts.indirect) source.defines["INDIRECT"] = "1";
     if (parts.direct) source.defines["DIRECT"] = "1";
     if (parts.emission) source.defines["EMISSION"] = "1";
-    const auto& program = context.use(source);
-    program.set("background", parts.background);
-    const auto shape = context.shape(radiance);
-    program.dispatch(shape.width, shape.height);
+    return source;
 }
 
 }  // namespace
@@ -55,9 +57,7 @@ graph::ImageRef compose_light(graph::GraphBuilder& builder, const GBuffer& gbuff
     if (parts.indirect) pass.reads("indirect_image", *parts.indirect);
     if (parts.direct) pass.reads("direct_image", *parts.direct);
     if (parts.emission) pass.reads(*parts.emission);
-    pass.writes("radiance_image", radiance).execute([=](graph::PassContext& p) {
-        add_up(p, parts, radiance);
-    });
+    pass.writes("radiance_image", radiance).compute(source_of(parts), radiance, Compose{parts.background});
     see_through_glass(builder, gbuffer, radiance);
     return radiance;
 }

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
-#include "renderers/graph/pass_context.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
 #include "renderers/passes/scene/light_data.h"
 
 namespace ir::passes {
 namespace {
 
 using graph::GraphBuilder;
-using graph::PassContext;
 
 void note_skipped_lights(GraphBuilder& builder) {
     const auto& lights = builder.inputs().world->lights;
@@ -29,15 +28,12 @@ void note_many_materials(GraphBuilder& builder) {
                  " apart: direct light may take the index of refraction of another one");
 }
 
-void set_light(const PassContext& p, const gl::Program& program, const DirectLightOptions& options) {
-    const auto& view = p.inputs().view;
-    const bool orthographic = view.clip_from_view[3][3] != 0;
-    const auto axis = -glm::vec3(glm::transpose(view.view_from_world)[2]);
-    program.set("light_count", static_cast<int>(p.inputs().world->lights.size()));
-    program.set("shadow_filter_radius", options.shadow_filter_radius);
-    program.set("eye_ws", view.eye_ws);
-    program.set("view_axis_ws", orthographic ? axis : glm::vec3(0));
-}
+/// Constants of direct_light.frag.
+struct LightDirectly {
+    Viewer viewer;
+    int light_count, shadow_filter_radius;
+    IR_FIELDS(viewer, light_count, shadow_filter_radius)
+};
 
 }  // namespace
 
@@ -61,9 +57,10 @@ DirectLight direct_light(GraphBuilder& builder, const SceneBuffers& scene, const
                gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material)
         .draw({{"passes/direct/direct_light.frag"},
                {{"MATERIALS", std::to_string(static_cast<int>(options.materials))}}},
-              result.radiance, [options](const PassContext& p, const gl::Program& program) {
-                  set_light(p, program, options);
-              });
+              result.radiance,
+              LightDirectly{viewer(builder.inputs().view),
+                            static_cast<int>(builder.inputs().world->lights.size()),
+                            options.shadow_filter_radius});
     return result;
 }
 

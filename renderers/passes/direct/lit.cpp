@@ -1,9 +1,17 @@
 #include "renderers/passes/direct/lit.h"
 
-#include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/glass.h"
 
 namespace ir::passes {
+namespace {
+
+/// Constants of lit.comp.
+struct Lit {
+    float ambient;
+    IR_FIELDS(ambient)
+};
+
+}  // namespace
 
 OutputDescription lit_output() {
     return {.key = "lit",
@@ -33,11 +41,7 @@ graph::ImageRef lit(graph::GraphBuilder& builder, const GBuffer& gbuffer, const 
     pass.reads("accessibility", accessibility)
         .reads("direct", direct.radiance)
         .reads(gbuffer.albedo, gbuffer.emission, gbuffer.geometric_normal);
-    pass.writes("lit", result)
-        .compute({{"passes/direct/lit.comp"}}, result,
-                 [ambient](const graph::PassContext&, const gl::Program& program) {
-                     program.set("ambient", ambient);
-                 });
+    pass.writes("lit", result).compute({{"passes/direct/lit.comp"}}, result, Lit{ambient});
     see_through_glass(builder, gbuffer, result);
     return result;
 }

@@ -25,13 +25,15 @@ int bind_textures(const PassContext& p, const SceneBuffers& s, const scene::Mate
     return bound;
 }
 
-void set_uniforms(const gl::Program& program, const scene::View& view, bool normal_maps) {
-    program.set("clip_from_world", view.clip_from_world());
-    program.set("eye_ws", view.eye_ws);
-    program.set("view_axis_ws", -glm::vec3(glm::transpose(view.view_from_world)[2]));
-    program.set("normal_maps", normal_maps ? 1 : 0);
-    set_pixel_rays(program, view);
-}
+/// Constants of gbuffer.vert and surface.glsl.
+struct DrawScene {
+    glm::mat4 clip_from_world;
+    glm::vec3 eye_ws, view_axis_ws;
+    PixelRays rays;
+    bool normal_maps;
+    int textures, material_index;
+    IR_FIELDS(clip_from_world, eye_ws, view_axis_ws, rays, normal_maps, textures, material_index)
+};
 
 }  // namespace
 
@@ -44,13 +46,21 @@ void reads_scene(graph::PassBuilder& pass, const SceneBuffers& scene) {
 
 void draw_scene(const PassContext& p, const SceneBuffers& s, const gl::Program& program, bool normal_maps,
                 const std::function<bool(const scene::Material&)>& is_drawn) {
-    set_uniforms(program, p.inputs().view, normal_maps);
+    const auto& view = p.inputs().view;
+    DrawScene constants{.clip_from_world = view.clip_from_world(),
+                        .eye_ws = view.eye_ws,
+                        .view_axis_ws = -glm::vec3(glm::transpose(view.view_from_world)[2]),
+                        .rays = pixel_rays(view),
+                        .normal_maps = normal_maps,
+                        .textures = 0,
+                        .material_index = 0};
     p.bind_empty_vertex_array();
     for (const auto& range : p.inputs().world->ranges) {
         const auto& material = p.inputs().scene->materials.at(static_cast<std::size_t>(range.material));
         if (!is_drawn(material)) continue;
-        program.set("textures", bind_textures(p, s, material));
-        program.set("material_index", range.material);
+        constants.textures = bind_textures(p, s, material);
+        constants.material_index = range.material;
+        program.set(constants);
         p.api().DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first_triangle),
                            static_cast<GLsizei>(3 * range.triangle_count));
     }

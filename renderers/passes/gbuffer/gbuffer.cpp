@@ -55,10 +55,19 @@ void clear(const gl::Api& gl, int colours) {
     gl.ClearBufferfv(GL_DEPTH, 0, &far);
 }
 
+/// Constants of gbuffer.frag.
+struct DrawSurfaces {
+    glm::mat4 previous_clip_from_world;
+    glm::vec4 previous_depth_row;
+    glm::vec2 size_px;
+    bool see_through;
+    IR_FIELDS(previous_clip_from_world, previous_depth_row, size_px, see_through)
+};
+
 void draw_surfaces(const PassContext& p, const SceneBuffers& s, const GBuffer& g,
                    const GBufferOptions& options) {
     const auto& gl = p.api();
-    const auto& view = p.inputs().view;
+    const auto &view = p.inputs().view, &previous = p.inputs().previous_view;
     const PassContext::Attachment depth{g.depth};
     p.bind_framebuffer({{g.position},
                         {g.normal},
@@ -71,11 +80,12 @@ void draw_surfaces(const PassContext& p, const SceneBuffers& s, const GBuffer& g
                        &depth);
     clear(gl, 8);
     const auto& program = p.use({{"passes/gbuffer/gbuffer.vert", "passes/gbuffer/gbuffer.frag"}});
-    program.set("previous_clip_from_world", p.inputs().previous_view.clip_from_world());
-    program.set("previous_depth_row",
-                -glm::vec4(glm::transpose(p.inputs().previous_view.view_from_world)[2]));
-    program.set("size_px", glm::vec2(view.width, view.height));
-    program.set("see_through", options.sees_through_glass ? 1 : 0);
+    program.set(DrawSurfaces{
+        .previous_clip_from_world = previous.clip_from_world(),
+        .previous_depth_row = -glm::vec4(glm::transpose(previous.view_from_world)[2]),
+        .size_px = {view.width, view.height},
+        .see_through = options.sees_through_glass,
+    });
     gl.Enable(GL_DEPTH_TEST);
     draw_scene(p, s, program, options.normal_maps, [](const scene::Material&) { return true; });
     gl.Disable(GL_DEPTH_TEST);

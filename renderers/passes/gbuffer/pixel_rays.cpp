@@ -40,14 +40,10 @@ glm::mat4 pixel_from_world(const scene::View& view) {
     return pixel_from_clip * view.clip_from_world();
 }
 
-void set_pixel_rays(const gl::Program& program, const scene::View& view) {
-    const auto rays = pixel_rays(view);
-    program.set("ray_origin_ws", rays.origin);
-    program.set("ray_origin_dx", rays.origin_dx);
-    program.set("ray_origin_dy", rays.origin_dy);
-    program.set("ray_direction_ws", rays.direction);
-    program.set("ray_direction_dx", rays.direction_dx);
-    program.set("ray_direction_dy", rays.direction_dy);
+Viewer viewer(const scene::View& view) {
+    const bool orthographic = view.clip_from_view[3][3] != 0;
+    const auto axis = -glm::vec3(glm::transpose(view.view_from_world)[2]);
+    return {view.eye_ws, orthographic ? axis : glm::vec3(0)};
 }
 
 }  // namespace ir::passes

@@ -1,6 +1,16 @@
 #include "renderers/passes/ldm/array_storage.h"
 
 namespace ir::passes::ldm {
+namespace {
+
+/// Constants of array_table.glsl.
+struct ArrayTable {
+    ChunkConstants chunk;
+    unsigned packed_words, wide_words;
+    IR_FIELDS(chunk, packed_words, wide_words)
+};
+
+}  // namespace
 
 ArrayStorage::ArrayStorage(graph::GraphBuilder& builder, const Layout& layout, Holds holds)
     : layout_(layout), holds_(holds) {
@@ -44,23 +54,18 @@ void ArrayStorage::store(const graph::PassContext& context, const FragmentList& 
     std::map<std::string, std::string> defines;
     if (is_wide(context)) defines["LDM_WIDE"] = "1";
     if (holds_ == Holds::one_chunk) defines["ONE_CHUNK"] = "1";
-    const int rows = chunk.maps * layout_.resolution;
-    const auto use = [&](const char* file) -> const gl::Program& {
+    const ArrayTable constants{chunk_constants(chunk, layout_),
+                               static_cast<unsigned>(batch_rows() * row_words()),
+                               static_cast<unsigned>(2 * batch_rows() * row_words())};
+    const auto run = [&](const char* file, std::int64_t invocations) {
         const auto& program = context.use({{file}, defines});
-        program.set("first_row", static_cast<unsigned>(chunk.first_map * layout_.resolution));
-        program.set("row_count", static_cast<unsigned>(rows));
-        program.set("resolution", static_cast<unsigned>(layout_.resolution));
-        return program;
+        program.set(constants);
+        program.dispatch(invocations);
+        context.barrier();
     };
-    use("passes/ldm/array_rows.comp").dispatch(rows);
-    context.barrier();
-    const auto& bases = use("passes/ldm/array_bases.comp");
-    bases.set("packed_words", static_cast<unsigned>(batch_rows() * row_words()));
-    bases.set("wide_words", static_cast<unsigned>(2 * batch_rows() * row_words()));
-    bases.dispatch(1);
-    context.barrier();
-    use("passes/ldm/array_offsets.comp").dispatch(rows);
-    context.barrier();
+    run("passes/ldm/array_rows.comp", constants.chunk.row_count);
+    run("passes/ldm/array_bases.comp", 1);
+    run("passes/ldm/array_offsets.comp", constants.chunk.row_count);
     sorted_.scatter_and_sort(context, list, chunk, layout_, defines);
 }
 

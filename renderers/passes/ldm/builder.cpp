@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderers/core/record.h"
 #include "renderers/passes/ldm/rasterisers.h"
 
 namespace ir::passes::ldm {
@@ -14,6 +15,12 @@ using graph::FieldType;
 constexpr std::uint64_t chunk_texels = 8 * 200 * 200;
 constexpr int max_chunk_maps = 32;  ///< bits of a word in rasterise.comp
 
+/// Constants of prepare.comp with PREPARE_STORE and FINISH.
+struct Prepare {
+    unsigned fragment_bits;
+    IR_FIELDS(fragment_bits)
+};
+
 Layout make_layout(graph::GraphBuilder& builder, const Options& options) {
     Layout layout;
     layout.resolution = options.resolution;
@@ -24,11 +31,6 @@ Layout make_layout(graph::GraphBuilder& builder, const Options& options) {
     const auto fitting = static_cast<int>(std::max<std::uint64_t>(1, chunk_texels / layout.map_texels()));
     layout.chunk_maps = std::min({max_chunk_maps, fitting, layout.batch_maps});
     return layout;
-}
-
-std::vector<graph::Field> frame_fields() {
-    return {{"u", FieldType::f32, 4},      {"v", FieldType::f32, 4},      {"depth", FieldType::f32, 4},
-            {"step_u", FieldType::f32, 4}, {"step_v", FieldType::f32, 4}, {"direction", FieldType::f32, 4}};
 }
 
 void declare_list(graph::GraphBuilder& builder, Maps& maps) {
@@ -165,7 +167,6 @@ class BatchBuild {
     void finish(const graph::PassContext& context, const Chunk& chunk) const {
         const int first_map = maps_->first_map(batch_) + chunk.first_map;
         if (maps_->options.builder == BuilderKind::compute) {
-            prepare(context, "PREPARE_LARGE");
             dispatch_large_triangles(context, *maps_, chunk, first_map);
             context.barrier();
         }
@@ -178,9 +179,7 @@ class BatchBuild {
         gl::ProgramSource source{{"passes/ldm/prepare.comp"}, {{step, "1"}}};
         if (maps_->inserts_directly()) source.defines["DIRECT"] = "1";
         const auto& program = context.use(source);
-        if (maps_->large.index >= 0)
-            program.set("large_capacity", static_cast<unsigned>(context.capacity(maps_->large)));
-        program.set("fragment_bits", static_cast<unsigned>(8 * maps_->storage->fragment_bytes()));
+        program.set(Prepare{static_cast<unsigned>(8 * maps_->storage->fragment_bytes())});
         program.dispatch(1);
         context.barrier();
     }
@@ -213,7 +212,7 @@ std::shared_ptr<const Maps> declare_maps(graph::GraphBuilder& builder, const Opt
                                                          "and depth of a point, one texel's steps, direction "
                                                          "and metres per quantum of depth."},
                                          .name = "LdmFrames",
-                                         .fields = frame_fields(),
+                                         .fields = record_fields<MapFrame>(),
                                          .elements = static_cast<std::uint64_t>(options.directions)});
     builder.pass("map frames").writes(maps->frame_buffer).execute([maps](graph::PassContext& context) {
         context.upload(maps->frame_buffer, std::as_bytes(std::span(maps->frames)));
@@ -254,10 +253,9 @@ std::map<std::string, std::string> defines_of(const graph::PassContext& context,
     return maps.storage->defines(context);
 }
 
-void set_frames(const gl::Program& program, const Maps& maps, std::int64_t first, std::int64_t count) {
+FrameConstants frame_constants(const Maps& maps, std::int64_t first, std::int64_t count) {
     static_assert(sizeof(MapFrame) == 6 * sizeof(glm::vec4));
-    program.set("frame_rows", std::span(&maps.frames[static_cast<std::size_t>(first)].u,
-                                        static_cast<std::size_t>(6 * count)));
+    return {{&maps.frames[static_cast<std::size_t>(first)].u, static_cast<std::size_t>(6 * count)}};
 }
 
 }  // namespace ir::passes::ldm

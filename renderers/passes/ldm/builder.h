@@ -4,9 +4,11 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "renderers/core/fields.h"
 #include "renderers/graph/builder.h"
 #include "renderers/passes/ldm/maps.h"
 #include "renderers/passes/ldm/storage.h"
@@ -69,7 +71,12 @@ void reads_maps(graph::PassBuilder& pass, const Maps& maps);
 
 /// The defines for programs that include passes/ldm/storage.glsl.
 std::map<std::string, std::string> defines_of(const graph::PassContext& context, const Maps& maps);
-/// Gives `count` frames from `first` on to a program's `frame_rows`, six rows each.
-void set_frames(const gl::Program& program, const Maps& maps, std::int64_t first, std::int64_t count);
+
+/// Frames for programs that ask some of the maps, six rows each.
+struct FrameConstants {
+    std::span<const glm::vec4> frame_rows;  ///< of Maps::frames
+    IR_FIELDS(frame_rows)
+};
+FrameConstants frame_constants(const Maps& maps, std::int64_t first, std::int64_t count);
 
 }  // namespace ir::passes::ldm

@@ -42,10 +42,9 @@ void FixedStorage::store(const graph::PassContext& context, const FragmentList& 
     dispatch_indirect(context, list.state, fragment_groups_word);
     context.barrier();
     const auto& packing = context.use(pack);
-    const auto texels = chunk.maps * static_cast<std::int64_t>(layout_.map_texels());
-    packing.set("chunk_texels", static_cast<unsigned>(texels));
-    packing.set("batch_texel", static_cast<unsigned>(chunk.first_map * layout_.map_texels()));
-    packing.dispatch(texels);
+    const auto constants = chunk_constants(chunk, layout_);
+    packing.set(constants);
+    packing.dispatch(constants.texel_count);
     context.barrier();
 }
 

@@ -7,6 +7,12 @@ namespace {
 /// later, every search passes them.
 constexpr int expected_cells = 5;
 
+/// Constants of hash_count.comp.
+struct HashCount {
+    unsigned min_cells;
+    IR_FIELDS(min_cells)
+};
+
 }  // namespace
 
 HashStorage::HashStorage(graph::GraphBuilder& builder, const Layout& layout) : layout_(layout) {
@@ -51,12 +57,12 @@ void HashStorage::store(const graph::PassContext& context, const FragmentList& l
                         const Chunk& chunk) const {
     if (!is_too_small(context)) {
         const auto& insert = context.use({{"passes/ldm/hash_insert.comp"}});
-        insert.set("batch_texel", static_cast<unsigned>(chunk.first_map * layout_.map_texels()));
+        insert.set(chunk_constants(chunk, layout_));
         dispatch_indirect(context, list.state, fragment_groups_word);
         context.barrier();
     }
     const auto& count = context.use({{"passes/ldm/hash_count.comp"}});
-    count.set("min_cells", static_cast<unsigned>(batch_texels()));
+    count.set(HashCount{static_cast<unsigned>(batch_texels())});
     count.dispatch(1);
     context.barrier();
 }

@@ -37,12 +37,11 @@ void ListStorage::store(const graph::PassContext& context, const FragmentList& l
                         const Chunk& chunk) const {
     if (list.fragments.index >= 0) {
         const auto& insert = context.use({{"passes/ldm/insert_lists.comp"}});
-        insert.set("batch_texel", static_cast<unsigned>(chunk.first_map * layout_.map_texels()));
+        insert.set(chunk_constants(chunk, layout_));
         dispatch_indirect(context, list.state, fragment_groups_word);
         context.barrier();
     }
-    const auto& count = context.use({{"passes/ldm/count_nodes.comp"}});
-    count.dispatch(1);
+    context.use({{"passes/ldm/count_nodes.comp"}}).dispatch(1);
     context.barrier();
 }
 

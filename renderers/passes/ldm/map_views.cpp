@@ -10,6 +10,14 @@ namespace {
 
 using graph::FieldType;
 
+/// Constants of layers.comp.
+struct Layers {
+    unsigned map;
+    bool first;
+    int resolution;
+    IR_FIELDS(map, first, resolution)
+};
+
 bool is_turned(const Maps& maps) {
     return maps.options.rotation != glm::dmat3(1);
 }
@@ -116,11 +124,11 @@ void show_layers(graph::GraphBuilder& builder, MapsPointer maps, int batch, MapR
         gl::ProgramSource source{{"passes/ldm/layers.comp"}};
         source.defines = defines_of(context, *maps);
         const auto& program = context.use(source);
-        program.set("resolution", maps->layout.resolution);
+        const int resolution = maps->layout.resolution;
         for (int map = range.first; map < range.first + range.count; ++map) {
-            program.set("map", static_cast<unsigned>(map - maps->first_map(batch)));
-            program.set("first", static_cast<int>(map == shown.first));
-            program.dispatch(maps->layout.resolution, maps->layout.resolution);
+            program.set(
+                Layers{static_cast<unsigned>(map - maps->first_map(batch)), map == shown.first, resolution});
+            program.dispatch(resolution, resolution);
             context.barrier();
         }
     });

@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "renderers/core/fields.h"
 #include "renderers/passes/ldm/directions.h"
 #include "renderers/scene/scene.h"
 
@@ -22,6 +23,7 @@ struct MapFrame {
     glm::vec4 u, v, depth;
     glm::vec4 step_u, step_v;  ///< world-space vectors that cross one texel; w 0
     glm::vec4 direction;       ///< unit length; w: metres per quantum
+    IR_FIELDS(u, v, depth, step_u, step_v, direction)
 };
 
 /// The frame of the map along `direction` (unit length) with resolution² texels: of the rectangles with a

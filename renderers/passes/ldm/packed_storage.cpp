@@ -3,6 +3,13 @@
 namespace ir::passes::ldm {
 namespace {
 
+/// Constants of packed_builder.glsl.
+struct PackChunk {
+    ChunkConstants chunk;
+    unsigned table_words;
+    IR_FIELDS(chunk, table_words)
+};
+
 /// Layout of the arrays that hold one chunk.
 Layout chunk_layout(Layout layout) {
     layout.batch_maps = layout.chunk_maps;
@@ -93,24 +100,20 @@ void PackedStorage::begin_batch(const graph::PassContext& context) const {
 void PackedStorage::store(const graph::PassContext& context, const FragmentList& list,
                           const Chunk& chunk) const {
     chunk_.store(context, list, {0, chunk.maps});
-    const int rows = chunk.maps * layout_.resolution;
-    const auto texels = chunk.maps * static_cast<std::int64_t>(layout_.map_texels());
-    const auto run = [&](const char* file, std::int64_t invocations, bool needs_table = false) {
+    const PackChunk constants{chunk_constants(chunk, layout_), static_cast<unsigned>(table_words())};
+    const auto run = [&](const char* file, std::int64_t invocations) {
         gl::ProgramSource source{{file}};
         source.defines["LDM_PACKED_BITS"] = std::to_string(packed_bits);
         const auto& program = context.use(source);
-        program.set("first_row", static_cast<unsigned>(chunk.first_map * layout_.resolution));
-        program.set("row_count", static_cast<unsigned>(rows));
-        program.set("resolution", static_cast<unsigned>(layout_.resolution));
-        if (needs_table) program.set("table_words", static_cast<unsigned>(table_words()));
+        program.set(constants);
         program.dispatch(invocations);
         context.barrier();
     };
-    run("passes/ldm/packed_count.comp", texels);
-    run("passes/ldm/packed_rows.comp", rows);
+    run("passes/ldm/packed_count.comp", constants.chunk.texel_count);
+    run("passes/ldm/packed_rows.comp", constants.chunk.row_count);
     run("passes/ldm/packed_bases.comp", 1);
-    run("passes/ldm/packed_groups.comp", rows, true);
-    run("passes/ldm/packed_write.comp", texels, true);
+    run("passes/ldm/packed_groups.comp", constants.chunk.row_count);
+    run("passes/ldm/packed_write.comp", constants.chunk.texel_count);
 }
 
 std::uint64_t PackedStorage::table_bytes(const graph::PassContext&) const {

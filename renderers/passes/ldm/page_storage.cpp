@@ -53,12 +53,12 @@ void PageStorage::begin_batch(const graph::PassContext& context) const {
 
 void PageStorage::store(const graph::PassContext& context, const FragmentList& list,
                         const Chunk& chunk) const {
-    const std::int64_t texels = chunk.maps * static_cast<std::int64_t>(layout_.map_texels());
+    const auto constants = chunk_constants(chunk, layout_);
     const auto use = [&](const char* file, const char* define = nullptr) -> const gl::Program& {
         gl::ProgramSource source{{file}, {{"LDM_PAGE_DEPTHS", std::to_string(page_depths)}}};
         if (define) source.defines[define] = "1";
         const auto& program = context.use(source);
-        program.set("batch_texel", static_cast<unsigned>(chunk.first_map * layout_.map_texels()));
+        program.set(constants);
         return program;
     };
     const auto run_indirect = [&](int word, const char* file, const char* define = nullptr) {
@@ -68,9 +68,7 @@ void PageStorage::store(const graph::PassContext& context, const FragmentList& l
     };
     run_indirect(fragment_groups_word, "passes/ldm/pages_link.comp");
     run_indirect(fragment_groups_word, "passes/ldm/pages_fill.comp");
-    const auto& sort = use("passes/ldm/pages_sort.comp");
-    sort.set("texel_count", static_cast<unsigned>(texels));
-    sort.dispatch(texels);
+    use("passes/ldm/pages_sort.comp").dispatch(constants.texel_count);
     context.barrier();
     use("passes/ldm/pages_prepare.comp").dispatch(1);
     context.barrier();

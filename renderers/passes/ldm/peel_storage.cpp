@@ -5,6 +5,20 @@ namespace {
 
 constexpr int expected_deepest = 64;  ///< layers of the deepest texel
 
+/// Constants of peel_builder.glsl.
+struct PeelChunk {
+    ChunkConstants place;
+    unsigned chunk, plane_texels;
+    IR_FIELDS(place, chunk, plane_texels)
+};
+
+/// Constants of peel.comp.
+struct Peel {
+    PeelChunk chunk;
+    unsigned plane;
+    IR_FIELDS(chunk, plane)
+};
+
 }  // namespace
 
 PeelStorage::PeelStorage(graph::GraphBuilder& builder, const Layout& layout) : layout_(layout) {
@@ -59,26 +73,22 @@ void PeelStorage::begin_batch(const graph::PassContext& context) const {
 }
 
 void PeelStorage::store(const graph::PassContext& context, const FragmentList&, const Chunk& chunk) const {
-    const int rows = chunk.maps * layout_.resolution;
-    const auto use = [&](const char* file) -> const gl::Program& {
-        const auto& program = context.use({{file}});
-        program.set("chunk", static_cast<unsigned>(chunk.first_map / layout_.chunk_maps));
-        program.set("plane_texels", static_cast<unsigned>(plane_texels()));
-        return program;
-    };
-    const auto& deepest = use("passes/ldm/peel_deepest.comp");
-    deepest.set("row_count", static_cast<unsigned>(rows));
-    deepest.set("resolution", static_cast<unsigned>(layout_.resolution));
-    deepest.dispatch(rows);
-    context.barrier();
-    use("passes/ldm/peel_chunk.comp").dispatch(1);
-    context.barrier();
+    const PeelChunk constants{chunk_constants(chunk, layout_),
+                              static_cast<unsigned>(chunk.first_map / layout_.chunk_maps),
+                              static_cast<unsigned>(plane_texels())};
     const auto planes = static_cast<int>(context.capacity(layers_));
-    use("passes/ldm/peel_groups.comp").dispatch(planes);
-    context.barrier();
-    const auto& peel = use("passes/ldm/peel.comp");
+    const auto run = [&](const char* file, std::int64_t invocations) {
+        const auto& program = context.use({{file}});
+        program.set(constants);
+        program.dispatch(invocations);
+        context.barrier();
+    };
+    run("passes/ldm/peel_deepest.comp", constants.place.row_count);
+    run("passes/ldm/peel_chunk.comp", 1);
+    run("passes/ldm/peel_groups.comp", planes);
+    const auto& peel = context.use({{"passes/ldm/peel.comp"}});
     for (int plane = 0; plane < planes; ++plane) {
-        peel.set("plane", static_cast<unsigned>(plane));
+        peel.set(Peel{constants, static_cast<unsigned>(plane)});
         dispatch_indirect(context, layers_, 3 * plane);
         context.barrier();
     }

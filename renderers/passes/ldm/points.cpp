@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "renderers/core/record.h"
 #include "renderers/passes/ldm/rasterisers.h"
 
 namespace ir::passes::ldm {
@@ -10,7 +11,27 @@ namespace {
 using graph::FieldType;
 
 constexpr std::uint64_t max_points = 4'000'000;
-constexpr std::uint64_t point_bytes = 40;  ///< shaders/passes/ldm/point.glsl
+
+/// An element of "ldm.points", as words in shaders/passes/ldm/point.glsl.
+struct Point {
+    glm::vec3 position, normal;
+    float facing, depth;
+    std::uint32_t layer, map;
+    IR_FIELDS(position, normal, facing, depth, layer, map)
+};
+
+/// Constants of points.comp.
+struct WritePoints {
+    unsigned first_frame, first_map, map_count, stride;
+    int resolution;
+    IR_FIELDS(first_frame, first_map, map_count, stride, resolution)
+};
+
+/// Constants of point_places.comp and point_ties.comp.
+struct PointTexels {
+    unsigned texel_count;
+    IR_FIELDS(texel_count)
+};
 
 std::uint64_t texels_in(const Maps& maps, MapRange range) {
     return static_cast<std::uint64_t>(range.count) * maps.layout.map_texels();
@@ -21,7 +42,7 @@ std::uint64_t shown_texels(const Maps& maps, MapRange range, std::uint64_t strid
 }
 
 std::uint64_t choose_stride(const Maps& maps, MapRange shown, std::uint64_t max_buffer_bytes) {
-    const auto most = std::min(max_points, max_buffer_bytes / (2 * point_bytes));
+    const auto most = std::min(max_points, max_buffer_bytes / (2 * sizeof(Point)));
     const auto expected = texels_in(maps, shown) * expected_layers;
     auto stride = std::max<std::uint64_t>(1, (expected + most - 1) / most);
     // Else whole columns would be left out.
@@ -44,17 +65,17 @@ void write_points(const graph::PassContext& context, const Maps& maps, int batch
         source.defines = defines_of(context, maps);
         if (count) source.defines["COUNT"] = "1";
         const auto& program = context.use(source);
-        program.set("first_frame", static_cast<unsigned>(range.first));
-        program.set("first_map", static_cast<unsigned>(range.first - maps.first_map(batch)));
-        program.set("map_count", static_cast<unsigned>(range.count));
-        program.set("stride", static_cast<unsigned>(points.stride));
-        program.set("resolution", maps.layout.resolution);
+        program.set(WritePoints{.first_frame = static_cast<unsigned>(range.first),
+                                .first_map = static_cast<unsigned>(range.first - maps.first_map(batch)),
+                                .map_count = static_cast<unsigned>(range.count),
+                                .stride = static_cast<unsigned>(points.stride),
+                                .resolution = maps.layout.resolution});
         program.dispatch(static_cast<std::int64_t>(texels));
         context.barrier();
     };
     over_texels(true);
     const auto& places = context.use({{"passes/ldm/point_places.comp"}});
-    places.set("texel_count", static_cast<unsigned>(texels));
+    places.set(PointTexels{static_cast<unsigned>(texels)});
     places.dispatch(1);
     context.barrier();
     over_texels(false);
@@ -104,28 +125,22 @@ class FaceSearch {
     void rasterise(const graph::PassContext& context, const Chunk& chunk, std::int64_t first,
                    std::int64_t end) const {
         const int first_map = range_.first + chunk.first_map;
-        const auto faces = target(chunk);
         if (maps_.options.builder == BuilderKind::raster)
-            draw_triangles(context, scene_, maps_, chunk, first_map, first, end, &faces);
+            draw_triangles(context, scene_, maps_, chunk, first_map, first, end, target(chunk));
         else
-            dispatch_triangles(context, maps_, chunk, first_map, first, end, &faces);
+            dispatch_triangles(context, maps_, chunk, first_map, first, end, target(chunk));
         context.barrier();
     }
 
     void rasterise_large(const graph::PassContext& context, const Chunk& chunk) const {
-        const auto& prepare = context.use({{"passes/ldm/prepare.comp"}, {{"PREPARE_LARGE", "1"}}});
-        prepare.set("large_capacity", static_cast<unsigned>(context.capacity(points_.strips)));
-        prepare.dispatch(1);
-        context.barrier();
-        const auto faces = target(chunk);
-        dispatch_large_triangles(context, maps_, chunk, range_.first + chunk.first_map, &faces);
+        dispatch_large_triangles(context, maps_, chunk, range_.first + chunk.first_map, target(chunk));
         context.barrier();
     }
 
     void settle_ties(const graph::PassContext& context) const {
         const auto texels = shown_texels(maps_, range_, points_.stride);
         const auto& ties = context.use({{"passes/ldm/point_ties.comp"}});
-        ties.set("texel_count", static_cast<unsigned>(texels));
+        ties.set(PointTexels{static_cast<unsigned>(texels)});
         ties.dispatch(static_cast<std::int64_t>(texels));
         context.barrier();
     }
@@ -183,12 +198,7 @@ Points declare_points(graph::GraphBuilder& builder, const Maps& maps, MapRange s
     points.stride = choose_stride(maps, shown, builder.max_buffer_bytes());
     points.points =
         builder.output("ldm.points", {.name = "LdmPoints",
-                                      .fields = {{"position", FieldType::f32, 3},
-                                                 {"normal", FieldType::f32, 3},
-                                                 {"facing", FieldType::f32},
-                                                 {"depth", FieldType::f32},
-                                                 {"layer", FieldType::u32},
-                                                 {"map", FieldType::u32}},
+                                      .fields = record_fields<Point>(),
                                       .elements = shown_texels(maps, shown, points.stride) * expected_layers,
                                       .growable = true});
     points.count = builder.counter({.key = "ldm.shown_points",

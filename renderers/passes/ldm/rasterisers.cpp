@@ -1,6 +1,9 @@
 #include "renderers/passes/ldm/rasterisers.h"
 
+#include <array>
 #include <functional>
+
+#include "renderers/gl/dispatch_items.h"
 
 namespace ir::passes::ldm {
 namespace {
@@ -26,27 +29,60 @@ void for_both_kinds(const graph::PassContext& context, std::int64_t first, std::
     if (end > opaque) run(std::max(first, opaque), end, true);
 }
 
-void set_faces(const gl::Program& program, const FaceTarget* faces) {
-    if (!faces) return;
-    program.set("face_texel", faces->first_texel);
-    program.set("face_stride", faces->stride);
-}
+/// Constants of triangle_rows.glsl.
+struct TriangleRows {
+    std::array<glm::vec4, 3 * 32> frame_rows;
+    IR_FIELDS(frame_rows)
+};
 
-/// Hands u, v and depth of the frames of a chunk's maps to a compute rasteriser.
-void set_frame_rows(const gl::Program& program, const Maps& maps, int first_map, int count) {
-    std::vector<glm::vec4> rows;
+/// u, v and depth of the frames of a chunk's maps.
+TriangleRows triangle_rows(const Maps& maps, int first_map, int count) {
+    TriangleRows rows{};
+    auto row = rows.frame_rows.begin();
     for (int map = first_map; map < first_map + count; ++map) {
         const auto& frame = maps.frames[static_cast<std::size_t>(map)];
-        rows.insert(rows.end(), {frame.u, frame.v, frame.depth});
+        for (const auto& value : {frame.u, frame.v, frame.depth}) *row++ = value;
     }
-    program.set("frame_rows", rows);
+    return rows;
 }
+
+/// Constants of rasterise.vert and rasterise.frag.
+struct DrawTriangles {
+    unsigned first_map, first_triangle, batch_texel;
+    int resolution;
+    FaceTarget faces;
+    IR_FIELDS(first_map, first_triangle, batch_texel, resolution, faces)
+};
+
+/// Constants of rasterise.comp.
+struct Rasterise {
+    TriangleRows rows;
+    unsigned map_count;
+    int resolution;
+    FaceTarget faces;
+    IR_FIELDS(rows, map_count, resolution, faces)
+};
+
+/// Constants of prepare.comp with PREPARE_LARGE.
+struct PrepareLarge {
+    unsigned large_capacity;
+    IR_FIELDS(large_capacity)
+};
+
+/// Constants of rasterise_large.comp.
+struct RasteriseLarge {
+    TriangleRows rows;
+    int resolution;
+    unsigned opaque_triangles;
+    FaceTarget faces;
+    IR_FIELDS(rows, resolution, opaque_triangles, faces)
+};
 
 }  // namespace
 
 void draw_triangles(const graph::PassContext& context, const SceneBuffers& scene, const Maps& maps,
                     const Chunk& chunk, int first_map, std::int64_t first, std::int64_t end,
-                    const FaceTarget* faces) {
+                    const FaceTarget& faces) {
     const auto& gl = context.api();
     context.bind_empty_framebuffer(maps.layout.resolution, maps.layout.resolution);
     context.bind_empty_vertex_array();
@@ -55,13 +91,12 @@ void draw_triangles(const graph::PassContext& context, const SceneBuffers& scene
         auto source = source_for(maps, {"passes/ldm/rasterise.vert", "passes/ldm/rasterise.frag"}, masked);
         if (maps.inserts_directly()) source.defines["DIRECT"] = "1";
         const auto& program = context.use(source);
-        program.set("first_map", static_cast<unsigned>(first_map));
-        program.set("first_instance", 0u);
-        program.set("first_triangle", static_cast<unsigned>(begin));
-        program.set("resolution", maps.layout.resolution);
-        set_faces(program, faces);
-        if (maps.inserts_directly())
-            program.set("batch_texel", static_cast<unsigned>(chunk.first_map * maps.layout.map_texels()));
+        program.set(
+            DrawTriangles{.first_map = static_cast<unsigned>(first_map),
+                          .first_triangle = static_cast<unsigned>(begin),
+                          .batch_texel = static_cast<unsigned>(chunk.first_map * maps.layout.map_texels()),
+                          .resolution = maps.layout.resolution,
+                          .faces = faces});
         gl.DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * (stop - begin)), GL_UNSIGNED_INT,
                                  reinterpret_cast<const void*>(begin * 12), chunk.maps);
     });
@@ -69,33 +104,31 @@ void draw_triangles(const graph::PassContext& context, const SceneBuffers& scene
 }
 
 void dispatch_triangles(const graph::PassContext& context, const Maps& maps, const Chunk& chunk,
-                        int first_map, std::int64_t first, std::int64_t end, const FaceTarget* faces) {
+                        int first_map, std::int64_t first, std::int64_t end, const FaceTarget& faces) {
     for_both_kinds(context, first, end, [&](std::int64_t begin, std::int64_t stop, bool masked) {
         const auto& program = context.use(source_for(maps, {"passes/ldm/rasterise.comp"}, masked));
-        program.set("map_count", static_cast<unsigned>(chunk.maps));
-        set_frame_rows(program, maps, first_map, chunk.maps);
-        program.set("resolution", maps.layout.resolution);
-        set_faces(program, faces);
-        constexpr std::int64_t most = 1 << 21;  // invocations of one dispatch
-        for (std::int64_t at = begin; at < stop; at += most) {
-            const auto last = std::min(stop, at + most);
-            program.set("first_triangle", static_cast<unsigned>(at));
-            program.set("end_triangle", static_cast<unsigned>(last));
-            program.dispatch(last - at);
-        }
+        program.set(Rasterise{.rows = triangle_rows(maps, first_map, chunk.maps),
+                              .map_count = static_cast<unsigned>(chunk.maps),
+                              .resolution = maps.layout.resolution,
+                              .faces = faces});
+        gl::dispatch_items(program, begin, stop);
     });
 }
 
 void dispatch_large_triangles(const graph::PassContext& context, const Maps& maps, const Chunk& chunk,
-                              int first_map, const FaceTarget* faces) {
+                              int first_map, const FaceTarget& faces) {
+    const auto& prepare = context.use({{"passes/ldm/prepare.comp"}, {{"PREPARE_LARGE", "1"}}});
+    prepare.set(PrepareLarge{static_cast<unsigned>(context.capacity(maps.large))});
+    prepare.dispatch(1);
+    context.barrier();
     const auto& world = *context.inputs().world;
     for (const bool masked : {false, true}) {
         if (masked && world.opaque_triangles == world.triangles()) continue;
         const auto& program = context.use(source_for(maps, {"passes/ldm/rasterise_large.comp"}, masked));
-        set_frame_rows(program, maps, first_map, chunk.maps);
-        program.set("resolution", maps.layout.resolution);
-        set_faces(program, faces);
-        program.set("opaque_triangles", world.opaque_triangles);
+        program.set(RasteriseLarge{.rows = triangle_rows(maps, first_map, chunk.maps),
+                                   .resolution = maps.layout.resolution,
+                                   .opaque_triangles = world.opaque_triangles,
+                                   .faces = faces});
         dispatch_indirect(context, maps.list.state, large_groups_word);
     }
 }

@@ -54,16 +54,16 @@ SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& l
 void SortedDepths::scatter_and_sort(const graph::PassContext& context, const FragmentList& list,
                                     const Chunk& chunk, const Layout& layout,
                                     const std::map<std::string, std::string>& defines) const {
+    const auto constants = chunk_constants(chunk, layout);
     const auto use = [&](const char* file) -> const gl::Program& {
         const auto& program = context.use({{file}, defines});
-        program.set("row_count", static_cast<unsigned>(chunk.maps * layout.resolution));
-        program.set("resolution", static_cast<unsigned>(layout.resolution));
+        program.set(constants);
         return program;
     };
     use("passes/ldm/array_scatter.comp");
     dispatch_indirect(context, list.state, fragment_groups_word);
     context.barrier();
-    use("passes/ldm/array_sort.comp").dispatch(chunk.maps * static_cast<std::int64_t>(layout.map_texels()));
+    use("passes/ldm/array_sort.comp").dispatch(constants.texel_count);
     context.barrier();
     use("passes/ldm/array_sort_deep.comp");
     dispatch_indirect(context, list.state, deep_groups_word);

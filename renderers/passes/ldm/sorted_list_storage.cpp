@@ -25,10 +25,10 @@ SortedListStorage::SortedListStorage(graph::GraphBuilder& builder, const Layout&
 
 void SortedListStorage::store(const graph::PassContext& context, const FragmentList& list,
                               const Chunk& chunk) const {
-    const std::int64_t texels = chunk.maps * static_cast<std::int64_t>(layout_.map_texels());
+    const auto constants = chunk_constants(chunk, layout_);
     const auto use = [&](const char* file) -> const gl::Program& {
         const auto& program = context.use(gl::ProgramSource{{file}});
-        program.set("batch_texel", static_cast<unsigned>(chunk.first_map * layout_.map_texels()));
+        program.set(constants);
         return program;
     };
     const auto run_indirect = [&](const char* file, int word) {
@@ -37,12 +37,9 @@ void SortedListStorage::store(const graph::PassContext& context, const FragmentL
         context.barrier();
     };
     run_indirect("passes/ldm/lists_push.comp", fragment_groups_word);
-    const auto& sort = use("passes/ldm/lists_sort.comp");
-    sort.set("texel_count", static_cast<unsigned>(texels));
-    sort.dispatch(texels);
+    use("passes/ldm/lists_sort.comp").dispatch(constants.texel_count);
     context.barrier();
-    const auto& prepare = context.use({{"passes/ldm/lists_prepare.comp"}});
-    prepare.dispatch(1);
+    context.use({{"passes/ldm/lists_prepare.comp"}}).dispatch(1);
     context.barrier();
     run_indirect("passes/ldm/lists_sort_deep.comp", deep_groups_word);
     run_indirect("passes/ldm/lists_find_next.comp", deepest_groups_word);

@@ -1,6 +1,15 @@
 #include "renderers/passes/ldm/sparse_storage.h"
 
 namespace ir::passes::ldm {
+namespace {
+
+/// Constants of sparse_builder.glsl.
+struct PlaceSparse {
+    unsigned first_word, word_count, map_words, map_texels;
+    IR_FIELDS(first_word, word_count, map_words, map_texels)
+};
+
+}  // namespace
 
 SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout)
     : layout_(layout), sorted_(declare_sorted_depths(builder, layout)) {
@@ -43,21 +52,19 @@ std::map<std::string, std::string> SparseStorage::defines(const graph::PassConte
 }
 
 void SparseStorage::place(const graph::PassContext& context, const Chunk& chunk) const {
-    const auto words = static_cast<std::int64_t>(chunk.maps * map_words());
-    const auto use = [&](const char* file) -> const gl::Program& {
+    const PlaceSparse constants{.first_word = static_cast<unsigned>(chunk.first_map * map_words()),
+                                .word_count = static_cast<unsigned>(chunk.maps * map_words()),
+                                .map_words = static_cast<unsigned>(map_words()),
+                                .map_texels = static_cast<unsigned>(layout_.map_texels())};
+    const auto run = [&](const char* file, std::int64_t invocations) {
         const auto& program = context.use({{file}});
-        program.set("first_word", static_cast<unsigned>(chunk.first_map * map_words()));
-        program.set("word_count", static_cast<unsigned>(words));
-        program.set("map_words", static_cast<unsigned>(map_words()));
-        program.set("map_texels", static_cast<unsigned>(layout_.map_texels()));
-        return program;
+        program.set(constants);
+        program.dispatch(invocations);
+        context.barrier();
     };
-    use("passes/ldm/sparse_sums.comp").dispatch(words);
-    context.barrier();
-    use("passes/ldm/sparse_bases.comp").dispatch(1);
-    context.barrier();
-    use("passes/ldm/sparse_offsets.comp").dispatch(words);
-    context.barrier();
+    run("passes/ldm/sparse_sums.comp", constants.word_count);
+    run("passes/ldm/sparse_bases.comp", 1);
+    run("passes/ldm/sparse_offsets.comp", constants.word_count);
 }
 
 void SparseStorage::store(const graph::PassContext& context, const FragmentList& list,

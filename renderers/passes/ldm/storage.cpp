@@ -14,6 +14,14 @@
 
 namespace ir::passes::ldm {
 
+ChunkConstants chunk_constants(const Chunk& chunk, const Layout& layout) {
+    return {.batch_texel = static_cast<unsigned>(chunk.first_map * layout.map_texels()),
+            .texel_count = static_cast<unsigned>(chunk.maps * layout.map_texels()),
+            .first_row = static_cast<unsigned>(chunk.first_map * layout.resolution),
+            .row_count = static_cast<unsigned>(chunk.maps * layout.resolution),
+            .resolution = static_cast<unsigned>(layout.resolution)};
+}
+
 std::shared_ptr<const Storage> make_storage(graph::GraphBuilder& builder, StorageKind kind,
                                             const Layout& layout) {
     switch (kind) {

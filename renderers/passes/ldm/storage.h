@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "renderers/core/fields.h"
 #include "renderers/graph/builder.h"
 #include "renderers/graph/pass_context.h"
 
@@ -42,6 +43,13 @@ struct Chunk {
     int first_map = 0;  ///< counted from the batch's first
     int maps = 0;
 };
+
+/// Where a chunk's texels lie in the batch: constants of chunk.glsl.
+struct ChunkConstants {
+    unsigned batch_texel, texel_count, first_row, row_count, resolution;
+    IR_FIELDS(batch_texel, texel_count, first_row, row_count, resolution)
+};
+ChunkConstants chunk_constants(const Chunk& chunk, const Layout& layout);
 
 /// The list of fragments that a chunk was rasterised to, and what is known of it.
 struct FragmentList {

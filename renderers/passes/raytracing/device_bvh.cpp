@@ -1,11 +1,10 @@
 #include "renderers/passes/raytracing/device_bvh.h"
 
+#include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
 
 namespace ir::passes {
 namespace {
-
-using graph::FieldType;
 
 graph::BufferRef declare(graph::GraphBuilder& builder, graph::ResourceText text,
                          std::vector<graph::Field> fields, std::uint64_t elements) {
@@ -22,15 +21,7 @@ graph::BufferRef declare_nodes(graph::GraphBuilder& builder, std::uint64_t trian
                     .doc = "Bounds of the two children of each node. A child is the number of a node, or a "
                            "leaf: highest bit set, then 3 bits of how many triangles, 28 of the first one.",
                     .unit = "m"},
-                   {{"left_min", FieldType::f32, 3},
-                    {"left", FieldType::u32},
-                    {"left_max", FieldType::f32, 3},
-                    {"right", FieldType::u32},
-                    {"right_min", FieldType::f32, 3},
-                    {"depth", FieldType::u32},
-                    {"right_max", FieldType::f32, 3},
-                    {"parent", FieldType::u32}},
-                   std::max<std::uint64_t>(1, triangles));
+                   record_fields<BvhNode>(), std::max<std::uint64_t>(1, triangles));
 }
 
 graph::BufferRef declare_triangles(graph::GraphBuilder& builder, std::uint64_t triangles) {
@@ -40,13 +31,7 @@ graph::BufferRef declare_triangles(graph::GraphBuilder& builder, std::uint64_t t
                     .doc = "Corners in the order of the leaves, number of the triangle in the scene, and 1 + "
                            "number of its mask (0: opaque).",
                     .unit = "m"},
-                   {{"a", FieldType::f32, 3},
-                    {"triangle", FieldType::u32},
-                    {"b", FieldType::f32, 3},
-                    {"mask", FieldType::u32},
-                    {"c", FieldType::f32, 3},
-                    {"unused", FieldType::u32}},
-                   triangles);
+                   record_fields<BvhTriangle>(), triangles);
 }
 
 graph::BufferRef declare_masks(graph::GraphBuilder& builder, std::uint64_t masked) {
@@ -54,8 +39,7 @@ graph::BufferRef declare_masks(graph::GraphBuilder& builder, std::uint64_t maske
                    {.key = "scene.bvh.masks",
                     .label = "Masked triangles of the BVH",
                     .doc = "Texture coordinates of the corners, and the material whose alpha mask is asked."},
-                   {{"uv", FieldType::f32, 6}, {"material", FieldType::u32}, {"unused", FieldType::u32}},
-                   masked);
+                   record_fields<BvhMask>(), masked);
 }
 
 /// The buffers of an earlier call for the same frame.
@@ -78,8 +62,9 @@ void build(const graph::PassContext& context, const DeviceBvh& bvh) {
     fill(context, bvh.triangles, data.triangles);
     fill(context, bvh.masks, data.masks);
     if (data.left_out > 0)
-        context.warn("ray tracing: " + std::to_string(data.left_out) +
-                     " triangles have corners that are not finite or beyond 1e18 m; no ray hits them");
+        context.notes().warn(
+            "ray tracing: " + std::to_string(data.left_out) +
+            " triangles have corners that are not finite or beyond 1e18 m; no ray hits them");
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "renderers/core/fields.h"
 #include "renderers/graph/builder.h"
 #include "renderers/scene/world.h"
 
@@ -27,6 +29,7 @@ struct BvhNode {
     std::uint32_t depth;  ///< 0: root, which is node 0
     glm::vec3 right_max_ws;
     std::uint32_t parent;
+    IR_FIELDS(left_min_ws, left, left_max_ws, right, right_min_ws, depth, right_max_ws, parent)
 };
 
 /// 48 bytes, in the order of the leaves: no index has to be followed to reach the corners.
@@ -37,13 +40,15 @@ struct BvhTriangle {
     std::uint32_t mask;  ///< 1 + index into the masks; 0: opaque
     glm::vec3 c_ws;
     std::uint32_t unused;
+    IR_FIELDS(a_ws, triangle, b_ws, mask, c_ws, unused)
 };
 
 /// 32 bytes: where a masked triangle looks up its alpha mask.
 struct BvhMask {
-    glm::vec2 uv[3];  ///< of the base colour, after its transform
+    std::array<glm::vec2, 3> uv;  ///< of the base colour, after its transform
     std::uint32_t material;
     std::uint32_t unused;
+    IR_FIELDS(uv, material, unused)
 };
 
 /// A binary BVH over a world's triangles, and what it says on paper.

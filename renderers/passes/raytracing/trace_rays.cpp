@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/device_bvh.h"
 
 namespace ir::passes {
 namespace {
-
-static_assert(sizeof(RayRecord) == 32 && sizeof(RayHitRecord) == 16, "structs equal their std430 twins");
 
 constexpr std::int64_t lanes = 16;
 
@@ -76,9 +75,6 @@ void trace_with_embree(graph::GraphBuilder& builder, const std::string& name, co
         });
 }
 
-/// So that every device takes a part of the rays in one dispatch of groups of 64.
-constexpr std::int64_t rays_of_dispatch = 64 * 65535;
-
 void trace_on_device(graph::GraphBuilder& builder, const std::string& name, const SceneBuffers& scene,
                      const RayBuffers& buffers) {
     const auto bvh = device_bvh(builder);
@@ -97,19 +93,13 @@ void trace_on_device(graph::GraphBuilder& builder, const std::string& name, cons
         .execute_sliced(static_cast<std::int64_t>(buffers.capacity),
                         [=](graph::PassContext& context, graph::Slice slice) {
                             const auto& program = context.use({{"passes/raytracing/trace.comp"}});
-                            for (auto first = slice.begin; first < slice.end; first += rays_of_dispatch) {
-                                const auto end = std::min(slice.end, first + rays_of_dispatch);
-                                program.set("first_ray", static_cast<unsigned>(first));
-                                program.set("end_ray", static_cast<unsigned>(end));
-                                program.dispatch(end - first);
-                            }
+                            gl::dispatch_items(program, slice.begin, slice.end);
                         });
 }
 
 }  // namespace
 
 RayBuffers declare_rays(graph::GraphBuilder& builder, const std::string& key, std::uint64_t rays) {
-    using graph::FieldType;
     RayBuffers result;
     result.capacity = rays;
     result.rays = builder.buffer({.text = {.key = key + ".rays",
@@ -118,10 +108,7 @@ RayBuffers declare_rays(graph::GraphBuilder& builder, const std::string& key, st
                                                   "largest distance; 0: no ray.",
                                            .semantic = Semantic::position,
                                            .unit = "m"},
-                                  .fields = {{"origin", FieldType::f32, 3},
-                                             {"far", FieldType::f32},
-                                             {"direction", FieldType::f32, 3},
-                                             {"unused", FieldType::f32}},
+                                  .fields = record_fields<RayRecord>(),
                                   .elements = rays});
     result.hits = builder.buffer({.text = {.key = key + ".hits",
                                            .label = "Hits of rays",
@@ -129,10 +116,7 @@ RayBuffers declare_rays(graph::GraphBuilder& builder, const std::string& key, st
                                                   "triangle, weights of its second and third corner.",
                                            .semantic = Semantic::depth,
                                            .unit = "m"},
-                                  .fields = {{"distance", FieldType::f32},
-                                             {"triangle", FieldType::u32},
-                                             {"u", FieldType::f32},
-                                             {"v", FieldType::f32}},
+                                  .fields = record_fields<RayHitRecord>(),
                                   .elements = rays});
     return result;
 }

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "renderers/core/record.h"
 #include "renderers/graph/builder.h"
 #include "renderers/passes/scene/scene_buffers.h"
 
@@ -16,12 +17,14 @@ struct RayRecord {
     float far;
     glm::vec3 direction_ws;
     float unused;
+    IR_FIELDS(origin_ws, far, direction_ws, unused)
 };
 /// 16 bytes; distance infinite: nothing is hit. Equals struct RayHit of rays.glsl.
 struct RayHitRecord {
     float distance;
     std::uint32_t triangle;  ///< of World::indices
     float u, v;              ///< barycentric weights of the triangle's second and third corner
+    IR_FIELDS(distance, triangle, u, v)
 };
 
 /// "KEY.rays" and "KEY.hits" with room for `rays`.

@@ -48,25 +48,39 @@ int bind_textures(const PassContext& p, const SceneBuffers& s, const scene::Mate
     return bound;
 }
 
-void set_view(const gl::Program& program, const ShadowViewData& view, int resolution) {
-    program.set("clip_from_world", view.clip_from_world);
-    program.set("view_origin_ws", view.origin);
-    program.set("view_right_ws", view.right);
-    program.set("view_up_ws", view.up);
-    program.set("view_forward_ws", view.forward);
-    program.set("perspective", view.perspective);
-    program.set("far", view.far);
-    program.set("resolution", static_cast<float>(resolution));
+/// Constants of rsm.vert and texel.glsl.
+struct DrawDepth {
+    glm::mat4 clip_from_world;
+    glm::vec3 view_origin_ws, view_right_ws, view_up_ws, view_forward_ws;
+    float perspective, far, resolution;
+    int material_index;
+    IR_FIELDS(clip_from_world, view_origin_ws, view_right_ws, view_up_ws, view_forward_ws, perspective, far,
+              resolution, material_index)
+};
+
+/// Constants of rsm.vert and rsm.frag.
+struct DrawSurfaces {
+    DrawDepth depth;
+    bool normal_maps, opaque_only;
+    int textures, layer;
+    IR_FIELDS(depth, normal_maps, opaque_only, textures, layer)
+};
+
+DrawDepth depth_constants(const ShadowViewData& view, int resolution) {
+    return {.clip_from_world = view.clip_from_world,
+            .view_origin_ws = view.origin,
+            .view_right_ws = view.right,
+            .view_up_ws = view.up,
+            .view_forward_ws = view.forward,
+            .perspective = view.perspective,
+            .far = view.far,
+            .resolution = static_cast<float>(resolution),
+            .material_index = 0};
 }
 
-void draw_ranges(const PassContext& p, const Drawing& d, const gl::Program& program, bool with_textures) {
-    for (const auto& range : p.inputs().world->ranges) {
-        const auto& material = p.inputs().scene->materials.at(static_cast<std::size_t>(range.material));
-        program.set("material_index", range.material);
-        if (with_textures) program.set("textures", bind_textures(p, d.scene, material));
-        p.api().DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first_triangle),
-                           static_cast<GLsizei>(3 * range.triangle_count));
-    }
+void draw_range(const PassContext& p, const scene::MaterialRange& range) {
+    p.api().DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first_triangle),
+                       static_cast<GLsizei>(3 * range.triangle_count));
 }
 
 void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, Slice slice) {
@@ -79,8 +93,12 @@ void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, 
         p.api().ClearBufferfv(GL_DEPTH, 0, &far);
         if (static_cast<std::size_t>(layer) >= d.options.views.size()) continue;
         const auto& program = p.use({{"passes/rsm/rsm.vert", "passes/rsm/depth.frag"}});
-        set_view(program, d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
-        draw_ranges(p, d, program, false);
+        auto constants = depth_constants(d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
+        for (const auto& range : p.inputs().world->ranges) {
+            constants.material_index = range.material;
+            program.set(constants);
+            draw_range(p, range);
+        }
     }
     p.api().Disable(GL_DEPTH_TEST);
 }
@@ -104,11 +122,19 @@ void draw_surfaces(const PassContext& p, const Drawing& d, Slice slice) {
         if (d.options.depth_prepass) source.defines["DEPTH_PREPASS"] = "1";
         if (d.options.geometric_normal) source.defines["GEOMETRIC_NORMAL"] = "1";
         const auto& program = p.use(source);
-        set_view(program, d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
-        program.set("normal_maps", d.options.normal_maps ? 1 : 0);
-        program.set("opaque_only", d.options.opaque_only ? 1 : 0);
-        if (d.options.depth_prepass) program.set("layer", index);
-        draw_ranges(p, d, program, true);
+        DrawSurfaces constants{
+            .depth = depth_constants(d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution),
+            .normal_maps = d.options.normal_maps,
+            .opaque_only = d.options.opaque_only,
+            .textures = 0,
+            .layer = index};
+        for (const auto& range : p.inputs().world->ranges) {
+            const auto& material = p.inputs().scene->materials.at(static_cast<std::size_t>(range.material));
+            constants.depth.material_index = range.material;
+            constants.textures = bind_textures(p, d.scene, material);
+            program.set(constants);
+            draw_range(p, range);
+        }
     }
     p.api().Disable(GL_DEPTH_TEST);
 }
@@ -153,7 +179,7 @@ Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmO
     graph::BufferDesc views;
     views.text = {"rsm.views", "Views of the RSM"};
     views.name = "ShadowViews";
-    views.fields = shadow_view_fields();
+    views.fields = record_fields<ShadowViewData>();
     views.elements = static_cast<std::uint64_t>(rsm.layers);
     views.fingerprint = rsm.fingerprint;
     rsm.views = builder.buffer(views);

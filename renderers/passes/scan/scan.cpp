@@ -25,6 +25,25 @@ std::int64_t tiles_of(std::uint64_t items) {
     return (static_cast<std::int64_t>(items) + tile_items - 1) / tile_items;
 }
 
+/// Constants of sums.comp.
+struct Sums {
+    unsigned first_tile, counted;
+    IR_FIELDS(first_tile, counted)
+};
+
+/// Constants of places.comp.
+struct Places {
+    Sums sums;
+    unsigned item_count;
+    IR_FIELDS(sums, item_count)
+};
+
+/// Constants of bases.comp.
+struct Bases {
+    unsigned tile_count;
+    IR_FIELDS(tile_count)
+};
+
 /// What the passes over tiles share. In place `places` are `counts`, of as many items as there is room for.
 struct Scan {
     std::string key;
@@ -41,33 +60,33 @@ struct Scan {
         return room;
     }
 
-    const gl::Program& use(const graph::PassContext& context, const char* file) const {
-        const auto& program = context.use({{file}});
-        // a growable buffer may still be too small for all items
-        program.set("counted", static_cast<unsigned>(std::min(items_of(context), context.capacity(counts))));
-        return program;
+    /// A growable buffer may still be too small for all items.
+    Sums constants(const graph::PassContext& context, graph::Slice slice) const {
+        return {static_cast<unsigned>(slice.begin),
+                static_cast<unsigned>(std::min(items_of(context), context.capacity(counts)))};
     }
 
     void sum(const graph::PassContext& context, graph::Slice slice) const {
-        dispatch(context, use(context, "passes/scan/sums.comp"), slice);
+        const auto& program = context.use({{"passes/scan/sums.comp"}});
+        program.set(constants(context, slice));
+        dispatch(context, program, slice);
     }
 
     void place(const graph::PassContext& context, graph::Slice slice) const {
-        const auto& program = use(context, "passes/scan/places.comp");
-        program.set("item_count", static_cast<unsigned>(items_of(context)));
+        const auto& program = context.use({{"passes/scan/places.comp"}});
+        program.set(Places{constants(context, slice), static_cast<unsigned>(items_of(context))});
         dispatch(context, program, slice);
     }
 
     void add_up(const graph::PassContext& context) const {
         const auto& program = context.use({{"passes/scan/bases.comp"}});
-        program.set("tile_count", static_cast<unsigned>(tiles_of(items_of(context))));
+        program.set(Bases{static_cast<unsigned>(tiles_of(items_of(context)))});
         program.dispatch(1);
     }
 
     /// A work group for each tile of the slice that there is.
     void dispatch(const graph::PassContext& context, const gl::Program& program, graph::Slice slice) const {
         const auto end = std::min(slice.end, tiles_of(items_of(context)));
-        program.set("first_tile", static_cast<unsigned>(slice.begin));
         if (slice.begin < end) program.dispatch((end - slice.begin) * group_size);
     }
 };

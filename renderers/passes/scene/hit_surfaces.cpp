@@ -1,11 +1,10 @@
 #include "renderers/passes/scene/hit_surfaces.h"
 
+#include "renderers/core/record.h"
 #include "renderers/passes/scene/texel_buffer.h"
 
 namespace ir::passes {
 namespace {
-
-using graph::FieldType;
 
 /// Four vec4 of hit_surface.glsl.
 struct HitVertex {
@@ -15,6 +14,7 @@ struct HitVertex {
     float unused;
     glm::vec4 tangent;
     glm::vec2 uv0, uv1;
+    IR_FIELDS(position, colour, normal, unused, tangent, uv0, uv1)
 };
 static_assert(sizeof(HitVertex) == 64);
 
@@ -45,10 +45,7 @@ HitSurfaces hit_surfaces(graph::GraphBuilder& builder, const SceneBuffers& scene
     graph::BufferDesc desc;
     desc.text = {.key = "scene.hit_vertices", .label = "Vertices, each in one piece"};
     desc.name = "HitVertices";
-    desc.fields = {{"position", FieldType::f32, 3}, {"colour", FieldType::u32},
-                   {"normal", FieldType::f32, 3},   {"unused"},
-                   {"tangent", FieldType::f32, 4},  {"uv0", FieldType::f32, 2},
-                   {"uv1", FieldType::f32, 2}};
+    desc.fields = record_fields<HitVertex>();
     desc.elements = builder.inputs().world->positions.size();
     desc.fingerprint = builder.inputs().world_fingerprint;
     HitSurfaces result;

@@ -5,21 +5,10 @@
 namespace ir::passes {
 namespace {
 
-using graph::FieldType;
-
 /// Beyond this half-angle (70 degrees) a perspective map would waste most of its texels on the rim.
 constexpr float widest_single_map = 1.2217305f;
 
 }  // namespace
-
-std::vector<graph::Field> light_fields() {
-    return {{"position_ws", FieldType::f32, 3},  {"type", FieldType::i32},
-            {"direction_ws", FieldType::f32, 3}, {"range"},
-            {"intensity", FieldType::f32, 3},    {"cos_inner"},
-            {"size", FieldType::f32, 2},         {"cos_outer"},
-            {"shadow_layer", FieldType::i32},    {"shadow_layers", FieldType::i32},
-            {"unused", FieldType::i32, 3}};
-}
 
 int shadow_layers(const scene::Light& light) {
     switch (light.type) {

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
-#include "renderers/graph/resource.h"
+#include "renderers/core/fields.h"
 #include "renderers/scene/scene.h"
 
 namespace ir::passes {
@@ -18,10 +19,11 @@ struct LightData {
     glm::vec2 size;
     float cos_outer;
     int shadow_layer, shadow_layers;
-    int unused[3];
+    std::array<int, 3> unused;
+    IR_FIELDS(position_ws, type, direction_ws, range, intensity, cos_inner, size, cos_outer, shadow_layer,
+              shadow_layers, unused)
 };
 
-std::vector<graph::Field> light_fields();
 std::vector<LightData> light_data(const std::vector<scene::Light>& lights);
 
 /// How many layers of "shadow.maps" a light takes: 1 for a directional light and a spot, 6 for a point light

@@ -2,26 +2,16 @@
 
 #include <cmath>
 
+#include "renderers/core/record.h"
+
 namespace ir::passes {
 namespace {
-
-using graph::Field;
-using graph::FieldType;
 
 constexpr std::uint32_t unlit = 1, double_sided = 2, masked = 4;
 
 TextureSlotData slot_data(const scene::TextureSlot& slot) {
     return {slot.offset,  slot.scale, std::sin(slot.rotation), std::cos(slot.rotation),
             slot.texture, slot.uv_set};
-}
-
-void add_slot_fields(std::vector<Field>& fields, const std::string& name) {
-    fields.push_back({name + ".offset", FieldType::f32, 2});
-    fields.push_back({name + ".scale", FieldType::f32, 2});
-    fields.push_back({name + ".sine"});
-    fields.push_back({name + ".cosine"});
-    fields.push_back({name + ".texture", FieldType::i32});
-    fields.push_back({name + ".uv_set", FieldType::i32});
 }
 
 MaterialData data_of(const scene::Material& m) {
@@ -48,32 +38,6 @@ MaterialData data_of(const scene::Material& m) {
 }
 
 }  // namespace
-
-std::vector<Field> material_fields() {
-    std::vector<Field> fields{{"base_colour", FieldType::f32, 4},
-                              {"emission", FieldType::f32, 3},
-                              {"metallic"},
-                              {"roughness"},
-                              {"normal_scale"},
-                              {"alpha_cutoff"},
-                              {"ior"},
-                              {"transmission"},
-                              {"thickness"},
-                              {"attenuation_distance"},
-                              {"flags", FieldType::u32},
-                              {"attenuation_colour", FieldType::f32, 3},
-                              {"unused"}};
-    for (const auto* name : {"base_colour", "metallic_roughness", "normal", "emission", "transmission"})
-        add_slot_fields(fields, std::string(name) + "_slot");
-    return fields;
-}
-
-std::vector<Field> opacity_fields() {
-    return {{"width", FieldType::i32},
-            {"height", FieldType::i32},
-            {"first_word", FieldType::u32},
-            {"wraps", FieldType::u32}};
-}
 
 std::vector<MaterialData> material_data(const scene::Scene& scene) {
     std::vector<MaterialData> data;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "renderers/graph/resource.h"
+#include "renderers/core/fields.h"
 #include "renderers/scene/world.h"
 
 namespace ir::passes {
@@ -12,6 +12,7 @@ struct TextureSlotData {
     glm::vec2 offset, scale;
     float sine, cosine;
     int texture, uv_set;
+    IR_FIELDS(offset, scale, sine, cosine, texture, uv_set)
 };
 
 /// A material as struct Material of shaders/lib/material.glsl.
@@ -25,16 +26,17 @@ struct MaterialData {
     glm::vec3 attenuation_colour;
     float unused;
     TextureSlotData base_colour_slot, metallic_roughness_slot, normal_slot, emission_slot, transmission_slot;
+    IR_FIELDS(base_colour, emission, metallic, roughness, normal_scale, alpha_cutoff, ior, transmission,
+              thickness, attenuation_distance, flags, attenuation_colour, unused, base_colour_slot,
+              metallic_roughness_slot, normal_slot, emission_slot, transmission_slot)
 };
 
 /// A material's opacity bitmap as struct OpacityBitmap of shaders/lib/coverage.glsl.
 struct OpacityData {
     int width, height;
     std::uint32_t first_word, wraps;
+    IR_FIELDS(width, height, first_word, wraps)
 };
-
-std::vector<graph::Field> material_fields();
-std::vector<graph::Field> opacity_fields();
 
 std::vector<MaterialData> material_data(const scene::Scene& scene);
 /// One element per material of the scene.

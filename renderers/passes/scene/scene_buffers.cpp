@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/scene/light_data.h"
 #include "renderers/passes/scene/material_data.h"
@@ -19,9 +20,7 @@ using graph::PassContext;
 
 static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::mat4) == 64,
               "world arrays are uploaded as they lie in memory");
-static_assert(sizeof(TextureSlotData) == 32 && sizeof(MaterialData) == 240 && sizeof(LightData) == 80 &&
-                  sizeof(OpacityData) == 16,
-              "structs equal their std430 twins");
+static_assert(sizeof(MaterialData) == 240 && sizeof(LightData) == 80, "structs equal their std430 twins");
 
 template <class T>
 std::span<const std::byte> bytes_of(const std::vector<T>& data) {
@@ -66,11 +65,12 @@ SceneBuffers declare_buffers(GraphBuilder& builder) {
                                    "Material of each triangle", {number}, world.triangles());
     b.motion = declare(builder, "motion", "SceneMotion", "Previous from current position of each instance",
                        {{"matrix", FieldType::f32, 16}}, world.motion.size());
-    b.materials =
-        declare(builder, "materials", "Materials", "Materials", material_fields(), scene.materials.size());
-    b.lights = declare(builder, "lights", "Lights", "Lights", light_fields(), world.lights.size());
-    b.opacity = declare(builder, "opacity", "Opacity", "Alpha mask of each material", opacity_fields(),
-                        scene.materials.size());
+    b.materials = declare(builder, "materials", "Materials", "Materials", record_fields<MaterialData>(),
+                          scene.materials.size());
+    b.lights =
+        declare(builder, "lights", "Lights", "Lights", record_fields<LightData>(), world.lights.size());
+    b.opacity = declare(builder, "opacity", "Opacity", "Alpha mask of each material",
+                        record_fields<OpacityData>(), scene.materials.size());
     b.opacity_words = declare(builder, "opacity_words", "OpacityWords", "Alpha masks, one bit a texel",
                               {{"bits", FieldType::u32}}, world.opacity_words.size());
     return b;

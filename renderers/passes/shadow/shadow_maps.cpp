@@ -13,6 +13,13 @@ using graph::GraphBuilder;
 using graph::PassContext;
 using graph::Slice;
 
+/// Constants of shadow.vert.
+struct DrawShadow {
+    glm::mat4 clip_from_world;
+    glm::vec3 origin_ws, depth_axis_ws;
+    IR_FIELDS(clip_from_world, origin_ws, depth_axis_ws)
+};
+
 void draw_triangles(const PassContext& p, const ShadowViewData& view, bool masked) {
     const auto opaque = static_cast<GLint>(3 * p.inputs().world->opaque_triangles);
     const auto all = static_cast<GLint>(p.inputs().world->indices.size());
@@ -20,9 +27,7 @@ void draw_triangles(const PassContext& p, const ShadowViewData& view, bool maske
     if (first == end) return;
     const auto& program =
         p.use({{"passes/shadow/shadow.vert", "passes/shadow/shadow.frag"}, {{"MASKED", masked ? "1" : "0"}}});
-    program.set("clip_from_world", view.clip_from_world);
-    program.set("origin_ws", view.origin);
-    program.set("depth_axis_ws", view.forward / view.far);
+    program.set(DrawShadow{view.clip_from_world, view.origin, view.forward / view.far});
     p.api().DrawArrays(GL_TRIANGLES, first, end - first);
 }
 
@@ -63,7 +68,7 @@ ShadowMaps shadow_maps(GraphBuilder& builder, const SceneBuffers& scene, int res
     graph::BufferDesc views;
     views.text = {"shadow.views", "Views of the shadow maps"};
     views.name = "ShadowViews";
-    views.fields = shadow_view_fields();
+    views.fields = record_fields<ShadowViewData>();
     views.elements = static_cast<std::uint64_t>(layers);
     views.fingerprint = fingerprint;
 

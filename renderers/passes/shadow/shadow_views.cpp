@@ -9,8 +9,6 @@
 namespace ir::passes {
 namespace {
 
-using graph::FieldType;
-
 std::array<glm::vec3, 8> corners(const scene::Bounds& bounds) {
     std::array<glm::vec3, 8> result;
     for (int i = 0; i < 8; ++i)
@@ -92,18 +90,6 @@ constexpr std::array<glm::vec3, 6> cube_faces{glm::vec3{1, 0, 0},  glm::vec3{-1,
                                               glm::vec3{0, -1, 0}, glm::vec3{0, 0, 1},  glm::vec3{0, 0, -1}};
 
 }  // namespace
-
-std::vector<graph::Field> shadow_view_fields() {
-    return {{"clip_from_world", FieldType::f32, 16},
-            {"origin_ws", FieldType::f32, 3},
-            {"perspective"},
-            {"right_ws", FieldType::f32, 3},
-            {"far"},
-            {"up_ws", FieldType::f32, 3},
-            {"light", FieldType::i32},
-            {"forward_ws", FieldType::f32, 3},
-            {"near"}};
-}
 
 std::vector<ShadowViewData> shadow_views(const scene::World& world, int resolution) {
     const float margin = 1 + 2.0f / static_cast<float>(resolution);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "renderers/graph/resource.h"
+#include "renderers/core/fields.h"
 #include "renderers/scene/world.h"
 
 namespace ir::passes {
@@ -20,9 +20,8 @@ struct ShadowViewData {
     int light;  ///< index into World::lights
     glm::vec3 forward;
     float near;  ///< m
+    IR_FIELDS(clip_from_world, origin, perspective, right, far, up, light, forward, near)
 };
-
-std::vector<graph::Field> shadow_view_fields();
 
 /// The views of all lights in order of layer. Perspective for spots (the outer cone) and the six faces of
 /// point lights (+x, -x, +y, -y, +z, -z); orthographic about the world's bounds for directional lights.

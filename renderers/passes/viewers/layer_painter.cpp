@@ -32,6 +32,85 @@ std::vector<std::string> shaders_of(Primitive primitive) {
     }
 }
 
+/// Constants of lines.vert and lines.frag.
+struct Lines {
+    Projection projection;
+    unsigned layer_number;
+    float line_px;
+    IR_FIELDS(projection, layer_number, line_px)
+};
+
+/// Constants of flat_glyphs.vert and flat_glyphs.frag.
+struct FlatGlyphs {
+    Projection projection;
+    Shade shade;
+    unsigned layer_number;
+    bool round;
+    IR_FIELDS(projection, shade, layer_number, round)
+};
+
+/// Constants of ellipsoids.vert and ellipsoids.frag.
+struct Ellipsoids {
+    Projection projection;
+    Shade shade;
+    PixelRays rays;
+    unsigned layer_number;
+    IR_FIELDS(projection, shade, rays, layer_number)
+};
+
+/// Constants of points_begin.comp, and what points.comp and points.frag share with it.
+struct Points {
+    Projection projection;
+    float point_px;
+    IR_FIELDS(projection, point_px)
+};
+
+/// Constants of points.comp.
+struct CompetingPoints {
+    Points points;
+    unsigned elements_per_invocation;
+    bool name_elements;
+    IR_FIELDS(points, elements_per_invocation, name_elements)
+};
+
+/// Constants of points.frag.
+struct NearestPoints {
+    Points points;
+    float pixel_samples;
+    IR_FIELDS(points, pixel_samples)
+};
+
+/// Constants of sphere.comp.
+struct SphereRegions {
+    Eye eye;
+    PixelRays rays;
+    glm::ivec2 picture_size;
+    IR_FIELDS(eye, rays, picture_size)
+};
+
+/// Constants of sphere.frag.
+struct Sphere {
+    Projection projection;
+    PixelRays rays;
+    Shade shade;
+    int selected;
+    bool show_centres;
+    int pixel_samples;
+    float mean_region_px;
+    IR_FIELDS(projection, rays, shade, selected, show_centres, pixel_samples, mean_region_px)
+};
+
+/// Constants of mark.vert.
+struct Mark {
+    Projection projection;
+    unsigned marked;
+    int segments;
+    float ring_px, band_px;
+    glm::vec3 mark_colour;
+    bool own_colour;
+    IR_FIELDS(projection, marked, segments, ring_px, band_px, mark_colour, own_colour)
+};
+
 }  // namespace
 
 LayerPainter::LayerPainter(const Tools& tools)
@@ -61,14 +140,13 @@ void LayerPainter::write_block(const LayerPlan& plan, std::size_t index) {
     blocks_[index]->write(std::as_bytes(std::span(&plan.block, 1)), "3D view, layer");
 }
 
-const gl::Program& LayerPainter::begin(const LayerPlan& plan, std::size_t index, const Sight& sight,
+const gl::Program& LayerPainter::begin(const LayerPlan& plan, std::size_t index,
                                        std::vector<std::string> files) {
     write_block(plan, index);
     const auto& program = tools_.programs.get({std::move(files)});
     program.use();
     program.bind_buffer("Elements", plan.buffer);
     program.bind_buffer("LayerBlock", blocks_[index]->name());
-    set_eye(program, sight);
     tools_.api.BindVertexArray(vertex_array_);
     return program;
 }
@@ -78,21 +156,22 @@ void LayerPainter::draw(const LayerPlan& plan, std::size_t index, const Sight& s
     if (plan.primitive == Primitive::sphere) return draw_sphere(plan, index, sight, target, show_centres);
     if (plan.primitive == Primitive::points) return draw_points(plan, index, sight, target);
     const auto& gl = tools_.api;
-    const auto& program = begin(plan, index, sight, shaders_of(plan.primitive));
-    set_projection(program, sight);
-    program.set("layer_number", plan.block.number);
+    const auto& program = begin(plan, index, shaders_of(plan.primitive));
     program.bind_texture("colour_map", map_texture(plan.wanted.colour_map));
     const auto count = static_cast<GLsizei>(plan.block.drawn);
     const auto samples = static_cast<float>(sight.pixel_samples);
-    if (plan.primitive == Primitive::lines) {
-        program.set("line_px", plan.block.size_px * samples);
-    } else {
-        set_shade(program, sight);
-        if (plan.primitive == Primitive::ellipsoids)
-            set_pixel_rays(program, sight.view);
-        else
-            program.set("round", plan.primitive == Primitive::discs ? 1 : 0);
-    }
+    if (plan.primitive == Primitive::lines)
+        program.set(Lines{projection(sight), plan.block.number, plan.block.size_px * samples});
+    else if (plan.primitive == Primitive::ellipsoids)
+        program.set(Ellipsoids{.projection = projection(sight),
+                               .shade = shade(sight),
+                               .rays = pixel_rays(sight.view),
+                               .layer_number = plan.block.number});
+    else
+        program.set(FlatGlyphs{.projection = projection(sight),
+                               .shade = shade(sight),
+                               .layer_number = plan.block.number,
+                               .round = plan.primitive == Primitive::discs});
     gl.DrawArrays(GL_TRIANGLES, 0, corners * count);
 }
 
@@ -100,36 +179,34 @@ void LayerPainter::draw_points(const LayerPlan& plan, std::size_t index, const S
                                const Target& target) {
     const auto& gl = tools_.api;
     const auto samples = static_cast<float>(sight.pixel_samples);
-    const float point_px = std::min(plan.block.size_px * samples, max_point_samples);
+    const Points points{projection(sight), std::min(plan.block.size_px * samples, max_point_samples)};
     const auto bytes = sizeof(std::uint32_t) * static_cast<std::size_t>(sight.view.width) *
                        static_cast<std::size_t>(sight.view.height);
     nearest_keys_.reserve(bytes, "3D view, nearest depths of points");
     nearest_elements_.reserve(bytes, "3D view, nearest points");
     const auto bind = [&](const gl::Program& program) {
-        set_projection(program, sight);
-        program.set("point_px", point_px);
         program.bind_buffer("NearestKeys", nearest_keys_.name());
         program.bind_buffer("NearestElements", nearest_elements_.name());
     };
-    const auto& first = begin(plan, index, sight, {"passes/viewers/points_begin.comp"});
+    const auto& first = begin(plan, index, {"passes/viewers/points_begin.comp"});
     bind(first);
+    first.set(points);
     first.bind_texture("depth_behind", target.depth());
     first.dispatch(sight.view.width, sight.view.height);
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 
-    const auto& compete = begin(plan, index, sight, {"passes/viewers/points.comp"});
+    const auto& compete = begin(plan, index, {"passes/viewers/points.comp"});
     bind(compete);
-    compete.set("elements_per_invocation", elements_per_invocation);
-    for (const int name_elements : {0, 1}) {
-        compete.set("name_elements", name_elements);
+    for (const bool name_elements : {false, true}) {
+        compete.set(CompetingPoints{points, elements_per_invocation, name_elements});
         compete.dispatch((plan.block.drawn + elements_per_invocation - 1) / elements_per_invocation);
         gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
 
-    const auto& program = begin(plan, index, sight, {"lib/full_screen.vert", "passes/viewers/points.frag"});
+    const auto& program = begin(plan, index, {"lib/full_screen.vert", "passes/viewers/points.frag"});
     bind(program);
     program.bind_texture("colour_map", map_texture(plan.wanted.colour_map));
-    program.set("pixel_samples", samples);
+    program.set(NearestPoints{points, samples});
     gl.DepthFunc(GL_ALWAYS);  // they have competed with what is there already
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     gl.DepthFunc(GL_LEQUAL);
@@ -140,29 +217,29 @@ void LayerPainter::draw_sphere(const LayerPlan& plan, std::size_t index, const S
     const auto& gl = tools_.api;
     const int width = sight.view.width, height = sight.view.height;
     const auto regions = target.regions();
-    const auto& find = begin(plan, index, sight, {"passes/viewers/sphere.comp"});
-    set_pixel_rays(find, sight.view);
-    find.set("picture_size", glm::ivec2(width, height));
+    const auto& find = begin(plan, index, {"passes/viewers/sphere.comp"});
+    find.set(SphereRegions{eye(sight), pixel_rays(sight.view), {width, height}});
     find.bind_image("regions", regions, gl::Format::r32ui);
     find.dispatch(width, height);
     gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 
-    const auto& program = begin(plan, index, sight, {"lib/full_screen.vert", "passes/viewers/sphere.frag"});
-    set_pixel_rays(program, sight.view);
-    set_projection(program, sight);
-    set_shade(program, sight);
+    const auto& program = begin(plan, index, {"lib/full_screen.vert", "passes/viewers/sphere.frag"});
     program.bind_texture("colour_map", map_texture(plan.wanted.colour_map));
     program.bind_texture("regions", regions);
-    program.set("selected", static_cast<int>(std::clamp<std::int64_t>(plan.wanted.selected, -1, INT32_MAX)));
-    program.set("show_centres", show_centres ? 1 : 0);
-    program.set("pixel_samples", sight.pixel_samples);
     // of a sphere at the middle of the picture; regions cover it twice, in front and behind
-    const auto& projection = sight.view.clip_from_view;
+    const auto& clip_from_view = sight.view.clip_from_view;
     const float depth = sight.orthographic ? 1 : std::max(1.0f, glm::length(sight.view.eye_ws));
     const float radius_px =
-        0.5f * static_cast<float>(height / sight.pixel_samples) * projection[1][1] / depth;
-    program.set("mean_region_px", 2 * std::numbers::pi_v<float> * radius_px * radius_px /
-                                      static_cast<float>(std::max<std::uint32_t>(1, plan.block.drawn)));
+        0.5f * static_cast<float>(height / sight.pixel_samples) * clip_from_view[1][1] / depth;
+    program.set(
+        Sphere{.projection = projection(sight),
+               .rays = pixel_rays(sight.view),
+               .shade = shade(sight),
+               .selected = static_cast<int>(std::clamp<std::int64_t>(plan.wanted.selected, -1, INT32_MAX)),
+               .show_centres = show_centres,
+               .pixel_samples = sight.pixel_samples,
+               .mean_region_px = 2 * std::numbers::pi_v<float> * radius_px * radius_px /
+                                 static_cast<float>(std::max<std::uint32_t>(1, plan.block.drawn))});
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -171,21 +248,25 @@ void LayerPainter::mark(const LayerPlan& plan, std::size_t index, const Sight& s
     if (selected < 0 || static_cast<std::uint64_t>(selected) >= plan.drawn.elements) return;
     if (plan.primitive == Primitive::sphere) return;  // marked where its region is drawn
     const auto& gl = tools_.api;
-    const auto& program = begin(plan, index, sight, {"passes/viewers/mark.vert", "passes/viewers/mark.frag"});
+    const auto& program = begin(plan, index, {"passes/viewers/mark.vert", "passes/viewers/mark.frag"});
     const int segments = plan.primitive == Primitive::lines            ? 1
                          : plan.primitive == Primitive::parallelograms ? 4
                                                                        : 64;
-    set_projection(program, sight);
-    program.set("marked", static_cast<unsigned>(selected));
-    program.set("segments", segments);
     const auto samples = static_cast<float>(sight.pixel_samples);
-    program.set("ring_px", samples * (0.5f * plan.block.size_px + 5));
+    Mark constants{.projection = projection(sight),
+                   .marked = static_cast<unsigned>(selected),
+                   .segments = segments,
+                   .ring_px = samples * (0.5f * plan.block.size_px + 5),
+                   .band_px = 0,
+                   .mark_colour = {},
+                   .own_colour = false};
     const bool is_line = plan.primitive == Primitive::lines;
     if (is_line) program.bind_texture("colour_map", map_texture(plan.wanted.colour_map));
     const auto band = [&](float width_px, glm::vec3 colour, bool own_colour) {
-        program.set("band_px", samples * width_px);
-        program.set("mark_colour", colour);
-        program.set("own_colour", own_colour ? 1 : 0);
+        constants.band_px = samples * width_px;
+        constants.mark_colour = colour;
+        constants.own_colour = own_colour;
+        program.set(constants);
         gl.DrawArrays(GL_TRIANGLES, 0, corners * segments);
     };
     const float own_px = is_line ? plan.block.size_px + 1 : 0;

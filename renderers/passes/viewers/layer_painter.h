@@ -22,8 +22,8 @@ class LayerPainter {
     LayerPainter(const LayerPainter&) = delete;
 
     /// Finds what the layers' elements span: their bounds, and the ranges of colours, which are written into
-    /// the plans. Extends `bounds`; `eye` is that of the camera (for "facing").
-    void measure(std::vector<LayerPlan>& plans, const Sight& eye, scene::Bounds& bounds);
+    /// the plans. Extends `bounds`; `sight` is the camera's (for "facing").
+    void measure(std::vector<LayerPlan>& plans, const Sight& sight, scene::Bounds& bounds);
     void draw(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,
               bool show_centres);
     /// Outlines the selected element, on top of everything.
@@ -31,8 +31,7 @@ class LayerPainter {
 
   private:
     gl::Name map_texture(const std::string& name);
-    const gl::Program& begin(const LayerPlan& plan, std::size_t index, const Sight& sight,
-                             std::vector<std::string> files);
+    const gl::Program& begin(const LayerPlan& plan, std::size_t index, std::vector<std::string> files);
     void draw_points(const LayerPlan& plan, std::size_t index, const Sight& sight, const Target& target);
     void draw_sphere(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,
                      bool show_centres);

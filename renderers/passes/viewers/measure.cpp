@@ -17,6 +17,13 @@ struct Measure {
 };
 static_assert(sizeof(Measure) == 256);
 
+/// Constants of measure.comp.
+struct MeasureElements {
+    Eye eye;
+    unsigned elements_per_invocation;
+    IR_FIELDS(eye, elements_per_invocation)
+};
+
 /// The number that a key of the shader stands for.
 double number_of(std::uint32_t key, FieldType type) {
     if (type == FieldType::u32) return key;
@@ -63,16 +70,16 @@ void extend(scene::Bounds& bounds, const Measure& measure) {
 
 }  // namespace
 
-void LayerPainter::measure(std::vector<LayerPlan>& plans, const Sight& eye, scene::Bounds& bounds) {
+void LayerPainter::measure(std::vector<LayerPlan>& plans, const Sight& sight, scene::Bounds& bounds) {
     if (std::none_of(plans.begin(), plans.end(), [](const auto& plan) { return plan.drawable; })) return;
     const auto& gl = tools_.api;
     std::vector<Measure> measures(plans.size());
     measures_.write(std::as_bytes(std::span(measures)), "3D view, ranges");
     for (std::size_t i = 0; i < plans.size(); ++i) {
         if (!plans[i].drawable) continue;
-        const auto& program = begin(plans[i], i, eye, {"passes/viewers/measure.comp"});
+        const auto& program = begin(plans[i], i, {"passes/viewers/measure.comp"});
         program.bind_buffer("Measure", measures_.name(), i * sizeof(Measure), sizeof(Measure));
-        program.set("elements_per_invocation", elements_per_invocation);
+        program.set(MeasureElements{eye(sight), elements_per_invocation});
         program.dispatch((plans[i].block.drawn + elements_per_invocation - 1) / elements_per_invocation);
     }
     gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -3,6 +3,16 @@
 #include <span>
 
 namespace ir::passes::viewers {
+namespace {
+
+/// Constants of scene.vert and scene.frag.
+struct Mesh {
+    glm::mat4 clip_from_world;
+    Shade shade;
+    IR_FIELDS(clip_from_world, shade)
+};
+
+}  // namespace
 
 SceneMesh::SceneMesh(const Tools& tools) : tools_(tools), positions_(tools.device), indices_(tools.device) {
     const auto& gl = tools_.api;
@@ -43,8 +53,7 @@ void SceneMesh::draw(graph::Graph& graph, const graph::FrameInputs& inputs, cons
     gl.BindVertexArray(vertex_array_);
     const auto& program = tools_.programs.get({{"passes/viewers/scene.vert", "passes/viewers/scene.frag"}});
     program.use();
-    program.set("clip_from_world", sight.view.clip_from_world());
-    set_shade(program, sight);
+    program.set(Mesh{sight.view.clip_from_world(), shade(sight)});
     // a little behind glyphs and lines that lie on surfaces
     gl.Enable(GL_POLYGON_OFFSET_FILL);
     gl.PolygonOffset(1, 4);

@@ -18,6 +18,12 @@ gl::ImageShape shape(int width, int height, gl::Format format) {
     return made;
 }
 
+/// Constants of average.comp.
+struct Average {
+    int oversampling;
+    IR_FIELDS(oversampling)
+};
+
 }  // namespace
 
 void Target::release() {
@@ -88,7 +94,7 @@ void Target::average() {
     program.bind_texture("id_samples", ids_);
     program.bind_image("colours", mean_colour_, gl::Format::rgba32f);
     program.bind_image("ids", mean_ids_, gl::Format::rg32ui);
-    program.set("oversampling", oversampling_);
+    program.set(Average{oversampling_});
     program.dispatch(width_, height_);
     api_.UseProgram(0);
     api_.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);

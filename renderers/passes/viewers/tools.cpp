@@ -15,23 +15,17 @@ Sight make_sight(const scene::Camera& camera, int width, int height, int oversam
     return sight;
 }
 
-void set_projection(const gl::Program& program, const Sight& sight) {
-    program.set("clip_from_world", sight.view.clip_from_world());
-    program.set("size_px", glm::vec2(sight.view.width, sight.view.height));
-    program.set("min_w", sight.orthographic ? 0.5f : sight.view.near_plane);
+Eye eye(const Sight& sight) {
+    return {sight.view.eye_ws, sight.axis_ws, sight.orthographic};
 }
 
-void set_shade(const gl::Program& program, const Sight& sight) {
-    program.set("shade_eye_ws", sight.view.eye_ws);
-    program.set("shade_axis_ws", sight.axis_ws);
-    program.set("shade_light_ws", sight.light_ws);
-    program.set("shade_orthographic", sight.orthographic ? 1 : 0);
+Projection projection(const Sight& sight) {
+    return {eye(sight), sight.view.clip_from_world(), glm::vec2(sight.view.width, sight.view.height),
+            sight.orthographic ? 0.5f : sight.view.near_plane};
 }
 
-void set_eye(const gl::Program& program, const Sight& sight) {
-    program.set("eye_ws", sight.view.eye_ws);
-    program.set("view_axis_ws", sight.axis_ws);
-    program.set("orthographic", sight.orthographic ? 1 : 0);
+Shade shade(const Sight& sight) {
+    return {sight.view.eye_ws, sight.axis_ws, sight.light_ws, sight.orthographic};
 }
 
 }  // namespace ir::passes::viewers

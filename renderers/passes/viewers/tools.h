@@ -58,9 +58,30 @@ struct Sight {
 Sight make_sight(const scene::Camera& camera, int width, int height, int oversampling,
                  const scene::Bounds& bounds);
 
-/// The uniforms of shaders/passes/viewers/project.glsl, shade.glsl, and the eye of layer.glsl.
-void set_projection(const gl::Program& program, const Sight& sight);
-void set_shade(const gl::Program& program, const Sight& sight);
-void set_eye(const gl::Program& program, const Sight& sight);
+/// Constants of shaders/passes/viewers/layer.glsl.
+struct Eye {
+    glm::vec3 eye_ws, view_axis_ws;
+    bool orthographic;
+    IR_FIELDS(eye_ws, view_axis_ws, orthographic)
+};
+Eye eye(const Sight& sight);
+
+/// Constants of project.glsl, which goes with layer.glsl.
+struct Projection {
+    Eye eye;
+    glm::mat4 clip_from_world;
+    glm::vec2 size_px;
+    float min_w;
+    IR_FIELDS(eye, clip_from_world, size_px, min_w)
+};
+Projection projection(const Sight& sight);
+
+/// Constants of shade.glsl.
+struct Shade {
+    glm::vec3 shade_eye_ws, shade_axis_ws, shade_light_ws;
+    bool shade_orthographic;
+    IR_FIELDS(shade_eye_ws, shade_axis_ws, shade_light_ws, shade_orthographic)
+};
+Shade shade(const Sight& sight);
 
 }  // namespace ir::passes::viewers

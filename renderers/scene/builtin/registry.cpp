@@ -1,14 +1,12 @@
 #include "renderers/scene/builtin/registry.h"
 
-#include <xxhash.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 
 #include "renderers/core/error.h"
+#include "renderers/core/hash.h"
 
 namespace ir::scene {
 namespace builtin {
@@ -114,14 +112,6 @@ std::string canonical_name(const Description& scene, const Values& values) {
     return text;
 }
 
-std::string hash_of(const std::string& text) {
-    const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
-    char hex[33];
-    std::snprintf(hex, sizeof hex, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
-                  static_cast<unsigned long long>(hash.low64));
-    return hex;
-}
-
 }  // namespace
 
 const std::vector<Description>& descriptions() {
@@ -148,7 +138,7 @@ Scene make_builtin(const std::string& name_version_options) {
     Scene scene = description.make(values);
     const std::string canonical = canonical_name(description, values);
     scene.name = std::string(prefix) + canonical;
-    scene.content_hash = hash_of(canonical);
+    scene.content_hash = hash_bytes(canonical);
     scene.material_count = scene.materials.size();
     return scene;
 }

@@ -1,32 +1,10 @@
 #include "renderers/scene/gltf/document.h"
 
-#define XXH_STATIC_LINKING_ONLY
-#include <xxhash.h>
-
-#include <array>
-#include <cstdio>
-
 #include "renderers/core/error.h"
+#include "renderers/core/hash.h"
 
 namespace ir::scene::gltf {
 namespace {
-
-class Hasher {
-  public:
-    Hasher() { XXH3_128bits_reset(&state_); }
-    void add(const Bytes& bytes) { XXH3_128bits_update(&state_, bytes.data(), bytes.size()); }
-    std::string hex() const {
-        const auto hash = XXH3_128bits_digest(&state_);
-        std::array<char, 33> text{};
-        std::snprintf(text.data(), text.size(), "%016llx%016llx",
-                      static_cast<unsigned long long>(hash.high64),
-                      static_cast<unsigned long long>(hash.low64));
-        return text.data();
-    }
-
-  private:
-    XXH3_state_t state_{};
-};
 
 /// Parsers and destructors recurse, so nesting is limited before anything is built.
 void check_nesting(const std::string& file, const std::string& text) {
@@ -67,7 +45,7 @@ Json parse(const std::string& file, const std::string& text) {
 Bytes load_uri(Document& document, Hasher& hasher, const std::string& place, const std::string& uri) {
     if (is_data_uri(uri)) return decode_data_uri(document.file, place, uri);
     auto bytes = read_file(resolve_uri(document.file, place, uri), document.file, place);
-    hasher.add(bytes);
+    hasher.add(std::as_bytes(std::span(bytes)));
     document.total_bytes += bytes.size();
     return bytes;
 }
@@ -154,7 +132,7 @@ Document read_document(const std::string& file) {
     const auto bytes = read_file(file);
     document.total_bytes = bytes.size();
     Hasher hasher;
-    hasher.add(bytes);
+    hasher.add(std::as_bytes(std::span(bytes)));
     auto container = open_container(document.file, bytes);
     const auto source = parse(document.file, container.json);
     container.json = {};
@@ -168,7 +146,7 @@ Document read_document(const std::string& file) {
     check_all(checking);
     document.accessor_problems = std::move(checking.accessor_problems);
     parse_model(document, checking);
-    document.content_hash = hasher.hex();
+    document.content_hash = hasher.hexadecimal();
     return document;
 }
 

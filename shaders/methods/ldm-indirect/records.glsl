@@ -4,7 +4,7 @@ const uint LEG_MAP = 0xffffu, LEG_ALONG = 1u << 16, LEG_DIRECT = 1u << 17, LEG_L
 
 // A photon where it arrived, with its differential: equals ir::methods::ldm_indirect::Photon. 64 bytes in std430.
 struct Photon {
-    vec3 position_ws;
+    vec3 centre_ws;
     uint source;  // texel of the lights' images: (layer * side + row) * side + column
     vec3 axis_u;  // m: half of D_u x
     uint leg;     // see LEG_…

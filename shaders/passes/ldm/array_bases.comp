@@ -8,8 +8,6 @@ layout(std430) buffer OffsetsAsked { uint offset_words_requested; };
 layout(std430) buffer UnsortedAsked { uint unsorted_requested; };
 layout(std430) buffer MostLayers { uint all_max_layers; };
 
-uniform uint packed_words, wide_words;  // size of the batch's offsets in 16 and in 32 bits
-
 shared uint sums[256];
 shared uint widest[256];
 

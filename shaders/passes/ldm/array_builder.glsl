@@ -1,5 +1,6 @@
 // What the steps of building arrays share. A chunk's texels count from 0; its rows lie from first_row on in the
 // batch.
+#include "passes/ldm/chunk.glsl"
 #define LDM_ARRIVALS
 #include "passes/ldm/fragments.glsl"
 
@@ -21,9 +22,6 @@ const uint stored_before = 0u, asked_before = 0u;
 #define stored_before stored
 #define asked_before asked
 #endif
-
-uniform uint first_row, row_count;
-uniform uint resolution;
 
 /// Writes one half of a word that another invocation may write the other half of.
 void store_half(uint index, uint depth) {

@@ -3,3 +3,5 @@
 
 layout(std430) buffer LdmRows { uint rows[]; };
 layout(std430) buffer LdmOffsets { uint offsets[]; };
+
+uniform uint packed_words, wide_words;  // size of the batch's offsets in 16 and in 32 bits

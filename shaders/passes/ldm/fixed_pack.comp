@@ -1,13 +1,11 @@
 // Fixed arrays, second step: one invocation sorts one texel's array, unless FIXED_PRESORTED is defined, and packs it.
 // Arrays of up to FIXED_NETWORK layers are sorted in registers, longer ones by insertion: at most 256²/2 turns.
 layout(local_size_x = 128) in;
+#include "passes/ldm/chunk.glsl"
 #include "passes/ldm/networks.glsl"
 
 layout(std430) buffer LdmFixedChunk { uint nearness_of[]; };
 layout(std430) writeonly buffer LdmFixedDepths { uint packed_depths[]; };
-
-uniform uint chunk_texels;
-uniform uint batch_texel;  // first texel of the chunk, in the batch
 
 const uint TEXEL_WORDS = (FIXED_LAYERS + 1u) / 2u;
 
@@ -42,7 +40,7 @@ void sort_in_registers(uint first, uint word) {
 
 void main() {
     uint texel = gl_GlobalInvocationID.x;
-    if (texel >= chunk_texels) return;
+    if (texel >= texel_count) return;
     uint first = texel * FIXED_LAYERS, word = (batch_texel + texel) * TEXEL_WORDS;
 #ifndef FIXED_PRESORTED
     if (depth_of(first, uint(FIXED_NETWORK)) == 65535u) {

@@ -1,5 +1,6 @@
 // Hash table: one invocation puts one fragment in, and in its place what it displaces.
 layout(local_size_x = 64) in;
+#include "passes/ldm/chunk.glsl"
 #include "passes/ldm/fragments.glsl"
 #include "passes/ldm/hash_cells.glsl"
 #include "passes/ldm/list_index.glsl"
@@ -7,8 +8,6 @@ layout(local_size_x = 64) in;
 layout(std430) buffer MostAge { uint max_age; };
 layout(std430) coherent buffer LdmAges { uint ages[]; };
 layout(std430) coherent buffer LdmCells { uint cells[]; };
-
-uniform uint batch_texel;  // first texel of the chunk, in the batch
 
 /// A cell keeps the larger of what it holds and what comes, which hands on the smaller one at its texel's next age.
 /// [Lefebvre14 §3.4] Whatever leaves a cell or passes it is below what stays, and of one texel the age is the same

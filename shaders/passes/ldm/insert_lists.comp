@@ -1,10 +1,9 @@
 // Linked lists: one invocation inserts one fragment of the chunk.
 layout(local_size_x = 64) in;
+#include "passes/ldm/chunk.glsl"
 #include "passes/ldm/fragments.glsl"
 #include "passes/ldm/list_index.glsl"
 #include "passes/ldm/lists_insert.glsl"
-
-uniform uint batch_texel;  // first texel of the chunk, in the batch
 
 void main() {
     uint index = list_index();

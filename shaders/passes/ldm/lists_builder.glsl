@@ -1,4 +1,5 @@
 // What the steps of building lists that are sorted after share. Nodes of a chunk's fragment i are at stored + i.
+#include "passes/ldm/chunk.glsl"
 #define LDM_ARRIVALS
 #include "passes/ldm/fragments.glsl"
 
@@ -16,5 +17,3 @@ const uint FEW_LAYERS = 16u;
 /// A merge sort takes about 2 n log2 n turns, and drivers may stop loops after 65,535.
 const uint MAX_MERGED = 512u;
 const uint IS_FIRST = 0x80000000u;
-
-uniform uint batch_texel;  // first texel of the chunk, in the batch

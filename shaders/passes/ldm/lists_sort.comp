@@ -5,8 +5,6 @@ layout(local_size_x = 128) in;
 #include "passes/ldm/lists_builder.glsl"
 #include "passes/ldm/networks.glsl"
 
-uniform uint texel_count;
-
 void main() {
     uint texel = gl_GlobalInvocationID.x;
     if (texel >= texel_count) return;

@@ -1,4 +1,5 @@
 // What the steps of packing a chunk share, whose sorted depths are in arrays (array_builder.glsl with ONE_CHUNK).
+#include "passes/ldm/chunk.glsl"
 #include "passes/ldm/packed_depth.glsl"
 #define LDM_ARRIVALS
 #include "passes/ldm/fragments.glsl"
@@ -12,8 +13,7 @@ layout(std430) buffer LdmPackedRows { uint rows[]; };
 layout(std430) buffer LdmGroups { uint groups[]; };
 layout(std430) coherent buffer LdmPackedDepths { uint depths[]; };
 
-uniform uint first_row, row_count;
-uniform uint resolution;
+uniform uint table_words;  // of the batch, without those of wide groups
 
 /// Depths that there is room for.
 uint packed_room() {

@@ -3,8 +3,6 @@
 layout(local_size_x = 64) in;
 #include "passes/ldm/packed_builder.glsl"
 
-uniform uint table_words;  // of the batch, without those of wide groups
-
 void main() {
     uint row = gl_GlobalInvocationID.x;
     if (row >= row_count) return;

@@ -5,8 +5,6 @@ layout(local_size_x = 128) in;
 
 layout(std430) buffer GroupWordsAsked { uint group_words_requested; };
 
-uniform uint table_words;
-
 void main() {
     uint texel = gl_GlobalInvocationID.x;
     if (texel == 0u) {

@@ -1,5 +1,6 @@
 // What the steps of building pages share. A page: the next one, counted from 1 (0: none), and LDM_PAGE_DEPTHS depths of
 // 16 bits, two per word; NO_DEPTH where there is none.
+#include "passes/ldm/chunk.glsl"
 #define LDM_ARRIVALS
 #include "passes/ldm/fragments.glsl"
 
@@ -16,8 +17,6 @@ const uint NO_DEPTH = 65535u;
 const uint FEW_LAYERS = 16u;
 /// Beyond, each fragment counts those that come before it.
 const uint MAX_IN_REGISTERS = 32u;
-
-uniform uint batch_texel;  // first texel of the chunk, in the batch
 
 /// First word of a page that is counted from 1.
 uint page_word(uint page) {

@@ -17,8 +17,6 @@ layout(local_size_x = 128) in;
 #endif
 const int MAX_PAGES = (LAYERS + LDM_PAGE_DEPTHS - 1) / LDM_PAGE_DEPTHS;
 
-uniform uint texel_count;
-
 void main() {
 #ifdef DEEP
     uint index = list_index();

@@ -1,4 +1,5 @@
 // What the steps of depth peeling share.
+#include "passes/ldm/chunk.glsl"
 #define LDM_ARRIVALS
 #include "passes/ldm/fragments.glsl"
 

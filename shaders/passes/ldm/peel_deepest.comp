@@ -2,8 +2,6 @@
 layout(local_size_x = 64) in;
 #include "passes/ldm/peel_builder.glsl"
 
-uniform uint row_count, resolution;
-
 void main() {
     uint row = gl_GlobalInvocationID.x;
     if (row >= row_count) return;

@@ -12,8 +12,8 @@ layout(local_size_x = 64) in;
 /// x: triangle, y: map of the chunk | strip << 8.
 layout(std430) writeonly buffer LdmLarge { uvec2 large[]; };
 
-uniform uint first_triangle, end_triangle;
-uniform uint map_count;  // at most 32
+uniform uint first_item, end_item;  // triangles
+uniform uint map_count;             // at most 32
 uniform int resolution;
 
 const int STRIP_ROWS = 8;
@@ -86,8 +86,8 @@ void rasterise_small(uint triangle, uvec3 corners, uint map, MapTriangle t, ivec
 }
 
 void main() {
-    uint triangle = first_triangle + gl_GlobalInvocationID.x;
-    if (triangle >= end_triangle) return;
+    uint triangle = first_item + gl_GlobalInvocationID.x;
+    if (triangle >= end_item) return;
     uvec3 corners = scene_triangle(triangle);
     vec3 a = scene_position_ws(corners.x), b = scene_position_ws(corners.y), c = scene_position_ws(corners.z);
 #ifdef LDM_FACES

@@ -5,8 +5,7 @@
 #include "passes/ldm/mask.glsl"
 #endif
 
-uniform uint first_map;       // of the chunk, among all frames
-uniform uint first_instance;  // map of the chunk that instance 0 draws
+uniform uint first_map;  // of the chunk, among all frames
 uniform int resolution;
 
 flat out uint map;
@@ -19,7 +18,7 @@ noperspective out vec2 uv1;
 void main() {
     uint vertex = uint(gl_VertexID);
     vec3 position = scene_position_ws(vertex);
-    map = first_instance + uint(gl_InstanceID);
+    map = uint(gl_InstanceID);
     vec4 u = ldm_frames[first_map + map].u, v = ldm_frames[first_map + map].v;
     vec4 depth = ldm_frames[first_map + map].depth;
     vec2 texel = vec2(dot(position, u.xyz) + u.w, dot(position, v.xyz) + v.w);

@@ -6,13 +6,13 @@ layout(std430) readonly buffer Rays { Ray rays[]; };
 layout(std430) writeonly buffer Hits { RayHit hits[]; };
 layout(std430) buffer Unfinished { uint unfinished; };
 
-uniform uint first_ray, end_ray;
+uniform uint first_item, end_item;
 
 bool is_finite(vec3 v) { return !any(isnan(v)) && !any(isinf(v)); }
 
 void main() {
-    uint i = first_ray + gl_GlobalInvocationID.x;
-    if (i >= end_ray) return;
+    uint i = first_item + gl_GlobalInvocationID.x;
+    if (i >= end_item) return;
     Ray ray = rays[i];
     RayHit hit = no_hit();
     // The sum is finite where both are.

@@ -14,11 +14,11 @@ struct Trip {
 };
 layout(std430) buffer Trips { Trip trips[]; };
 
-uniform uint first, end;
+uniform uint first_item, end_item;
 
 void main() {
-    uint i = first + gl_GlobalInvocationID.x;
-    if (i >= end) return;
+    uint i = first_item + gl_GlobalInvocationID.x;
+    if (i >= end_item) return;
     bool below;
     uint power = packed_power(trips[i].power), direction = packed_stereographic(trips[i].direction, below);
     trips[i].power_bits = power;

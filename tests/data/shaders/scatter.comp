@@ -9,14 +9,14 @@ struct Draw {
 };
 layout(std430) buffer Draws { Draw draws[]; };
 
-uniform uint first, end;
+uniform uint first_item, end_item;
 uniform int model, sampling;
 uniform vec3 normal, geometric_normal, base_colour, seen;
 uniform float metallic, roughness;
 
 void main() {
-    uint i = first + gl_GlobalInvocationID.x;
-    if (i >= end) return;
+    uint i = first_item + gl_GlobalInvocationID.x;
+    if (i >= end_item) return;
     Scatterer s = make_scatterer(normal, geometric_normal, base_colour, metallic, roughness, 1.5, model);
     vec4 random = unit_float(pcg4d(uvec4(i, 7u, 11u, 13u)));
     Scattered scattered = scatter(s, seen, random.x, random.yz, sampling);

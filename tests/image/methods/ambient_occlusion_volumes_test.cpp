@@ -1,6 +1,7 @@
 // Ambient occlusion volumes with visibility: exact rays, so without a blur their mean is the reference.
 #include <cmath>
 
+#include "app/engine/pictures.h"
 #include "tests/image/methods/every_method.h"
 
 namespace ir::test {
@@ -31,7 +32,7 @@ Image accessibility(const Settings& settings, const std::string& scene, std::uin
     experiment.seed = seed;
     engine::Execution execution(machine(), experiment);
     execution.run_frame({});
-    return execution.main_result();
+    return main_result(execution);
 }
 
 Image reference(const std::string& falloff, const std::string& scene, double reach = 1) {
@@ -48,7 +49,7 @@ Image reference(const std::string& falloff, const std::string& scene, double rea
     experiment.height = 24;
     engine::Execution execution(machine(), experiment);
     execution.run_frame({});
-    return execution.main_result();
+    return main_result(execution);
 }
 
 class AmbientOcclusionVolumes : public testing::Test {

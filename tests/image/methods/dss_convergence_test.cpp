@@ -1,6 +1,7 @@
 // Ambient occlusion by ever smaller surfels, without thinning and with one level, is the reference's.
 #include <cmath>
 
+#include "app/engine/pictures.h"
 #include "tests/image/methods/every_method.h"
 
 namespace ir::test {
@@ -38,7 +39,7 @@ Settings surfels(double radius, double coverage) {
 Image picture(const engine::Experiment& e) {
     engine::Execution execution(machine(), e);
     execution.run_frame({});
-    return execution.main_result();
+    return main_result(execution);
 }
 
 /// Error of the expectation over directions and surfels.

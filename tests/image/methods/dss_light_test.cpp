@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "app/engine/pictures.h"
 #include "tests/image/methods/every_method.h"
 
 namespace ir::test {
@@ -72,7 +73,7 @@ Image wall(Floor floor, const std::string& method, Settings settings, std::uint6
     e.seed = seed;
     engine::Execution execution(machine(), e);
     execution.run_frame({});
-    return execution.main_result();
+    return main_result(execution);
 }
 
 /// Discs of seven areas leave e^-7 = 0.1 % of the floor open.

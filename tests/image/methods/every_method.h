@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/engine/execution.h"
+#include "app/engine/pictures.h"
 #include "renderers/methods/all_methods.h"
 
 namespace ir::test {
@@ -139,7 +140,7 @@ class Studio {
         Frame frame;
         for (int i = 0; i < frames; ++i) frame.report = execution_.run_frame(options);
         const auto& graph = execution_.graph();
-        frame.main = execution_.main_result();
+        frame.main = main_result(execution_);
         frame.valid = graph.read_image("valid").value_or(Image());
         for (const auto& resource : frame.report.resources) {
             if (!resource.is_output) continue;

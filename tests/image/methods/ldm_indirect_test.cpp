@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "app/engine/pictures.h"
 #include "tests/image/methods/every_method.h"
 #include "tests/image/methods/flat_pixels.h"
 
@@ -76,7 +77,7 @@ Rendered render(Setting setting) {
     if (setting.inspection.x >= 0) setting.options.wanted.push_back("indirect.explain.sum");
     Rendered picture;
     picture.report = execution.run_frame(setting.options);
-    picture.image = execution.main_result();
+    picture.image = main_result(execution);
     picture.normal = execution.graph().read_image("gbuffer.geometric_normal").value();
     picture.position = execution.graph().read_image("gbuffer.position").value();
     const auto bytes = [&](const char* key) {

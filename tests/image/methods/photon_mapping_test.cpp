@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "app/engine/pictures.h"
 #include "tests/image/methods/every_method.h"
 
 namespace ir::test {
@@ -46,7 +47,7 @@ Picture still_life(const std::string& method, const Settings& more, Inspection i
     options.wanted = {"radiance", "photons.records", "splat.explain.*"};
     Picture picture;
     picture.report = execution.run_frame(options);
-    picture.image = execution.main_result();
+    picture.image = main_result(execution);
     for (const auto* key : {"photons.records", "splat.explain.sum"})
         if (auto bytes = execution.graph().read_buffer(key)) picture.buffers[key] = std::move(*bytes);
     return picture;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/engine/execution.h"
+#include "app/engine/pictures.h"
 #include "tests/image/methods/machine.h"
 
 namespace ir::engine {
@@ -36,7 +37,7 @@ struct Picture {
         for (int i = 0; i < frames; ++i) report = execution.run_frame(options);
         for (const auto& resource : report.resources)
             if (const auto image = execution.graph().read_image(resource.key)) images[resource.key] = *image;
-        main = execution.main_result();
+        main = main_result(execution);
     }
     const Image& operator[](const std::string& key) const { return images.at(key); }
     bool notes(const std::string& word) const {
@@ -97,7 +98,7 @@ TEST(ReferenceLight, RaisingTheSamplesGoesOn) {
         execution.run_frame(options);
         execution.update(all);
         const auto report = execution.run_frame(options);
-        EXPECT_EQ(execution.main_result().pixels, Picture(all).main.pixels) << paths;
+        EXPECT_EQ(main_result(execution).pixels, Picture(all).main.pixels) << paths;
         EXPECT_LT(report.counters.at("rays"), Picture(all).report.counters.at("rays")) << paths;
     }
 }
@@ -260,7 +261,7 @@ TEST(ReferenceLight, GoesOnAfterACancelledFrame) {
     };
     EXPECT_THROW(execution.run_frame(options), Cancelled);
     execution.run_frame({});
-    EXPECT_EQ(execution.main_result().pixels, undisturbed.main.pixels);
+    EXPECT_EQ(main_result(execution).pixels, undisturbed.main.pixels);
 }
 
 }  // namespace

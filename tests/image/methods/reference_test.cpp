@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/engine/execution.h"
+#include "app/engine/pictures.h"
 #include "renderers/methods/all_methods.h"
 #include "tests/image/methods/machine.h"
 
@@ -207,7 +208,7 @@ TEST(Reference, GoesOnAfterACancelledFrame) {
     EXPECT_TRUE(traced);
     EXPECT_EQ(execution.committed_frames(), 1);
     execution.run_frame(keeping("*"));
-    EXPECT_EQ(execution.main_result().pixels, undisturbed["accessibility"].pixels);
+    EXPECT_EQ(main_result(execution).pixels, undisturbed["accessibility"].pixels);
 }
 
 /// Runs frames of the reference with views of one's own.

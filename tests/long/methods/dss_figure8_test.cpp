@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "app/engine/execution.h"
+#include "app/engine/pictures.h"
 #include "renderers/image/metrics.h"
 
 namespace ir {
@@ -46,7 +47,7 @@ class DssFigure8 : public testing::Test {
         engine::Execution execution(machine_, e);
         const auto report = execution.run_frame({});
         Shot result;
-        result.image = execution.main_result();
+        result.image = main_result(execution);
         for (const auto& pass : report.passes) {
             const double ms = pass.queue == "gl" ? pass.gpu_ms : pass.cpu_ms;
             result.frame_ms += ms;

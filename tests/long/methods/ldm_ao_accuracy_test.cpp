@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "app/engine/execution.h"
+#include "app/engine/pictures.h"
 
 namespace ir {
 namespace {
@@ -69,14 +70,14 @@ class LdmAoAccuracy : public testing::TestWithParam<Case> {
         graph::FrameOptions options;
         options.wanted = {"gbuffer.*", "valid"};
         truth.run_frame(options);
-        const auto expected = truth.main_result(), normal = layer(truth, "gbuffer.geometric_normal"),
+        const auto expected = main_result(truth), normal = layer(truth, "gbuffer.geometric_normal"),
                    position = layer(truth, "gbuffer.position"), valid = layer(truth, "valid");
         auto ldm = experiment("ldm-ao");
         ldm.settings["directions"] = std::int64_t{directions};
         ldm.settings["resolution"] = std::int64_t{resolution};
         engine::Execution execution(machine_, ldm);
         execution.run_frame({});
-        const auto actual = execution.main_result();
+        const auto actual = main_result(execution);
         double sum = 0;
         int pixels = 0;
         for (int y = 0; y < actual.height; ++y)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/engine/execution.h"
+#include "app/engine/pictures.h"
 #include "tests/image/methods/flat_pixels.h"
 
 namespace ir::engine {
@@ -53,7 +54,7 @@ class LdmConvergence : public testing::Test {
         options.wanted = {"gbuffer.*", "valid", "reference.variance"};
         truth.run_frame(options);
         const auto image = [&](const char* key) { return truth.graph().read_image(key).value(); };
-        expected_ = truth.main_result();
+        expected_ = main_result(truth);
         variance_ = image("reference.variance");
         flat_ = test::flat_pixels(image("gbuffer.geometric_normal"), image("gbuffer.position"), 3, 0.008f);
         ASSERT_GT(flat_.size(), 1000u);
@@ -66,7 +67,7 @@ class LdmConvergence : public testing::Test {
     Outcome outcome(const char* method, const Settings& settings) {
         Execution execution(machine_, experiment(method, settings));
         execution.run_frame({});
-        const auto actual = execution.main_result();
+        const auto actual = main_result(execution);
         const int channels = std::min(3, expected_.channels);
         const auto compare = [&](const std::vector<glm::ivec2>& pixels, double& rmse, double& light) {
             double squares = 0, found = 0, expected = 0;

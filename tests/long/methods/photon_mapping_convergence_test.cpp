@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/engine/execution.h"
+#include "app/engine/pictures.h"
 
 namespace ir::engine {
 namespace {
@@ -80,7 +81,7 @@ class PhotonConvergence : public testing::Test {
         graph::FrameOptions options;
         options.wanted = {"gbuffer.*", "valid", "reference.variance"};
         truth.run_frame(options);
-        expected_ = truth.main_result();
+        expected_ = main_result(truth);
         const auto layer = [&](const char* key) { return truth.graph().read_image(key).value(); };
         find_flat_pixels(layer("gbuffer.geometric_normal"), layer("gbuffer.position"));
         ASSERT_GT(flat_.size(), 500u);
@@ -117,7 +118,7 @@ class PhotonConvergence : public testing::Test {
     Outcome outcome(const Experiment& e) {
         Execution execution(machine_, e);
         execution.run_frame({});
-        const auto actual = execution.main_result();
+        const auto actual = main_result(execution);
         double sum = 0;
         for (const auto& at : flat_)
             for (int c = 0; c < 3; ++c) {

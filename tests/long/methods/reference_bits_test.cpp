@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "app/engine/execution.h"
+#include "app/engine/pictures.h"
 
 namespace ir::engine {
 namespace {
@@ -29,7 +30,7 @@ std::vector<float> render(const Experiment& e, int threads, int frames) {
     Machine machine(options);
     Execution execution(machine, e);
     for (int i = 0; i < frames; ++i) execution.run_frame({});
-    return execution.main_result().pixels;
+    return main_result(execution).pixels;
 }
 
 void expect_same_bits(const std::string& scene, const scene::Camera* camera = nullptr) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/engine/execution.h"
+#include "app/engine/pictures.h"
 #include "renderers/core/error.h"
 #include "tests/unit/scene/gltf_builder.h"
 
@@ -145,8 +146,8 @@ TEST(Execution, RunsACompositionAndNoticesWhenItChanges) {
     execution.run_frame({});
     EXPECT_EQ(execution.world().triangles(), execution.scene().instanced_triangles());
     EXPECT_EQ(execution.world().bounds.min.y, -0.5f);
-    EXPECT_EQ(execution.attributes().at("interreflect.scene"), "builtin:cornell + builtin:plane?size=6");
-    EXPECT_EQ(execution.attributes().at("interreflect.scene_hash"), execution.scene().content_hash);
+    EXPECT_EQ(attributes(execution).at("interreflect.scene"), "builtin:cornell + builtin:plane?size=6");
+    EXPECT_EQ(attributes(execution).at("interreflect.scene_hash"), execution.scene().content_hash);
 
     execution.update(wanted);
     EXPECT_EQ(execution.committed_frames(), 1) << "nothing changed";

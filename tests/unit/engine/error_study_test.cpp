@@ -8,6 +8,7 @@
 
 #include "app/engine/from_project.h"
 #include "app/engine/keep_result.h"
+#include "app/engine/pictures.h"
 #include "app/engine/study_plan.h"
 #include "app/engine/study_reference.h"
 #include "renderers/core/error.h"
@@ -129,7 +130,7 @@ TEST_F(ErrorStudyTest, APointIsThePictureThatTheCommandLineRenders) {
     const auto render = [&](const projects::Experiment& each) {
         Execution execution(machine(), from_project(project_, each, folder_.path));
         while (!execution.is_done()) execution.run_frame({});
-        return std::pair(execution.main_result(), execution.graph().read_image("valid").value());
+        return std::pair(main_result(execution), execution.graph().read_image("valid").value());
     };
     const auto [image, valid] = render(same);
     const auto [truth, truth_valid] = render(project_.experiments[2]);

@@ -4,6 +4,7 @@
 #include "app/engine/from_project.h"
 #include "app/engine/live_session.h"
 #include "app/engine/moving.h"
+#include "app/engine/pictures.h"
 #include "projects/motion.h"
 #include "projects/samples.h"
 
@@ -93,7 +94,7 @@ TEST_F(MotionTest, FilesSayWhetherAnythingMoves) {
     const auto says = [&] {
         const auto run = execution(project);
         run->run_frame({});
-        return run->attributes().at("interreflect.moves");
+        return attributes(*run).at("interreflect.moves");
     };
     EXPECT_EQ(says(), "false");
     for (const auto kind : {Motion::Kind::part, Motion::Kind::camera, Motion::Kind::light}) {
@@ -208,7 +209,7 @@ TEST_F(MotionTest, WhatAddsUpSeesOneMomentWithEverythingInItsPlace) {
         const auto run = execution(which);
         run->run_frame({});
         EXPECT_TRUE(run->state()) << "a moment can be continued";
-        return run->main_result().pixels;
+        return main_result(*run).pixels;
     };
     const auto moved = at(project);
     EXPECT_EQ(moved, at(still));

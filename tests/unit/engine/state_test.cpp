@@ -9,6 +9,7 @@
 
 #include "app/engine/execution.h"
 #include "app/engine/live_session.h"
+#include "app/engine/pictures.h"
 #include "app/engine/state_file.h"
 #include "projects/samples.h"
 #include "renderers/core/error.h"
@@ -178,7 +179,7 @@ class ResumeTest : public StateTest {
         std::vector<std::vector<std::byte>> result;
         const auto history = execution.graph().history().value();
         for (const auto& entry : history.entries) result.push_back(entry.bytes);
-        const auto image = execution.main_result();
+        const auto image = main_result(execution);
         const auto* bytes = reinterpret_cast<const std::byte*>(image.pixels.data());
         result.emplace_back(bytes, bytes + image.pixels.size() * sizeof(float));
         return result;
@@ -201,7 +202,7 @@ TEST_F(ResumeTest, SavedAndContinuedIsAtOnce) {
             for (const auto& [samples, frames] : {std::pair{5, 1}, {3, 5}, {61, 1}}) {
                 Execution first(machine, experiment(samples, frames));
                 finish(first);
-                store(folder / "state.exr", first.state().value(), first.attributes());
+                store(folder / "state.exr", first.state().value(), attributes(first));
                 Execution second(machine, experiment(61, 1));
                 second.restore(load_state(folder / "state.exr"));
                 finish(second);
@@ -257,6 +258,25 @@ TEST_F(ResumeTest, AnotherNumberOfSamplesKeepsTheHistory) {
     }
 }
 
+TEST_F(ResumeTest, AnEnvironmentIsKnownByItsContentNotItsAddress) {
+    const auto under = [&](float radiance) {
+        auto experiment = experiment_of(*methods().front(), 2, 1);
+        experiment.environment = scene::map_environment(std::make_shared<const Image>(4, 2, 3, radiance));
+        return experiment;
+    };
+    Execution execution(machine, under(1));
+    finish(execution);
+    const auto world = execution.inputs().world_fingerprint;
+    EXPECT_FALSE(execution.update(under(1)));
+    EXPECT_TRUE(execution.is_done());
+    EXPECT_TRUE(execution.update(under(2)));
+    finish(execution);
+    EXPECT_NE(execution.inputs().world_fingerprint, world);
+    EXPECT_TRUE(execution.update(under(1)));
+    finish(execution);
+    EXPECT_EQ(execution.inputs().world_fingerprint, world);
+}
+
 TEST_F(ResumeTest, StatesOfOtherPicturesAreRefused) {
     for (const auto* method : methods()) {
         Execution first(machine, experiment_of(*method, 2, 1));
@@ -307,7 +327,7 @@ TEST_F(LiveStateTest, BeginsWithTheStateAndBeginsWithItAgainAfterAReset) {
         auto result = session.advance(request_of(*method, 4, 3, folder / "state.exr"), 1, {});
         EXPECT_TRUE(result.finished) << "one frame shows it";
         EXPECT_EQ(result.frame, 3);
-        EXPECT_EQ(result.images.at(Part{}).pixels, whole.main_result().pixels);
+        EXPECT_EQ(result.images.at(Part{}).pixels, main_result(whole).pixels);
         session.forget_results();
         result = session.advance(request_of(*method, 4, 3, folder / "state.exr"), 2, {});
         EXPECT_TRUE(result.finished);

@@ -175,7 +175,11 @@ TEST_P(GlDeviceTest, ComputeWritesStorageBuffers) {
     device->write_buffer(buffer, 0, std::as_bytes(std::span(values)));
     const auto& program = library.get({{"square.comp"}});
     EXPECT_EQ(program.work_group_size(), glm::ivec3(64, 1, 1));
-    program.set("count", 999);
+    struct Square {
+        int count;
+        IR_FIELDS(count)
+    };
+    program.set(Square{999});
     program.use();
     program.bind_buffer("Values", buffer);
     program.dispatch(1000);

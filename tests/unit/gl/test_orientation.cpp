@@ -46,7 +46,11 @@ class OrientationTest : public ContextTest {
         api().Enable(GL_DEPTH_TEST);
         ProgramLibrary library(*context, folder.path());
         const auto& program = library.get({{"upper_half.vert", "place.frag"}});
-        program.set("depth", at_depth);
+        struct Place {
+            float depth;
+            IR_FIELDS(depth)
+        };
+        program.set(Place{at_depth});
         program.use();
         api().DrawArrays(GL_TRIANGLES, 0, 3);
         api().BindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -206,46 +206,96 @@ TEST_P(ProgramTest, RecoversFromAMissingInclude) {
     EXPECT_EQ(run(library->get({{"main.comp"}})), 7);
 }
 
-TEST_P(ProgramTest, SetsUniformsOfEveryType) {
+struct Pair {
+    float f;
+    bool b;
+    IR_FIELDS(f, b)
+};
+
+/// Members of all types; those of a member stand for themselves.
+struct AllTypes {
+    int i;
+    unsigned u;
+    Pair pair;
+    glm::vec2 v2;
+    glm::vec3 v3;
+    glm::vec4 v4;
+    glm::ivec2 i2;
+    glm::mat4 m;
+    std::array<glm::vec4, 2> list;
+    std::span<const glm::vec4> longer;
+    IR_FIELDS(i, u, pair, v2, v3, v4, i2, m, list, longer)
+};
+
+TEST_P(ProgramTest, TakesConstantsOfEveryType) {
     folder.write("main.comp", R"(
 layout(local_size_x = 1) in;
 layout(std430) buffer Result { float result[]; };
 uniform int i; uniform uint u; uniform float f; uniform bool b;
-uniform vec2 v2; uniform vec3 v3; uniform vec4 v4; uniform ivec2 i2; uniform mat4 m; uniform float list[3];
+uniform vec2 v2; uniform vec3 v3; uniform vec4 v4; uniform ivec2 i2; uniform mat4 m;
+uniform vec4 list[2], longer[3];
 void main() {
-    result[0] = float(i) + float(u) + f + (b ? 1.0 : 0.0) + v2.y + v3.z + v4.w + float(i2.y) + m[3][0] + list[2];
+    result[0] = float(i) + float(u) + f + (b ? 1.0 : 0.0) + v2.y + v3.z + v4.w + float(i2.y) + m[3][0] +
+                list[1].x + longer[1].x;
 }
 )");
     const auto& program = library->get({{"main.comp"}});
-    program.set("i", -1);
-    program.set("u", 20u);
-    program.set("f", 0.5f);
-    program.set("b", true);
-    program.set("v2", glm::vec2(0, 100));
-    program.set("v3", glm::vec3(0, 0, 1000));
-    program.set("v4", glm::vec4(0, 0, 0, 10000));
-    program.set("i2", glm::ivec2(0, 100000));
-    glm::mat4 matrix(1);
-    matrix[3][0] = 0.25f;
-    program.set("m", matrix);
-    program.set("list[2]", 200000.0f);
-    EXPECT_EQ(run(program), 311120.75f);
+    const std::vector<glm::vec4> longer{glm::vec4(0), glm::vec4(2000000)};
+    AllTypes constants{.i = -1,
+                       .u = 20,
+                       .pair = {0.5f, true},
+                       .v2 = {0, 100},
+                       .v3 = {0, 0, 1000},
+                       .v4 = {0, 0, 0, 10000},
+                       .i2 = {0, 100000},
+                       .m = glm::mat4(1),
+                       .list = {glm::vec4(0), glm::vec4(200000)},
+                       .longer = longer};
+    constants.m[3][0] = 0.25f;
+    program.set(constants);
+    EXPECT_EQ(run(program), 2311120.75f);
+    constants.pair.b = false;
+    program.set(constants);
+    EXPECT_EQ(run(program), 2311119.75f);
 }
 
-TEST_P(ProgramTest, KnowsRemovedUniformsFromThoseThatNeverWere) {
-    folder.write("main.comp",
-                 "uniform float unused;\nuniform sampler2D image;\n" + std::string(writes_answer));
-    folder.write("lib/answer.glsl", "float answer() { return texelFetch(image, ivec2(0), 0).x; }\n");
+struct Unused {
+    float unused;
+    IR_FIELDS(unused)
+};
+struct Misspelt {
+    int imgae;
+    IR_FIELDS(imgae)
+};
+struct OtherType {
+    int used;
+    IR_FIELDS(used)
+};
+struct Used {
+    float used;
+    IR_FIELDS(used)
+};
+
+TEST_P(ProgramTest, ComparesConstantsWithWhatIsLinked) {
+    folder.write("main.comp", "uniform float unused, used;\n" + std::string(writes_answer));
+    folder.write("lib/answer.glsl", "float answer() { return used; }\n");
     const auto& program = library->get({{"main.comp"}});
-    EXPECT_NO_THROW(program.set("unused", 1.0f));
-    EXPECT_NO_THROW(program.set("image", 2));
-    EXPECT_THROW(program.set("image", 2.0f), Error);
-    try {
-        program.set("imgae", 2);
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "main.comp: the source has no uniform 'imgae'; check its name");
-    }
+    const auto error = [&](const auto& constants) {
+        try {
+            program.set(constants);
+        } catch (const Error& refusal) {
+            return std::string(refusal.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(error(Unused{1}), "") << "the compiler removed it";
+    EXPECT_EQ(error(Misspelt{2}), "main.comp: the source has no uniform 'imgae'; check its name");
+    for (int again = 0; again < 2; ++again)
+        EXPECT_EQ(error(OtherType{2}),
+                  "main.comp: uniform 'used' has another type than the constant of its name");
+    EXPECT_THROW(run(program), Error) << "nobody gives 'used' a value";
+    EXPECT_EQ(error(Used{3}), "");
+    EXPECT_EQ(run(program), 3);
 }
 
 TEST_P(ProgramTest, RefusesTooManyGroups) {

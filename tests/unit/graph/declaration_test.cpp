@@ -134,7 +134,7 @@ TEST_F(GraphTest, ARunningPassTouchesOnlyWhatItDeclared) {
     };
     EXPECT_TRUE(named(attempt([](auto& p, auto& o) { p.template pixels<float>(o.image); }), "other.image"));
     EXPECT_TRUE(
-        named(attempt([](auto& p, auto& o) { p.template previous_pixels<float>(o.image); }), "other.image"));
+        named(attempt([](auto& p, auto& o) { p.template previous_contents<float>(o.image); }), "other.image"));
     EXPECT_TRUE(named(attempt([](auto& p, auto& o) { p.template elements<int>(o.buffer); }), "other.buffer"));
     EXPECT_TRUE(named(attempt([](auto& p, auto& o) { p.capacity(o.buffer); }), "other.buffer"));
     EXPECT_TRUE(named(attempt([](auto& p, auto& o) { p.image(o.image); }), "other.image"));

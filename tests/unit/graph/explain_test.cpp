@@ -33,7 +33,7 @@ class ExplainTest : public GraphTest {
             .counts(items)
             .execute([this, sum, items](PassContext& p) {
                 ++adds;
-                const auto before = p.previous_elements<std::uint32_t>(sum);
+                const auto before = p.previous_contents<std::uint32_t>(sum);
                 for (std::size_t i = 0; i < 8; ++i)
                     p.elements<std::uint32_t>(sum)[i] = before[i] + std::uint32_t(i) + 1;
                 p.add(items, 8);
@@ -57,7 +57,7 @@ class ExplainTest : public GraphTest {
                 const auto x = std::size_t(p.inputs().inspection.x);
                 const std::uint32_t values[] = {
                     p.elements<std::uint32_t>(sum)[x], p.elements<std::uint32_t>(scratch)[0],
-                    p.previous_elements<std::uint32_t>(sum)[x], std::uint32_t(p.has_previous())};
+                    p.previous_contents<std::uint32_t>(sum)[x], std::uint32_t(p.has_previous())};
                 const auto to = p.elements<std::uint32_t>(why);
                 p.add(asked, 4);
                 for (std::size_t i = 0; i < std::min<std::size_t>(4, to.size()); ++i) to[i] = values[i];

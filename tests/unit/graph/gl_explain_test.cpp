@@ -69,12 +69,13 @@ class GlExplainTest : public gl::ContextTest {
             program.dispatch(p.shape(picture).width, p.shape(picture).height);
         });
         auto explain = builder.pass("explain");
+        struct Explain {
+            glm::ivec2 pixel;
+            IR_FIELDS(pixel)
+        };
+        const auto& picked = builder.inputs().inspection;
         explain.reads("picture", picture).reads("before", before).writes("Why", why);
-        explain.execute([](PassContext& p) {
-            const auto& program = p.use({{"explain.comp"}});
-            program.set("pixel", glm::ivec2(p.inputs().inspection.x, p.inputs().inspection.y));
-            program.dispatch(1);
-        });
+        explain.compute({{"explain.comp"}}, 1, Explain{{picked.x, picked.y}});
     }
     static FrameReport run(Graph& graph, const Method& method, FrameInputs& inputs,
                            const FrameOptions& options) {

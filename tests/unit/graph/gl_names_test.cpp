@@ -183,16 +183,19 @@ void main() {
 }
 )";
 
+struct Move {
+    float amount;
+    IR_FIELDS(amount)
+};
+
 /// A pass that moves bodies of these fields; `amount` is given where `gives`.
 Declare moving(const std::vector<Field>& fields, bool gives = true) {
     return [=](GraphBuilder& builder) {
         const auto bodies = builder.buffer(
             {.text = {.key = "bodies", .label = "Bodies"}, .fields = fields, .elements = 1, .cleared = true});
-        builder.pass("move").writes("Bodies", bodies).execute([=](PassContext& p) {
-            const auto& program = p.use({{"move.comp"}});
-            if (gives) program.set("amount", 2.5f);
-            program.dispatch(1);
-        });
+        builder.pass("move")
+            .writes("Bodies", bodies)
+            .compute({{"move.comp"}}, 1, gives ? Constants(Move{2.5f}) : Constants());
     };
 }
 
@@ -216,7 +219,7 @@ TEST_P(GlNamesTest, RefusesAUniformThatNobodyGivesAValue) {
     folder.write("move.comp", move_program);
     const std::vector<Field> fields{
         {"position", FieldType::f32, 3}, {"id", FieldType::u32}, {"spare", FieldType::f32, 2}};
-    EXPECT_EQ(refusal(moving(fields, false)), "move.comp: nobody gives 'amount' a value");
+    EXPECT_EQ(refusal(moving(fields, false)), "pass 'move', move.comp: nobody gives 'amount' a value");
     EXPECT_EQ(refusal(moving(fields)), "");
 }
 

@@ -43,7 +43,7 @@ struct Growing {
                 .reads_previous(accumulated)
                 .writes(accumulated)
                 .execute([=](PassContext& p) {
-                    const auto before = p.previous_pixels<float>(accumulated);
+                    const auto before = p.previous_contents<float>(accumulated);
                     const auto now = p.pixels<float>(accumulated), add = p.pixels<float>(total);
                     for (std::size_t i = 0; i < now.size(); ++i) now[i] = before[i] + add[i];
                 });
@@ -140,7 +140,7 @@ TEST_F(GraphTest, AGrowingBufferKeepsItsHistory) {
             .writes(list)
             .counts(count)
             .execute([=, &seen](PassContext& p) {
-                const auto before = p.previous_elements<std::uint32_t>(list);
+                const auto before = p.previous_contents<std::uint32_t>(list);
                 seen.assign(before.begin(), before.end());
                 const auto now = p.elements<std::uint32_t>(list);
                 p.add(count, need);

@@ -16,7 +16,7 @@ struct Accumulation {
                 .writes(sum)
                 .execute([=, this](PassContext& p) {
                     had_previous.push_back(p.has_previous());
-                    const auto before = p.previous_pixels<float>(sum);
+                    const auto before = p.previous_contents<float>(sum);
                     const auto now = p.pixels<float>(sum);
                     for (std::size_t i = 0; i < now.size(); ++i) now[i] = before[i] + 1;
                     between(p);
@@ -97,7 +97,7 @@ TEST_F(GraphTest, ALaterPassMayReadTheHistoryToo) {
             .writes(copy)
             .execute([&seen, number](PassContext& p) {
                 seen.push_back(p.pixels<float>(number)[0]);
-                seen.push_back(p.previous_pixels<float>(number)[0]);
+                seen.push_back(p.previous_contents<float>(number)[0]);
             });
     };
     for (int i = 0; i < 3; ++i) run(declare);
@@ -119,7 +119,7 @@ TEST_F(GraphTest, ContentsWithHistoryAreMadeInEachFrameWhateverTheirFingerprint)
             .reads_previous(number)
             .writes(copy)
             .execute(
-                [&seen, number](PassContext& p) { seen.push_back(p.previous_pixels<float>(number)[0]); });
+                [&seen, number](PassContext& p) { seen.push_back(p.previous_contents<float>(number)[0]); });
     };
     for (const char* name : {"one", "two", "one", "one", "two"}) {
         fingerprint = name;
@@ -133,7 +133,7 @@ TEST_F(GraphTest, BuffersHaveHistoryToo) {
     const Declare declare = [](GraphBuilder& builder) {
         const auto sums = builder.buffer(buffer_of("sums", 5));
         builder.pass("add", Queue::cpu).reads_previous(sums).writes(sums).execute([=](PassContext& p) {
-            const auto before = p.previous_elements<std::uint32_t>(sums);
+            const auto before = p.previous_contents<std::uint32_t>(sums);
             const auto now = p.elements<std::uint32_t>(sums);
             for (std::size_t i = 0; i < 5; ++i) now[i] = before[i] + static_cast<std::uint32_t>(i);
         });

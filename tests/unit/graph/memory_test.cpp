@@ -210,7 +210,7 @@ TEST_F(GraphTest, PassesWarnOnceAndOnlyInTheirFrame) {
         const auto report = run([=](GraphBuilder& builder) {
             const auto image = builder.image(image_of("image"));
             builder.pass("doubtful", Queue::cpu).writes(image).execute([=](PassContext& p) {
-                for (int i = 0; i < 2 && warns; ++i) p.warn("look at this");
+                for (int i = 0; i < 2 && warns; ++i) p.notes().warn("look at this");
             });
         });
         return std::count_if(report.messages.begin(), report.messages.end(), [](const Message& message) {

@@ -36,16 +36,16 @@ struct Restored {
             pass.execute([=, this](PassContext& p) {
                 had_previous.push_back(p.has_previous());
                 for (int layer = 0; layer < 2; ++layer) {
-                    const auto before = p.previous_pixels<float>(stack, layer);
+                    const auto before = p.previous_contents<float>(stack, layer);
                     const auto now = p.pixels<float>(stack, layer);
                     for (std::size_t i = 0; i < now.size(); ++i)
                         now[i] = before[i] + static_cast<float>(layer + 1);
                 }
-                const auto old_bits = p.previous_pixels<std::uint32_t>(bits);
+                const auto old_bits = p.previous_contents<std::uint32_t>(bits);
                 const auto new_bits = p.pixels<std::uint32_t>(bits);
                 for (std::size_t i = 0; i < new_bits.size(); ++i)
                     new_bits[i] = p.has_previous() ? old_bits[i] : odd_bits[i % 4];
-                const auto old_words = p.previous_elements<std::uint32_t>(numbers);
+                const auto old_words = p.previous_contents<std::uint32_t>(numbers);
                 const auto new_words = p.elements<std::uint32_t>(numbers);
                 for (std::size_t i = 0; i < new_words.size(); ++i) new_words[i] = 2 * old_words[i] + 1;
             });
@@ -177,7 +177,7 @@ TEST_F(RestoreTest, GrownBuffersComeBackAsLarge) {
             .counts(count)
             .execute([=](PassContext& p) {
                 p.add(count, 8);
-                const auto before = p.previous_elements<std::uint32_t>(list);
+                const auto before = p.previous_contents<std::uint32_t>(list);
                 const auto now = p.elements<std::uint32_t>(list);
                 for (std::size_t i = 0; i < now.size(); ++i) now[i] = before[i] + 1;
             });

@@ -20,7 +20,7 @@ struct Sliced {
                     items,
                     [=, this](PassContext& p, Slice slice) {
                         slices.push_back(slice);
-                        const auto now = p.pixels<float>(sum), before = p.previous_pixels<float>(sum);
+                        const auto now = p.pixels<float>(sum), before = p.previous_contents<float>(sum);
                         if (slice.first) now[0] = before[0];
                         now[0] += static_cast<float>(slice.end - slice.begin);
                         work(slice);

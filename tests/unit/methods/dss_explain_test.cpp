@@ -54,12 +54,11 @@ TEST_F(DssExplained, TheWinnersFoundAreTheWinnersStored) {
             for (const auto& sum : sums) {
                 EXPECT_EQ(sum.found, sum.kept);
                 EXPECT_EQ(sum.found_z, sum.kept_z);
-                std::uint32_t all = 0;
-                for (const auto count : sum.outcomes) all += count;
+                const auto all = sum.outside + sum.missed + sum.too_far + sum.own + sum.hits;
                 EXPECT_EQ(all, sum.splats);
-                covered += all - sum.outcomes[0];
+                covered += all - sum.outside;
                 const auto s = std::size_t(sum.sample);
-                if (!sum.is_nearest) continue;
+                if (!sum.nearest) continue;
                 EXPECT_EQ(float(sum.level), hit_levels[s].at(pixel.x, pixel.y, 0));
                 EXPECT_EQ(float(sum.found), nearest[s].at(pixel.x, pixel.y, 0));
                 ++hits;

@@ -66,7 +66,7 @@ class DeepScreenSpaceTest : public PassTest {
         graph::BufferDesc desc;
         desc.text = {.key = "surfels", .label = "Surfels"};
         desc.kind = OutputKind::glyphs;
-        desc.fields = dss::surfel_fields();
+        desc.fields = record_fields<dss::Surfel>();
         desc.elements = capacity ? capacity : std::max<std::size_t>(1, records.size());
         dss::Surfels surfels;
         surfels.records = builder.buffer(std::move(desc));

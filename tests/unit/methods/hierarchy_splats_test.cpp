@@ -67,7 +67,7 @@ class SplatsTest : public DeepScreenSpaceTest {
                     p.bind_framebuffer({{drawn}});
                     const auto& program = p.use({{"methods/deep-screen-space/splatting/splat.vert",
                                                   "methods/deep-screen-space/splatting/cover.frag"}});
-                    dss::set_receivers(program, splats, layer);
+                    program.set(dss::splat_constants(splats, layer));
                     p.api().Enable(GL_BLEND);
                     p.api().BlendFunc(GL_ONE, GL_ONE);
                     return program;

@@ -81,7 +81,7 @@ TEST_F(IndirectTracingTest, PhotonsLandWhereGeometrySays) {
         const auto d = direction_of(photon, map_frames);
         ASSERT_LT(d.y, 0);
         const auto expected = x1 + x1.y / -d.y * d;
-        worst = std::max(worst, glm::length(glm::dvec3(photon.position_ws) - expected));
+        worst = std::max(worst, glm::length(glm::dvec3(photon.centre_ws) - expected));
         EXPECT_NEAR(photon.path_length, glm::length(x1 - glm::dvec3(0, 0.5, 0)) + glm::length(expected - x1),
                     2e-3);
         EXPECT_NEAR(normal_of(photon).y, 1, 1e-3);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-indirect/splatting.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
@@ -107,7 +108,7 @@ class IndirectSplatTest : public PassTest {
         graph::BufferDesc desc;
         desc.text = {.key = "indirect.photons", .label = "Photons"};
         desc.kind = OutputKind::glyphs;
-        desc.fields = li::photon_fields();
+        desc.fields = record_fields<li::Photon>();
         desc.elements = run.capacity ? run.capacity : std::max<std::size_t>(1, records.size());
         li::Photons photons;
         photons.records = builder.buffer(std::move(desc));

@@ -140,7 +140,7 @@ TEST_F(DifferentialsTest, EqualTracedNeighbouringRays) {
                     const auto at = ray(u, v);
                     const MovedRay second{on_plane(at, primary.position_ws, primary.normal_ws),
                                           turned(sign * at.direction, turned_from, d2)};
-                    return on_plane(second, photon.position_ws, n2);
+                    return on_plane(second, photon.centre_ws, n2);
                 };
             };
             worst_child = std::max(worst_child, relative_error(photon.axis_u, half_change(end(d1, 1), true)));

@@ -5,6 +5,7 @@
 #include <glm/gtc/constants.hpp>
 #include <random>
 
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/graph/pass_context.h"
 #include "tests/unit/passes/pass_fixture.h"
 
@@ -85,9 +86,7 @@ class PhotonRecords : public PassTest {
                                                                              graph::Slice slice) {
                     const auto& program =
                         context.use({{SOURCE_ROOT "/tests/data/shaders/photon_round_trip.comp"}});
-                    program.set("first", static_cast<unsigned>(slice.begin));
-                    program.set("end", static_cast<unsigned>(slice.end));
-                    program.dispatch(slice.end - slice.begin);
+                    gl::dispatch_items(program, slice.begin, slice.end);
                 });
         });
         const auto bytes = graph().read_buffer("test.trips").value();
@@ -178,7 +177,7 @@ TEST_F(PhotonRecords, AxesAndTheSeamOfHemispheres) {
 
 /// What a field list says must be what the struct holds.
 TEST(PhotonRecordFields, FillTheRecord) {
-    for (const auto& fields : {sample_point_fields(), photon_fields()}) {
+    for (const auto& fields : {record_fields<SamplePoint>(), record_fields<Photon>()}) {
         int words = 0;
         for (const auto& field : fields) words += field.count;
         EXPECT_EQ(words * 4, 32);

@@ -75,7 +75,7 @@ class SplatTest : public PassTest {
         desc.text.key = "photons.records";
         desc.text.label = "Photons";
         desc.kind = OutputKind::point_set;
-        desc.fields = pm::photon_fields();
+        desc.fields = record_fields<pm::Photon>();
         desc.elements = run.capacity ? run.capacity : std::max<std::size_t>(1, records.size());
         photons.records = builder.buffer(std::move(desc));
         photons.count = builder.counter({.key = "photons.count", .label = "Photons"});

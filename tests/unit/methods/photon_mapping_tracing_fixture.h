@@ -167,7 +167,7 @@ class TracingTest : public PassTest {
                                                         const Parameters& parameters) {
         methods::photon_mapping::SamplePoints samples;
         samples.points = builder.buffer({.text = {.key = "photons.samples", .label = "Sample points"},
-                                         .fields = methods::photon_mapping::sample_point_fields(),
+                                         .fields = record_fields<SamplePoint>(),
                                          .elements = points.size()});
         samples.sources = builder.buffer({.text = {.key = "photons.sources", .label = "Sources"},
                                           .fields = {{"word", graph::FieldType::u32, 16}},

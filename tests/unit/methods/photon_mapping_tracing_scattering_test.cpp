@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/graph/pass_context.h"
 #include "tests/unit/passes/bsdf_fixture.h"
 #include "tests/unit/passes/pass_fixture.h"
@@ -16,6 +17,14 @@ struct Draw {
     std::uint32_t is_specular, unused;
 };
 static_assert(sizeof(Draw) == 32);
+
+/// Constants of scatter.comp.
+struct ScatterDraws {
+    int model, sampling;
+    glm::vec3 normal, geometric_normal, base_colour, seen;
+    float metallic, roughness;
+    IR_FIELDS(model, sampling, normal, geometric_normal, base_colour, seen, metallic, roughness)
+};
 
 struct Case {
     Materials model;
@@ -57,17 +66,15 @@ class ScatteringOnDevice : public PassTest {
                 gl::ProgramSource source{{SOURCE_ROOT "/tests/data/shaders/scatter.comp"}};
                 source.defines = defines;
                 const auto& program = context.use(source);
-                program.set("first", 0u);
-                program.set("end", static_cast<unsigned>(draws));
-                program.set("model", static_cast<int>(patch.model));
-                program.set("sampling", static_cast<int>(sampling));
-                program.set("normal", patch.surface.shading_normal_ws);
-                program.set("geometric_normal", patch.surface.geometric_normal_ws);
-                program.set("base_colour", patch.surface.base_colour);
-                program.set("seen", seen);
-                program.set("metallic", patch.surface.metallic);
-                program.set("roughness", patch.surface.roughness);
-                program.dispatch(draws);
+                program.set(ScatterDraws{.model = static_cast<int>(patch.model),
+                                         .sampling = static_cast<int>(sampling),
+                                         .normal = patch.surface.shading_normal_ws,
+                                         .geometric_normal = patch.surface.geometric_normal_ws,
+                                         .base_colour = patch.surface.base_colour,
+                                         .seen = seen,
+                                         .metallic = patch.surface.metallic,
+                                         .roughness = patch.surface.roughness});
+                gl::dispatch_items(program, 0, draws);
             });
         });
         const auto bytes = graph().read_buffer("test.draws").value();

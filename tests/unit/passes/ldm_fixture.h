@@ -116,6 +116,13 @@ inline std::string key_of(StorageKind storage) {
     return std::get<std::string>(map_parameters().settings(parameters).at("storage"));
 }
 
+/// Constants of ldm_lists.comp.
+struct LdmLists {
+    unsigned first_map;
+    int resolution;
+    IR_FIELDS(first_map, resolution)
+};
+
 /// Builds maps on OpenGL and reads them back, asking them in GLSL as methods do.
 class LdmBuild {
   public:
@@ -178,8 +185,7 @@ class LdmBuild {
                 gl::ProgramSource source{{SOURCE_ROOT "/tests/data/shaders/ldm_lists.comp"}};
                 source.defines = defines_of(context, *maps);
                 const auto& program = context.use(source);
-                program.set("first_map", static_cast<unsigned>(maps->first_map(batch)));
-                program.set("resolution", maps->layout.resolution);
+                program.set(LdmLists{static_cast<unsigned>(maps->first_map(batch)), maps->layout.resolution});
                 program.dispatch(static_cast<std::int64_t>(maps->layout.map_texels()),
                                  maps->batch_maps(batch));
             });

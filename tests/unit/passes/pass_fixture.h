@@ -57,10 +57,16 @@ inline scene::Camera looking(glm::vec3 eye, glm::vec3 target, glm::vec3 up = {0,
     return camera;
 }
 
+/// Constants of set_count.comp.
+struct SetCount {
+    unsigned amount;
+    IR_FIELDS(amount)
+};
+
 /// For a pass that `.counts("Counter", …)`.
 inline void add_to_counter(const graph::PassContext& context, std::uint32_t amount) {
     const auto& program = context.use({{SOURCE_ROOT "/tests/data/shaders/set_count.comp"}});
-    program.set("amount", amount);
+    program.set(SetCount{amount});
     program.dispatch(1);
 }
 

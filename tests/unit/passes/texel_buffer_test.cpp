@@ -76,6 +76,13 @@ struct Answer {
     std::uint32_t material, is_front, is_unlit;
 };
 
+/// Constants of hit_surface.comp.
+struct AnswerQuestions {
+    unsigned questions_requested;
+    bool normal_maps;
+    IR_FIELDS(questions_requested, normal_maps)
+};
+
 class HitSurfaceTest : public PassTest {
   protected:
     std::vector<Answer> ask(const Shot& shot, const std::vector<Question>& questions, bool normal_maps) {
@@ -93,12 +100,11 @@ class HitSurfaceTest : public PassTest {
             auto pass = builder.pass("answer");
             surfaces.read_by(pass);
             const auto count = questions.size();
-            pass.reads("Questions", given).writes("Answers", found).execute([=](graph::PassContext& context) {
-                const auto& program = context.use({{SOURCE_ROOT "/tests/data/shaders/hit_surface.comp"}});
-                program.set("questions_requested", static_cast<unsigned>(count));
-                program.set("normal_maps", normal_maps);
-                program.dispatch(static_cast<std::int64_t>(count));
-            });
+            pass.reads("Questions", given)
+                .writes("Answers", found)
+                .compute({{SOURCE_ROOT "/tests/data/shaders/hit_surface.comp"}},
+                         static_cast<std::int64_t>(count),
+                         AnswerQuestions{static_cast<unsigned>(count), normal_maps});
         });
         const auto bytes = graph().read_buffer("test.answers").value();
         std::vector<Answer> answers(questions.size());

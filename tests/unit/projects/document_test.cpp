@@ -38,8 +38,8 @@ TEST(Document, RoundTripIsStableToTheByte) {
     EXPECT_TRUE(back.messages.empty());
 }
 
-TEST(Document, MatchesTheFrozenFileOfSchema4) {
-    const auto text = testing::read_text(TEST_DATA "/projects/schema-4.json");
+TEST(Document, MatchesTheFrozenFileOfSchema5) {
+    const auto text = testing::read_text(TEST_DATA "/projects/schema-5.json");
     EXPECT_EQ(write_project(read(text).project), text);
     EXPECT_EQ(read(text).project, sample_project());
 }

@@ -59,7 +59,7 @@ TEST(Migrations, FrozenFileOfSchema2Opens) {
     expected.plots.clear();
     expected.motion.resize(1);
     EXPECT_EQ(old.project, expected);
-    ASSERT_EQ(old.messages.size(), 2u);
+    ASSERT_EQ(old.messages.size(), 3u);
     EXPECT_EQ(old.messages[0].text, "upgraded from schema 2 to 3: projects have plots of the error");
 }
 
@@ -69,9 +69,38 @@ TEST(Migrations, FrozenFileOfSchema3Opens) {
     auto expected = testing::sample_project();
     expected.motion.resize(1);
     EXPECT_EQ(old.project, expected);
-    ASSERT_EQ(old.messages.size(), 1u);
+    ASSERT_EQ(old.messages.size(), 2u);
     EXPECT_EQ(old.messages[0].text,
               "upgraded from schema 3 to 4: motions say what they move: cameras, lights or parts of scenes");
+}
+
+TEST(Migrations, FrozenFileOfSchema4Opens) {
+    const auto old = read(testing::read_text(TEST_DATA "/projects/schema-4.json"));
+    EXPECT_EQ(old.schema_in_file, 4);
+    EXPECT_EQ(old.project, testing::sample_project());
+}
+
+TEST(Migrations, KeysOfSchema4HaveTheirNewNamesWhereverTheyStand) {
+    const auto project = read(R"({"schema": 4,
+        "experiments": [{"id": "a", "method": "fog", "values": {"largest_dip": 0.5, "samples": 3},
+                         "presets": {"p": {"values": {"greatest_axis": 2.0}}}},
+                        {"id": "b", "method": "fog", "values": {"largest_dip": 0.5, "max_dip": 1.0}}],
+        "comparisons": [{"id": "c", "a": "a", "b": "b", "output": "hierarchy.most"}],
+        "plots": [{"id": "d", "over": "least_roughness"}],
+        "sweeps": [{"id": "e", "experiment": "a", "axes": [{"key": "least_distance", "values": [1]},
+                                                           {"key": "samples", "values": [2]}]}]})")
+                             .project;
+    const auto& values = project.experiments.at(0).values;
+    EXPECT_EQ(values.at("max_dip"), Value{0.5});
+    EXPECT_EQ(values.at("samples"), Value{std::int64_t{3}});
+    EXPECT_FALSE(values.contains("largest_dip"));
+    EXPECT_TRUE(project.experiments[0].presets.at("p").values.contains("max_axis"));
+    EXPECT_EQ(project.experiments.at(1).values.at("max_dip"), Value{1.0});  // somebody's own: nothing is lost
+    EXPECT_EQ(project.experiments.at(1).values.at("largest_dip"), Value{0.5});
+    EXPECT_EQ(project.comparisons.at(0).output, "hierarchy.max");
+    EXPECT_EQ(project.plots.at(0).over, "min_roughness");
+    EXPECT_EQ(project.sweeps.at(0).axes.at(0).key, "min_distance");
+    EXPECT_EQ(project.sweeps.at(0).axes.at(1).key, "samples");
 }
 
 TEST(Migrations, WhatSchema3KeptInMotionsIsStillKept) {
@@ -103,7 +132,7 @@ TEST(Migrations, UpgradedTextIsStableAndNotes) {
 
 TEST(Migrations, WrongSchemasAreRefused) {
     for (const char* text : {"{}", R"({"schema": "2"})", R"({"schema": 0})", R"({"schema": -1})",
-                             R"({"schema": 5})", R"({"schema": 1.5})", R"({"schema": 18446744073709551615})"})
+                             R"({"schema": 6})", R"({"schema": 1.5})", R"({"schema": 18446744073709551615})"})
         EXPECT_THROW(read(text), InputError) << text;
 }
 

@@ -47,6 +47,15 @@ void clear_layer(const gl::Api& gl, const Additive& additive) {
     if (additive.has_gloss()) gl.ClearBufferfv(GL_COLOR, 1, nothing);
 }
 
+/// Constants of additive.frag.
+struct AdditiveSplat {
+    SplatConstants splat;
+    passes::bounce::ReceiverConstants receiver;
+    bool black_backs;
+    float falloff_distance;
+    IR_FIELDS(splat, receiver, black_backs, falloff_distance)
+};
+
 /// Sums are in the order of the surfels.
 const gl::Program& bind_layer(const PassContext& p, const Additive& additive, const SplatLayer& layer) {
     std::vector<PassContext::Attachment> targets{{additive.splatted, layer.level}};
@@ -61,15 +70,12 @@ const gl::Program& bind_layer(const PassContext& p, const Additive& additive, co
     gl::ProgramSource source{{folder + "splat.vert", folder + "additive.frag"}};
     additive.receivers.define(source);
     const auto& program = p.use(source);
-    set_receivers(program, additive.splats, layer);
-    if (additive.is_light()) {
-        additive.receivers.set(p, program);
-        program.set("black_backs", additive.parameters().backs == Backs::black ? 1 : 0);
-    } else {
-        const auto& transport = additive.parameters().transport;
-        const bool smooth = transport.falloff == Transport::Falloff::smooth;
-        program.set("falloff_distance", smooth ? transport.max_distance : 0.0f);
-    }
+    const auto& transport = additive.parameters().transport;
+    const bool smooth = transport.falloff == Transport::Falloff::smooth;
+    program.set(AdditiveSplat{.splat = splat_constants(additive.splats, layer),
+                              .receiver = additive.receivers.constants(p.inputs()),
+                              .black_backs = additive.parameters().backs == Backs::black,
+                              .falloff_distance = smooth ? transport.max_distance : 0.0f});
     return program;
 }
 
@@ -107,14 +113,10 @@ ImageRef resolve(graph::GraphBuilder& builder, const Additive& additive, const L
     pass.reads(gbuffer.albedo, gbuffer.material, gbuffer.position)
         .writes("sum_image", sum)
         .writes("result_image", result);
-    pass.execute([=](PassContext& p) {
-        gl::ProgramSource source{{folder + "additive_resolve.comp"}};
-        source.defines["LEVELS"] = std::to_string(sums.levels.size());
-        additive.receivers.define(source);
-        const auto& program = p.use(source);
-        const auto shape = p.shape(result);
-        program.dispatch(shape.width, shape.height);
-    });
+    gl::ProgramSource source{{folder + "additive_resolve.comp"}};
+    source.defines["LEVELS"] = std::to_string(sums.levels.size());
+    additive.receivers.define(source);
+    pass.compute(source, result);
     return result;
 }
 

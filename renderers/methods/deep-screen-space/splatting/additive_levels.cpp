@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "renderers/methods/deep-screen-space/splatting/additive.h"
+#include "renderers/methods/deep-screen-space/splatting/folder.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
 
 using graph::ImageRef;
-using graph::PassContext;
 
 constexpr int largest_radius = 64;  // of the blur
 
@@ -14,14 +14,11 @@ gl::Format format_of(const graph::GraphBuilder& builder, ImageRef image) {
     return builder.images().at(static_cast<std::size_t>(image.index)).format;
 }
 
-void unshuffle(const PassContext& p, ImageRef result, int level) {
-    gl::ProgramSource source{{"methods/deep-screen-space/splatting/unshuffle.comp"}};
-    if (p.shape(result).layers > 0) source.defines["TO_STACK"] = "1";
-    const auto& program = p.use(source);
-    program.set("level", level);
-    const auto shape = p.shape(result);
-    program.dispatch(shape.width, shape.height);
-}
+/// Constants of unshuffle.comp.
+struct Unshuffle {
+    int level;
+    IR_FIELDS(level)
+};
 
 ImageRef unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, ImageRef stack,
                     const std::string& key, int level) {
@@ -33,7 +30,7 @@ ImageRef unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, Im
         .reads("places_texture", hierarchy.places)
         .reads("stack", stack)
         .writes("result", image)
-        .execute([=](PassContext& p) { unshuffle(p, image, level); });
+        .compute({{folder + "unshuffle.comp"}}, image, Unshuffle{level});
     return image;
 }
 
@@ -65,8 +62,13 @@ void show_unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, I
         .reads("places_texture", hierarchy.places)
         .reads("stack", stack)
         .writes("result", levels)
-        .execute([=](PassContext& p) {
-            for (int level = 0; level < hierarchy.levels; ++level) unshuffle(p, levels, level);
+        .execute([=](graph::PassContext& p) {
+            const auto& program = p.use({{folder + "unshuffle.comp"}, {{"TO_STACK", "1"}}});
+            const auto shape = p.shape(levels);
+            for (int level = 0; level < hierarchy.levels; ++level) {
+                program.set(Unshuffle{level});
+                program.dispatch(shape.width, shape.height);
+            }
         });
 }
 

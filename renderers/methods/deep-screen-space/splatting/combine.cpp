@@ -9,13 +9,12 @@ graph::ImageRef declare_of_samples(graph::GraphBuilder& builder, const std::stri
     return builder.output(key, {.format = format, .layers = samples});
 }
 
-const gl::Program& use(const graph::PassContext& p, const VisibleSplats& visible) {
-    const auto& program = p.use({{"methods/deep-screen-space/splatting/combine.comp"}});
-    program.set("levels", visible.splats.hierarchy.levels);
-    program.set("samples", visible.splats.samples);
-    program.set("nearest_decides", nearest_decides(visible.splats) ? 1 : 0);
-    return program;
-}
+/// Constants of combine.comp.
+struct Combine {
+    int levels, samples;
+    bool nearest_decides;
+    IR_FIELDS(levels, samples, nearest_decides)
+};
 
 }  // namespace
 
@@ -34,8 +33,9 @@ graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visi
         .writes("distance_image", distance)
         .writes("nearest_image", visible.nearest)
         .writes("level_image", visible.hit_level);
-    passes::bounce::execute_by_tiles(
-        pass, builder, [=](graph::PassContext& p) -> const gl::Program& { return use(p, visible); });
+    passes::bounce::compute_by_tiles(
+        pass, builder, {{"methods/deep-screen-space/splatting/combine.comp"}},
+        Combine{visible.splats.hierarchy.levels, samples, nearest_decides(visible.splats)});
     return distance;
 }
 

@@ -21,7 +21,7 @@ graph::ImageRef count_cover(graph::GraphBuilder& builder, const Splats& splats, 
                     if (layer.is_first && index == 0) p.clear(cover);
                     p.bind_framebuffer({{cover, index}});
                     const auto& program = p.use(source);
-                    set_receivers(program, splats, layer);
+                    program.set(splat_constants(splats, layer));
                     p.api().Enable(GL_BLEND);
                     p.api().BlendEquation(GL_FUNC_ADD);
                     p.api().BlendFunc(GL_ONE, GL_ONE);

@@ -50,16 +50,38 @@ void dispatch_surfels(const graph::PassContext& p, const gl::Program& program, c
     gl::dispatch_items(program, capacity * slice.begin / surfel_parts, capacity * slice.end / surfel_parts);
 }
 
-/// The uniforms of explain_splat.glsl.
-void set_splats(const graph::PassContext& p, const gl::Program& program, const VisibleSplats& visible) {
-    const auto& splats = visible.splats;
-    set_splat_level(program, splats);
-    set_sphere_bounds(program, p.inputs().view);
-    program.set("seed", random_seed(p.inputs(), splats.parameters));
-    program.set("levels", splats.hierarchy.levels);
-    program.set("samples", splats.samples);
-    program.set("hierarchy_size", glm::ivec2(splats.hierarchy.width, splats.hierarchy.height));
+/// Constants of explain_splat.glsl.
+struct ExplainSplat {
+    VisibleLevel level;
+    SphereBounds bounds;
+    unsigned seed;
+    int levels, samples;
+    glm::ivec2 hierarchy_size;
+    IR_FIELDS(level, bounds, seed, levels, samples, hierarchy_size)
+};
+
+ExplainSplat explain_splat(const graph::FrameInputs& inputs, const Splats& splats) {
+    return {.level = visible_level(splats),
+            .bounds = sphere_bounds(inputs.view),
+            .seed = random_seed(inputs, splats.parameters),
+            .levels = splats.hierarchy.levels,
+            .samples = splats.samples,
+            .hierarchy_size = {splats.hierarchy.width, splats.hierarchy.height}};
 }
+
+/// Constants of explain_pixel.comp.
+struct ExplainPixel {
+    ExplainSplat splat;
+    glm::ivec2 picked;
+    IR_FIELDS(splat, picked)
+};
+
+/// Constants of explain_choice.comp.
+struct ExplainChoice {
+    glm::ivec2 picked;
+    unsigned chosen;
+    IR_FIELDS(picked, chosen)
+};
 
 void read_splats(graph::PassBuilder& pass, const VisibleSplats& visible) {
     pass.reads("Surfels", visible.splats.surfels)
@@ -73,8 +95,7 @@ void read_splats(graph::PassBuilder& pass, const VisibleSplats& visible) {
 
 void search(const graph::PassContext& p, graph::Slice slice, const VisibleSplats& visible) {
     const auto& program = p.use({{folder + "explain_pixel.comp"}});
-    set_splats(p, program, visible);
-    program.set("picked", picked_pixel(p.inputs()));
+    program.set(ExplainPixel{explain_splat(p.inputs(), visible.splats), picked_pixel(p.inputs())});
     dispatch_surfels(p, program, visible.splats, slice);
 }
 
@@ -87,16 +108,15 @@ void judge_found(const graph::PassContext& p, const Explained& candidates, const
     const auto sums = all_sums.first(rows);
     const auto found = p.elements<SplatCandidate>(candidates.elements);
     std::size_t count = 0;
-    for (const auto& sum : sums)
-        for (std::size_t i = 1; i < sum.outcomes.size(); ++i) count += sum.outcomes[i];
+    for (const auto& sum : sums) count += std::size_t{sum.missed} + sum.too_far + sum.own + sum.hits;
     judge(found.first(std::min(found.size(), count)), sums, level_count, nearest_decides(splats));
 }
 
 void explain_pixel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
     const int levels = visible.splats.hierarchy.levels;
-    const auto candidates =
-        declare(builder, "candidates", OutputKind::glyphs, candidate_fields(), expected_candidates);
-    const auto sums = declare(builder, "levels", OutputKind::table, level_sum_fields(),
+    const auto candidates = declare(builder, "candidates", OutputKind::glyphs,
+                                    record_fields<SplatCandidate>(), expected_candidates);
+    const auto sums = declare(builder, "levels", OutputKind::table, record_fields<LevelSum>(),
                               static_cast<std::uint64_t>(visible.splats.samples * levels));
     auto pass = builder.pass("explain splats onto the pixel");
     read_splats(pass, visible);
@@ -105,7 +125,8 @@ void explain_pixel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
         .writes("Sums", sums.elements)
         .counts("CandidateCount", candidates.count)
         .counts("SumCount", sums.count)
-        .execute_sliced(surfel_parts, [=](graph::PassContext& p, graph::Slice slice) { search(p, slice, visible); });
+        .execute_sliced(surfel_parts,
+                        [=](graph::PassContext& p, graph::Slice slice) { search(p, slice, visible); });
     builder.pass("judge splats onto the pixel", graph::Queue::cpu)
         .reads(candidates.elements, sums.elements)
         .writes(candidates.elements, sums.elements)
@@ -126,9 +147,9 @@ graph::BufferRef choose_surfel(graph::GraphBuilder& builder, const VisibleSplats
                 gl::ProgramSource source{{folder + "explain_choice.comp"}};
                 source.defines["FIND"] = find;
                 const auto& program = p.use(source);
-                program.set("picked", picked_pixel(p.inputs()));
-                program.set("chosen",
-                            static_cast<unsigned>(std::max(0, p.inputs().inspection.item("surfel"))));
+                program.set(
+                    ExplainChoice{picked_pixel(p.inputs()),
+                                  static_cast<unsigned>(std::max(0, p.inputs().inspection.item("surfel")))});
                 dispatch_surfels(p, program, visible.splats, slice);
             });
     return choice;
@@ -137,7 +158,7 @@ graph::BufferRef choose_surfel(graph::GraphBuilder& builder, const VisibleSplats
 void explain_surfel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
     const int levels = visible.splats.hierarchy.levels;
     const auto choice = choose_surfel(builder, visible);
-    const auto sums = declare(builder, "surfel", OutputKind::glyphs, surfel_sum_fields(),
+    const auto sums = declare(builder, "surfel", OutputKind::glyphs, record_fields<SurfelSum>(),
                               static_cast<std::uint64_t>(levels));
     const auto cover = builder.output("splats.explain.cover", {.format = gl::Format::r16f, .layers = levels});
     auto pass = builder.pass("explain splats of the surfel");
@@ -147,11 +168,8 @@ void explain_surfel(graph::GraphBuilder& builder, const VisibleSplats& visible) 
         .writes("Sums", sums.elements)
         .writes("cover_image", cover)
         .counts("SumCount", sums.count);
-    passes::bounce::execute_by_tiles(pass, builder, [=](graph::PassContext& p) -> const gl::Program& {
-        const auto& program = p.use({{folder + "explain_surfel.comp"}});
-        set_splats(p, program, visible);
-        return program;
-    });
+    passes::bounce::compute_by_tiles(pass, builder, {{folder + "explain_surfel.comp"}},
+                                     explain_splat(builder.inputs(), visible.splats));
 }
 
 }  // namespace

@@ -6,8 +6,6 @@
 namespace ir::methods::deep_screen_space {
 namespace {
 
-using graph::FieldType;
-
 /// LESS in the order of the surfels.
 void keep_nearest(const SplatCandidate& candidate, LevelSum& sum) {
     const bool nearer =
@@ -23,32 +21,11 @@ void mark_deciding(std::span<LevelSum> sums, int levels, bool nearest_decides) {
         for (auto& sum : sums.subspan(first, static_cast<std::size_t>(levels)))
             if (sum.found != 0 && (!deciding || (nearest_decides && sum.found_z < deciding->found_z)))
                 deciding = &sum;
-        if (deciding) deciding->is_nearest = 1;
+        if (deciding) deciding->nearest = 1;
     }
 }
 
 }  // namespace
-
-std::vector<graph::Field> candidate_fields() {
-    return {{"centre", FieldType::f32, 3}, {"normal", FieldType::f32, 3}, {"radius", FieldType::f32},
-            {"surfel", FieldType::u32},    {"sample", FieldType::u32},    {"level", FieldType::u32},
-            {"shell", FieldType::u32},     {"outcome", FieldType::u32},   {"distance", FieldType::f32},
-            {"z", FieldType::f32}};
-}
-
-std::vector<graph::Field> level_sum_fields() {
-    return {{"sample", FieldType::u32},  {"level", FieldType::u32},   {"splats", FieldType::u32},
-            {"outside", FieldType::u32}, {"missed", FieldType::u32},  {"too_far", FieldType::u32},
-            {"own", FieldType::u32},     {"hits", FieldType::u32},    {"found", FieldType::u32},
-            {"kept", FieldType::u32},    {"nearest", FieldType::u32}, {"found_z", FieldType::f32},
-            {"kept_z", FieldType::f32}};
-}
-
-std::vector<graph::Field> surfel_sum_fields() {
-    return {{"centre", FieldType::f32, 3}, {"normal", FieldType::f32, 3},  {"radius", FieldType::f32},
-            {"surfel", FieldType::u32},    {"level", FieldType::u32},      {"splats", FieldType::u32},
-            {"hits", FieldType::u32},      {"level_wins", FieldType::u32}, {"wins", FieldType::u32}};
-}
 
 void judge(std::span<SplatCandidate> candidates, std::span<LevelSum> sums, int levels, bool nearest_decides) {
     const auto sum_of = [&](const SplatCandidate& c) -> LevelSum& {
@@ -60,7 +37,7 @@ void judge(std::span<SplatCandidate> candidates, std::span<LevelSum> sums, int l
     mark_deciding(sums, levels, nearest_decides);
     for (auto& c : candidates)
         if (c.outcome == SplatOutcome::hit && sum_of(c).found == c.surfel)
-            c.outcome = sum_of(c).is_nearest ? SplatOutcome::wins : SplatOutcome::level;
+            c.outcome = sum_of(c).nearest ? SplatOutcome::wins : SplatOutcome::level;
     std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return std::tuple(a.sample, b.outcome, a.level, a.z, a.surfel) <
                std::tuple(b.sample, a.outcome, b.level, b.z, b.surfel);

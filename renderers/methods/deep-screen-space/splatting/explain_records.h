@@ -3,45 +3,42 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "renderers/graph/resource.h"
+#include "renderers/core/record.h"
 
 namespace ir::methods::deep_screen_space {
 
 /// What became of a splat on a pixel: as the constants SPLAT_… of
 /// shaders/methods/deep-screen-space/splatting/visible_hit.glsl.
-enum class SplatOutcome : std::uint32_t { none, outside, missed, too_far, own, hit, level, wins };
+struct SplatOutcome {
+    enum : std::uint32_t { none, outside, missed, too_far, own, hit, level, wins };
+};
 
 /// As in explain_pixel.comp.
 struct SplatCandidate {
     std::array<float, 3> centre, normal;
     float radius;
-    std::uint32_t surfel, sample, level, shell;
-    SplatOutcome outcome;
+    std::uint32_t surfel, sample, level, shell, outcome;
     float distance, z;
+    IR_FIELDS(centre, normal, radius, surfel, sample, level, shell, outcome, distance, z)
 };
-static_assert(sizeof(SplatCandidate) == 14 * 4);
 
 struct LevelSum {
     std::uint32_t sample, level, splats;
-    std::array<std::uint32_t, 5> outcomes;  ///< from `outside` to `hit`
-    std::uint32_t found, kept, is_nearest;
+    std::uint32_t outside, missed, too_far, own, hits;  ///< as in SplatOutcome
+    std::uint32_t found, kept, nearest;
     float found_z, kept_z;
+    IR_FIELDS(sample, level, splats, outside, missed, too_far, own, hits, found, kept, nearest, found_z,
+              kept_z)
 };
-static_assert(sizeof(LevelSum) == 13 * 4);
 
 /// As in explain_surfel.comp.
 struct SurfelSum {
     std::array<float, 3> centre, normal;
     float radius;
     std::uint32_t surfel, level, splats, hits, level_wins, wins;
+    IR_FIELDS(centre, normal, radius, surfel, level, splats, hits, level_wins, wins)
 };
-static_assert(sizeof(SurfelSum) == 13 * 4);
-
-std::vector<graph::Field> candidate_fields();
-std::vector<graph::Field> level_sum_fields();
-std::vector<graph::Field> surfel_sum_fields();
 
 /// Repeats depth test and combination over what was found: outcomes of candidates that were hit, and of
 /// `sums` (a row per sample and level, sample-major) the winners. Then sorts candidates by sample, outcome

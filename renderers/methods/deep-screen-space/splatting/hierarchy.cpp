@@ -22,6 +22,13 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const Hierarchy& hierarchy
                                 .fingerprint = fingerprint});
 }
 
+/// Constants of layout.comp.
+struct Layout {
+    unsigned seed;
+    glm::ivec2 view_size;
+    IR_FIELDS(seed, view_size)
+};
+
 void lay_out(graph::GraphBuilder& builder, Hierarchy& hierarchy, unsigned seed) {
     const auto& inputs = builder.inputs();
     const glm::ivec2 view(inputs.view.width, inputs.view.height);
@@ -34,11 +41,7 @@ void lay_out(graph::GraphBuilder& builder, Hierarchy& hierarchy, unsigned seed) 
     builder.pass("framebuffer layout")
         .writes("layout_image", layout)
         .writes("places_image", places)
-        .compute({{folder + "layout.comp"}}, places,
-                 [=](const graph::PassContext&, const gl::Program& program) {
-                     program.set("seed", seed);
-                     program.set("view_size", view);
-                 });
+        .compute({{folder + "layout.comp"}}, places, Layout{seed, view});
 }
 
 void shuffle_surfaces(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, Hierarchy& hierarchy) {

@@ -3,7 +3,7 @@
 namespace ir::methods::deep_screen_space {
 namespace {
 
-const Condition with_visibility{"visibility", {true}};
+const Condition only_with_visibility{"visibility", {true}};
 const Condition additive{"visibility", {false}};
 
 void add_reach(ParameterTable<Parameters>& table) {
@@ -46,7 +46,7 @@ void add_visible(ParameterTable<Parameters>& table) {
                           {"shells", "Shells",
                            "Those between half its reach and its reach, as on all levels but the first in "
                            "2014."}},
-              .active_when = with_visibility})
+              .active_when = only_with_visibility})
         .add(&Parameters::coverage,
              {.key = "coverage",
               .label = "Coverage",
@@ -56,7 +56,7 @@ void add_visible(ParameterTable<Parameters>& table) {
                   "beyond the first shell a little less); large discs reach around edges.",
               .hard = {0.01, 100},
               .soft = {0.5, 8},
-              .active_when = with_visibility});
+              .active_when = only_with_visibility});
 }
 
 void add_additive(ParameterTable<Parameters>& table) {

@@ -21,13 +21,12 @@ gl::ProgramSource source_of(const VisibleSplats& visible, const Senders& senders
     return source;
 }
 
-const gl::Program& use(const graph::PassContext& p, const VisibleSplats& visible, const Senders& senders) {
-    const auto& program = p.use(source_of(visible, senders));
-    if (!senders.glossy) return program;
-    program.set("light_count", static_cast<int>(p.inputs().world->lights.size()));
-    program.set("normal_maps", visible.splats.parameters.transport.normal_maps ? 1 : 0);
-    return program;
-}
+/// Constants of resolve_glossy.glsl.
+struct ResolveGlossy {
+    int light_count;
+    bool normal_maps;
+    IR_FIELDS(light_count, normal_maps)
+};
 
 }  // namespace
 
@@ -48,8 +47,9 @@ graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneB
         pass.reads(scene.lights, shadow.views, shadow.maps);
         senders.surfaces.read_by(pass);
     }
-    passes::bounce::execute_by_tiles(
-        pass, builder, [=](graph::PassContext& p) -> const gl::Program& { return use(p, visible, senders); });
+    passes::bounce::compute_by_tiles(pass, builder, source_of(visible, senders),
+                                     ResolveGlossy{static_cast<int>(builder.inputs().world->lights.size()),
+                                                   parameters.transport.normal_maps});
     return incoming;
 }
 

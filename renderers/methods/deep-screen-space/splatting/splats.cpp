@@ -16,46 +16,42 @@ constexpr std::uint64_t max_at_once = 1 << 16;
 constexpr scene::Sampler all_levels{scene::Wrap::clamp_to_edge, scene::Wrap::clamp_to_edge,
                                     scene::Filter::nearest, scene::Filter::nearest, true};
 
-bool is_perspective(const scene::View& view) {
-    return view.clip_from_view[3][3] == 0;
-}
-
 bool is_counted(const Splats& splats) {
     return splats.drawn.index >= 0;
 }
+
+/// Constants of stored.comp.
+struct Stored {
+    unsigned capacity;
+    IR_FIELDS(capacity)
+};
 
 void count_surfels(graph::GraphBuilder& builder, const Surfels& surfels, graph::BufferRef stored) {
     builder.pass("count surfels to splat")
         .reads(surfels.records)
         .writes("Stored", stored)
         .counts("Count", surfels.count)
-        .compute({{folder + "stored.comp"}}, 1, [=](const PassContext& p, const gl::Program& program) {
-            program.set("capacity", static_cast<unsigned>(p.capacity(surfels.records)));
+        .compute({{folder + "stored.comp"}}, 1, [=](const PassContext& p) {
+            return Stored{static_cast<unsigned>(p.capacity(surfels.records))};
         });
 }
 
-/// Pixels of a view-space point: scale · (x/−z, y/−z), or of x and y in parallel views, plus offset.
-void set_pixel_mapping(const gl::Program& program, const scene::View& view) {
-    const auto& clip = view.clip_from_view;
-    const glm::vec2 half = 0.5f * glm::vec2(view.width, -view.height);
-    const glm::vec2 shift = is_perspective(view) ? -glm::vec2(clip[2]) : glm::vec2(clip[3]);
-    program.set("pixel_scale", half * glm::vec2(clip[0][0], clip[1][1]));
-    program.set("pixel_offset", half * shift + 0.5f * glm::vec2(view.width, view.height));
-}
+/// Constants of rectangles.comp.
+struct SplatRectangles {
+    InfluenceConstants influence;
+    SphereBounds bounds;
+    unsigned first, end, level, sample_index, seed;
+    glm::ivec2 hierarchy_size;
+    bool culls, shells;
+    IR_FIELDS(influence, bounds, first, end, level, sample_index, seed, hierarchy_size, culls, shells)
+};
 
-/// The program has to be in use.
-void set_layer(const PassContext& p, const gl::Program& program, const Splats& splats,
-               const SplatLayer& layer) {
-    const auto& parameters = splats.parameters;
-    set_influence(program, splats);
-    set_sphere_bounds(program, p.inputs().view);
-    program.set("hierarchy_size", glm::ivec2(splats.hierarchy.width, splats.hierarchy.height));
-    program.set("level", static_cast<unsigned>(layer.level));
-    program.set("sample_index", static_cast<unsigned>(layer.sample));
-    program.set("seed", random_seed(p.inputs(), parameters));
-    program.set("culls", parameters.splat_culling ? 1 : 0);
-    program.set("shells", !parameters.visibility || parameters.shells == Shells::shells ? 1 : 0);
-}
+/// Constants of splat.vert.
+struct SplatVertices {
+    unsigned first_surfel;
+    glm::vec2 framebuffer_size;
+    IR_FIELDS(first_surfel, framebuffer_size)
+};
 
 void find_rectangles(const PassContext& p, const Splats& splats, const SplatLayer& layer, std::uint64_t first,
                      std::uint64_t end) {
@@ -63,9 +59,17 @@ void find_rectangles(const PassContext& p, const Splats& splats, const SplatLaye
     gl::ProgramSource source{{folder + "rectangles.comp"}};
     if (is_counted(splats)) source.defines["COUNTS"] = "1";
     const auto& program = p.use(source);
-    set_layer(p, program, splats, layer);
-    program.set("first", static_cast<unsigned>(first));
-    program.set("end", static_cast<unsigned>(end));
+    const auto& parameters = splats.parameters;
+    program.set(SplatRectangles{.influence = influence_constants(splats),
+                                .bounds = sphere_bounds(p.inputs().view),
+                                .first = static_cast<unsigned>(first),
+                                .end = static_cast<unsigned>(end),
+                                .level = static_cast<unsigned>(layer.level),
+                                .sample_index = static_cast<unsigned>(layer.sample),
+                                .seed = random_seed(p.inputs(), parameters),
+                                .hierarchy_size = {splats.hierarchy.width, splats.hierarchy.height},
+                                .culls = parameters.splat_culling,
+                                .shells = !parameters.visibility || parameters.shells == Shells::shells});
     program.dispatch(static_cast<std::int64_t>(end - first));
     p.barrier();
 }
@@ -76,8 +80,8 @@ void draw_layer(const PassContext& p, const Splats& splats, const SplatLayer& la
         const auto end = std::min(layer.end, first + max_at_once);
         find_rectangles(p, splats, layer, first, end);
         p.use(program);
-        program.set("first_surfel", static_cast<unsigned>(first));
-        program.set("framebuffer_size", glm::vec2(splats.hierarchy.width, splats.hierarchy.height));
+        program.set(SplatVertices{static_cast<unsigned>(first),
+                                  glm::vec2(splats.hierarchy.width, splats.hierarchy.height)});
         p.bind_empty_vertex_array();
         p.api().BindBuffer(GL_DRAW_INDIRECT_BUFFER, p.buffer(splats.command));
         p.api().DrawArraysIndirect(GL_TRIANGLES, nullptr);
@@ -107,23 +111,31 @@ void draw_slice(const PassContext& p, graph::Slice slice, const Splats& splats, 
 
 }  // namespace
 
-void set_sphere_bounds(const gl::Program& program, const scene::View& view) {
-    set_pixel_mapping(program, view);
-    program.set("view_from_world", view.view_from_world);
-    program.set("near_plane", view.near_plane);
-    program.set("far_plane", view.far_plane);
-    program.set("perspective", is_perspective(view) ? 1 : 0);
-    program.set("view_size", glm::ivec2(view.width, view.height));
-}
-
-void set_influence(const gl::Program& program, const Splats& splats) {
+InfluenceConstants influence_constants(const Splats& splats) {
     const auto& parameters = splats.parameters;
     const bool estimated = parameters.influence == Influence::estimated;
     const bool light = parameters.transport.paths != Transport::Paths::ao;
-    program.set("shell_radius", splats.reach.shell_radius);
-    program.set("whole_reach", splats.reach.whole);
-    program.set("trade_off", estimated ? parameters.trade_off : 0.0f);
-    program.set("dark_is_idle", !parameters.visibility && light ? 1 : 0);
+    return {splats.reach.shell_radius, splats.reach.whole, estimated ? parameters.trade_off : 0.0f,
+            !parameters.visibility && light};
+}
+
+SplatConstants splat_constants(const Splats& splats, const SplatLayer& layer) {
+    return {influence_constants(splats), layer.level, layer.sample};
+}
+
+/// Pixels of a view-space point: scale · (x/−z, y/−z), or of x and y in parallel views, plus offset.
+SphereBounds sphere_bounds(const scene::View& view) {
+    const auto& clip = view.clip_from_view;
+    const bool perspective = clip[3][3] == 0;
+    const glm::vec2 half = 0.5f * glm::vec2(view.width, -view.height);
+    const glm::vec2 shift = perspective ? -glm::vec2(clip[2]) : glm::vec2(clip[3]);
+    return {.view_from_world = view.view_from_world,
+            .pixel_scale = half * glm::vec2(clip[0][0], clip[1][1]),
+            .pixel_offset = half * shift + 0.5f * glm::vec2(view.width, view.height),
+            .near_plane = view.near_plane,
+            .far_plane = view.far_plane,
+            .perspective = perspective,
+            .view_size = {view.width, view.height}};
 }
 
 Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, const Surfels& surfels,
@@ -149,10 +161,7 @@ Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, 
     splats.command = builder.buffer({.text = {.key = "splats.command",
                                               .label = "Command of the draw",
                                               .doc = "Vertices of the last draw of splats."},
-                                     .fields = {{"vertices", FieldType::u32},
-                                                {"instances", FieldType::u32},
-                                                {"first_vertex", FieldType::u32},
-                                                {"base_instance", FieldType::u32}},
+                                     .fields = record_fields<DrawCommand>(),
                                      .elements = 1});
     splats.drawn = builder.counter({.key = "splats.drawn",
                                     .label = "Splats drawn",
@@ -178,12 +187,6 @@ void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer&
     if (is_counted(splats)) pass.counts("Drawn", splats.drawn).counts("Culled", splats.culled);
     pass.execute_sliced(splats.samples * splats.hierarchy.levels * surfel_parts,
                         [=](PassContext& p, graph::Slice slice) { draw_slice(p, slice, splats, bind); });
-}
-
-void set_receivers(const gl::Program& program, const Splats& splats, const SplatLayer& layer) {
-    set_influence(program, splats);
-    program.set("level", layer.level);
-    program.set("sample_index", layer.sample);
 }
 
 }  // namespace ir::methods::deep_screen_space

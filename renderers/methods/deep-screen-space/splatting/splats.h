@@ -36,7 +36,7 @@ struct SplatLayer {
 };
 
 /// Binds the framebuffer of a layer (of the hierarchy's size), the program, which has "splat.vert" for its
-/// vertex stage, and what its other stages read; sets blending and depth test.
+/// vertex stage, and what its other stages read, constants among it; sets blending and depth test.
 using BindLayer = std::function<const gl::Program&(const graph::PassContext&, const SplatLayer&)>;
 
 /// Adds to `pass`, which declares all else that `bind` touches, the draws of all surfels into all layers, one
@@ -46,20 +46,40 @@ using BindLayer = std::function<const gl::Program&(const graph::PassContext&, co
 /// radius d · 2^l around its centre, in one sub-image that is chosen at random. [Nalbach15 §4.1]
 void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer& bind);
 
-/// Sets the uniforms of splat_common.glsl.
-void set_receivers(const gl::Program& program, const Splats& splats, const SplatLayer& layer);
-
-/// Sets the uniforms of influence.glsl. Estimated, d is a surfel's r / √ε where that is more than the
+/// Constants of influence.glsl. Estimated, d is a surfel's r / √ε where that is more than the
 /// constant one. DEVIATION [Nalbach15 §4.2]: "d_max is a constant": where that is only a few radii, enlarged
 /// discs are as wide as their distance and hide what is beside them. Ambient occlusion with 5 levels, RMSE
 /// constant and so: 0.128 and 0.062 in a Cornell box (0.5 m, 128²), 0.277 and 0.078 on a still life (0.3 m,
 /// 256²). None reaches less far than published, so dark surfels block as far as others.
-void set_influence(const gl::Program& program, const Splats& splats);
+struct InfluenceConstants {
+    float shell_radius, whole_reach, trade_off;
+    bool dark_is_idle;
+    IR_FIELDS(shell_radius, whole_reach, trade_off, dark_is_idle)
+};
+InfluenceConstants influence_constants(const Splats& splats);
+
+/// Constants of splat_common.glsl.
+struct SplatConstants {
+    InfluenceConstants influence;
+    int level, sample_index;
+    IR_FIELDS(influence, level, sample_index)
+};
+SplatConstants splat_constants(const Splats& splats, const SplatLayer& layer);
+
 /// Whether of several levels with a hit the nearest hit decides, and not that of the finest level.
 inline bool nearest_decides(const Splats& splats) {
     return splats.parameters.influence == Influence::estimated;
 }
-/// Sets the uniforms of sphere_bounds.glsl.
-void set_sphere_bounds(const gl::Program& program, const scene::View& view);
+
+/// Constants of sphere_bounds.glsl.
+struct SphereBounds {
+    glm::mat4 view_from_world;
+    glm::vec2 pixel_scale, pixel_offset;
+    float near_plane, far_plane;
+    bool perspective;
+    glm::ivec2 view_size;
+    IR_FIELDS(view_from_world, pixel_scale, pixel_offset, near_plane, far_plane, perspective, view_size)
+};
+SphereBounds sphere_bounds(const scene::View& view);
 
 }  // namespace ir::methods::deep_screen_space

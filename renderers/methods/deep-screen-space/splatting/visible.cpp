@@ -21,6 +21,13 @@ void clear_layer(const gl::Api& gl) {
     gl.ClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
+/// Constants of visible.frag.
+struct Visible {
+    VisibleLevel of_level;
+    int level, sample_index;
+    IR_FIELDS(of_level, level, sample_index)
+};
+
 /// LESS: of equal depths the first surfel wins, in every run.
 const gl::Program& bind_layer(const graph::PassContext& p, const VisibleSplats& visible,
                               const SplatLayer& layer) {
@@ -35,20 +42,16 @@ const gl::Program& bind_layer(const graph::PassContext& p, const VisibleSplats& 
     if (layer.is_first) clear_layer(gl);
     const auto& program = p.use({{"methods/deep-screen-space/splatting/splat.vert",
                                   "methods/deep-screen-space/splatting/visible.frag"}});
-    set_splat_level(program, visible.splats);
-    program.set("level", layer.level);
-    program.set("sample_index", layer.sample);
+    program.set(Visible{visible_level(visible.splats), layer.level, layer.sample});
     return program;
 }
 
 }  // namespace
 
-void set_splat_level(const gl::Program& program, const Splats& splats) {
+VisibleLevel visible_level(const Splats& splats) {
     const auto& parameters = splats.parameters;
-    set_influence(program, splats);
-    program.set("coverage", parameters.coverage);
-    program.set("max_distance", parameters.transport.max_distance);
-    program.set("full_discs", parameters.shells == Shells::full_discs ? 1 : 0);
+    return {influence_constants(splats), parameters.coverage, parameters.transport.max_distance,
+            parameters.shells == Shells::full_discs};
 }
 
 passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,

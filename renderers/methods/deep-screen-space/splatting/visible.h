@@ -15,8 +15,14 @@ struct VisibleSplats {
     graph::ImageRef hit_level;  ///< "splats.hit_level" r16f likewise: level of the nearest, -1: none
 };
 
-/// Sets the uniforms of shaders/methods/deep-screen-space/splatting/visible_level.glsl.
-void set_splat_level(const gl::Program& program, const Splats& splats);
+/// Constants of shaders/methods/deep-screen-space/splatting/visible_level.glsl.
+struct VisibleLevel {
+    InfluenceConstants influence;
+    float coverage, max_distance;
+    bool full_discs;
+    IR_FIELDS(influence, coverage, max_distance, full_discs)
+};
+VisibleLevel visible_level(const Splats& splats);
 
 /// Declares the pass "combine levels" and what it writes: `nearest`, `hit_level` and the result,
 /// "bounce.distance". [Nalbach15 §4.2]

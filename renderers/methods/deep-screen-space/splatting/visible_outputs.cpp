@@ -5,7 +5,7 @@ namespace {
 
 const std::string layer_order = " A layer per sample and level: sample × levels + level.";
 const std::string sub_images = " Pixels stand in the sub-images of their level.";
-const std::string unshuffled = " Pixels stand where they are seen.";
+const std::string where_seen = " Pixels stand where they are seen.";
 
 std::vector<OutputDescription> of_samples() {
     return {
@@ -60,7 +60,7 @@ std::vector<OutputDescription> of_levels() {
          .kind = OutputKind::stack,
          .semantic = Semantic::depth,
          .doc = "t²/r² of the nearest surfel along the pixel's ray, r the reach of all levels; 1: none." +
-                unshuffled + layer_order},
+                where_seen + layer_order},
         {.key = "splats.level_radiance",
          .label = "Radiance by level",
          .kind = OutputKind::stack,
@@ -69,7 +69,7 @@ std::vector<OutputDescription> of_levels() {
          .doc = "What the winners store for the side that was hit: without their highlights, 0 for ambient "
                 "occlusion. "
                 "Alpha 0: none." +
-                unshuffled + layer_order},
+                where_seen + layer_order},
     };
 }
 

@@ -15,6 +15,12 @@ struct LayersView {
     bool reads_surfels;
 };
 
+/// Constants of visible_depth.comp and visible_radiance.comp.
+struct VisibleLevels {
+    int levels;
+    IR_FIELDS(levels)
+};
+
 /// An image with a layer per sample and level, an invocation each texel.
 void show_layers(graph::GraphBuilder& builder, const VisibleSplats& visible, const LayersView& view) {
     const auto& splats = visible.splats;
@@ -26,11 +32,7 @@ void show_layers(graph::GraphBuilder& builder, const VisibleSplats& visible, con
     auto pass = builder.pass(view.pass);
     for (const auto& [name, texture] : view.textures) pass.reads(name, texture);
     if (view.reads_surfels) pass.reads("Surfels", splats.surfels);
-    pass.writes(view.result, image)
-        .compute(view.source, image,
-                 [levels = splats.hierarchy.levels](const graph::PassContext&, const gl::Program& program) {
-                     program.set("levels", levels);
-                 });
+    pass.writes(view.result, image).compute(view.source, image, VisibleLevels{splats.hierarchy.levels});
 }
 
 void show_epsilon(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ImageRef distance) {
@@ -43,11 +45,8 @@ void show_epsilon(graph::GraphBuilder& builder, const VisibleSplats& visible, gr
         .reads(visible.gbuffer.position)
         .reads("Surfels", visible.splats.surfels)
         .writes("epsilon_image", image);
-    passes::bounce::execute_by_tiles(pass, builder, [=](graph::PassContext& p) -> const gl::Program& {
-        const auto& program = p.use({{folder + "visible_epsilon.comp"}});
-        set_splat_level(program, visible.splats);
-        return program;
-    });
+    passes::bounce::compute_by_tiles(pass, builder, {{folder + "visible_epsilon.comp"}},
+                                     visible_level(visible.splats));
 }
 
 }  // namespace

@@ -5,10 +5,20 @@
 namespace ir::methods::deep_screen_space {
 namespace {
 
-using graph::FieldType;
-using graph::PassContext;
+constexpr int group_count = 64, group_size = 256;
 
-constexpr int groups = 64, group_size = 256;
+/// Constants of sums.comp.
+struct SurfelSums {
+    Ideal ideal;
+    unsigned capacity;
+    IR_FIELDS(ideal, capacity)
+};
+
+/// Constants of counts.comp.
+struct CountsRow {
+    unsigned groups, world_triangles;
+    IR_FIELDS(groups, world_triangles)
+};
 
 graph::BufferRef add_up(graph::GraphBuilder& builder, const std::string& what, bool is_fine,
                         graph::BufferRef records, graph::CounterRef count, const Parameters& parameters) {
@@ -16,16 +26,17 @@ graph::BufferRef add_up(graph::GraphBuilder& builder, const std::string& what, b
                                                .label = "Sums of surfels, " + what,
                                                .doc = "Of parts of the list."},
                                       .fields = {{"area"}, {"part"}},
-                                      .elements = groups});
+                                      .elements = group_count});
     builder.pass("add up surfels, " + what)
         .reads(is_fine ? "FineSurfels" : "Surfels", records)
         .writes("Sums", sums)
         .counts("Count", count)
-        .compute({{"methods/deep-screen-space/surfels/sums.comp"}, {{"FINE", is_fine ? "1" : "0"}}},
-                 groups * group_size, [=](const PassContext& context, const gl::Program& program) {
-                     set_ideal(program, context.inputs(), parameters);
-                     program.set("capacity", static_cast<unsigned>(context.capacity(records)));
-                 });
+        .compute(
+            {{"methods/deep-screen-space/surfels/sums.comp"}, {{"FINE", is_fine ? "1" : "0"}}},
+            group_count * group_size,
+            [records, size = ideal(builder.inputs().view, parameters)](const graph::PassContext& context) {
+                return SurfelSums{size, static_cast<unsigned>(context.capacity(records))};
+            });
     return sums;
 }
 
@@ -35,16 +46,8 @@ void count_surfels(graph::GraphBuilder& builder, const Patches& patches, const G
                    const Surfels& surfels, const Parameters& parameters) {
     const auto of_fine = add_up(builder, "fine", true, fine.buffer, fine.count, parameters);
     const auto of_kept = add_up(builder, "kept", false, surfels.records, surfels.count, parameters);
-    const auto row = builder.output("surfels.counts", {.fields = {{"triangles", FieldType::u32},
-                                                                  {"left", FieldType::u32},
-                                                                  {"patches", FieldType::u32},
-                                                                  {"fine", FieldType::u32},
-                                                                  {"kept", FieldType::u32},
-                                                                  {"fine_area"},
-                                                                  {"kept_area"},
-                                                                  {"fine_part"},
-                                                                  {"kept_part"}},
-                                                       .elements = 1});
+    const auto row =
+        builder.output("surfels.counts", {.fields = record_fields<SurfelCounts>(), .elements = 1});
     builder.pass("count surfels")
         .reads("FineSums", of_fine)
         .reads("KeptSums", of_kept)
@@ -54,11 +57,7 @@ void count_surfels(graph::GraphBuilder& builder, const Patches& patches, const G
         .counts("FineCount", fine.count)
         .counts("KeptCount", surfels.count)
         .compute({{"methods/deep-screen-space/surfels/counts.comp"}}, 1,
-                 [](const PassContext& context, const gl::Program& program) {
-                     program.set("groups", static_cast<unsigned>(groups));
-                     program.set("world_triangles",
-                                 static_cast<unsigned>(context.inputs().world->triangles()));
-                 });
+                 CountsRow{group_count, static_cast<unsigned>(builder.inputs().world->triangles())});
 }
 
 }  // namespace ir::methods::deep_screen_space

@@ -9,6 +9,7 @@ struct SurfelCounts {
     std::uint32_t triangles, left, patches, fine, kept;
     float fine_area, kept_area;  ///< m²
     float fine_part, kept_part;  ///< means of area over ideal area
+    IR_FIELDS(triangles, left, patches, fine, kept, fine_area, kept_area, fine_part, kept_part)
 };
 
 /// Declares the table and what it needs; nothing of it runs while nobody looks.

@@ -11,7 +11,6 @@
 namespace ir::methods::deep_screen_space {
 namespace {
 
-using graph::FieldType;
 using graph::PassContext;
 using graph::Slice;
 
@@ -37,20 +36,32 @@ std::int64_t draws_of_part(const PassContext& context, graph::BufferRef fine) {
     return (std::min(max_draws, draws) + packing_parts - 1) / packing_parts;
 }
 
+/// Constants of commands.comp.
+struct Commands {
+    unsigned command_count, capacity, fine_capacity;
+    IR_FIELDS(command_count, capacity, fine_capacity)
+};
+
+/// Constants of fine.tese.
+struct Fine {
+    Ideal ideal;
+    unsigned seed;
+    IR_FIELDS(ideal, seed)
+};
+
 void write_commands(const PassContext& context, const Patches& patches, const Growing& fine) {
     const auto& program = context.use({{"methods/deep-screen-space/surfels/commands.comp"}});
     const auto capacity =
         std::min(context.capacity(patches.list.buffer), context.capacity(patches.points.buffer));
-    program.set("capacity", static_cast<unsigned>(capacity));
-    program.set("fine_capacity", static_cast<unsigned>(context.capacity(fine.buffer)));
     const auto draws = packing_parts * draws_of_part(context, fine.buffer);
-    program.set("command_count", static_cast<unsigned>(draws));
+    program.set(Commands{static_cast<unsigned>(draws), static_cast<unsigned>(capacity),
+                         static_cast<unsigned>(context.capacity(fine.buffer))});
     program.dispatch(draws);
     context.barrier();
 }
 
 void draw(const PassContext& context, graph::BufferRef commands, std::int64_t first, std::int64_t end) {
-    constexpr std::int64_t stride = 16;
+    constexpr std::int64_t stride = sizeof(DrawCommand);
     const auto& gl = context.api();
     context.bind_empty_framebuffer(1, 1);
     context.bind_empty_vertex_array();
@@ -69,14 +80,7 @@ Growing declare_fine(graph::GraphBuilder& builder, std::uint64_t reserve) {
     return growing(builder,
                    {.text = builder.text_of_output("surfels.fine"),
                     .kind = OutputKind::glyphs,
-                    .fields = {{"centre", FieldType::f32, 3},
-                               {"triangle", FieldType::u32},
-                               {"normal", FieldType::f32, 3},
-                               {"radius"},
-                               {"barycentrics", FieldType::u32},
-                               {"identity", FieldType::u32},
-                               {"patch", FieldType::u32},
-                               {"part"}}},
+                    .fields = record_fields<FineSurfel>()},
                    {.key = "surfels.fine",
                     .label = "Fine surfels",
                     .doc = "That the tessellator makes, before thinning."},
@@ -89,10 +93,7 @@ void tessellate(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
         builder.buffer({.text = {.key = "surfels.draws",
                                  .label = "Draws of patches",
                                  .doc = "Consecutive patches with about as many points each."},
-                        .fields = {{"vertices", FieldType::u32},
-                                   {"instances", FieldType::u32},
-                                   {"first_vertex", FieldType::u32},
-                                   {"base_instance", FieldType::u32}},
+                        .fields = record_fields<DrawCommand>(),
                         .elements = max_draws});
     const auto capture = std::make_shared<std::unique_ptr<Capture>>();
     builder.pass("fine surfels")
@@ -109,8 +110,8 @@ void tessellate(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
             [=](PassContext& context, Slice slice) {
                 if (slice.first) write_commands(context, patches, fine);
                 const auto& program = context.use(source_of(parameters));
-                set_ideal(program, context.inputs(), parameters);
-                program.set("seed", random_seed(context.inputs(), parameters));
+                const auto& inputs = context.inputs();
+                program.set(Fine{ideal(inputs.view, parameters), random_seed(inputs, parameters)});
                 if (slice.first)
                     *capture = std::make_unique<Capture>(
                         context.api(), context.buffer(fine.buffer),

@@ -14,8 +14,8 @@ struct FineSurfel {
     std::uint32_t barycentrics, identity;  ///< as of Surfel
     std::uint32_t patch;                   ///< index in "surfels.patches.list"
     float part;                            ///< of the ideal area at its place
+    IR_FIELDS(centre_ws, triangle, normal_ws, radius, barycentrics, identity, patch, part)
 };
-static_assert(sizeof(FineSurfel) == 48);
 
 /// Declares "surfels.fine", without what fills it: patches count what goes into it.
 Growing declare_fine(graph::GraphBuilder& builder, std::uint64_t reserve);

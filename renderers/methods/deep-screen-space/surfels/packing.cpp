@@ -3,11 +3,20 @@
 #include <algorithm>
 
 namespace ir::methods::deep_screen_space {
+namespace {
+
+/// Constants of parts.glsl.
+struct FirstPart {
+    unsigned first_part;
+    IR_FIELDS(first_part)
+};
+
+}  // namespace
 
 void dispatch_parts(const gl::Program& program, std::uint64_t capacity, graph::Slice slice) {
     constexpr std::int64_t block = 64;
     const auto blocks = (static_cast<std::int64_t>(capacity) + block - 1) / block;
-    program.set("first_part", static_cast<unsigned>(slice.begin));
+    program.set(FirstPart{static_cast<unsigned>(slice.begin)});
     program.dispatch(block * (slice.end - slice.begin), (blocks + packing_parts - 1) / packing_parts);
 }
 

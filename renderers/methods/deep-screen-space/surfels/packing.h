@@ -12,7 +12,7 @@ namespace ir::methods::deep_screen_space {
 constexpr std::int64_t packing_parts = 256;
 
 /// Runs a compute program in use, with groups of 64 that include parts.glsl, for a slice of the parts of a
-/// list with this capacity.
+/// list with this capacity. Gives the constants of parts.glsl.
 void dispatch_parts(const gl::Program& program, std::uint64_t capacity, graph::Slice slice);
 
 /// Declares a growable buffer with the counter that makes it grow, of `reserve` elements at first.

@@ -16,12 +16,11 @@ using graph::Slice;
 
 constexpr std::int64_t first_slice = 4096;
 
-std::vector<graph::Field> patch_fields() {
-    return {{"triangle", FieldType::u32},
-            {"splits", FieldType::u32},
-            {"place", FieldType::u32},
-            {"level", FieldType::u32}};
-}
+/// As patch.glsl.
+struct Patch {
+    std::uint32_t triangle, splits, place, level;
+    IR_FIELDS(triangle, splits, place, level)
+};
 
 struct Splitting {
     passes::SceneBuffers scene;
@@ -34,13 +33,29 @@ struct Splitting {
     Parameters parameters;
 };
 
-const gl::Program& use(const PassContext& context, const Splitting& s, int round, bool packs) {
+/// Of lists that split.comp reads and writes.
+struct Room {
+    unsigned capacity = 0, part_capacity = 0, point_capacity = 0, item_end = 0;
+    IR_FIELDS(capacity, part_capacity, point_capacity, item_end)
+};
+
+/// Constants of split.comp.
+struct Split {
+    Ideal ideal;
+    Frustum frustum;
+    float fine_part;
+    Room room;
+    IR_FIELDS(ideal, frustum, fine_part, room)
+};
+
+const gl::Program& use(const PassContext& context, const Splitting& s, int round, bool packs,
+                       const Room& room) {
     const auto& program = context.use({{"methods/deep-screen-space/surfels/split.comp"},
                                        {{"ROUND", std::to_string(round)}, {"PACKS", packs ? "1" : "0"}}});
-    set_ideal(program, context.inputs(), s.parameters);
-    set_frustum(program, context.inputs(), s.reach, s.parameters);
+    const auto& view = context.inputs().view;
     // the published pattern of 2014 has no smaller surfels to choose from
-    program.set("fine_part", s.parameters.placement == Placement::random ? s.parameters.fine_area : 1.0f);
+    const float fine_part = s.parameters.placement == Placement::random ? s.parameters.fine_area : 1.0f;
+    program.set(Split{ideal(view, s.parameters), frustum(view, s.reach, s.parameters), fine_part, room});
     return program;
 }
 
@@ -59,7 +74,7 @@ void first_round(GraphBuilder& builder, const Splitting& s) {
         .execute_sliced(
             triangles,
             [=](PassContext& context, Slice slice) {
-                const auto& program = use(context, s, 1, false);
+                const auto& program = use(context, s, 1, false, {});
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
             first_slice);
@@ -74,21 +89,11 @@ void first_round(GraphBuilder& builder, const Splitting& s) {
         .execute_sliced(
             triangles,
             [=](PassContext& context, Slice slice) {
-                const auto& program = use(context, s, 1, true);
-                program.set("capacity", static_cast<unsigned>(context.capacity(s.parts.buffer)));
+                const auto room = static_cast<unsigned>(context.capacity(s.parts.buffer));
+                const auto& program = use(context, s, 1, true, {.capacity = room});
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
             first_slice);
-}
-
-/// Parts that there is room for.
-std::uint64_t capacity_of(const PassContext& context, const Splitting& s) {
-    return std::min(context.capacity(s.parts.buffer), context.capacity(s.words.buffer));
-}
-
-void dispatch_splitting(const gl::Program& program, std::uint64_t items, Slice slice) {
-    program.set("item_end", static_cast<unsigned>(items));
-    dispatch_parts(program, items, slice);
 }
 
 void second_round(GraphBuilder& builder, const Splitting& s) {
@@ -101,9 +106,12 @@ void second_round(GraphBuilder& builder, const Splitting& s) {
         .execute_sliced(
             packing_parts,
             [=](PassContext& context, Slice slice) {
-                const auto& program = use(context, s, 2, false);
-                program.set("part_capacity", static_cast<unsigned>(context.capacity(s.parts.buffer)));
-                dispatch_splitting(program, context.capacity(s.words.buffer), slice);
+                const auto items = context.capacity(s.words.buffer);
+                const auto& program =
+                    use(context, s, 2, false,
+                        {.part_capacity = static_cast<unsigned>(context.capacity(s.parts.buffer)),
+                         .item_end = static_cast<unsigned>(items)});
+                dispatch_parts(program, items, slice);
             },
             1);
     passes::scan_in_place(builder, "surfels.patches", s.words.buffer, s.patches.count);
@@ -118,11 +126,15 @@ void second_round(GraphBuilder& builder, const Splitting& s) {
         .execute_sliced(
             packing_parts,
             [=](PassContext& context, Slice slice) {
-                const auto& program = use(context, s, 2, true);
-                program.set("capacity", static_cast<unsigned>(context.capacity(s.patches.buffer)));
-                program.set("point_capacity", static_cast<unsigned>(context.capacity(s.points.buffer)));
-                program.set("part_capacity", static_cast<unsigned>(capacity_of(context, s)));
-                dispatch_splitting(program, capacity_of(context, s), slice);
+                const auto items =
+                    std::min(context.capacity(s.parts.buffer), context.capacity(s.words.buffer));
+                const auto& program =
+                    use(context, s, 2, true,
+                        {.capacity = static_cast<unsigned>(context.capacity(s.patches.buffer)),
+                         .part_capacity = static_cast<unsigned>(items),
+                         .point_capacity = static_cast<unsigned>(context.capacity(s.points.buffer)),
+                         .item_end = static_cast<unsigned>(items)});
+                dispatch_parts(program, items, slice);
             },
             1);
 }
@@ -138,7 +150,7 @@ Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, gr
                 {.text = {.key = "surfels.parts.list",
                           .label = "Parts of triangles, after the first round",
                           .doc = "Triangles that are left, or similar parts of those that are too large."},
-                 .fields = patch_fields()},
+                 .fields = record_fields<Patch>()},
                 {.key = "surfels.parts", .label = "Parts of triangles, after the first round"}, reserve);
     s.words =
         growing(builder,
@@ -153,7 +165,7 @@ Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, gr
                                   .doc = "What the tessellator divides. splits: parts along each side of the "
                                          "triangle; place: column and row of the part, 12 bits each, and "
                                          "whether it is turned; level: of tessellation."},
-                         .fields = patch_fields()},
+                         .fields = record_fields<Patch>()},
                         {.key = "surfels.patches",
                          .label = "Patches",
                          .doc = "Triangles, or parts of them, that the tessellator divides."},

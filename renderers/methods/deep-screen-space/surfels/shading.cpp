@@ -4,6 +4,17 @@
 #include "renderers/passes/scene/hit_surfaces.h"
 
 namespace ir::methods::deep_screen_space {
+namespace {
+
+/// Constants of shade.comp.
+struct ShadeSurfels {
+    int light_count;
+    bool normal_maps;
+    unsigned capacity;
+    IR_FIELDS(light_count, normal_maps, capacity)
+};
+
+}  // namespace
 
 void shade(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::ShadowMaps& shadow,
            const Surfels& surfels, const Parameters& parameters) {
@@ -22,10 +33,10 @@ void shade(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, cons
             packing_parts,
             [=, normal_maps = transport.normal_maps](graph::PassContext& context, graph::Slice slice) {
                 const auto& program = context.use(source);
-                program.set("light_count", static_cast<int>(context.inputs().world->lights.size()));
-                program.set("normal_maps", normal_maps ? 1 : 0);
-                program.set("capacity", static_cast<unsigned>(context.capacity(surfels.records)));
-                dispatch_parts(program, context.capacity(surfels.records), slice);
+                const auto capacity = context.capacity(surfels.records);
+                program.set(ShadeSurfels{static_cast<int>(context.inputs().world->lights.size()), normal_maps,
+                                         static_cast<unsigned>(capacity)});
+                dispatch_parts(program, capacity, slice);
             },
             1);
 }

@@ -6,22 +6,36 @@
 #include "renderers/methods/deep-screen-space/surfels/view.h"
 
 namespace ir::methods::deep_screen_space {
+namespace {
 
-using graph::FieldType;
+/// As show.comp.
+struct ShownSurfel {
+    glm::vec3 centre_ws;
+    std::uint32_t surfel;
+    glm::vec3 normal_ws;
+    float radius;
+    glm::vec3 radiance_front;
+    std::uint32_t triangle;
+    glm::vec3 radiance_back;
+    float part;
+    IR_FIELDS(centre_ws, surfel, normal_ws, radius, radiance_front, triangle, radiance_back, part)
+};
+
+/// Constants of show.comp.
+struct Show {
+    Ideal ideal;
+    unsigned capacity;
+    IR_FIELDS(ideal, capacity)
+};
+
+}  // namespace
 
 void show_surfels(graph::GraphBuilder& builder, const Surfels& surfels, std::uint64_t reserve,
                   const Parameters& parameters) {
     const auto shown = growing(builder,
                                {.text = builder.text_of_output("surfels"),
                                 .kind = OutputKind::glyphs,
-                                .fields = {{"centre", FieldType::f32, 3},
-                                           {"surfel", FieldType::u32},
-                                           {"normal", FieldType::f32, 3},
-                                           {"radius"},
-                                           {"radiance_front", FieldType::f32, 3},
-                                           {"triangle", FieldType::u32},
-                                           {"radiance_back", FieldType::f32, 3},
-                                           {"part"}}},
+                                .fields = record_fields<ShownSurfel>()},
                                {.key = "surfels.shown", .label = "Surfels shown"}, reserve);
     builder.pass("show surfels")
         .reads("Surfels", surfels.records)
@@ -32,10 +46,9 @@ void show_surfels(graph::GraphBuilder& builder, const Surfels& surfels, std::uin
             packing_parts,
             [=](graph::PassContext& context, graph::Slice slice) {
                 const auto& program = context.use({{"methods/deep-screen-space/surfels/show.comp"}});
-                set_ideal(program, context.inputs(), parameters);
                 const auto capacity =
                     std::min(context.capacity(surfels.records), context.capacity(shown.buffer));
-                program.set("capacity", static_cast<unsigned>(capacity));
+                program.set(Show{ideal(context.inputs().view, parameters), static_cast<unsigned>(capacity)});
                 dispatch_parts(program, capacity, slice);
             },
             1);

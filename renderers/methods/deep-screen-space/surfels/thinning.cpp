@@ -23,18 +23,27 @@ struct Thinning {
 };
 
 const gl::Program& use(const PassContext& context, const Thinning& t, const char* file) {
-    const auto& program =
-        context.use({{std::string("methods/deep-screen-space/surfels/") + file},
-                     {{"THINNING", thinning_of(t.parameters)}, {"RUN", std::to_string(run) + "u"}}});
-    program.set("capacity", static_cast<unsigned>(context.capacity(t.fine.buffer)));
-    program.set("word_capacity", static_cast<unsigned>(context.capacity(t.words.buffer)));
-    return program;
+    return context.use({{std::string("methods/deep-screen-space/surfels/") + file},
+                        {{"THINNING", thinning_of(t.parameters)}, {"RUN", std::to_string(run) + "u"}}});
 }
 
-void dispatch_thinning(const PassContext& context, const gl::Program& program, const Thinning& t,
-                       Slice slice) {
-    dispatch_parts(program, context.capacity(t.words.buffer), slice);
+/// Constants of keep.comp.
+struct Keep {
+    unsigned capacity, word_capacity;
+    IR_FIELDS(capacity, word_capacity)
+};
+
+Keep keep(const PassContext& context, const Thinning& t) {
+    return {static_cast<unsigned>(context.capacity(t.fine.buffer)),
+            static_cast<unsigned>(context.capacity(t.words.buffer))};
 }
+
+/// Constants of thin.comp.
+struct Thin {
+    Keep keep;
+    unsigned surfel_capacity;
+    IR_FIELDS(keep, surfel_capacity)
+};
 
 graph::PassBuilder reads(graph::PassBuilder pass, const Thinning& t) {
     pass.reads("FineSurfels", t.fine.buffer)
@@ -64,7 +73,7 @@ Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
                           .doc = "As the output \"surfels\"; identity: a hash of the surfel's place, of "
                                  "which all random choices about it are made."},
                  .kind = OutputKind::glyphs,
-                 .fields = surfel_fields()},
+                 .fields = record_fields<Surfel>()},
                 {.key = "surfels.kept", .label = "Surfels", .doc = "That are left by thinning."}, reserve);
     const Thinning t{scene, fine, words, parameters};
     reads(builder.pass("thin surfels"), t)
@@ -74,7 +83,8 @@ Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
             packing_parts,
             [=](PassContext& context, Slice slice) {
                 const auto& program = use(context, t, "keep.comp");
-                dispatch_thinning(context, program, t, slice);
+                program.set(keep(context, t));
+                dispatch_parts(program, context.capacity(t.words.buffer), slice);
             },
             1);
     passes::scan_in_place(builder, "surfels", words.buffer, kept.count);
@@ -85,8 +95,8 @@ Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
             packing_parts,
             [=](PassContext& context, Slice slice) {
                 const auto& program = use(context, t, "thin.comp");
-                program.set("surfel_capacity", static_cast<unsigned>(context.capacity(kept.buffer)));
-                dispatch_thinning(context, program, t, slice);
+                program.set(Thin{keep(context, t), static_cast<unsigned>(context.capacity(kept.buffer))});
+                dispatch_parts(program, context.capacity(t.words.buffer), slice);
             },
             1);
     return {kept.buffer, kept.count};

@@ -1,6 +1,5 @@
 #include <optional>
 
-#include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-indirect/splatting/outputs.h"
 #include "renderers/passes/direct/compose.h"
 #include "renderers/passes/gbuffer/glass.h"
@@ -12,8 +11,6 @@ using Paths = Transport::Paths;
 
 /// What the picture is made of.
 struct Parts {
-    passes::GBuffer gbuffer;
-    graph::ImageRef irradiance;
     std::optional<passes::DirectLight> direct;  ///< none: not asked for, or by photons
     bool splatted, unlit, emission, lambert;
     glm::vec3 background;
@@ -38,11 +35,11 @@ std::map<std::string, std::string> defines_of(const Parts& parts) {
     return defines;
 }
 
-void add_up(const graph::PassContext& p, const Parts& parts) {
-    const auto& program = p.use({{"methods/ldm-indirect/splatting/compose.comp"}, defines_of(parts)});
-    program.set("background", parts.background);
-    program.dispatch(p.inputs().view.width, p.inputs().view.height);
-}
+/// Constants of compose.comp.
+struct Compose {
+    glm::vec3 background;
+    IR_FIELDS(background)
+};
 
 }  // namespace
 
@@ -50,9 +47,7 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
              const Splat& splat, const Parameters& parameters) {
     const auto paths = parameters.transport.paths;
     const bool by_photons = parameters.direct == DirectBy::photons;
-    Parts parts{.gbuffer = gbuffer,
-                .irradiance = splat.irradiance,
-                .direct = direct_of(builder, scene, gbuffer, parameters),
+    Parts parts{.direct = direct_of(builder, scene, gbuffer, parameters),
                 .splatted = paths != Paths::direct || by_photons,
                 .unlit = paths != Paths::indirect && by_photons,
                 .emission = paths == Paths::full,
@@ -66,7 +61,8 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
     if (parts.direct) pass.reads("direct_image", parts.direct->radiance);
     pass.writes("radiance_image", radiance)
         .writes("indirect_image", indirect)
-        .execute([=](graph::PassContext& p) { add_up(p, parts); });
+        .compute({{"methods/ldm-indirect/splatting/compose.comp"}, defines_of(parts)}, radiance,
+                 Compose{parts.background});
     passes::see_through_glass(builder, gbuffer, radiance);
 }
 

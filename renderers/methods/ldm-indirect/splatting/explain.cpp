@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "renderers/core/record.h"
 #include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/ldm-indirect/splatting/found.h"
 #include "renderers/methods/ldm-indirect/splatting/outputs.h"
@@ -38,13 +39,14 @@ graph::CounterRef count_of(graph::GraphBuilder& builder, const std::string& key,
 
 Explanation declare(graph::GraphBuilder& builder, int maps) {
     Explanation e;
-    e.photons = declare_buffer(builder, "indirect.explain.photons", OutputKind::glyphs, found_fields(),
-                               expected_photons);
-    e.sum = declare_buffer(builder, "indirect.explain.sum", OutputKind::table, sum_fields(), 1, true);
+    e.photons = declare_buffer(builder, "indirect.explain.photons", OutputKind::glyphs,
+                               record_fields<FoundPhoton>(), expected_photons);
+    e.sum = declare_buffer(builder, "indirect.explain.sum", OutputKind::table, record_fields<PixelSum>(), 1,
+                           true);
     e.directions = declare_buffer(builder, "indirect.explain.directions", OutputKind::sphere_values,
-                                  direction_fields(), 2 * static_cast<std::uint64_t>(maps));
-    e.paths = declare_buffer(builder, "indirect.explain.paths", OutputKind::line_set, path_fields(),
-                             2 * expected_photons);
+                                  record_fields<DirectionLight>(), 2 * static_cast<std::uint64_t>(maps));
+    e.paths = declare_buffer(builder, "indirect.explain.paths", OutputKind::line_set,
+                             record_fields<PathLine>(), 2 * expected_photons);
     e.photon_count = count_of(builder, "photon_count", "Photons that light the pixel", e.photons);
     e.sum_count = count_of(builder, "sum_count", "Pixels explained", e.sum);
     e.direction_count = count_of(builder, "direction_count", "Directions explained", e.directions);
@@ -58,12 +60,18 @@ glm::ivec2 picked_pixel(const graph::FrameInputs& inputs) {
     return inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1);
 }
 
+/// Constants of explain.comp.
+struct Explain {
+    Footprints footprints;
+    glm::ivec2 picked_pixel;
+    IR_FIELDS(footprints, picked_pixel)
+};
+
 void gather(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons) {
     const auto& program = p.use({{"methods/ldm-indirect/splatting/explain.comp"}});
-    set_footprints(p, program, photons);
-    program.set("picked_pixel", picked_pixel(p.inputs()));
+    program.set(Explain{footprints(p.inputs(), photons.parameters), picked_pixel(p.inputs())});
     const auto range = photons_of(p, photons, slice);
-    gl::dispatch_items(program, range.first, range.end, "first", "end");
+    gl::dispatch_items(program, range.first, range.end);
 }
 
 /// As much as there is room for; the counter says how much there is.

@@ -9,12 +9,7 @@
 namespace ir::methods::ldm_indirect {
 namespace {
 
-using graph::Field;
-using graph::FieldType;
 using passes::ldm::Direction;
-
-const Field contribution{"contribution", FieldType::f32, 3}, map_field{"map", FieldType::u32},
-    side_field{"side", FieldType::i32}, photon_field{"photon", FieldType::u32};
 
 std::array<float, 3> components(glm::dvec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -63,48 +58,6 @@ PathLine line(const FoundPhoton& photon, std::uint32_t leg, glm::dvec3 start, gl
 }
 
 }  // namespace
-
-std::vector<Field> found_fields() {
-    return {{"centre", FieldType::f32, 3},
-            {"axis_u", FieldType::f32, 3},
-            {"axis_v", FieldType::f32, 3},
-            contribution,
-            {"flux", FieldType::f32, 3},
-            map_field,
-            side_field,
-            {"light", FieldType::u32},
-            {"source", FieldType::u32},
-            {"path_length", FieldType::f32},
-            {"distance", FieldType::f32},
-            photon_field};
-}
-
-std::vector<Field> sum_fields() {
-    return {{"pixel_x", FieldType::u32},      {"pixel_y", FieldType::u32},   {"photons", FieldType::u32},
-            {"gathered", FieldType::f32, 3},  {"direct", FieldType::f32, 3}, {"pixel", FieldType::f32, 3},
-            {"difference", FieldType::f32, 3}};
-}
-
-std::vector<Field> direction_fields() {
-    return {{"centre", FieldType::f32, 3},
-            {"colatitude", FieldType::f32, 2},
-            {"longitude", FieldType::f32, 2},
-            map_field,
-            side_field,
-            contribution,
-            {"luminance", FieldType::f32},
-            {"photons", FieldType::u32}};
-}
-
-std::vector<Field> path_fields() {
-    return {{"start", FieldType::f32, 3},
-            {"end", FieldType::f32, 3},
-            contribution,
-            {"leg", FieldType::u32},
-            map_field,
-            side_field,
-            photon_field};
-}
 
 void sort_found(std::span<FoundPhoton> photons) {
     const auto total = [](const FoundPhoton& p) {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "renderers/graph/resource.h"
+#include "renderers/core/fields.h"
 #include "renderers/methods/ldm-indirect/parameters.h"
 #include "renderers/scene/world.h"
 
@@ -19,16 +19,16 @@ struct FoundPhoton {
     std::uint32_t light, source;
     float path_length, distance;
     std::uint32_t photon;
+    IR_FIELDS(centre, axis_u, axis_v, contribution, flux, map, side, light, source, path_length, distance,
+              photon)
 };
-static_assert(sizeof(FoundPhoton) == 22 * 4);
-std::vector<graph::Field> found_fields();
 
 /// As the buffer PixelSum of explain.comp.
 struct PixelSum {
-    std::uint32_t x, y, photons;
+    std::uint32_t pixel_x, pixel_y, photons;
     std::array<float, 3> gathered, direct, pixel, difference;
+    IR_FIELDS(pixel_x, pixel_y, photons, gathered, direct, pixel, difference)
 };
-std::vector<graph::Field> sum_fields();
 
 /// One of the 2N directions; `centre` points to where its light comes from.
 struct DirectionLight {
@@ -39,18 +39,16 @@ struct DirectionLight {
     std::array<float, 3> contribution;
     float luminance;
     std::uint32_t photons;
+    IR_FIELDS(centre, colatitude, longitude, map, side, contribution, luminance, photons)
 };
-static_assert(sizeof(DirectionLight) == 14 * 4);
-std::vector<graph::Field> direction_fields();
 
 struct PathLine {
     std::array<float, 3> start, end, contribution;
     std::uint32_t leg, map;
     std::int32_t side;
     std::uint32_t photon;
+    IR_FIELDS(start, end, contribution, leg, map, side, photon)
 };
-static_assert(sizeof(PathLine) == 13 * 4);
-std::vector<graph::Field> path_fields();
 
 /// The largest contribution first, equal ones in the order of the photons.
 void sort_found(std::span<FoundPhoton> photons);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/ldm-indirect/splatting/ways.h"
 
 namespace ir::methods::ldm_indirect {
@@ -19,6 +20,14 @@ graph::ImageRef declare_sums(graph::GraphBuilder& builder) {
     return builder.image(desc);
 }
 
+/// Constants of atomic_splat.comp.
+struct SplatAtomically {
+    Outlines outlines;
+    unsigned first_pixel, end_pixel;
+    gl::Items items;
+    IR_FIELDS(outlines, first_pixel, end_pixel, items)
+};
+
 void splat_atomically(const graph::PassContext& p, graph::Slice slice, const SplatTask& task,
                       graph::ImageRef sums) {
     if (slice.first) p.clear(sums);
@@ -28,20 +37,19 @@ void splat_atomically(const graph::PassContext& p, graph::Slice slice, const Spl
         source.preamble = "#extension GL_NV_shader_atomic_float : require\n";
         source.defines["FLOAT_ATOMICS"] = "1";
     }
-    if (has_floats) p.bind_as("sums", sums, gl::Format::r32f);
+    if (has_floats) p.bind("sums", sums, gl::Format::r32f);
     const auto& program = p.use(source);
-    set_footprints(p, program, task.photons);
-    set_outlines(program, p.inputs().view);
     const auto& view = p.inputs().view;
     const auto pixels = std::int64_t{view.width} * view.height;
+    const auto outlined = outlines(p.inputs(), task.photons.parameters);
     const auto range = photons_of(p, task.photons, slice);
     for (std::int64_t pixel = 0; pixel < pixels; pixel += pixels_at_once) {
-        program.set("first_pixel", static_cast<unsigned>(pixel));
-        program.set("end_pixel", static_cast<unsigned>(pixel + pixels_at_once));
         for (auto first = range.first; first < range.end; first += groups_at_once) {
             const auto end = std::min(range.end, first + groups_at_once);
-            program.set("first", static_cast<unsigned>(first));
-            program.set("end", static_cast<unsigned>(end));
+            program.set(SplatAtomically{.outlines = outlined,
+                                        .first_pixel = static_cast<unsigned>(pixel),
+                                        .end_pixel = static_cast<unsigned>(pixel + pixels_at_once),
+                                        .items = {static_cast<unsigned>(first), static_cast<unsigned>(end)}});
             program.dispatch((end - first) * lanes);
         }
     }

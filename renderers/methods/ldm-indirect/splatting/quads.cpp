@@ -1,3 +1,4 @@
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/ldm-indirect/splatting/ways.h"
 
 namespace ir::methods::ldm_indirect {
@@ -19,8 +20,7 @@ graph::BufferRef declare_command(graph::GraphBuilder& builder) {
 
 void write_command(const graph::PassContext& p, PhotonRange range) {
     const auto& program = p.use({{folder + "draw.comp"}});
-    program.set("first", static_cast<unsigned>(range.first));
-    program.set("end", static_cast<unsigned>(range.end));
+    program.set(gl::Items{static_cast<unsigned>(range.first), static_cast<unsigned>(range.end)});
     program.dispatch(1);
     p.barrier();
 }
@@ -33,8 +33,7 @@ void splat_quads(const graph::PassContext& p, graph::Slice slice, const SplatTas
     write_command(p, range);
     p.bind_framebuffer({{task.irradiance}});
     const auto& program = p.use({{folder + "quads.vert", folder + "quads.geom", folder + "quads.frag"}});
-    set_footprints(p, program, task.photons);
-    set_outlines(program, p.inputs().view);
+    program.set(outlines(p.inputs(), task.photons.parameters));
     p.bind_empty_vertex_array();
     const auto& gl = p.api();
     gl.Enable(GL_BLEND);

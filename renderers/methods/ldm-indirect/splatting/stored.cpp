@@ -63,18 +63,24 @@ Mended declare_counters(graph::GraphBuilder& builder) {
                              .doc = "Photons whose place or flux is no finite number: they add nothing."})};
 }
 
+/// Constants of stored.comp.
+struct CountStored {
+    unsigned capacity;
+    IR_FIELDS(capacity)
+};
+
 void count_stored(const graph::PassContext& p, const StoredPhotons& photons) {
     const auto& program = p.use({{folder + "stored.comp"}});
-    program.set("capacity", static_cast<unsigned>(p.capacity(photons.records)));
+    program.set(CountStored{static_cast<unsigned>(p.capacity(photons.records))});
     program.dispatch(1);
     p.barrier();
 }
 
 void measure(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons) {
     const auto& program = p.use({{folder + "measure.comp"}});
-    set_footprints(p, program, photons);
+    program.set(footprints(p.inputs(), photons.parameters));
     const auto range = photons_of(p, photons, slice);
-    gl::dispatch_items(program, range.first, range.end, "first", "end");
+    gl::dispatch_items(program, range.first, range.end);
 }
 
 }  // namespace
@@ -119,30 +125,27 @@ void reads_footprints(graph::PassBuilder& pass, const StoredPhotons& photons) {
         .reads("Arrivals", photons.arrivals);
 }
 
-void set_footprints(const graph::PassContext& context, const gl::Program& program,
-                    const StoredPhotons& photons) {
-    const auto& parameters = photons.parameters;
-    const auto& inputs = context.inputs();
+Footprints footprints(const graph::FrameInputs& inputs, const Parameters& parameters) {
     const auto& view = inputs.view;
     const bool by_photons = parameters.direct == DirectBy::photons;
-    program.set("eye_ws", view.eye_ws);
-    program.set("view_axis_ws", -glm::vec3(glm::transpose(view.view_from_world)[2]));
-    program.set("near_plane", view.near_plane);
-    program.set("perspective", view.clip_from_view[3][3] == 0 ? 1 : 0);
-    program.set("pixel_size", pixel_size(view));
-    program.set("splat_size", parameters.splat_size);
-    program.set("topological_bias", parameters.topological_bias);
-    program.set("least_axis_pixels", parameters.least_axis_pixels);
-    program.set("longest_axis", longest_axis(parameters, *inputs.world));
-    program.set("map_count", static_cast<unsigned>(parameters.maps.directions));
-    program.set("light_count", static_cast<unsigned>(inputs.world->lights.size()));
-    program.set("count_indirect", parameters.transport.paths != Paths::direct ? 1 : 0);
-    program.set("count_direct", by_photons && parameters.transport.paths != Paths::indirect ? 1 : 0);
+    return {.eye_ws = view.eye_ws,
+            .view_axis_ws = -glm::vec3(glm::transpose(view.view_from_world)[2]),
+            .near_plane = view.near_plane,
+            .pixel_size = pixel_size(view),
+            .splat_size = parameters.splat_size,
+            .topological_bias = parameters.topological_bias,
+            .least_axis_pixels = parameters.least_axis_pixels,
+            .longest_axis = longest_axis(parameters, *inputs.world),
+            .map_count = static_cast<unsigned>(parameters.maps.directions),
+            .light_count = static_cast<unsigned>(inputs.world->lights.size()),
+            .perspective = view.clip_from_view[3][3] == 0,
+            .count_indirect = parameters.transport.paths != Paths::direct,
+            .count_direct = by_photons && parameters.transport.paths != Paths::indirect};
 }
 
-void set_outlines(const gl::Program& program, const scene::View& view) {
-    program.set("clip_from_world", view.clip_from_world());
-    program.set("size_px", glm::vec2(view.width, view.height));
+Outlines outlines(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    const auto& view = inputs.view;
+    return {footprints(inputs, parameters), view.clip_from_world(), {view.width, view.height}};
 }
 
 }  // namespace ir::methods::ldm_indirect

@@ -32,10 +32,24 @@ PhotonRange photons_of(const graph::PassContext& context, const StoredPhotons& p
 /// Declares what splatting/footprint.glsl reads.
 void reads_footprints(graph::PassBuilder& pass, const StoredPhotons& photons);
 
-/// Buffers 0 to 2 and the uniforms of shaders/methods/ldm-indirect/splatting/footprint.glsl.
-void set_footprints(const graph::PassContext& context, const gl::Program& program,
-                    const StoredPhotons& photons);
-/// Those of outline.glsl.
-void set_outlines(const gl::Program& program, const scene::View& view);
+/// Constants of splatting/footprint.glsl.
+struct Footprints {
+    glm::vec3 eye_ws, view_axis_ws;
+    float near_plane, pixel_size, splat_size, topological_bias, least_axis_pixels, longest_axis;
+    unsigned map_count, light_count;
+    bool perspective, count_indirect, count_direct;
+    IR_FIELDS(eye_ws, view_axis_ws, near_plane, pixel_size, splat_size, topological_bias, least_axis_pixels,
+              longest_axis, map_count, light_count, perspective, count_indirect, count_direct)
+};
+Footprints footprints(const graph::FrameInputs& inputs, const Parameters& parameters);
+
+/// Constants of splatting/outline.glsl and what it includes.
+struct Outlines {
+    Footprints footprints;
+    glm::mat4 clip_from_world;
+    glm::vec2 size_px;
+    IR_FIELDS(footprints, clip_from_world, size_px)
+};
+Outlines outlines(const graph::FrameInputs& inputs, const Parameters& parameters);
 
 }  // namespace ir::methods::ldm_indirect

@@ -39,20 +39,42 @@ std::map<std::string, std::string> defines_of(const Bins& bins) {
     return {{"BIN", std::to_string(bins.side) + "u"}, {"COLUMNS", std::to_string(columns) + "u"}};
 }
 
+/// Constants of bins.glsl and what it includes.
+struct SortIntoBins {
+    Outlines outlines;
+    unsigned bins_across, first_of_column, end_of_column;
+    IR_FIELDS(outlines, bins_across, first_of_column, end_of_column)
+};
+
+/// Constants of make_kernels.comp.
+struct MakeKernels {
+    Footprints footprints;
+    unsigned capacity;
+    IR_FIELDS(footprints, capacity)
+};
+
+/// Constants of gather_bins.comp.
+struct GatherBins {
+    unsigned tiles_across, bins_across, first_tile, round_first, round_size;
+    IR_FIELDS(tiles_across, bins_across, first_tile, round_first, round_size)
+};
+
 /// Runs a program of bins.glsl for the slice's photons of each column.
 void bin(const graph::PassContext& p, graph::Slice slice, const SplatTask& task, const Lists& lists,
          const std::string& file) {
     const auto& program = p.use({{folder + file}, defines_of(lists.bins)});
-    set_footprints(p, program, task.photons);
-    set_outlines(program, p.inputs().view);
-    program.set("bins_across", static_cast<unsigned>(lists.bins.across));
+    SortIntoBins constants{.outlines = outlines(p.inputs(), task.photons.parameters),
+                           .bins_across = static_cast<unsigned>(lists.bins.across),
+                           .first_of_column = 0,
+                           .end_of_column = 0};
     const auto capacity = static_cast<std::int64_t>(p.capacity(task.photons.records));
     const std::int64_t per_column = (capacity + columns - 1) / columns;
     const auto end = per_column * slice.end / photon_parts;
     const auto step = std::max<std::int64_t>(1, max_turns / (lists.bins.count() + lists.bins.down + 32));
     for (auto first = per_column * slice.begin / photon_parts; first < end; first += step) {
-        program.set("first_of_column", static_cast<unsigned>(first));
-        program.set("end_of_column", static_cast<unsigned>(std::min(end, first + step)));
+        constants.first_of_column = static_cast<unsigned>(first);
+        constants.end_of_column = static_cast<unsigned>(std::min(end, first + step));
+        program.set(constants);
         program.dispatch(columns);
         p.barrier();
     }
@@ -76,10 +98,10 @@ graph::BufferRef make_kernels(graph::GraphBuilder& builder, const StoredPhotons&
     pass.counts("Count", photons.count).counts("KernelCount", count).writes("Kernels", kernels);
     pass.execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
         const auto& program = p.use({{folder + "make_kernels.comp"}});
-        set_footprints(p, program, photons);
-        program.set("capacity", static_cast<unsigned>(p.capacity(kernels)));
+        program.set(MakeKernels{footprints(p.inputs(), photons.parameters),
+                                static_cast<unsigned>(p.capacity(kernels))});
         const auto range = photons_of(p, photons, slice);
-        gl::dispatch_items(program, range.first, range.end, "first", "end");
+        gl::dispatch_items(program, range.first, range.end);
     });
     return kernels;
 }
@@ -129,14 +151,14 @@ void gather(const graph::PassContext& p, graph::Slice slice, const SplatTask& ta
     auto defines = defines_of(lists.bins);
     defines["ROWS"] = std::to_string(rows);
     const auto& program = p.use({{folder + "gather_bins.comp"}, defines});
-    program.set("tiles_across", static_cast<unsigned>(tiles_across));
-    program.set("bins_across", static_cast<unsigned>(lists.bins.across));
-    program.set("first_tile", static_cast<unsigned>(slice.begin));
-    program.set("round_size", static_cast<unsigned>(round_size));
     // a photon stands once in a list, so that no list is longer than there are photons
     const auto longest = static_cast<std::int64_t>(p.capacity(task.photons.records));
     for (std::int64_t first = 0; first < longest; first += round_size) {
-        program.set("round_first", static_cast<unsigned>(first));
+        program.set(GatherBins{.tiles_across = static_cast<unsigned>(tiles_across),
+                               .bins_across = static_cast<unsigned>(lists.bins.across),
+                               .first_tile = static_cast<unsigned>(slice.begin),
+                               .round_first = static_cast<unsigned>(first),
+                               .round_size = static_cast<unsigned>(round_size)});
         program.dispatch((slice.end - slice.begin) * tile, tile / rows);
         p.barrier();
     }

@@ -5,21 +5,11 @@
 namespace ir::methods::ldm_indirect {
 namespace {
 
-using graph::Field;
-using graph::FieldType;
-
-std::vector<Field> primary_fields() {
-    return {{"position", FieldType::f32, 3},    {"source", FieldType::u32},
-            {"axis_u", FieldType::f32, 3},      {"light", FieldType::u32},
-            {"axis_v", FieldType::f32, 3},      {"path_length"},
-            {"turn_u", FieldType::f32, 3},      {"cosine_sum"},
-            {"turn_v", FieldType::f32, 3},      {"fate", FieldType::u32},
-            {"direction", FieldType::f32, 3},   {"reached"},
-            {"normal", FieldType::f32, 3},      {"solid_angle"},
-            {"shading", FieldType::f32, 3},     {"unused0"},
-            {"emitted", FieldType::f32, 3},     {"unused1"},
-            {"reflectance", FieldType::f32, 3}, {"unused2"}};
-}
+/// Constants of emit.comp.
+struct Emit {
+    unsigned views_drawn, map_count;
+    IR_FIELDS(views_drawn, map_count)
+};
 
 }  // namespace
 
@@ -36,7 +26,7 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
                          "turns are half of the differentials of position and direction. fate: 0 "
                          "nothing was seen or no light shines there, 1 splits, 2 its footprint is "
                          "degenerate."},
-         .fields = primary_fields(),
+         .fields = record_fields<Primary>(),
          .elements = primaries.count});
     primaries.shares = builder.buffer(
         {.text = {.key = "indirect.shares",
@@ -44,7 +34,7 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
                   .doc =
                       "Of each primary photon: parts of the flux that it reflects, and numbers of photons, "
                       "by cause (see indirect.energy, leg 1)."},
-         .fields = {{"part", FieldType::f32, causes}, {"photons", FieldType::u32, causes}},
+         .fields = record_fields<Shares>(),
          .elements = primaries.count,
          .cleared = true});
     auto pass = builder.pass("emit photons");
@@ -56,8 +46,8 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
             static_cast<std::int64_t>(primaries.count),
             [=, map_count = maps.layout.maps](graph::PassContext& context, graph::Slice slice) {
                 const auto& program = context.use({{"methods/ldm-indirect/tracing/emit.comp"}});
-                program.set("views_drawn", static_cast<unsigned>(images.views_drawn));
-                program.set("map_count", static_cast<unsigned>(map_count));
+                program.set(
+                    Emit{static_cast<unsigned>(images.views_drawn), static_cast<unsigned>(map_count)});
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
             4096);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+
+#include "renderers/core/record.h"
 #include "renderers/methods/ldm-indirect/tracing/light_images.h"
 #include "renderers/passes/ldm/builder.h"
 
@@ -27,15 +30,18 @@ struct Primary {
     float unused1;
     glm::vec3 reflectance;
     float unused2;
+    IR_FIELDS(position_ws, source, axis_u, light, axis_v, path_length, turn_u, cosine_sum, turn_v, fate,
+              direction_ws, reached, normal_ws, solid_angle, shading_ws, unused0, emitted, unused1,
+              reflectance, unused2)
 };
-static_assert(sizeof(Primary) == 160);
 
 inline constexpr int causes = 8;  ///< of primary.glsl
 
 /// Parts of a primary photon's reflected flux, and numbers of its photons, by cause.
 struct Shares {
-    float part[causes];
-    std::uint32_t photons[causes];
+    std::array<float, causes> part;
+    std::array<std::uint32_t, causes> photons;
+    IR_FIELDS(part, photons)
 };
 
 /// The photons up to the first surface, one for each texel of the lights' images.

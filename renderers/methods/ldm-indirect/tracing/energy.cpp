@@ -5,15 +5,20 @@
 namespace ir::methods::ldm_indirect {
 namespace {
 
-using graph::FieldType;
 using graph::PassContext;
 
-std::vector<graph::Field> row_fields() {
-    return {{"cause", FieldType::u32},
-            {"leg", FieldType::u32},
-            {"photons", FieldType::u32},
-            {"flux", FieldType::f32, 3}};
-}
+/// Constants of energy.comp.
+struct SumEnergy {
+    unsigned primary_count, block_size;
+    bool splits;
+    IR_FIELDS(primary_count, block_size, splits)
+};
+
+/// Constants of energy_table.comp.
+struct MakeEnergyTable {
+    unsigned block_count;
+    IR_FIELDS(block_count)
+};
 
 void count_causes(graph::GraphBuilder& builder, graph::PassBuilder& pass) {
     for (const auto& [key, name, label, doc] :
@@ -43,9 +48,10 @@ void sum_energy(graph::GraphBuilder& builder, const Primaries& primaries, bool s
                                                  .label = "Energy of blocks of photons",
                                                  .doc = "The rows of indirect.energy of every " +
                                                         std::to_string(block_photons) + " photons."},
-                                        .fields = row_fields(),
+                                        .fields = record_fields<EnergyRow>(),
                                         .elements = block_count * energy_rows});
-    const auto table = builder.output("indirect.energy", {.fields = row_fields(), .elements = energy_rows});
+    const auto table =
+        builder.output("indirect.energy", {.fields = record_fields<EnergyRow>(), .elements = energy_rows});
     auto sum = builder.pass("sum energy");
     sum.reads("Primaries", primaries.records).reads("AllShares", primaries.shares).writes("Blocks", blocks);
     if (direct_fates) sum.reads("Fates", *direct_fates);
@@ -55,9 +61,8 @@ void sum_energy(graph::GraphBuilder& builder, const Primaries& primaries, bool s
             gl::ProgramSource source{{"methods/ldm-indirect/tracing/energy.comp"}};
             if (direct_fates) source.defines["DIRECT"] = "1";
             const auto& program = context.use(source);
-            program.set("primary_count", static_cast<unsigned>(count));
-            program.set("block_size", static_cast<unsigned>(block_photons));
-            program.set("splits", splits ? 1 : 0);
+            program.set(
+                SumEnergy{static_cast<unsigned>(count), static_cast<unsigned>(block_photons), splits});
             gl::dispatch_items(program, slice.begin, slice.end);
         },
         4096);
@@ -65,9 +70,7 @@ void sum_energy(graph::GraphBuilder& builder, const Primaries& primaries, bool s
     pass.reads("Blocks", blocks).writes("Table", table);
     count_causes(builder, pass);
     pass.compute({{"methods/ldm-indirect/tracing/energy_table.comp"}}, energy_rows,
-                 [=](const PassContext&, const gl::Program& program) {
-                     program.set("block_count", static_cast<unsigned>(block_count));
-                 });
+                 MakeEnergyTable{static_cast<unsigned>(block_count)});
 }
 
 std::vector<OutputDescription> energy_outputs() {

@@ -11,9 +11,9 @@ namespace ir::methods::ldm_indirect {
 /// A row of "indirect.energy": equals struct Row of shaders/methods/ldm-indirect/tracing/energy.glsl.
 struct EnergyRow {
     std::uint32_t cause, leg, photons;
-    float flux[3];
+    std::array<float, 3> flux;
+    IR_FIELDS(cause, leg, photons, flux)
 };
-static_assert(sizeof(EnergyRow) == 24);
 
 /// Row numbers. Behind the first surface, and of photons that are stored there, the causes of primary.glsl
 /// follow.

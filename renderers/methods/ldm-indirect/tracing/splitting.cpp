@@ -18,7 +18,6 @@ using graph::Slice;
 constexpr std::int64_t group_maps = 16;
 /// Photons whose hits are kept at once, 8 bytes each.
 constexpr std::int64_t part_slots = std::int64_t{1} << 22;
-/// Behind those of the maps' frames and storage.
 
 graph::BufferRef scratch(GraphBuilder& builder, const std::string& key, const std::string& label,
                          std::vector<graph::Field> fields, std::int64_t elements) {
@@ -30,15 +29,42 @@ graph::BufferRef scratch(GraphBuilder& builder, const std::string& key, const st
     return builder.buffer(std::move(desc));
 }
 
-/// The uniforms of landing.glsl.
-void set_landing(const gl::Program& program, const graph::FrameInputs& inputs, const Parameters& parameters) {
-    program.set("clip_from_world", inputs.view.clip_from_world());
-    program.set("splat_size", parameters.splat_size);
-    program.set("topological_bias", parameters.topological_bias);
-    program.set("longest_axis", longest_axis(parameters, *inputs.world));
-    program.set("shortest_axis", parameters.least_axis_pixels * pixel_size(inputs.view));
-    program.set("nearest_w", inputs.view.clip_from_view[3][3] == 0 ? inputs.view.near_plane : 1.0f);
+/// Constants of landing.glsl.
+struct Landing {
+    glm::mat4 clip_from_world;
+    float splat_size, topological_bias, longest_axis, shortest_axis, nearest_w;
+    IR_FIELDS(clip_from_world, splat_size, topological_bias, longest_axis, shortest_axis, nearest_w)
+};
+
+Landing landing(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    const auto& view = inputs.view;
+    return {.clip_from_world = view.clip_from_world(),
+            .splat_size = parameters.splat_size,
+            .topological_bias = parameters.topological_bias,
+            .longest_axis = longest_axis(parameters, *inputs.world),
+            .shortest_axis = parameters.least_axis_pixels * pixel_size(view),
+            .nearest_w = view.clip_from_view[3][3] == 0 ? view.near_plane : 1.0f};
 }
+
+/// Constants of trace.comp.
+struct Trace {
+    Landing landing;
+    passes::ldm::FrameConstants frames;
+    unsigned batch_maps, group_count, first_primary, chunk, map_group, first_map, map_count;
+    IR_FIELDS(landing, frames, batch_maps, group_count, first_primary, chunk, map_group, first_map, map_count)
+};
+
+/// Constants of store.comp.
+struct Store {
+    unsigned first_primary, first_frame, batch_maps, map_groups, maps_of_group, chunk, capacity;
+    IR_FIELDS(first_primary, first_frame, batch_maps, map_groups, maps_of_group, chunk, capacity)
+};
+
+/// Constants of store_direct.comp.
+struct StoreDirect {
+    unsigned capacity;
+    IR_FIELDS(capacity)
+};
 
 std::int64_t groups_of(std::int64_t maps) {
     return (maps + group_maps - 1) / group_maps;
@@ -103,21 +129,23 @@ void Splitter::trace(GraphBuilder& builder, const Part& part) const {
         .writes("Bases", bases_)
         .writes("AllShares", primaries_.shares)
         .counts("StoredCount", photons_.count);
-    const auto run = [self = *this, part](PassContext& context, Slice slice) {
+    const auto run = [self = *this, part, landed = landing(builder.inputs(), parameters_)](
+                         PassContext& context, Slice slice) {
         gl::ProgramSource source{{"methods/ldm-indirect/tracing/trace.comp"}};
         source.defines = passes::ldm::defines_of(context, *self.maps_);
         const auto& program = context.use(source);
-        set_landing(program, context.inputs(), self.parameters_);
-        program.set("batch_maps", static_cast<unsigned>(part.batch_maps));
-        program.set("group_count", static_cast<unsigned>(part.groups));
-        program.set("first_primary", static_cast<unsigned>(part.first));
-        program.set("chunk", static_cast<unsigned>(part.chunk));
         for (std::int64_t group = 0; group < part.groups; ++group) {
             const auto first = group * group_maps, count = std::min(group_maps, part.batch_maps - first);
-            passes::ldm::set_frames(program, *self.maps_, self.maps_->first_map(part.batch) + first, count);
-            program.set("map_group", static_cast<unsigned>(group));
-            program.set("first_map", static_cast<unsigned>(first));
-            program.set("map_count", static_cast<unsigned>(count));
+            const auto first_frame = self.maps_->first_map(part.batch) + first;
+            program.set(Trace{.landing = landed,
+                              .frames = passes::ldm::frame_constants(*self.maps_, first_frame, count),
+                              .batch_maps = static_cast<unsigned>(part.batch_maps),
+                              .group_count = static_cast<unsigned>(part.groups),
+                              .first_primary = static_cast<unsigned>(part.first),
+                              .chunk = static_cast<unsigned>(part.chunk),
+                              .map_group = static_cast<unsigned>(group),
+                              .first_map = static_cast<unsigned>(first),
+                              .map_count = static_cast<unsigned>(count)});
             gl::dispatch_items(program, part.first + slice.begin, part.first + slice.end);
             context.barrier();
         }
@@ -133,20 +161,20 @@ void Splitter::store(GraphBuilder& builder, const Part& part, graph::BufferRef p
         .reads("Places", places)
         .reads("Bases", bases_)
         .writes("Photons", photons_.records)
-        .execute_sliced(
-            (part.end - part.first) * part.groups,
-            [self = *this, part](PassContext& context, Slice slice) {
-                const auto& program = context.use({{"methods/ldm-indirect/tracing/store.comp"}});
-                program.set("first_primary", static_cast<unsigned>(part.first));
-                program.set("first_frame", static_cast<unsigned>(self.maps_->first_map(part.batch)));
-                program.set("batch_maps", static_cast<unsigned>(part.batch_maps));
-                program.set("map_groups", static_cast<unsigned>(part.groups));
-                program.set("maps_of_group", static_cast<unsigned>(group_maps));
-                program.set("chunk", static_cast<unsigned>(part.chunk));
-                program.set("capacity", static_cast<unsigned>(context.capacity(self.photons_.records)));
-                gl::dispatch_items(program, slice.begin, slice.end);
-            },
-            4096);
+        .execute_sliced((part.end - part.first) * part.groups,
+                        [self = *this, part](PassContext& context, Slice slice) {
+                            const auto& program = context.use({{"methods/ldm-indirect/tracing/store.comp"}});
+                            program.set(Store{
+                                .first_primary = static_cast<unsigned>(part.first),
+                                .first_frame = static_cast<unsigned>(self.maps_->first_map(part.batch)),
+                                .batch_maps = static_cast<unsigned>(part.batch_maps),
+                                .map_groups = static_cast<unsigned>(part.groups),
+                                .maps_of_group = static_cast<unsigned>(group_maps),
+                                .chunk = static_cast<unsigned>(part.chunk),
+                                .capacity = static_cast<unsigned>(context.capacity(self.photons_.records))});
+                            gl::dispatch_items(program, slice.begin, slice.end);
+                        },
+                        4096);
 }
 
 graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gbuffer,
@@ -167,9 +195,9 @@ graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gb
         .writes("Fates", fates)
         .execute_sliced(
             count,
-            [=](PassContext& context, Slice slice) {
+            [constants = landing(builder.inputs(), parameters)](PassContext& context, Slice slice) {
                 const auto& program = context.use({{"methods/ldm-indirect/tracing/direct.comp"}});
-                set_landing(program, context.inputs(), parameters);
+                program.set(constants);
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
             4096);
@@ -185,7 +213,7 @@ graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gb
             count,
             [=](PassContext& context, Slice slice) {
                 const auto& program = context.use({{"methods/ldm-indirect/tracing/store_direct.comp"}});
-                program.set("capacity", static_cast<unsigned>(context.capacity(photons.records)));
+                program.set(StoreDirect{static_cast<unsigned>(context.capacity(photons.records))});
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
             4096);

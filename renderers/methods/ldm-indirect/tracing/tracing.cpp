@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "renderers/core/error.h"
+#include "renderers/core/record.h"
 #include "renderers/methods/ldm-indirect/tracing/energy.h"
 #include "renderers/methods/ldm-indirect/tracing/splitting.h"
 #include "renderers/methods/ldm-indirect/tracing/views.h"
@@ -48,8 +49,8 @@ std::uint64_t reserved_photons(std::uint64_t most, const Parameters& parameters)
 
 Photons declare_photons(graph::GraphBuilder& builder, std::uint64_t reserved) {
     Photons photons;
-    photons.records = builder.output("indirect.photons",
-                                     {.fields = photon_fields(), .elements = reserved, .growable = true});
+    photons.records = builder.output(
+        "indirect.photons", {.fields = record_fields<Photon>(), .elements = reserved, .growable = true});
     photons.count = builder.counter({.key = "indirect.count",
                                      .label = "Photons stored",
                                      .doc = "Photons that the camera sees, which are splatted.",

@@ -13,6 +13,18 @@ using graph::Slice;
 constexpr const char* primary_shader = "methods/ldm-indirect/tracing/show_primary.comp";
 constexpr std::int64_t first_slice = 4096;
 
+/// Constants of show_primary.comp with PACK.
+struct ShowPrimary {
+    unsigned capacity;
+    IR_FIELDS(capacity)
+};
+
+/// Constants of show_photons.comp.
+struct ShowPhotons {
+    unsigned capacity, shown_capacity;
+    IR_FIELDS(capacity, shown_capacity)
+};
+
 graph::BufferRef glyphs(graph::GraphBuilder& builder, const std::string& key,
                         std::vector<graph::Field> fields, std::uint64_t elements) {
     return builder.output(key, {.fields = std::move(fields), .elements = elements, .growable = true});
@@ -63,7 +75,7 @@ void show_primaries(graph::GraphBuilder& builder, const Primaries& primaries) {
                 gl::ProgramSource source{{primary_shader}};
                 source.defines["PACK"] = "1";
                 const auto& program = context.use(source);
-                program.set("capacity", static_cast<unsigned>(context.capacity(shown)));
+                program.set(ShowPrimary{static_cast<unsigned>(context.capacity(shown))});
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
             first_slice);
@@ -96,8 +108,8 @@ void show_photons(graph::GraphBuilder& builder, const Photons& photons, std::uin
             static_cast<std::int64_t>(most),
             [=](PassContext& context, Slice slice) {
                 const auto& program = context.use({{"methods/ldm-indirect/tracing/show_photons.comp"}});
-                program.set("capacity", static_cast<unsigned>(context.capacity(photons.records)));
-                program.set("shown_capacity", static_cast<unsigned>(context.capacity(shown)));
+                program.set(ShowPhotons{static_cast<unsigned>(context.capacity(photons.records)),
+                                        static_cast<unsigned>(context.capacity(shown))});
                 gl::dispatch_items(program, slice.begin, slice.end);
             },
             first_slice);

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "renderers/core/record.h"
+
 namespace ir::methods::photon_mapping {
 
 /// A cell of "emission.histogram": expected and found numbers of points. The last element is the sum, with x
@@ -13,8 +15,8 @@ struct HistogramCell {
     float expected, found;
     float chi_square;  ///< the cell's (found - expected)² / expected; 0 where nothing is expected
     std::int32_t degrees;
+    IR_FIELDS(x, y, expected, found, chi_square, degrees)
 };
-static_assert(sizeof(HistogramCell) == 24);
 
 /// Cells a side.
 inline constexpr int histogram_cells = 16;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "renderers/core/error.h"
-#include "renderers/gl/dispatch_items.h"
+#include "renderers/methods/photon-mapping/compute_items.h"
 #include "renderers/methods/photon-mapping/emission/from_rsm.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/passes/scan/scan.h"
@@ -15,15 +15,19 @@ namespace {
 using graph::FieldType;
 using graph::PassContext;
 
-/// Points of the first slice of a pass.
-constexpr std::int64_t first_slice = 1 << 14;
-
 graph::BufferRef words(graph::GraphBuilder& builder, graph::ResourceText text, const std::string& field,
                        std::uint64_t elements) {
     return builder.buffer({.text = std::move(text),
                            .fields = {{field, FieldType::u32}},
                            .elements = std::max<std::uint64_t>(1, elements)});
 }
+
+/// Constants of budget.comp.
+struct DividePoints {
+    int levels;  ///< of the maps
+    unsigned points, source_count;
+    IR_FIELDS(levels, points, source_count)
+};
 
 void divide(const PassContext& p, const Sources& sources, const EmissionPoints& points,
             const EmissionMaps* maps) {
@@ -32,30 +36,39 @@ void divide(const PassContext& p, const Sources& sources, const EmissionPoints& 
     gl::ProgramSource source{{"methods/photon-mapping/emission/budget.comp"},
                              {{"BY_PROBABILITY", maps ? "1" : "0"}}};
     const auto& program = p.use(source);
-    if (maps) program.set("levels", maps->levels);
-    program.set("points", static_cast<unsigned>(points.count));
-    program.set("source_count", static_cast<unsigned>(sources.elements.size()));
+    program.set(DividePoints{maps ? maps->levels : 0, static_cast<unsigned>(points.count),
+                             static_cast<unsigned>(sources.elements.size())});
     program.dispatch(1);
 }
 
-/// For both steps over the points of an RSM.
-const gl::Program& use_maps(const PassContext& p, const char* file, const Parameters& parameters,
-                            const Sources& sources, const EmissionPoints& points) {
+/// Constants of points.comp.
+struct WarpPoints {
+    SurfaceRules rules;
+    EmissionSets sets;
+    IR_FIELDS(rules, sets)
+};
+
+/// Constants of samples.comp.
+struct PackPoints {
+    WarpPoints warped;
+    unsigned capacity;
+    float power_unit, photons_per_point;
+    IR_FIELDS(warped, capacity, power_unit, photons_per_point)
+};
+
+/// Of both steps over the points of an RSM.
+gl::ProgramSource source_over_maps(const char* file, const Parameters& parameters) {
     gl::ProgramSource source{{file}};
     const bool warps = parameters.emission == Emission::importance;
     source.defines["WARPS"] = warps ? "1" : "0";
     source.defines["PRINTED_POWER"] = warps && parameters.power_scaling == PowerScaling::printed ? "1" : "0";
-    const auto& program = p.use(source);
-    set_surface_rules(program, parameters);
-    set_emission_set(program, p.inputs(), sources, points, parameters);
-    return program;
+    return source;
 }
 
 }  // namespace
 
 EmissionPoints declare_points(graph::GraphBuilder& builder, const Sources& sources,
                               const Parameters& parameters) {
-    static_assert(sizeof(SourceData) == 64, "equals its std430 twin");
     EmissionPoints points;
     const auto asked =
         static_cast<std::uint64_t>(std::max(1, parameters.photons / parameters.photons_per_point));
@@ -66,16 +79,16 @@ EmissionPoints declare_points(graph::GraphBuilder& builder, const Sources& sourc
     if (samples.paths > 0) samples.power_unit = sources.flux / static_cast<float>(samples.paths);
     const double reserved = std::ceil(static_cast<double>(parameters.reserve) * static_cast<double>(asked));
     samples.points = builder.output(
-        "photons.samples", {.fields = sample_point_fields(),
+        "photons.samples", {.fields = record_fields<SamplePoint>(),
                             .elements = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(reserved)),
                             .growable = true});
     samples.count = builder.counter({.key = "photons.sample_count",
                                      .label = "Sample points",
                                      .doc = "Points of the emission sets that survive.",
                                      .growth_of = samples.points});
-    samples.sources = builder.output(
-        "photons.sources",
-        {.fields = source_fields(), .elements = std::max<std::uint64_t>(1, sources.elements.size())});
+    samples.sources =
+        builder.output("photons.sources", {.fields = record_fields<SourceData>(),
+                                           .elements = std::max<std::uint64_t>(1, sources.elements.size())});
     points.candidates = words(builder,
                               {.key = "emission.candidates",
                                .label = "Emission points",
@@ -119,46 +132,35 @@ void find_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene
             .reads("Sources", points.samples.sources);
     };
     const auto items = static_cast<std::int64_t>(points.count);
+    const WarpPoints warped{surface_rules(parameters),
+                            emission_sets(builder.inputs(), sources, points, parameters)};
     auto warp = builder.pass("emission points");
     reads(warp);
-    warp.writes("Candidates", points.candidates)
-        .writes("Survivors", points.survivors)
-        .execute_sliced(
-            items,
-            [=](PassContext& p, graph::Slice slice) {
-                const auto& program =
-                    use_maps(p, "methods/photon-mapping/emission/points.comp", parameters, sources, points);
-                gl::dispatch_items(program, slice.begin, slice.end);
-            },
-            first_slice);
+    warp.writes("Candidates", points.candidates).writes("Survivors", points.survivors);
+    compute_items(warp, source_over_maps("methods/photon-mapping/emission/points.comp", parameters), items,
+                  first_points_slice, warped);
     find_places(builder, points);
     auto pack = builder.pass("sample points");
     reads(pack);
     pack.reads("Candidates", points.candidates)
         .reads("Places", points.places)
-        .writes("Samples", points.samples.points)
-        .execute_sliced(
-            items,
-            [=](PassContext& p, graph::Slice slice) {
-                const auto& program =
-                    use_maps(p, "methods/photon-mapping/emission/samples.comp", parameters, sources, points);
-                program.set("capacity", static_cast<unsigned>(p.capacity(points.samples.points)));
-                program.set("power_unit", points.samples.power_unit);
-                program.set("photons_per_point", static_cast<float>(points.samples.photons_per_point));
-                gl::dispatch_items(program, slice.begin, slice.end);
-            },
-            first_slice);
+        .writes("Samples", points.samples.points);
+    compute_items(pack, source_over_maps("methods/photon-mapping/emission/samples.comp", parameters), items,
+                  first_points_slice, [=, samples = points.samples](const PassContext& p) {
+                      return PackPoints{warped, static_cast<unsigned>(p.capacity(samples.points)),
+                                        samples.power_unit, static_cast<float>(samples.photons_per_point)};
+                  });
 }
 
-void set_emission_set(const gl::Program& program, const graph::FrameInputs& inputs, const Sources& sources,
-                      const EmissionPoints& points, const Parameters& parameters) {
+EmissionSets emission_sets(const graph::FrameInputs& inputs, const Sources& sources,
+                           const EmissionPoints& points, const Parameters& parameters) {
     const auto strata = static_cast<unsigned>(parameters.strata);
-    program.set("source_count", static_cast<unsigned>(sources.elements.size()));
-    program.set("all_points", static_cast<unsigned>(points.count));
-    program.set("strata", strata);
-    program.set("stratum", static_cast<unsigned>(inputs.frame) % strata);
-    program.set("seed_low", static_cast<unsigned>(inputs.seed));
-    program.set("seed_high", static_cast<unsigned>(inputs.seed >> 32));
+    return {.source_count = static_cast<unsigned>(sources.elements.size()),
+            .all_points = static_cast<unsigned>(points.count),
+            .strata = strata,
+            .stratum = static_cast<unsigned>(inputs.frame) % strata,
+            .seed_low = static_cast<unsigned>(inputs.seed),
+            .seed_high = static_cast<unsigned>(inputs.seed >> 32)};
 }
 
 std::vector<OutputDescription> point_outputs() {

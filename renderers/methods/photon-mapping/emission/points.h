@@ -15,6 +15,9 @@ struct EmissionPoints {
     graph::BufferRef places;      ///< in "photons.samples", found by find_places
 };
 
+/// Points of the first slice of a pass.
+inline constexpr std::int64_t first_points_slice = 1 << 14;
+
 /// Declares the buffers, for this many points as the parameters ask for; none without a source.
 EmissionPoints declare_points(graph::GraphBuilder& builder, const Sources& sources,
                               const Parameters& parameters);
@@ -33,9 +36,13 @@ void find_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene
 /// Declares the scan that packs survivors in the order of their seeds.
 void find_places(graph::GraphBuilder& builder, EmissionPoints& points);
 
-/// What emission_set.glsl's users ask for: seed, stratum, counts.
-void set_emission_set(const gl::Program& program, const graph::FrameInputs& inputs, const Sources& sources,
-                      const EmissionPoints& points, const Parameters& parameters);
+/// Constants of shaders/methods/photon-mapping/emission/sources.glsl.
+struct EmissionSets {
+    unsigned source_count, all_points, strata, stratum, seed_low, seed_high;
+    IR_FIELDS(source_count, all_points, strata, stratum, seed_low, seed_high)
+};
+EmissionSets emission_sets(const graph::FrameInputs& inputs, const Sources& sources,
+                           const EmissionPoints& points, const Parameters& parameters);
 
 std::vector<OutputDescription> point_outputs();
 

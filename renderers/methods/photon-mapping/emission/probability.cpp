@@ -14,14 +14,25 @@ using graph::PassContext;
 constexpr int small_size = 32;
 constexpr int small_levels = 5;  ///< 2^5 = small_size
 
+/// Constants of probability.comp.
+struct Probabilities {
+    SurfaceRules rules;
+    int first_layer, layers_drawn;
+    IR_FIELDS(rules, first_layer, layers_drawn)
+};
+
 void find_probabilities(const PassContext& p, const passes::Rsm& rsm, const Parameters& parameters,
                         graph::Slice slice) {
     const auto& program = p.use({{"methods/photon-mapping/emission/probability.comp"}});
-    set_surface_rules(program, parameters);
-    program.set("first_layer", static_cast<int>(slice.begin));
-    program.set("layers_drawn", rsm.views_drawn);
+    program.set(Probabilities{surface_rules(parameters), static_cast<int>(slice.begin), rsm.views_drawn});
     program.dispatch(rsm.resolution, rsm.resolution, slice.end - slice.begin);
 }
+
+/// Constants of haar.comp.
+struct Haar {
+    int level_below, size;
+    IR_FIELDS(level_below, size)
+};
 
 /// Level 0 comes from the map, each other one from the level below.
 void make_large_levels(const PassContext& p, const EmissionMaps& maps) {
@@ -29,12 +40,18 @@ void make_large_levels(const PassContext& p, const EmissionMaps& maps) {
         p.bind("below", level == 0 ? maps.probability : maps.haar);
         p.bind("level", maps.haar, level);
         const auto& program = p.use({{"methods/photon-mapping/emission/haar.comp"}});
-        program.set("level_below", std::max(0, level - 1));
-        program.set("size", maps.resolution >> (level + 1));
-        program.dispatch(maps.resolution >> (level + 1), maps.resolution >> (level + 1), maps.layers);
+        const int size = maps.resolution >> (level + 1);
+        program.set(Haar{std::max(0, level - 1), size});
+        program.dispatch(size, size, maps.layers);
         p.barrier();
     }
 }
+
+/// Constants of haar_small.comp.
+struct SmallHaar {
+    int level_below, size_below;
+    IR_FIELDS(level_below, size_below)
+};
 
 void make_small_levels(const PassContext& p, const EmissionMaps& maps) {
     const int first = std::max(0, maps.levels - small_levels);
@@ -42,8 +59,7 @@ void make_small_levels(const PassContext& p, const EmissionMaps& maps) {
     for (int i = 0; i < small_levels; ++i)
         p.bind("level" + std::to_string(i), maps.haar, std::min(first + i, maps.levels - 1));
     const auto& program = p.use({{"methods/photon-mapping/emission/haar_small.comp"}});
-    program.set("level_below", std::max(0, first - 1));
-    program.set("size_below", maps.resolution >> first);
+    program.set(SmallHaar{std::max(0, first - 1), maps.resolution >> first});
     const auto group = program.work_group_size();
     program.dispatch(group.x, group.y, maps.layers);
 }
@@ -94,10 +110,8 @@ EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuff
     return haar_pyramid(builder, map, rsm.resolution, rsm.layers, fingerprint.str());
 }
 
-void set_surface_rules(const gl::Program& program, const Parameters& parameters) {
-    program.set("materials_model", static_cast<int>(parameters.transport.materials));
-    program.set("photon_near", parameters.photon_near);
-    program.set("photon_far", parameters.photon_far);
+SurfaceRules surface_rules(const Parameters& parameters) {
+    return {static_cast<int>(parameters.transport.materials), parameters.photon_near, parameters.photon_far};
 }
 
 std::vector<OutputDescription> probability_outputs() {

@@ -23,8 +23,14 @@ EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuff
 EmissionMaps haar_pyramid(graph::GraphBuilder& builder, graph::ImageRef map, int resolution, int layers,
                           const std::string& fingerprint);
 
-/// Index of survival.glsl for the transport's materials, and the photon planes: what rsm.glsl asks for.
-void set_surface_rules(const gl::Program& program, const Parameters& parameters);
+/// Constants of rsm.glsl and hits.comp: index of survival.glsl for the transport's materials, and the photon
+/// planes.
+struct SurfaceRules {
+    int materials_model;
+    float photon_near, photon_far;
+    IR_FIELDS(materials_model, photon_near, photon_far)
+};
+SurfaceRules surface_rules(const Parameters& parameters);
 
 std::vector<OutputDescription> probability_outputs();
 

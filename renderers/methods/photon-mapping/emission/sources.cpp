@@ -84,15 +84,6 @@ std::string counted(int count, const std::string& what) {
 
 }  // namespace
 
-std::vector<graph::Field> source_fields() {
-    using graph::FieldType;
-    return {{"origin", FieldType::f32, 3},    {"perspective"},
-            {"direction", FieldType::f32, 3}, {"light", FieldType::u32},
-            {"intensity", FieldType::f32, 3}, {"flux"},
-            {"first_point", FieldType::u32},  {"points", FieldType::u32},
-            {"unused", FieldType::u32, 2}};
-}
-
 std::vector<std::string> Sources::notes() const {
     std::vector<std::string> result;
     std::string missing;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
+#include "renderers/core/record.h"
 #include "renderers/graph/builder.h"
 #include "renderers/passes/shadow/shadow_views.h"
 #include "renderers/scene/world.h"
@@ -25,10 +27,9 @@ struct SourceData {
     float flux = 0;                 ///< W, of all channels' mean, before the surface
     std::uint32_t first_point = 0;  ///< of the emission set; found on the device
     std::uint32_t points = 0;       ///< found on the device
-    std::uint32_t unused[2] = {0, 0};
+    std::array<std::uint32_t, 2> unused{};
+    IR_FIELDS(origin_ws, perspective, direction_ws, light, intensity, flux, first_point, points, unused)
 };
-
-std::vector<graph::Field> source_fields();
 
 /// The lights that emit photons, and why others do not.
 struct Sources {

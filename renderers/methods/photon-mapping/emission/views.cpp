@@ -15,7 +15,7 @@ using graph::PassContext;
 /// Elements of "emission.samples"; beyond, every n-th point is shown.
 constexpr std::uint64_t max_elements = 1 << 20;
 /// Points that are shown where no light is: the set as it would be.
-constexpr std::uint64_t points_without_light = 256;
+constexpr unsigned points_without_light = 256;
 /// Texels a side of "emission.points" at least, so that points stay apart.
 constexpr int min_picture = 256;
 
@@ -44,17 +44,27 @@ Shown shown_points(const Inspection& inspection, const Sources& sources, const E
     return shown;
 }
 
-const gl::Program& use(const PassContext& p, const char* file, const Sources& sources,
-                       const EmissionPoints& points, const Parameters& parameters, const Shown& shown) {
-    gl::ProgramSource source{{file}};
-    source.defines["WARPS"] = parameters.emission == Emission::importance ? "1" : "0";
-    const auto& program = p.use(source);
-    set_emission_set(program, p.inputs(), sources, points, parameters);
-    program.set("shown_source", shown.source);
-    program.set("first_step", shown.first_step);
-    program.set("step_count", shown.steps);
-    program.set("points_without_light", static_cast<unsigned>(points_without_light));
-    return program;
+/// Constants of steps.glsl.
+struct WarpSteps {
+    EmissionSets sets;
+    int shown_source, first_step, step_count;
+    unsigned points_without_light;
+    IR_FIELDS(sets, shown_source, first_step, step_count, points_without_light)
+};
+
+WarpSteps warp_steps(const EmissionSets& sets, const Shown& shown) {
+    return {sets, shown.source, shown.first_step, shown.steps, points_without_light};
+}
+
+/// Constants of show_samples.comp.
+struct ShowSamples {
+    WarpSteps steps;
+    unsigned stride, capacity;
+    IR_FIELDS(steps, stride, capacity)
+};
+
+gl::ProgramSource source_of_view(const char* file, const Parameters& parameters) {
+    return {{file}, {{"WARPS", parameters.emission == Emission::importance ? "1" : "0"}}};
 }
 
 void show_samples(graph::GraphBuilder& builder, const Sources& sources, const EmissionMaps& maps,
@@ -72,6 +82,8 @@ void show_samples(graph::GraphBuilder& builder, const Sources& sources, const Em
                                                             .growable = true});
     const auto count = builder.counter(
         {.key = "emission.samples_shown", .label = "Emission points shown", .growth_of = buffer});
+    const auto source = source_of_view("methods/photon-mapping/emission/show_samples.comp", parameters);
+    const auto constants = warp_steps(emission_sets(builder.inputs(), sources, points, parameters), shown);
     builder.pass("show emission points")
         .reads("Sources", points.samples.sources)
         .reads("Candidates", points.candidates)
@@ -81,14 +93,12 @@ void show_samples(graph::GraphBuilder& builder, const Sources& sources, const Em
         .counts("ShownCount", count)
         .execute([=](PassContext& p) {
             if (shown.stride > 1)  // said by the pass: it runs where points are wanted
-                p.warn("of the emission points shown, one in " + std::to_string(shown.stride) +
-                       " is, so that at most a million result");
-            const auto& program = use(p, "methods/photon-mapping/emission/show_samples.comp", sources, points,
-                                      parameters, shown);
-            program.set("stride", static_cast<unsigned>(shown.stride));
-            program.set("capacity", static_cast<unsigned>(p.capacity(buffer)));
-            gl::dispatch_items(program, 0, static_cast<std::int64_t>(shown.points), "first_shown",
-                               "end_shown");
+                p.notes().warn("of the emission points shown, one in " + std::to_string(shown.stride) +
+                               " is, so that at most a million result");
+            const auto& program = p.use(source);
+            program.set(ShowSamples{constants, static_cast<unsigned>(shown.stride),
+                                    static_cast<unsigned>(p.capacity(buffer))});
+            gl::dispatch_items(program, 0, static_cast<std::int64_t>(shown.points));
         });
 }
 
@@ -100,6 +110,9 @@ void show_picture(graph::GraphBuilder& builder, const Sources& sources, const Em
     const auto image = builder.output(
         "emission.points",
         {.format = gl::Format::rgba16f, .extent = graph::Extent::fixed(size, size), .layers = shown.steps});
+    const auto map_source = source_of_view("methods/photon-mapping/emission/show_map.comp", parameters);
+    const auto dots_source = source_of_view("methods/photon-mapping/emission/show_points.comp", parameters);
+    const auto constants = warp_steps(emission_sets(builder.inputs(), sources, points, parameters), shown);
     builder.pass("draw emission points")
         .reads("Sources", points.samples.sources)
         .reads("Candidates", points.candidates)
@@ -107,13 +120,13 @@ void show_picture(graph::GraphBuilder& builder, const Sources& sources, const Em
         .reads("haar_pyramid", maps.haar)
         .writes("picture", image)
         .execute([=](PassContext& p) {
-            const auto& map =
-                use(p, "methods/photon-mapping/emission/show_map.comp", sources, points, parameters, shown);
+            const auto& map = p.use(map_source);
+            map.set(constants);
             map.dispatch(size, size, shown.steps);
             p.barrier();
-            const auto& dots = use(p, "methods/photon-mapping/emission/show_points.comp", sources, points,
-                                   parameters, shown);
-            gl::dispatch_items(dots, 0, static_cast<std::int64_t>(shown.points), "first_shown", "end_shown");
+            const auto& dots = p.use(dots_source);
+            dots.set(constants);
+            gl::dispatch_items(dots, 0, static_cast<std::int64_t>(shown.points));
         });
 }
 
@@ -130,14 +143,9 @@ void show_histogram(graph::GraphBuilder& builder, const Sources& sources, const 
                     const EmissionPoints& points, const Parameters& parameters) {
     const auto shown = shown_points(builder.inputs().inspection, sources, maps, points, false);
     const int source = std::max(0, shown.source);
-    const auto table =
-        builder.output("emission.histogram", {.fields = {{"x", FieldType::i32},
-                                                         {"y", FieldType::i32},
-                                                         {"expected"},
-                                                         {"found"},
-                                                         {"chi_square"},
-                                                         {"degrees", FieldType::i32}},
-                                              .elements = histogram_cells * histogram_cells + 1});
+    const auto table = builder.output(
+        "emission.histogram",
+        {.fields = record_fields<HistogramCell>(), .elements = histogram_cells * histogram_cells + 1});
     const bool warps = parameters.emission == Emission::importance;
     builder.pass("emission histogram", graph::Queue::cpu)
         .reads(maps.probability, points.candidates)

@@ -25,9 +25,15 @@ void declare_irradiance_reads(graph::PassBuilder& pass, const ComposeInputs& in)
         .reads(in.gbuffer.normal, in.gbuffer.geometric_normal);
 }
 
-void set_irradiance(const gl::Program& program, const ComposeInputs& in) {
-    program.set("stretch_max", in.parameters.stretch_max);
-    program.set("directional", in.parameters.directional ? 1 : 0);
+/// Constants of directional.glsl.
+struct Directional {
+    float stretch_max;
+    bool directional;
+    IR_FIELDS(stretch_max, directional)
+};
+
+Directional directional(const Parameters& parameters) {
+    return {parameters.stretch_max, parameters.directional};
 }
 
 /// The final irradiance, or what its directions say.
@@ -36,20 +42,9 @@ void show(graph::GraphBuilder& builder, const ComposeInputs& in, graph::ImageRef
     auto pass = builder.pass(name);
     declare_irradiance_reads(pass, in);
     pass.writes("result", result);
-    execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
-        gl::ProgramSource source{{folder + "irradiance.comp"}};
-        if (!define.empty()) source.defines[define] = "1";
-        const auto& program = context.use(source);
-        set_irradiance(program, in);
-        dispatch_rows(context, program, slice);
-    });
-}
-
-void set_view(const gl::Program& program, const scene::View& view) {
-    const bool orthographic = view.clip_from_view[3][3] != 0;
-    const auto axis = -glm::vec3(glm::transpose(view.view_from_world)[2]);
-    program.set("eye_ws", view.eye_ws);
-    program.set("view_axis_ws", orthographic ? axis : glm::vec3(0));
+    gl::ProgramSource source{{folder + "irradiance.comp"}};
+    if (!define.empty()) source.defines[define] = "1";
+    compute_by_rows(pass, builder, source, directional(in.parameters));
 }
 
 gl::ProgramSource radiance_source(const ComposeInputs& in) {
@@ -61,6 +56,14 @@ gl::ProgramSource radiance_source(const ComposeInputs& in) {
     return source;
 }
 
+/// Constants of radiance.comp.
+struct Reflect {
+    Directional directional;
+    passes::Viewer viewer;
+    glm::vec3 background;
+    IR_FIELDS(directional, viewer, background)
+};
+
 void reflect(graph::GraphBuilder& builder, const ComposeInputs& in) {
     const auto result = builder.output("radiance", {.format = gl::Format::rgba32f});
     auto pass = builder.pass("radiance");
@@ -70,13 +73,9 @@ void reflect(graph::GraphBuilder& builder, const ComposeInputs& in) {
     if (in.direct) pass.reads("direct_image", in.direct->radiance);
     if (in.has_emission) pass.reads(in.gbuffer.emission);
     pass.writes("result", result);
-    execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
-        const auto& program = context.use(radiance_source(in));
-        if (in.has_indirect) set_irradiance(program, in);
-        set_view(program, context.inputs().view);
-        program.set("background", in.background);
-        dispatch_rows(context, program, slice);
-    });
+    compute_by_rows(
+        pass, builder, radiance_source(in),
+        Reflect{directional(in.parameters), passes::viewer(builder.inputs().view), in.background});
     passes::see_through_glass(builder, in.gbuffer, result);
 }
 

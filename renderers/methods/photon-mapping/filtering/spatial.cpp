@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <functional>
 
 #include "renderers/methods/photon-mapping/filtering/stages.h"
 
@@ -28,19 +27,34 @@ std::int64_t covering_groups(int pixels, int stride) {
     return std::int64_t{1} * (pixels + block - 1) / block * stride;
 }
 
-void run(const graph::PassContext& context, const Step& step, const Parameters& parameters,
-         gl::ProgramSource source, graph::Slice slice, const std::function<void(const gl::Program&)>& set) {
+/// Constants of a_trous.comp.
+struct ATrous {
+    Edges edges;
+    float detail_clip;
+    int pixel_stride, layer;  ///< layer: of views
+    int first_row;            ///< of groups
+    IR_FIELDS(edges, detail_clip, pixel_stride, layer, first_row)
+};
+
+void compute_step(graph::PassBuilder& pass, const graph::GraphBuilder& builder, const Step& step,
+                  const Parameters& parameters, std::map<std::string, std::string> defines, int layer = 0) {
+    if (parameters.filter_kernel == FilterKernel::b3_spline) defines["B3_SPLINE"] = "1";
+    const auto& inputs = builder.inputs();
     const int stride = 1 << step.index;
-    source.files = {"methods/photon-mapping/filtering/a_trous.comp"};
-    if (parameters.filter_kernel == FilterKernel::b3_spline) source.defines["B3_SPLINE"] = "1";
-    const auto& program = context.use(source);
-    set_edges(context, program, parameters);
-    program.set("pixel_stride", stride);
-    program.set("detail_clip", parameters.detail_clip);
-    program.set("first_row", static_cast<int>(slice.begin));
-    set(program);
-    program.dispatch(covering_groups(context.inputs().view.width, stride) * group_size,
-                     (slice.end - slice.begin) * group_size);
+    const auto width = covering_groups(inputs.view.width, stride) * group_size;
+    const gl::ProgramSource source{{folder + "a_trous.comp"}, defines};
+    ATrous constants{.edges = edges(inputs, parameters),
+                     .detail_clip = parameters.detail_clip,
+                     .pixel_stride = stride,
+                     .layer = layer,
+                     .first_row = 0};
+    execute_by_rows(pass, covering_groups(inputs.view.height, stride),
+                    [=](graph::PassContext& context, graph::Slice slice) mutable {
+                        const auto& program = context.use(source);
+                        constants.first_row = static_cast<int>(slice.begin);
+                        program.set(constants);
+                        program.dispatch(width, (slice.end - slice.begin) * group_size);
+                    });
 }
 
 graph::ResourceText scratch(const std::string& key, const std::string& label, const std::string& doc) {
@@ -55,13 +69,10 @@ void declare_step(graph::GraphBuilder& builder, const Step& step, const Paramete
         .writes("value_sum", step.sum.value)
         .writes("direction_sum", step.sum.direction);
     if (!step.is_last) pass.writes("next_value", step.to.value).writes("next_direction", step.to.direction);
-    gl::ProgramSource source;
-    if (step.is_first) source.defines["FIRST"] = "1";
-    if (step.is_last) source.defines["LAST"] = "1";
-    const auto rows = covering_groups(builder.inputs().view.height, 1 << step.index);
-    execute_by_rows(pass, rows, [=](graph::PassContext& context, graph::Slice slice) {
-        run(context, step, parameters, source, slice, [](const gl::Program&) {});
-    });
+    std::map<std::string, std::string> defines;
+    if (step.is_first) defines["FIRST"] = "1";
+    if (step.is_last) defines["LAST"] = "1";
+    compute_step(pass, builder, step, parameters, defines);
 }
 
 void declare_view(graph::GraphBuilder& builder, const Step& step, const Parameters& parameters,
@@ -71,13 +82,7 @@ void declare_view(graph::GraphBuilder& builder, const Step& step, const Paramete
         .reads("direction_image", step.from.direction)
         .reads("surfaces", step.surfaces)
         .writes("view", stack);
-    const auto rows = covering_groups(builder.inputs().view.height, 1 << step.index);
-    execute_by_rows(pass, rows, [=](graph::PassContext& context, graph::Slice slice) {
-        gl::ProgramSource source;
-        source.defines["VIEW"] = shown;
-        run(context, step, parameters, source, slice,
-            [&](const gl::Program& program) { program.set("layer", layer); });
-    });
+    compute_step(pass, builder, step, parameters, {{"VIEW", shown}}, layer);
 }
 
 class LevelViews {

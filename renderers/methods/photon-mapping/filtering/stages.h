@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "renderers/gl/program.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/photon-mapping/filtering.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
 
 /// The steps of the filter.
 namespace ir::methods::photon_mapping {
@@ -25,8 +25,13 @@ Signal declare_signal(graph::GraphBuilder& builder, const graph::ResourceText& t
 
 /// "filter.surfaces" rg32ui: normal and depth of each pixel, as filtering/surface.glsl packs them.
 graph::ImageRef pack_surfaces(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer);
-/// Uniforms of filtering/surface.glsl.
-void set_edges(const graph::PassContext& context, const gl::Program& program, const Parameters& parameters);
+/// Constants of filtering/surface.glsl.
+struct Edges {
+    passes::PixelRays rays;
+    float sigma_depth, sigma_normal;
+    IR_FIELDS(rays, sigma_depth, sigma_normal)
+};
+Edges edges(const graph::FrameInputs& inputs, const Parameters& parameters);
 
 /// "filter.temporal": the estimate at the view's resolution, and its average over frames.
 /// [Smal19 §6.2.1, §7.2]
@@ -44,9 +49,8 @@ void execute_by_rows(graph::PassBuilder& pass, std::int64_t rows, Run run) {
     pass.execute_sliced(rows, std::move(run), std::max<std::int64_t>(1, rows / 8));
 }
 
-/// Rows of groups of the view.
-std::int64_t group_rows(const graph::GraphBuilder& builder);
-/// Dispatches those of a slice, over the width of the view; sets "first_row" in pixels.
-void dispatch_rows(const graph::PassContext& context, const gl::Program& program, graph::Slice slice);
+/// The same over the pixels of the view; sets "first_row" in pixels itself.
+void compute_by_rows(graph::PassBuilder& pass, const graph::GraphBuilder& builder,
+                     const gl::ProgramSource& source, graph::Constants constants);
 
 }  // namespace ir::methods::photon_mapping

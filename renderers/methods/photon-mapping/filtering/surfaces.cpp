@@ -1,21 +1,35 @@
 #include "renderers/methods/photon-mapping/filtering/stages.h"
-#include "renderers/passes/gbuffer/pixel_rays.h"
 
 namespace ir::methods::photon_mapping {
+namespace {
 
-std::int64_t group_rows(const graph::GraphBuilder& builder) {
-    return (builder.inputs().view.height + group_size - 1) / group_size;
+/// Of the dispatch of a slice.
+struct FirstRow {
+    int first_row;
+    IR_FIELDS(first_row)
+};
+
+/// Constants of surfaces.comp.
+struct PackSurfaces {
+    glm::vec4 depth_row;
+    IR_FIELDS(depth_row)
+};
+
+}  // namespace
+
+void compute_by_rows(graph::PassBuilder& pass, const graph::GraphBuilder& builder,
+                     const gl::ProgramSource& source, graph::Constants constants) {
+    const auto rows = (builder.inputs().view.height + group_size - 1) / group_size;
+    execute_by_rows(pass, rows, [=](graph::PassContext& context, graph::Slice slice) {
+        const auto& program = context.use(source);
+        constants.give(context, program);
+        program.set(FirstRow{static_cast<int>(slice.begin) * group_size});
+        program.dispatch(context.inputs().view.width, (slice.end - slice.begin) * group_size);
+    });
 }
 
-void dispatch_rows(const graph::PassContext& context, const gl::Program& program, graph::Slice slice) {
-    program.set("first_row", static_cast<int>(slice.begin) * group_size);
-    program.dispatch(context.inputs().view.width, (slice.end - slice.begin) * group_size);
-}
-
-void set_edges(const graph::PassContext& context, const gl::Program& program, const Parameters& parameters) {
-    passes::set_pixel_rays(program, context.inputs().view);
-    program.set("sigma_depth", parameters.sigma_depth);
-    program.set("sigma_normal", parameters.sigma_normal);
+Edges edges(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    return {passes::pixel_rays(inputs.view), parameters.sigma_depth, parameters.sigma_normal};
 }
 
 Signal declare_signal(graph::GraphBuilder& builder, const graph::ResourceText& text) {
@@ -35,11 +49,8 @@ graph::ImageRef pack_surfaces(graph::GraphBuilder& builder, const passes::GBuffe
     const auto result = builder.image(desc);
     auto pass = builder.pass("filter surfaces");
     pass.reads(gbuffer.position, gbuffer.geometric_normal).writes("surfaces", result);
-    execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
-        const auto& program = context.use({{"methods/photon-mapping/filtering/surfaces.comp"}});
-        program.set("depth_row", -glm::vec4(glm::transpose(context.inputs().view.view_from_world)[2]));
-        dispatch_rows(context, program, slice);
-    });
+    compute_by_rows(pass, builder, {{folder + "surfaces.comp"}},
+                    PackSurfaces{-glm::transpose(builder.inputs().view.view_from_world)[2]});
     return result;
 }
 

@@ -1,5 +1,4 @@
 #include "renderers/methods/photon-mapping/filtering/stages.h"
-#include "renderers/passes/gbuffer/pixel_rays.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -25,29 +24,36 @@ void declare_reads(graph::PassBuilder& pass, const TemporalInputs& in) {
         .reads_previous("previous_surfaces", in.surfaces);
 }
 
-void set_previous_rays(const gl::Program& program, const scene::View& view) {
-    const auto rays = passes::pixel_rays(view);
-    program.set("previous_origin_dx", rays.origin_dx);
-    program.set("previous_origin_dy", rays.origin_dy);
-    program.set("previous_direction_ws", rays.direction);
-    program.set("previous_direction_dx", rays.direction_dx);
-    program.set("previous_direction_dy", rays.direction_dy);
+/// Constants of temporal.comp and history_view.comp.
+struct Temporal {
+    Edges edges;
+    float temporal_weight;
+    bool has_history;
+    glm::vec3 previous_origin_dx, previous_origin_dy;
+    glm::vec3 previous_direction_ws, previous_direction_dx, previous_direction_dy;
+    IR_FIELDS(edges, temporal_weight, has_history, previous_origin_dx, previous_origin_dy,
+              previous_direction_ws, previous_direction_dx, previous_direction_dy)
+};
+
+Temporal temporal(const graph::PassContext& context, const Parameters& parameters) {
+    const auto previous = passes::pixel_rays(context.inputs().previous_view);
+    return {.edges = edges(context.inputs(), parameters),
+            .temporal_weight = parameters.temporal_weight,
+            .has_history = context.has_previous(),
+            .previous_origin_dx = previous.origin_dx,
+            .previous_origin_dy = previous.origin_dy,
+            .previous_direction_ws = previous.direction,
+            .previous_direction_dx = previous.direction_dx,
+            .previous_direction_dy = previous.direction_dy};
 }
 
-void set_history(const graph::PassContext& context, const gl::Program& program, const TemporalInputs& in) {
-    program.set("temporal_weight", in.parameters.temporal_weight);
-    program.set("has_history", context.has_previous() ? 1 : 0);
-    set_previous_rays(program, context.inputs().previous_view);
-}
-
-const gl::Program& use(const graph::PassContext& context, const TemporalInputs& in,
-                       gl::ProgramSource source) {
+void average(graph::PassBuilder& pass, const graph::GraphBuilder& builder, const TemporalInputs& in,
+             gl::ProgramSource source) {
     source.defines["DIVISOR"] = std::to_string(in.splat.divisor);
     if (in.parameters.temporal) source.defines["HISTORY"] = "1";
-    const auto& program = context.use(source);
-    set_edges(context, program, in.parameters);
-    if (in.parameters.temporal) set_history(context, program, in);
-    return program;
+    compute_by_rows(pass, builder, source, [parameters = in.parameters](const graph::PassContext& context) {
+        return temporal(context, parameters);
+    });
 }
 
 void show(graph::GraphBuilder& builder, const TemporalInputs& in, const std::string& key, bool is_weight) {
@@ -55,12 +61,9 @@ void show(graph::GraphBuilder& builder, const TemporalInputs& in, const std::str
     auto pass = builder.pass(builder.text_of_output(key).label);
     declare_reads(pass, in);
     pass.writes("view", view);
-    execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
-        gl::ProgramSource source{{folder + "history_view.comp"}};
-        if (is_weight) source.defines["VIEW_WEIGHT"] = "1";
-        const auto& program = use(context, in, source);
-        dispatch_rows(context, program, slice);
-    });
+    gl::ProgramSource source{{folder + "history_view.comp"}};
+    if (is_weight) source.defines["VIEW_WEIGHT"] = "1";
+    average(pass, builder, in, source);
 }
 
 }  // namespace
@@ -78,12 +81,9 @@ Signal accumulate(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, 
     declare_reads(pass, in);
     pass.counts("Overflow", overflow);
     pass.writes("value_image", result.value).writes("direction_image", result.direction);
-    execute_by_rows(pass, group_rows(builder), [=](graph::PassContext& context, graph::Slice slice) {
-        gl::ProgramSource source{{folder + "temporal.comp"}};
-        if (in.parameters.sum_precision == Precision::half_float) source.defines["HALF_SUMS"] = "1";
-        const auto& program = use(context, in, source);
-        dispatch_rows(context, program, slice);
-    });
+    gl::ProgramSource source{{folder + "temporal.comp"}};
+    if (parameters.sum_precision == Precision::half_float) source.defines["HALF_SUMS"] = "1";
+    average(pass, builder, in, source);
     if (!parameters.temporal) return result;
     show(builder, in, "history.weight", true);
     show(builder, in, "history.ghosting", false);

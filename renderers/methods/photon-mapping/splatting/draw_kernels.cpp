@@ -3,12 +3,10 @@
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/photon-mapping/splatting/icosahedron.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
-#include "renderers/passes/gbuffer/pixel_rays.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
 
-using graph::Field;
 using graph::FieldType;
 
 bool is_flat(const Kernels& kernels) {
@@ -17,23 +15,30 @@ bool is_flat(const Kernels& kernels) {
 
 constexpr unsigned corners_of_square = 4, corners_of_icosahedron = 60;
 
+/// As OpenGL reads it.
+struct DrawCommand {
+    std::uint32_t vertices, instances, first_vertex, base_vertex, base_instance;
+    IR_FIELDS(vertices, instances, first_vertex, base_vertex, base_instance)
+};
+
 graph::BufferRef declare_command(graph::GraphBuilder& builder, const std::string& key) {
     return builder.buffer({.text = {.key = key,
                                     .label = "Command of the draw",
                                     .doc = "Vertices and instances of the last slice drawn."},
-                           .fields = {{"vertices", FieldType::u32},
-                                      {"instances", FieldType::u32},
-                                      {"first_vertex", FieldType::u32},
-                                      {"base_vertex", FieldType::u32},
-                                      {"base_instance", FieldType::u32}},
+                           .fields = record_fields<DrawCommand>(),
                            .elements = 1});
 }
 
+/// Constants of draw.comp.
+struct WriteCommand {
+    unsigned first, end, vertices_of_kernel;
+    IR_FIELDS(first, end, vertices_of_kernel)
+};
+
 void write_command(const graph::PassContext& p, const Kernels& kernels, PhotonRange range) {
     const auto& program = p.use({{"methods/photon-mapping/splatting/draw.comp"}});
-    program.set("first", static_cast<unsigned>(range.first));
-    program.set("end", static_cast<unsigned>(range.end));
-    program.set("vertices_of_kernel", is_flat(kernels) ? corners_of_square : corners_of_icosahedron);
+    program.set(WriteCommand{static_cast<unsigned>(range.first), static_cast<unsigned>(range.end),
+                             is_flat(kernels) ? corners_of_square : corners_of_icosahedron});
     program.dispatch(1);
     p.barrier();
 }
@@ -75,6 +80,13 @@ void draw(const graph::PassContext& p, const Kernels& kernels, graph::BufferRef 
     gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 
+/// Constants of splat.vert and splat.frag.
+struct SplatPhotons {
+    KernelRules rules;
+    unsigned first;
+    IR_FIELDS(rules, first)
+};
+
 void run(const graph::PassContext& p, graph::Slice slice, const Kernels& kernels, const KernelPass& pass,
          graph::BufferRef command) {
     if (slice.first)
@@ -88,8 +100,8 @@ void run(const graph::PassContext& p, graph::Slice slice, const Kernels& kernels
     source.defines = kernel_defines(kernels);
     source.defines.insert(pass.defines.begin(), pass.defines.end());
     const auto& program = p.use(source);
-    set_kernels(p, program, kernels);
-    program.set("first", static_cast<unsigned>(range.first));
+    program.set(SplatPhotons{kernel_rules(p.inputs(), kernels.parameters, kernels.photons.power_unit),
+                             static_cast<unsigned>(range.first)});
     set_state(p.api(), kernels, pass);
     draw(p, kernels, command);
     p.api().Disable(GL_BLEND);
@@ -128,11 +140,6 @@ std::map<std::string, std::string> kernel_defines(const Kernels& kernels) {
     if (is_flat(kernels)) defines["LINEAR_DEPTH"] = "1";
     if (kernels.surfaces.divisor > 1) defines["LOW_RESOLUTION"] = "1";
     return defines;
-}
-
-void set_kernels(const graph::PassContext& context, const gl::Program& program, const Kernels& kernels) {
-    set_kernel(program, context.inputs(), kernels.parameters, kernels.photons.power_unit);
-    passes::set_pixel_rays(program, context.inputs().view);
 }
 
 void draw_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass) {

@@ -20,8 +20,6 @@ struct Kernels {
 Kernels declare_kernels(graph::GraphBuilder& builder, const StoredPhotons& photons, graph::ImageRef tiles,
                         const SplatSurfaces& surfaces, const Parameters& parameters);
 
-/// Sets the uniforms of shaders/methods/photon-mapping/splatting/photon_kernel.glsl and inside.glsl.
-void set_kernels(const graph::PassContext& context, const gl::Program& program, const Kernels& kernels);
 /// The defines of inside.glsl.
 std::map<std::string, std::string> kernel_defines(const Kernels& kernels);
 

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <vector>
 
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/photon-mapping/splatting/splat_view.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
-
-using graph::Field;
-using graph::FieldType;
 
 /// Kernels that cover a texel are expected to be no more than this at first.
 constexpr std::uint64_t expected_photons = 1024;
@@ -22,20 +19,14 @@ struct FoundPhoton {
     std::uint32_t bounce, light;
     float distance, radius;
     std::uint32_t photon;
+    IR_FIELDS(centre, axis_u, axis_v, axis_w, contribution, power, bounce, light, distance, radius, photon)
 };
-static_assert(sizeof(FoundPhoton) == 23 * 4);
-
-std::vector<Field> explained_photon_fields() {
-    return {{"centre", FieldType::f32, 3}, {"axis_u", FieldType::f32, 3},       {"axis_v", FieldType::f32, 3},
-            {"axis_w", FieldType::f32, 3}, {"contribution", FieldType::f32, 3}, {"power", FieldType::f32, 3},
-            {"bounce", FieldType::u32},    {"light", FieldType::u32},           {"distance", FieldType::f32},
-            {"radius", FieldType::f32},    {"photon", FieldType::u32}};
-}
 
 /// As the buffer PixelSum of explain.comp, which writes photons and pixel.
 struct Sum {
     std::uint32_t texel_x, texel_y, photons;
     std::array<float, 3> gathered, pixel, difference;
+    IR_FIELDS(texel_x, texel_y, photons, gathered, pixel, difference)
 };
 
 /// Both are first what the device found, and then what the host made of it: buffers of their own in between
@@ -47,18 +38,12 @@ struct Explanation {
 
 Explanation declare(graph::GraphBuilder& builder) {
     Explanation e;
-    e.photons =
-        builder.output("splat.explain.photons",
-                       {.fields = explained_photon_fields(), .elements = expected_photons, .growable = true});
-    e.sum = builder.output("splat.explain.sum", {.fields = {{"texel_x", FieldType::u32},
-                                                            {"texel_y", FieldType::u32},
-                                                            {"photons", FieldType::u32},
-                                                            {"gathered", FieldType::f32, 3},
-                                                            {"pixel", FieldType::f32, 3},
-                                                            {"difference", FieldType::f32, 3}},
-                                                 .elements = 1,
-                                                 .growable = true,
-                                                 .cleared = true});
+    e.photons = builder.output(
+        "splat.explain.photons",
+        {.fields = record_fields<FoundPhoton>(), .elements = expected_photons, .growable = true});
+    e.sum =
+        builder.output("splat.explain.sum",
+                       {.fields = record_fields<Sum>(), .elements = 1, .growable = true, .cleared = true});
     e.photon_count = builder.counter({.key = "splat.explain.photon_count",
                                       .label = "Photons that light the pixel",
                                       .growth_of = e.photons});
@@ -75,12 +60,19 @@ glm::ivec2 picked_texel(const graph::FrameInputs& inputs, int divisor) {
     return inside ? glm::ivec2(picked.x, picked.y) / divisor : glm::ivec2(-1);
 }
 
+/// Constants of explain.comp.
+struct ExplainPixel {
+    KernelRules rules;
+    glm::ivec2 picked_texel;
+    IR_FIELDS(rules, picked_texel)
+};
+
 void gather(const graph::PassContext& p, graph::Slice slice, const Kernels& kernels) {
     gl::ProgramSource source{{"methods/photon-mapping/splatting/explain.comp"}};
     source.defines = kernel_defines(kernels);
     const auto& program = p.use(source);
-    set_kernels(p, program, kernels);
-    program.set("picked_texel", picked_texel(p.inputs(), kernels.surfaces.divisor));
+    program.set(ExplainPixel{kernel_rules(p.inputs(), kernels.parameters, kernels.photons.power_unit),
+                             picked_texel(p.inputs(), kernels.surfaces.divisor)});
     dispatch_photons(p, program, kernels.photons, slice);
 }
 

@@ -11,12 +11,25 @@ namespace {
 /// Rows of a picture for each pixel of a dot's side, and the least side: single pixels are overlooked.
 constexpr int rows_of_a_dot = 360, min_dot = 2;
 
+/// Constants of overlay_dots.comp.
+struct MarkPhotons {
+    SplatView view;
+    int dot_size;
+    IR_FIELDS(view, dot_size)
+};
+
+/// Constants of overlay.frag.
+struct Overlay {
+    glm::vec3 view_axis_ws;
+    IR_FIELDS(view_axis_ws)
+};
+
 void mark_dots(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons,
                graph::ImageRef dots) {
     if (slice.first) p.clear(dots);
     const auto& program = p.use({{"methods/photon-mapping/splatting/overlay_dots.comp"}});
-    set_splat_view(program, p.inputs(), 1);
-    program.set("dot_size", std::max(min_dot, p.inputs().view.height / rows_of_a_dot));
+    const auto& view = p.inputs().view;
+    program.set(MarkPhotons{splat_view(view, 1), std::max(min_dot, view.height / rows_of_a_dot)});
     dispatch_photons(p, program, photons, slice);
 }
 
@@ -44,9 +57,7 @@ void draw_overlay(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
         .reads("dots", dots)
         .reads(gbuffer.albedo, gbuffer.normal)
         .draw({{"methods/photon-mapping/splatting/overlay.frag"}}, overlay,
-              [](const graph::PassContext& p, const gl::Program& program) {
-                  program.set("view_axis_ws", -glm::vec3(glm::transpose(p.inputs().view.view_from_world)[2]));
-              });
+              Overlay{-glm::vec3(glm::transpose(builder.inputs().view.view_from_world)[2])});
 }
 
 }  // namespace ir::methods::photon_mapping

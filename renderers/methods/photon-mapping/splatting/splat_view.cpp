@@ -38,35 +38,34 @@ float area_constant(const scene::View& view, int pixels) {
     return static_cast<float>(4 * share / (double(p[0][0]) * p[1][1]));
 }
 
-void set_splat_view(const gl::Program& program, const graph::FrameInputs& inputs, int divisor) {
-    const auto& view = inputs.view;
-    program.set("clip_from_world", clip_from_world(view, divisor));
-    program.set("eye_ws", view.eye_ws);
-    program.set("view_axis_ws", -glm::vec3(glm::transpose(view.view_from_world)[2]));
-    program.set("size_texels", glm::vec2(texels_of(view, divisor)));
-    program.set("near_plane", view.near_plane);
-    program.set("far_plane", view.far_plane);
-    program.set("perspective", is_perspective(view) ? 1 : 0);
-    program.set("divisor", divisor);
+SplatView splat_view(const scene::View& view, int divisor) {
+    return {.clip_from_world = clip_from_world(view, divisor),
+            .eye_ws = view.eye_ws,
+            .view_axis_ws = -glm::vec3(glm::transpose(view.view_from_world)[2]),
+            .size_texels = glm::vec2(texels_of(view, divisor)),
+            .near_plane = view.near_plane,
+            .far_plane = view.far_plane,
+            .perspective = is_perspective(view),
+            .divisor = divisor};
 }
 
-void set_kernel(const gl::Program& program, const graph::FrameInputs& inputs, const Parameters& parameters,
-                float power_unit) {
+KernelRules kernel_rules(const graph::FrameInputs& inputs, const Parameters& parameters, float power_unit) {
     const int divisor = divisor_of(parameters.splat_resolution);
     const float radius = scene_radius(inputs);
-    set_splat_view(program, inputs, divisor);
-    program.set("power_unit", power_unit);
-    program.set("c_tile", area_constant(inputs.view, parameters.tile_size * divisor));
-    program.set("c_texel", area_constant(inputs.view, divisor));
-    program.set("tile_size", parameters.tile_size);
-    program.set("l_max", parameters.ray_length_scale * radius);
-    program.set("r_min", parameters.radius_min * radius);
-    program.set("r_max", std::max(parameters.radius_min, parameters.radius_max) * radius);
-    program.set("ray_length_floor", parameters.ray_length_floor);
-    program.set("n_tile", parameters.kernel_scale);
-    program.set("s_n", parameters.normal_axis);
-    program.set("s_max", parameters.stretch_max);
-    program.set("radius_texels", parameters.radius_texels);
+    return {.view = splat_view(inputs.view, divisor),
+            .rays = passes::pixel_rays(inputs.view),
+            .power_unit = power_unit,
+            .c_tile = area_constant(inputs.view, parameters.tile_size * divisor),
+            .c_texel = area_constant(inputs.view, divisor),
+            .tile_size = parameters.tile_size,
+            .l_max = parameters.ray_length_scale * radius,
+            .r_min = parameters.radius_min * radius,
+            .r_max = std::max(parameters.radius_min, parameters.radius_max) * radius,
+            .ray_length_floor = parameters.ray_length_floor,
+            .n_tile = parameters.kernel_scale,
+            .s_n = parameters.normal_axis,
+            .s_max = parameters.stretch_max,
+            .radius_texels = parameters.radius_texels};
 }
 
 }  // namespace ir::methods::photon_mapping

@@ -2,6 +2,7 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/photon-mapping/parameters.h"
+#include "renderers/passes/gbuffer/pixel_rays.h"
 
 namespace ir::methods::photon_mapping {
 
@@ -18,11 +19,28 @@ glm::mat4 clip_from_world(const scene::View& view, int divisor);
 /// the height and width (m) of a parallel view: c_tile.  [Smal19 §6.1.1]
 float area_constant(const scene::View& view, int pixels);
 
-/// Sets the uniforms of shaders/methods/photon-mapping/splatting/splat_view.glsl.
-void set_splat_view(const gl::Program& program, const graph::FrameInputs& inputs, int divisor);
+/// Constants of shaders/methods/photon-mapping/splatting/splat_view.glsl.
+struct SplatView {
+    glm::mat4 clip_from_world;
+    glm::vec3 eye_ws, view_axis_ws;
+    glm::vec2 size_texels;
+    float near_plane, far_plane;
+    bool perspective;
+    int divisor;
+    IR_FIELDS(clip_from_world, eye_ws, view_axis_ws, size_texels, near_plane, far_plane, perspective, divisor)
+};
+SplatView splat_view(const scene::View& view, int divisor);
 
-/// Sets the uniforms of photon_kernel.glsl beside it, those of the view included.
-void set_kernel(const gl::Program& program, const graph::FrameInputs& inputs, const Parameters& parameters,
-                float power_unit);
+/// Constants of photon_kernel.glsl and inside.glsl beside it.
+struct KernelRules {
+    SplatView view;
+    passes::PixelRays rays;
+    float power_unit, c_tile, c_texel;
+    int tile_size;
+    float l_max, r_min, r_max, ray_length_floor, n_tile, s_n, s_max, radius_texels;
+    IR_FIELDS(view, rays, power_unit, c_tile, c_texel, tile_size, l_max, r_min, r_max, ray_length_floor,
+              n_tile, s_n, s_max, radius_texels)
+};
+KernelRules kernel_rules(const graph::FrameInputs& inputs, const Parameters& parameters, float power_unit);
 
 }  // namespace ir::methods::photon_mapping

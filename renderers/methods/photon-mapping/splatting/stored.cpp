@@ -1,7 +1,17 @@
 #include "renderers/methods/photon-mapping/splatting/stored.h"
+
 #include "renderers/gl/dispatch_items.h"
 
 namespace ir::methods::photon_mapping {
+namespace {
+
+/// Constants of stored.comp.
+struct CountPhotons {
+    unsigned capacity;
+    IR_FIELDS(capacity)
+};
+
+}  // namespace
 
 StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photons) {
     StoredPhotons result;
@@ -20,8 +30,8 @@ StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photon
         .writes("Stored", result.stored)
         .counts("Count", photons.count)
         .compute({{"methods/photon-mapping/splatting/stored.comp"}}, 1,
-                 [=](const graph::PassContext& p, const gl::Program& program) {
-                     program.set("capacity", static_cast<unsigned>(p.capacity(photons.records)));
+                 [records = photons.records](const graph::PassContext& p) {
+                     return CountPhotons{static_cast<unsigned>(p.capacity(records))};
                  });
     return result;
 }
@@ -37,8 +47,7 @@ PhotonRange photons_of(const graph::PassContext& context, const StoredPhotons& p
 void dispatch_photons(const graph::PassContext& context, const gl::Program& program,
                       const StoredPhotons& photons, graph::Slice slice) {
     const auto range = photons_of(context, photons, slice);
-    gl::dispatch_items(program, static_cast<std::int64_t>(range.first), static_cast<std::int64_t>(range.end),
-                       "first", "end");
+    gl::dispatch_items(program, static_cast<std::int64_t>(range.first), static_cast<std::int64_t>(range.end));
 }
 
 }  // namespace ir::methods::photon_mapping

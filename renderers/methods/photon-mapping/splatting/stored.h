@@ -25,7 +25,7 @@ struct PhotonRange {
 };
 PhotonRange photons_of(const graph::PassContext& context, const StoredPhotons& photons, graph::Slice slice);
 
-/// Sets `first` and `end` of a compute program in use and runs it for each photon of the slice.
+/// Runs a compute program in use for each photon of the slice, as gl::dispatch_items.
 void dispatch_photons(const graph::PassContext& context, const gl::Program& program,
                       const StoredPhotons& photons, graph::Slice slice);
 

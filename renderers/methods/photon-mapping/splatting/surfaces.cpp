@@ -2,7 +2,6 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
-#include "renderers/passes/gbuffer/pixel_rays.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -16,6 +15,13 @@ graph::ImageRef declare(graph::GraphBuilder& builder, gl::Format format, int div
     return builder.image(std::move(desc));
 }
 
+/// Constants of surfaces.frag.
+struct SurfacesBelow {
+    SplatView view;
+    passes::PixelRays rays;
+    IR_FIELDS(view, rays)
+};
+
 void draw(const graph::PassContext& p, const SplatSurfaces& s) {
     const bool low = s.divisor > 1;
     const graph::PassContext::Attachment stencil{s.stencil};
@@ -25,8 +31,8 @@ void draw(const graph::PassContext& p, const SplatSurfaces& s) {
     gl::ProgramSource source{{"lib/full_screen.vert", "methods/photon-mapping/splatting/surfaces.frag"}};
     if (low) source.defines["LOW_RESOLUTION"] = "1";
     const auto& program = p.use(source);
-    set_splat_view(program, p.inputs(), s.divisor);
-    passes::set_pixel_rays(program, p.inputs().view);
+    const auto& view = p.inputs().view;
+    program.set(SurfacesBelow{splat_view(view, s.divisor), passes::pixel_rays(view)});
     p.api().Enable(GL_DEPTH_TEST);
     p.api().DepthFunc(GL_ALWAYS);
     p.draw_full_screen();

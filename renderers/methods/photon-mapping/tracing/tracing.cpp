@@ -2,32 +2,30 @@
 
 #include <algorithm>
 
-#include "renderers/graph/pass_context.h"
+#include "renderers/methods/photon-mapping/compute_items.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/methods/photon-mapping/tracing/wavefront.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
 
-using graph::Field;
-using graph::FieldType;
 using graph::GraphBuilder;
 using graph::PassContext;
-using graph::Slice;
 
-const std::vector<Field> tally_fields{{"bounce", FieldType::u32}, {"rays", FieldType::u32},
-                                      {"missed", FieldType::u32}, {"stored", FieldType::u32},
-                                      {"culled", FieldType::u32}, {"absorbed", FieldType::u32},
-                                      {"cut", FieldType::u32},    {"power", FieldType::f32, 3}};
+/// As struct Row of tally.comp.
+struct TallyRow {
+    std::uint32_t bounce, rays, missed, stored, culled, absorbed, cut;
+    glm::vec3 power;
+    IR_FIELDS(bounce, rays, missed, stored, culled, absorbed, cut, power)
+};
 
-const std::vector<Field> location_fields{{"position", FieldType::f32, 3},
-                                         {"normal", FieldType::f32, 3},
-                                         {"direction", FieldType::f32, 3},
-                                         {"power", FieldType::f32, 3},
-                                         {"ray_length"},
-                                         {"bounce", FieldType::u32},
-                                         {"light", FieldType::u32},
-                                         {"seed", FieldType::u32}};
+/// As struct Location of locations.comp.
+struct PhotonLocation {
+    glm::vec3 position, normal, direction, power;
+    float ray_length;
+    std::uint32_t bounce, light, seed;
+    IR_FIELDS(position, normal, direction, power, ray_length, bounce, light, seed)
+};
 
 /// As many as memory is reserved for at first: the buffer grows.
 std::uint64_t reserved_photons(const SamplePoints& samples, const Parameters& parameters) {
@@ -42,7 +40,7 @@ Photons declare_photons(GraphBuilder& builder, const SamplePoints& samples, cons
     records.text = {.key = "photons.records",
                     .label = "Photons",
                     .doc = "As they are splatted, 32 bytes each, by bounce and path."};
-    records.fields = photon_fields();
+    records.fields = record_fields<Photon>();
     records.elements = reserved_photons(samples, parameters);
     records.growable = true;
     photons.records = builder.buffer(records);
@@ -53,9 +51,17 @@ Photons declare_photons(GraphBuilder& builder, const SamplePoints& samples, cons
     return photons;
 }
 
+/// Constants of tally.comp.
+struct TallyPhotons {
+    unsigned rows;
+    float power_unit;
+    IR_FIELDS(rows, power_unit)
+};
+
 void declare_tally(GraphBuilder& builder, const Wavefront& wavefront, float power_unit) {
+    const auto rows = wavefront.rows();
     const auto table = builder.output(
-        "photons.tally", {.fields = tally_fields, .elements = static_cast<std::uint64_t>(wavefront.rows())});
+        "photons.tally", {.fields = record_fields<TallyRow>(), .elements = static_cast<std::uint64_t>(rows)});
     auto pass = builder.pass("tally photons");
     pass.reads("Sums", wavefront.sums()).writes("Table", table);
     pass.counts("RayCounter", builder.counter({.key = "photons.rays", .label = "Rays of photons"}))
@@ -66,42 +72,35 @@ void declare_tally(GraphBuilder& builder, const Wavefront& wavefront, float powe
         .counts("CutCounter", builder.counter({.key = "photons.cut",
                                                .label = "Photons cut",
                                                .doc = "Their paths met more mirrors than are followed."}));
-    const auto rows = wavefront.rows();
     pass.compute({{"methods/photon-mapping/tracing/tally.comp"}}, rows,
-                 [=](const PassContext&, const gl::Program& program) {
-                     program.set("rows", static_cast<unsigned>(rows));
-                     program.set("power_unit", power_unit);
-                 });
+                 TallyPhotons{static_cast<unsigned>(rows), power_unit});
 }
 
-void locate(const PassContext& context, const Photons& photons, graph::BufferRef locations, Slice slice) {
-    constexpr std::int64_t max_at_once = std::int64_t{1} << 21;
-    const auto& program = context.use({{"methods/photon-mapping/tracing/locations.comp"}});
-    program.set("capacity", static_cast<unsigned>(
-                                std::min(context.capacity(locations), context.capacity(photons.records))));
-    program.set("power_unit", photons.power_unit);
-    for (auto first = slice.begin; first < slice.end; first += max_at_once) {
-        const auto end = std::min(slice.end, first + max_at_once);
-        program.set("first", static_cast<unsigned>(first));
-        program.set("end", static_cast<unsigned>(end));
-        program.dispatch(end - first);
-    }
-}
+/// Constants of locations.comp.
+struct LocatePhotons {
+    unsigned capacity;
+    float power_unit;
+    IR_FIELDS(capacity, power_unit)
+};
 
 void declare_locations(GraphBuilder& builder, const Photons& photons, std::uint64_t most,
                        std::uint64_t reserved) {
-    const auto locations = builder.output(
-        "photons.locations", {.fields = location_fields, .elements = reserved, .growable = true});
+    const auto locations =
+        builder.output("photons.locations",
+                       {.fields = record_fields<PhotonLocation>(), .elements = reserved, .growable = true});
     const auto located = builder.counter(
         {.key = "photons.located", .label = "Photons shown in space", .growth_of = locations});
-    builder.pass("photon locations")
-        .reads("Records", photons.records)
+    auto pass = builder.pass("photon locations");
+    pass.reads("Records", photons.records)
         .writes("Locations", locations)
         .counts("RecordCount", photons.count)
-        .counts("LocationCount", located)
-        .execute_sliced(
-            static_cast<std::int64_t>(most),
-            [=](PassContext& context, Slice slice) { locate(context, photons, locations, slice); }, 4096);
+        .counts("LocationCount", located);
+    compute_items(pass, {{"methods/photon-mapping/tracing/locations.comp"}}, static_cast<std::int64_t>(most),
+                  4096, [=](const PassContext& context) {
+                      const auto capacity =
+                          std::min(context.capacity(locations), context.capacity(photons.records));
+                      return LocatePhotons{static_cast<unsigned>(capacity), photons.power_unit};
+                  });
 }
 
 }  // namespace

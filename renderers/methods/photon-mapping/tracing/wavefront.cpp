@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderers/gl/dispatch_items.h"
-#include "renderers/graph/pass_context.h"
+#include "renderers/methods/photon-mapping/compute_items.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/passes/scan/scan.h"
 #include "renderers/passes/scattering/microfacets.h"
@@ -16,7 +15,6 @@ using graph::Field;
 using graph::FieldType;
 using graph::GraphBuilder;
 using graph::PassContext;
-using graph::Slice;
 
 constexpr int max_bounces = 15;  ///< what a photon has bits for
 /// Mirrors that one path may meet, where the scene has any; each costs a wavefront.
@@ -63,25 +61,83 @@ int index_of(Enum choice) {
     return static_cast<int>(choice);
 }
 
-}  // namespace
+/// As struct Path of path.glsl.
+struct PathState {
+    glm::vec3 power;
+    float way;
+    std::uint32_t bits, seed;
+    IR_FIELDS(power, way, bits, seed)
+};
 
-CullingView culling_view(const scene::View& view, const Parameters& parameters, float scene_radius) {
+/// Constants of path.glsl.
+struct PathRules {
+    unsigned frame_seed;
+    int materials, microfacet_sampling;
+    bool per_channel;
+    float max_distance;
+    IR_FIELDS(frame_seed, materials, microfacet_sampling, per_channel, max_distance)
+};
+
+PathRules path_rules(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    const auto& transport = parameters.transport;
+    return {.frame_seed = folded(inputs.seed),
+            .materials = index_of(transport.materials),
+            .microfacet_sampling = index_of(parameters.microfacet_sampling),
+            .per_channel = parameters.roulette == Roulette::per_channel,
+            .max_distance = transport.max_distance};
+}
+
+/// What photons are culled by, as struct CullingView of culling.glsl.
+struct Culling {
+    glm::mat4 frustum_sides;  ///< columns: planes through the picture's edges, unit normals inwards
+    glm::vec4 eye_ws;         ///< w = 1; for parallel rays the direction towards the camera, w = 0
+    float kernel_reach;  ///< m: longest half-axis that a kernel can have where it is not widened to texels
+    float texel_reach;   ///< the same of kernels that are: per m of distance, or for parallel rays m
+    IR_FIELDS(frustum_sides, eye_ws, kernel_reach, texel_reach)
+};
+
+Culling culling_by(const scene::View& view, const Parameters& parameters, float scene_radius) {
     const auto rows = glm::transpose(view.clip_from_world());
-    CullingView result;
+    Culling result;
     const glm::vec4 planes[4] = {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]};
-    for (int i = 0; i < 4; ++i) result.sides[i] = planes[i] / glm::length(glm::vec3(planes[i]));
+    for (int i = 0; i < 4; ++i) result.frustum_sides[i] = planes[i] / glm::length(glm::vec3(planes[i]));
     const bool is_perspective = rows[3] != glm::vec4(0, 0, 0, 1);
     const auto backwards = glm::vec3(glm::transpose(view.view_from_world)[2]);
     result.eye_ws = is_perspective ? glm::vec4(view.eye_ws, 1) : glm::vec4(backwards, 0);
     const float longest = std::max({1.0f, parameters.stretch_max, parameters.normal_axis});
     const float radius = std::max(parameters.radius_min, parameters.radius_max) * scene_radius;
-    result.reach = longest * radius * std::sqrt(parameters.kernel_scale);
+    result.kernel_reach = longest * radius * std::sqrt(parameters.kernel_scale);
     const auto divisor = static_cast<float>(1 << index_of(parameters.splat_resolution));
     const float texel = divisor * 2 / (std::abs(view.clip_from_view[1][1]) * static_cast<float>(view.height));
     // at the right and lower edge a texel may end outside of the picture
     result.texel_reach = longest * std::max(1.0f, parameters.radius_texels) * texel;
     return result;
 }
+
+/// Constants of leave.comp.
+struct LeavePoints {
+    PathRules rules;
+    unsigned repeats, sample_capacity;
+    IR_FIELDS(rules, repeats, sample_capacity)
+};
+
+/// Constants of land.comp.
+struct LandPhotons {
+    PathRules rules;
+    unsigned surface_number, last_surface, min_bounces, max_bounces, max_mirrors;
+    bool normal_maps, culling;
+    Culling view;
+    IR_FIELDS(rules, surface_number, last_surface, min_bounces, max_bounces, max_mirrors, normal_maps,
+              culling, view)
+};
+
+/// Constants of store.comp.
+struct StorePhotons {
+    unsigned surface_number, capacity;
+    IR_FIELDS(surface_number, capacity)
+};
+
+}  // namespace
 
 Wavefront::Wavefront(GraphBuilder& builder, const passes::SceneBuffers& scene, const SamplePoints& samples,
                      const Parameters& parameters)
@@ -96,11 +152,9 @@ Wavefront::Wavefront(GraphBuilder& builder, const passes::SceneBuffers& scene, c
     mirrors_ = has_mirrors ? max_mirrors : 0;
     surfaces_ = passes::hit_surfaces(builder, scene);
     rays_ = passes::declare_rays(builder, "photons", samples.paths);
-    paths_ =
-        declare(builder, "paths", "Paths of photons",
-                {{"power", FieldType::f32, 3}, {"way"}, {"bits", FieldType::u32}, {"seed", FieldType::u32}},
-                samples.paths);
-    landed_ = declare(builder, "landed", "Photons where they landed last", photon_fields(), samples.paths);
+    paths_ = declare(builder, "paths", "Paths of photons", record_fields<PathState>(), samples.paths);
+    landed_ =
+        declare(builder, "landed", "Photons where they landed last", record_fields<Photon>(), samples.paths);
     flags_ =
         declare(builder, "stored", "Whether photons are stored", {{"stored", FieldType::u32}}, samples.paths);
     bases_ = declare(builder, "bases", "Photons stored before each surface", {{"count", FieldType::u32}},
@@ -109,39 +163,23 @@ Wavefront::Wavefront(GraphBuilder& builder, const passes::SceneBuffers& scene, c
         declare(builder, "sums", "Counts and power by bounce", {{"word", FieldType::u32}}, sums_words, true);
 }
 
-void Wavefront::set_path_rules(const PassContext& context, const gl::Program& program) const {
-    const auto& transport = parameters_.transport;
-    program.set("frame_seed", folded(context.inputs().seed));
-    program.set("materials", index_of(transport.materials));
-    program.set("microfacet_sampling", index_of(parameters_.microfacet_sampling));
-    program.set("per_channel", parameters_.roulette == Roulette::per_channel);
-    program.set("max_distance", transport.max_distance);
-}
-
-void Wavefront::over_paths(const gl::Program& program, Slice slice) const {
-    gl::dispatch_items(program, slice.begin, slice.end, "first_path", "end_path");
-}
-
 void Wavefront::leave(GraphBuilder& builder, const Photons& photons) const {
     // where no bounce is stored the list of photons is empty, and still there
-    builder.pass("leave sample points")
-        .reads("Samples", samples_.points)
+    auto pass = builder.pass("leave sample points");
+    pass.reads("Samples", samples_.points)
         .reads("Sources", samples_.sources)
         .writes("Rays", rays_.rays)
         .writes("Paths", paths_)
         .writes("Tally", sums_)
         .writes(photons.records)
-        .counts("SampleCount", samples_.count)
-        .execute_sliced(
-            static_cast<std::int64_t>(samples_.paths),
-            [self = *this](PassContext& context, Slice slice) {
-                const auto& program = context.use({{"methods/photon-mapping/tracing/leave.comp"}});
-                self.set_path_rules(context, program);
-                program.set("repeats", static_cast<unsigned>(self.samples_.photons_per_point));
-                program.set("sample_capacity", static_cast<unsigned>(context.capacity(self.samples_.points)));
-                self.over_paths(program, slice);
-            },
-            first_slice);
+        .counts("SampleCount", samples_.count);
+    const auto rules = path_rules(builder.inputs(), parameters_);
+    compute_items(pass, {{"methods/photon-mapping/tracing/leave.comp"}},
+                  static_cast<std::int64_t>(samples_.paths), first_slice,
+                  [rules, samples = samples_](const PassContext& context) {
+                      return LeavePoints{rules, static_cast<unsigned>(samples.photons_per_point),
+                                         static_cast<unsigned>(context.capacity(samples.points))};
+                  });
 }
 
 void Wavefront::advance(GraphBuilder& builder, int number, const Photons& photons) const {
@@ -165,47 +203,35 @@ void Wavefront::land(GraphBuilder& builder, int number, const Photons& photons) 
         .writes("Flags", flags_)
         .writes("Bases", bases_)
         .counts("StoredCount", photons.count);
-    pass.execute_sliced(
-        static_cast<std::int64_t>(samples_.paths),
-        [self = *this, number](PassContext& context, Slice slice) {
-            const auto& program = context.use({{"methods/photon-mapping/tracing/land.comp"}});
-            const auto& parameters = self.parameters_;
-            const auto& inputs = context.inputs();
-            self.set_path_rules(context, program);
-            program.set("surface_number", static_cast<unsigned>(number));
-            program.set("last_surface", static_cast<unsigned>(self.surfaces()));
-            program.set("min_bounces", static_cast<unsigned>(parameters.transport.min_bounces));
-            program.set("max_bounces", static_cast<unsigned>(self.bounces_));
-            program.set("max_mirrors", static_cast<unsigned>(self.mirrors_));
-            program.set("normal_maps", parameters.transport.normal_maps);
-            program.set("culling", parameters.culling);
-            const auto view = culling_view(inputs.view, parameters, inputs.world->bounds.radius());
-            program.set("frustum_sides", view.sides);
-            program.set("eye_ws", view.eye_ws);
-            program.set("kernel_reach", view.reach);
-            program.set("texel_reach", view.texel_reach);
-            self.over_paths(program, slice);
-        },
-        first_slice);
+    const auto& inputs = builder.inputs();
+    const auto& transport = parameters_.transport;
+    compute_items(pass, {{"methods/photon-mapping/tracing/land.comp"}},
+                  static_cast<std::int64_t>(samples_.paths), first_slice,
+                  LandPhotons{.rules = path_rules(inputs, parameters_),
+                              .surface_number = static_cast<unsigned>(number),
+                              .last_surface = static_cast<unsigned>(surfaces()),
+                              .min_bounces = static_cast<unsigned>(transport.min_bounces),
+                              .max_bounces = static_cast<unsigned>(bounces_),
+                              .max_mirrors = static_cast<unsigned>(mirrors_),
+                              .normal_maps = transport.normal_maps,
+                              .culling = parameters_.culling,
+                              .view = culling_by(inputs.view, parameters_, inputs.world->bounds.radius())});
 }
 
 void Wavefront::store(GraphBuilder& builder, int number, graph::BufferRef places,
                       const Photons& photons) const {
-    builder.pass("store photons " + std::to_string(number))
-        .reads("Landed", landed_)
+    auto pass = builder.pass("store photons " + std::to_string(number));
+    pass.reads("Landed", landed_)
         .reads("Flags", flags_)
         .reads("Places", places)
         .reads("Bases", bases_)
-        .writes("Records", photons.records)
-        .execute_sliced(
-            static_cast<std::int64_t>(samples_.paths),
-            [self = *this, number, photons](PassContext& context, Slice slice) {
-                const auto& program = context.use({{"methods/photon-mapping/tracing/store.comp"}});
-                program.set("surface_number", static_cast<unsigned>(number));
-                program.set("capacity", static_cast<unsigned>(context.capacity(photons.records)));
-                self.over_paths(program, slice);
-            },
-            first_slice);
+        .writes("Records", photons.records);
+    compute_items(pass, {{"methods/photon-mapping/tracing/store.comp"}},
+                  static_cast<std::int64_t>(samples_.paths), first_slice,
+                  [number, records = photons.records](const PassContext& context) {
+                      return StorePhotons{static_cast<unsigned>(number),
+                                          static_cast<unsigned>(context.capacity(records))};
+                  });
 }
 
 }  // namespace ir::methods::photon_mapping

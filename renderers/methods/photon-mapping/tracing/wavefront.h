@@ -5,15 +5,6 @@
 
 namespace ir::methods::photon_mapping {
 
-/// What photons are culled by; equals struct CullingView of culling.glsl.
-struct CullingView {
-    glm::mat4 sides;    ///< columns: planes through the picture's edges, unit normals inwards
-    glm::vec4 eye_ws;   ///< w = 1; for parallel rays the direction towards the camera, w = 0
-    float reach;        ///< m: longest half-axis that a kernel can have where it is not widened to texels
-    float texel_reach;  ///< the same of kernels that are: per m of distance, or for parallel rays m
-};
-CullingView culling_view(const scene::View& view, const Parameters& parameters, float scene_radius);
-
 /// All paths of a frame, surface by surface. Buffers have one element a path.
 class Wavefront {
   public:
@@ -35,8 +26,6 @@ class Wavefront {
     void land(graph::GraphBuilder& builder, int number, const Photons& photons) const;
     void store(graph::GraphBuilder& builder, int number, graph::BufferRef places,
                const Photons& photons) const;
-    void set_path_rules(const graph::PassContext& context, const gl::Program& program) const;
-    void over_paths(const gl::Program& program, graph::Slice slice) const;
 
     passes::SceneBuffers scene_;
     SamplePoints samples_;

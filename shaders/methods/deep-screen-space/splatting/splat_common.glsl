@@ -1,5 +1,5 @@
 // What fragments of splats know: where they are, what is there, and by which surfel they are affected.
-// renderers/methods/deep-screen-space/splatting/splats.h (set_receivers) sets the uniforms.
+// Constants: SplatConstants of renderers/methods/deep-screen-space/splatting/splats.h.
 #include "methods/deep-screen-space/records.glsl"
 #include "methods/deep-screen-space/splatting/influence.glsl"
 #include "methods/deep-screen-space/splatting/places.glsl"

@@ -1,4 +1,4 @@
-// Uniforms of splat_level(); set_splat_level sets them (renderers/methods/deep-screen-space/splatting/visible.h).
+// A splat's level. Constants: VisibleLevel of renderers/methods/deep-screen-space/splatting/visible.h.
 // Include records.glsl before it.
 #include "methods/deep-screen-space/splatting/influence.glsl"
 #include "methods/deep-screen-space/splatting/visible_hit.glsl"

@@ -4,11 +4,11 @@
 layout(local_size_x = 32) in;
 layout(std430) readonly buffer Photons { Photon photons[]; };
 
-uniform uint first, end;
+uniform uint first_item, end_item;
 uniform uint first_pixel, end_pixel;  // of a rectangle, so that no loop is too long
 
 void main() {
-    uint i = first + gl_WorkGroupID.x;
-    if (i < min(end, stored))
+    uint i = first_item + gl_WorkGroupID.x;
+    if (i < min(end_item, stored))
         splat_atomically(footprint_of(photons[i]), first_pixel + gl_LocalInvocationID.x, 32u, end_pixel);
 }

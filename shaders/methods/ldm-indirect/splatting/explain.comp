@@ -27,7 +27,7 @@ uniform sampler2D gbuffer_position;
 uniform sampler2D gbuffer_geometric_normal;
 uniform sampler2D irradiance_image;
 
-uniform uint first, end;
+uniform uint first_item, end_item;
 uniform ivec2 picked_pixel;  // negative: none
 
 float[3] components(vec3 v) { return float[3](v.x, v.y, v.z); }
@@ -67,14 +67,14 @@ void main() {
     if (picked_pixel.x < 0) return;
     vec3 normal_ws = texelFetch(gbuffer_geometric_normal, picked_pixel, 0).xyz;
     if (normal_ws == vec3(0)) return;
-    uint i = first + gl_GlobalInvocationID.x;
+    uint i = first_item + gl_GlobalInvocationID.x;
     if (i == 0u) {
         atomicAdd(sum_count, 1u);
         pixel_x = uint(picked_pixel.x);
         pixel_y = uint(picked_pixel.y);
         pixel_value = components(texelFetch(irradiance_image, picked_pixel, 0).rgb);
     }
-    if (i >= min(end, stored)) return;
+    if (i >= min(end_item, stored)) return;
     Photon photon = photons[i];
     Footprint f = footprint_of(photon);
     vec3 x = texelFetch(gbuffer_position, picked_pixel, 0).xyz;

@@ -1,5 +1,5 @@
 // What a photon lights: an ellipsoid around the ellipse that its differential spans.  [Aalund15 eqs. 4-7]
-// renderers/methods/ldm-indirect/splatting/footprints.h sets the uniforms.
+// renderers/methods/ldm-indirect/splatting/stored.h has the constants.
 #include "lib/spaces.glsl"
 #include "methods/ldm-indirect/records.glsl"
 
@@ -62,7 +62,7 @@ vec3 source_direction(Photon photon) {
     }
     if (light_count == 0u) return vec3(0);
     vec4 light = arrivals[map_count + min(photon.leg >> LEG_LIGHT_SHIFT, light_count - 1u)];
-    return light.w > 0.5 ? normalize(light.xyz - photon.position_ws) : -light.xyz;
+    return light.w > 0.5 ? normalize(light.xyz - photon.centre_ws) : -light.xyz;
 }
 
 /// The photon's footprint with its axes in the receiver's plane, scaled, and between the least and the longest.
@@ -71,12 +71,12 @@ Footprint footprint_of(Photon photon) {
     Footprint f;
     f.mended = 0u;
     f.counts = is_asked_for(photon);
-    if (not_finite(photon.position_ws) || not_finite(photon.flux)) {
+    if (not_finite(photon.centre_ws) || not_finite(photon.flux)) {
         f.counts = false;
         f.mended = NOT_FINITE;
     }
     if (!f.counts) return f;
-    f.centre_ws = photon.position_ws;
+    f.centre_ws = photon.centre_ws;
     f.n_ws = unpacked_direction(photon.normal);
     mat3 frame = frame_of(f.n_ws);
     bool broken = any(isnan(photon.axis_u)) || any(isnan(photon.axis_v));

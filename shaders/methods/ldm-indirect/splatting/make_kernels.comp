@@ -7,12 +7,12 @@ layout(std430) writeonly buffer Kernels { PackedKernel kernels[]; };
 layout(std430) readonly buffer Count { uint photon_count; };
 layout(std430) buffer KernelCount { uint kernel_count; };
 
-uniform uint first, end, capacity;
+uniform uint first_item, end_item, capacity;
 
 void main() {
-    uint i = first + gl_GlobalInvocationID.x;
+    uint i = first_item + gl_GlobalInvocationID.x;
     if (i == 0u) kernel_count = photon_count;
-    if (i >= min(end, min(stored, capacity))) return;
+    if (i >= min(end_item, min(stored, capacity))) return;
     Footprint f = footprint_of(photons[i]);
     if (f.counts) kernels[i] = packed_kernel(kernel_of(f));
 }

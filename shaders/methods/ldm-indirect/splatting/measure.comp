@@ -8,11 +8,11 @@ layout(std430) buffer Long { uint long_axes; };
 layout(std430) buffer Degenerate { uint degenerate; };
 layout(std430) buffer Broken { uint broken; };
 
-uniform uint first, end;
+uniform uint first_item, end_item;
 
 void main() {
-    uint i = first + gl_GlobalInvocationID.x;
-    if (i >= min(end, stored)) return;
+    uint i = first_item + gl_GlobalInvocationID.x;
+    if (i >= min(end_item, stored)) return;
     uint mended = footprint_of(photons[i]).mended;
     if ((mended & MENDED_SHORT) != 0u) atomicAdd(short_axes, 1u);
     if ((mended & MENDED_LONG) != 0u) atomicAdd(long_axes, 1u);

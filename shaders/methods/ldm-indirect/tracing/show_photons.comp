@@ -23,7 +23,7 @@ void main() {
     if (index >= min(end_item, min(stored_count, capacity)) || index >= shown_capacity) return;
     Photon p = photons[index];
     uint word = WORDS * index;
-    put(word, p.position_ws);
+    put(word, p.centre_ws);
     put(word + 3u, p.axis_u);
     put(word + 6u, p.axis_v);
     put(word + 9u, unpacked_direction(p.normal));

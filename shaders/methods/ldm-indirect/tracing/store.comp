@@ -27,7 +27,7 @@ Photon photon(Primary p, uint map, float t, uint packed_normal) {
     if (params.footprint == FOOTPRINT_WIDENED)
         axes = widened(axes, direction, normal, t, float(params.directions));
     Photon result;
-    result.position_ws = p.position_ws + t * direction;
+    result.centre_ws = p.position_ws + t * direction;
     result.source = p.source;
     result.axis_u = axes.u;
     result.axis_v = axes.v;

@@ -7,7 +7,7 @@ layout(rgba16f) uniform writeonly image2DArray picture;
 const vec3 LEAVES = vec3(1.0, 0.35, 0.02), ENDS = vec3(0.05, 0.35, 1.0);
 
 void main() {
-    ShownPoint s = shown_point(first_shown + gl_GlobalInvocationID.x);
+    ShownPoint s = shown_point(first_item + gl_GlobalInvocationID.x);
     if (!s.is_shown) return;
     ivec2 size = imageSize(picture).xy;
     for (int step = 0; step < step_count; ++step) {

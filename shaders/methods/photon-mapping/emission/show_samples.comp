@@ -30,7 +30,7 @@ vec3 laid_out(vec2 place, ShownPoint s, int step) {
 }
 
 void main() {
-    uint item = first_shown + gl_GlobalInvocationID.x;
+    uint item = first_item + gl_GlobalInvocationID.x;
     ShownPoint s = shown_point(item);
     uint number = shown_source < 0 ? item : s.index;
     if (!s.is_shown || number % stride != 0u) return;

@@ -11,7 +11,7 @@ layout(std430) readonly buffer Candidates { uint candidates[]; };
 uniform int shown_source;            // -1: all
 uniform int first_step, step_count;  // 0: before warping; 2 l + 1: horizontally at level l from the top, …
 uniform uint points_without_light;
-uniform uint first_shown, end_shown;  // of this dispatch
+uniform uint first_item, end_item;  // of this dispatch
 
 struct ShownPoint {
     uint source, index;  // of the source's set
@@ -23,7 +23,7 @@ struct ShownPoint {
 ShownPoint shown_point(uint item) {
     ShownPoint s;
     bool no_light = source_count == 0u;
-    if (item >= min(end_shown, no_light ? points_without_light : all_points)) {
+    if (item >= min(end_item, no_light ? points_without_light : all_points)) {
         s.is_shown = false;
         return s;
     }

@@ -22,7 +22,7 @@ layout(std430) buffer SumCount { uint sum_count; };
 
 uniform sampler2D irradiance;
 
-uniform uint first, end;
+uniform uint first_item, end_item;
 uniform ivec2 picked_texel;  // negative: none
 
 float[3] components(vec3 v) { return float[3](v.x, v.y, v.z); }
@@ -54,12 +54,12 @@ void write(uint place, uint i, Photon photon, Kernel k) {
 
 void main() {
     if (picked_texel.x < 0 || isinf(texelFetch(surfaces, picked_texel, 0).x)) return;
-    uint i = first + gl_GlobalInvocationID.x;
+    uint i = first_item + gl_GlobalInvocationID.x;
     if (i == 0u) {
         atomicAdd(sum_count, 1u);
         texel_value = components(texelFetch(irradiance, picked_texel, 0).rgb);
     }
-    if (i >= min(end, stored)) return;
+    if (i >= min(end_item, stored)) return;
     Photon photon = photons[i];
     if (!is_splatted(photon)) return;
     Kernel k = kernel_of(photon);

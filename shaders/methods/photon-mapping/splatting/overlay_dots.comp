@@ -10,7 +10,7 @@ layout(std430) readonly buffer Stored { uint stored; };
 layout(r32ui) uniform uimage2D dots;
 uniform sampler2D gbuffer_position;
 
-uniform uint first, end;
+uniform uint first_item, end_item;
 uniform int dot_size;  // pixels
 
 /// Depths of dots and surfaces agree but for the surface's slope within a pixel.
@@ -23,8 +23,8 @@ bool is_seen(vec3 position_ws) {
 }
 
 void main() {
-    uint i = first + gl_GlobalInvocationID.x;
-    if (i >= min(end, stored)) return;
+    uint i = first_item + gl_GlobalInvocationID.x;
+    if (i >= min(end_item, stored)) return;
     Photon photon = photons[i];
     if (!faces_viewer(photon.position_ws, normal_of(photon)) || !is_seen(photon.position_ws)) return;
     uint key = pcg(i) << 4u | bounce_of(photon);

@@ -7,12 +7,12 @@ layout(std430) readonly buffer Photons { Photon photons[]; };
 layout(std430) readonly buffer Stored { uint stored; };
 layout(r32ui) uniform uimage2D tiles;
 
-uniform uint first, end;
+uniform uint first_item, end_item;
 uniform int tile_size;
 
 void main() {
-    uint i = first + gl_GlobalInvocationID.x;
-    if (i >= min(end, stored)) return;
+    uint i = first_item + gl_GlobalInvocationID.x;
+    if (i >= min(end_item, stored)) return;
     Photon photon = photons[i];
     if (!in_picture(photon.position_ws) || !faces_viewer(photon.position_ws, normal_of(photon))) return;
     imageAtomicAdd(tiles, ivec2(texel_at(photon.position_ws) / float(tile_size)), 1u);

@@ -116,8 +116,8 @@ void land(uint index) {
 
 void main() {
     begin_tally();
-    uint index = first_path + gl_GlobalInvocationID.x;
+    uint index = first_item + gl_GlobalInvocationID.x;
     if (index == 0u) bases[surface_number] = stored_count;  // of the surfaces before
-    if (index < end_path) land(index);
+    if (index < end_item) land(index);
     end_tally();
 }

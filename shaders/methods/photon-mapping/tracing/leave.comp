@@ -53,7 +53,7 @@ Ray leave(uint index) {
 
 void main() {
     begin_tally();
-    uint index = first_path + gl_GlobalInvocationID.x;
-    if (index < end_path) rays[index] = leave(index);
+    uint index = first_item + gl_GlobalInvocationID.x;
+    if (index < end_item) rays[index] = leave(index);
     end_tally();
 }

@@ -13,15 +13,15 @@ layout(std430) readonly buffer RecordCount { uint record_count; };
 layout(std430) writeonly buffer Locations { Location locations[]; };
 layout(std430) buffer LocationCount { uint location_count; };
 
-uniform uint first, end, capacity;
+uniform uint first_item, end_item, capacity;
 uniform float power_unit;
 
 float[3] floats(vec3 v) { return float[3](v.x, v.y, v.z); }
 
 void main() {
-    uint index = first + gl_GlobalInvocationID.x;
-    uint shown = min(record_count, end);
-    if (index == first) atomicMax(location_count, record_count);
+    uint index = first_item + gl_GlobalInvocationID.x;
+    uint shown = min(record_count, end_item);
+    if (index == first_item) atomicMax(location_count, record_count);
     if (index >= shown || index >= capacity) return;
     Photon photon = records[index];
     locations[index] =

@@ -17,7 +17,7 @@ struct Path {
 layout(std430) buffer Rays { Ray rays[]; };
 layout(std430) buffer Paths { Path paths[]; };
 
-uniform uint first_path, end_path;
+uniform uint first_item, end_item;
 uniform uint frame_seed;
 uniform int materials;            // SCATTERING_…
 uniform int microfacet_sampling;  // MICROFACETS_…

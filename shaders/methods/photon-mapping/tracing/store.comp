@@ -9,11 +9,11 @@ layout(std430) readonly buffer Places { uint places[]; };
 layout(std430) readonly buffer Bases { uint bases[]; };
 layout(std430) writeonly buffer Records { Photon records[]; };
 
-uniform uint first_path, end_path, surface_number, capacity;
+uniform uint first_item, end_item, surface_number, capacity;
 
 void main() {
-    uint index = first_path + gl_GlobalInvocationID.x;
-    if (index >= end_path || is_stored[index] == 0u) return;
+    uint index = first_item + gl_GlobalInvocationID.x;
+    if (index >= end_item || is_stored[index] == 0u) return;
     uint place = bases[surface_number] + places[index];
     if (place < capacity) records[place] = landed[index];
 }

@@ -1,7 +1,8 @@
+#include "app/engine/pictures.h"
+
 #include <algorithm>
 #include <cstring>
 
-#include "app/engine/execution.h"
 #include "app/engine/lighting_digest.h"
 #include "app/engine/version.h"
 #include "renderers/image/channels.h"
@@ -46,16 +47,27 @@ ImageLayer buffer_layer(const std::string& key, const graph::BufferDesc& desc,
 
 }  // namespace
 
-std::vector<ImageLayer> Execution::layers(const std::vector<std::string>& patterns) const {
+std::string main_key(const Execution& execution) {
+    const auto* output = main_output(execution.method(), execution.settings());
+    return output ? output->key : std::string();
+}
+
+Image main_result(const Execution& execution) {
+    return execution.graph().read_image(main_key(execution)).value_or(Image());
+}
+
+std::vector<ImageLayer> layers(const Execution& execution, const std::vector<std::string>& patterns) {
     std::vector<ImageLayer> result;
-    const auto& report = graph_->last_report();
-    const auto main_result = main_key();
+    const auto& graph = execution.graph();
+    const auto& variance = execution.method().variance;
+    const auto& report = graph.last_report();
+    const auto main_result = main_key(execution);
     const auto add = [&](const std::string& name, const ResourceReport& resource, int level, int layer) {
-        auto image = graph_->read_image(resource.key, level, layer);
+        auto image = graph.read_image(resource.key, level, layer);
         if (!image) return;
         // The default layer is what other viewers show: R, G, B or Y.
         const bool main_vector = name.empty() && is_vector(resource.semantic);
-        const bool colour = main_vector || resource.key == method_->description.variance;
+        const bool colour = main_vector || resource.key == variance;
         Image kept;
         if (main_vector) *image = Image(values_of(*image, resource.semantic, kept));
         const auto channels = channel_names(colour ? Semantic::radiance : resource.semantic, image->channels);
@@ -65,13 +77,13 @@ std::vector<ImageLayer> Execution::layers(const std::vector<std::string>& patter
         if (resource.key == main_result) add("", resource, 0, 0);
     for (const auto& resource : report.resources) {
         // The variance goes along, so that files tell noise from error.
-        const bool wanted = resource.key == "valid" || resource.key == method_->description.variance ||
+        const bool wanted = resource.key == "valid" || resource.key == variance ||
                             std::any_of(patterns.begin(), patterns.end(), [&](const auto& pattern) {
                                 return graph::matches(pattern, resource.key);
                             });
         if (!wanted || !resource.available) continue;
-        if (const auto* desc = graph_->buffer_desc(resource.key)) {
-            const auto bytes = graph_->read_buffer(resource.key);
+        if (const auto* desc = graph.buffer_desc(resource.key)) {
+            const auto bytes = graph.read_buffer(resource.key);
             const auto held = bytes ? bytes->size() / std::max(1, graph::stride(*desc)) : 0;
             if (held > 0)
                 result.push_back(buffer_layer(resource.key, *desc, *bytes,
@@ -89,33 +101,36 @@ std::vector<ImageLayer> Execution::layers(const std::vector<std::string>& patter
     return result;
 }
 
-ImageAttributes Execution::attributes() const {
+ImageAttributes attributes(const Execution& execution) {
     ImageAttributes result;
+    const auto& experiment = execution.experiment();
+    const auto& method = execution.method();
+    const auto& report = execution.graph().last_report();
     const auto vector = [](glm::vec3 v) {
         return to_string(Value{double{v.x}}) + "," + to_string(Value{double{v.y}}) + "," +
                to_string(Value{double{v.z}});
     };
     result["interreflect.version"] = version();
-    result["interreflect.method"] = method_->description.id;
-    result["interreflect.method_version"] = std::to_string(method_->description.version);
-    if (const auto& variance = method_->description.variance; !variance.empty())
-        result["interreflect.variance"] = variance;
-    for (const auto& [key, value] : settings_) result["interreflect.set." + key] = to_string(value);
-    result["interreflect.scene"] = scene::composition_name(experiment_.composition());
-    result["interreflect.scene_hash"] = scene_->content_hash;
-    result["interreflect.lighting"] = lighting_digest(world_.lights, scene_->environment);
-    if (const auto& environment = experiment_.environment)
+    result["interreflect.method"] = method.id;
+    result["interreflect.method_version"] = std::to_string(method.version);
+    if (const auto& variance = method.variance; !variance.empty()) result["interreflect.variance"] = variance;
+    for (const auto& [key, value] : execution.settings())
+        result["interreflect.set." + key] = to_string(value);
+    result["interreflect.scene"] = scene::composition_name(experiment.composition());
+    result["interreflect.scene_hash"] = execution.scene().content_hash;
+    result["interreflect.lighting"] =
+        lighting_digest(execution.world().lights, execution.scene().environment);
+    if (const auto& environment = experiment.environment)
         result["interreflect.environment"] = environment->map ? "map" : vector(environment->constant);
-    result["interreflect.seed"] = std::to_string(experiment_.seed);
-    result["interreflect.frames"] = std::to_string(frame_);
-    if (accumulates()) result["interreflect.samples"] = std::to_string(samples_);
-    result["interreflect.time"] = to_string(Value{experiment_.time});
-    const auto frames_before = frame_ > 0 ? static_cast<double>(frame_ - 1) : 0.0;
-    result["interreflect.moment"] = to_string(Value{experiment_.time + frames_before * seconds_per_frame()});
-    result["interreflect.moves"] = to_string(Value{is_moving()});
-    result["interreflect.backend"] = graph_->last_report().backend;
-    result["interreflect.device"] = graph_->last_report().device;
-    const auto from = camera();
+    result["interreflect.seed"] = std::to_string(experiment.seed);
+    result["interreflect.frames"] = std::to_string(execution.committed_frames());
+    if (execution.accumulates()) result["interreflect.samples"] = std::to_string(execution.samples());
+    result["interreflect.time"] = to_string(Value{experiment.time});
+    result["interreflect.moment"] = to_string(Value{execution.time()});
+    result["interreflect.moves"] = to_string(Value{execution.is_moving()});
+    result["interreflect.backend"] = report.backend;
+    result["interreflect.device"] = report.device;
+    const auto from = execution.camera();
     result["interreflect.camera.eye"] = vector(from.eye);
     result["interreflect.camera.target"] = vector(from.target);
     result["interreflect.camera.up"] = vector(from.up);

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/engine/execution.h"
+
+namespace ir::engine {
+
+// What the last frame of an execution left, as files have it.
+
+/// Key of the resource that holds the main result.
+std::string main_key(const Execution& execution);
+/// Empty before the first frame.
+Image main_result(const Execution& execution);
+/// Default layer with the main result, "valid", its variance, and each resource that matches a pattern:
+/// images as they are (levels and layers as "key.level1", "key.layer3"), buffers as images with a channel per
+/// field, at most 4096 wide.
+std::vector<ImageLayer> layers(const Execution& execution, const std::vector<std::string>& patterns);
+/// Parameters, seed, camera, scene hash, versions: for the EXR header.
+ImageAttributes attributes(const Execution& execution);
+
+}  // namespace ir::engine

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <compare>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ir::gl {
+
+/// What a program is made of. Files are relative to the shader folder and end in .vert .tesc .tese .geom
+/// .frag .comp.
+struct ProgramSource {
+    std::vector<std::string> files;
+    std::map<std::string, std::string> defines = {};
+    std::string preamble = {};  ///< GLSL put after #version and defines, e.g. a generated parameter block
+    std::vector<std::string> feedback = {};  ///< transform-feedback varyings, interleaved
+    auto operator<=>(const ProgramSource&) const = default;
+};
+
+}  // namespace ir::gl
