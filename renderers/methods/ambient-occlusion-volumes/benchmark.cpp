@@ -35,7 +35,7 @@ std::vector<BenchmarkColumn> columns() {
          .doc = "Volumes that may reach what the picture shows.",
          .source = BenchmarkColumn::Counter{"volumes.drawn"},
          .best = BenchmarkColumn::Best::none},
-        {.label = "Most on a pixel",
+        {.label = "Maximum on a pixel",
          .doc = "Volumes that cover one pixel.",
          .source = BenchmarkColumn::LargestValue{"volumes.covering"},
          .best = BenchmarkColumn::Best::none},

@@ -38,7 +38,7 @@ std::vector<Column> columns() {
         count("Patches", "Triangles and parts of triangles that are tessellated.", "surfels.patches"),
         count("Fine", "Surfels before thinning.", "surfels.fine"),
         count("Surfels", "After thinning.", "surfels.kept"),
-        bytes("MIP", "Pyramids of the least and greatest positions.", {"hierarchy.least", "hierarchy.most"}),
+        bytes("MIP", "Pyramids of the least and greatest positions.", {"hierarchy.min", "hierarchy.max"}),
         bytes("Layout", "Lookup images of shuffling and unshuffling.",
               {"hierarchy.layout", "hierarchy.places"}),
         bytes("Positions", "Shuffled positions.", {"hierarchy.positions"}),

@@ -14,9 +14,9 @@ struct Hierarchy {
                              ///< of the (padded) view its place in the level
     graph::ImageRef
         positions;  ///< "hierarchy.positions" rgba32f stack: shuffled x_p, w 1; w 0: nothing is there
-    graph::ImageRef normals;      ///< "hierarchy.normals" rgba32f stack: shuffled shading normals
-    graph::ImageRef least, most;  ///< "hierarchy.least", "hierarchy.most" rgba32f pyramids of the view:
-                                  ///< bounds of positions below each texel; least > most: nothing there
+    graph::ImageRef normals;   ///< "hierarchy.normals" rgba32f stack: shuffled shading normals
+    graph::ImageRef min, max;  ///< "hierarchy.min", "hierarchy.max" rgba32f pyramids of the view:
+                               ///< bounds of positions below each texel; least > most: nothing there
     int levels = 0, width = 0, height = 0;  ///< padded to a multiple of 2^(levels − 1)
 };
 Hierarchy shuffle(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Parameters& parameters);

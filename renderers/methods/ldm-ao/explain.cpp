@@ -146,7 +146,7 @@ std::vector<OutputDescription> explanation_outputs() {
          .when_empty = no_surface,
          .explains = true},
         {.key = "ldm.explain.texel",
-         .label = "Texel asked",
+         .label = "Queried texel",
          .kind = OutputKind::glyphs,
          .unit = "m",
          .doc =

@@ -15,7 +15,7 @@ inline float pixel_size(const scene::View& view) {
 
 /// m: what longer semi-axes are cut to.
 inline float longest_axis(const Parameters& parameters, const scene::World& world) {
-    return parameters.greatest_axis * std::max(world.bounds.radius(), 1e-6f);
+    return parameters.max_axis * std::max(world.bounds.radius(), 1e-6f);
 }
 
 }  // namespace ir::methods::ldm_indirect

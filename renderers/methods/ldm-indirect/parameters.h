@@ -24,10 +24,10 @@ struct Parameters {
 
     // splatting/parameters.cpp
     Splatting splatting = Splatting::tiles;
-    float splat_size = 1;            ///< s: scales a footprint's axes
-    float topological_bias = 1;      ///< a'
-    float least_axis_pixels = 0.5f;  ///< shorter axes are made so long, in pixels at the photon
-    float greatest_axis = 0.25f;     ///< longer axes are cut to this part of the radius of the scene's bounds
+    float splat_size = 1;          ///< s: scales a footprint's axes
+    float topological_bias = 1;    ///< a'
+    float min_axis_pixels = 0.5f;  ///< shorter axes are made so long, in pixels at the photon
+    float max_axis = 0.25f;        ///< longer axes are cut to this part of the radius of the scene's bounds
     DirectBy direct = DirectBy::rasterisation;
 };
 

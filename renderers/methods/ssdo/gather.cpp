@@ -14,7 +14,7 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const std::string& key, gl
 
 passes::bounce::Receivers receivers_of(const Inputs& inputs) {
     passes::bounce::DirectionOptions options;
-    options.parameters.least_roughness = 0;
+    options.parameters.min_roughness = 0;
     options.light = true;
     options.materials = inputs.parameters.transport.materials;
     return {inputs.scene, inputs.gbuffer, options};

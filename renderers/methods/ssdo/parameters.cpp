@@ -28,9 +28,9 @@ void add_estimator(ParameterTable<Parameters>& table) {
               .hard = {0, 1e3},
               .soft = {0, 4},
               .active_when = published})
-        .add(&Parameters::least_distance,
-             {.key = "least_distance",
-              .label = "Least distance",
+        .add(&Parameters::min_distance,
+             {.key = "min_distance",
+              .label = "Minimum distance",
               .doc = "Distances below it count as it in the published estimator, as a part of the radius. "
                      "The paper clamps to 1 of a unit that it does not name: if it is the radius, pictures "
                      "are far too dark.",

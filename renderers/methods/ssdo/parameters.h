@@ -15,7 +15,7 @@ struct Parameters {
     Transport transport{.paths = default_light.paths, .max_distance = 1};
     Estimator estimator = Estimator::density;
     float strength = 1;
-    float least_distance = 0.2f;
+    float min_distance = 0.2f;
     Turning turning = Turning::pattern;
     passes::BlurParameters blur{.blur_radius = 3};
 };

@@ -61,9 +61,9 @@ ParameterTable<DirectionParameters> direction_parameters(const Condition& active
     add_choices(table, active_when, effects);
     if (effects == Effects::ambient_occlusion) return table;
     table.add(
-        &DirectionParameters::least_roughness,
-        {.key = "least_roughness",
-         .label = "Least roughness",
+        &DirectionParameters::min_roughness,
+        {.key = "min_roughness",
+         .label = "Minimum roughness",
          .doc = "Smoother receivers reflect as if they were this rough. A mirror's one direction has no "
                 "density, and what its neighbours met would be of no use to it.",
          .hard = {0.032, 1},

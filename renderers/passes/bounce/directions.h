@@ -22,7 +22,7 @@ struct DirectionParameters {
     int samples = 4;  ///< per pixel, 1 … max_samples
     Spread spread = Spread::stratified;
     Distribution distribution = Distribution::uniform;
-    float least_roughness = 0.05f;  ///< smoother receivers are taken for this rough
+    float min_roughness = 0.05f;  ///< smoother receivers are taken for this rough
 };
 
 /// What a method computes: without light it has no parameters that only light needs.

@@ -13,7 +13,7 @@ void Receivers::declare_reads(graph::PassBuilder& pass) const {
 }
 
 ReceiverConstants Receivers::constants(const graph::FrameInputs& inputs) const {
-    return {viewer(inputs.view), options.parameters.least_roughness};
+    return {viewer(inputs.view), options.parameters.min_roughness};
 }
 
 }  // namespace ir::passes::bounce

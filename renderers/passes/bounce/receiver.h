@@ -9,8 +9,8 @@ namespace ir::passes::bounce {
 /// Constants of shaders/passes/bounce/receiver.glsl, with light or without.
 struct ReceiverConstants {
     Viewer viewer;
-    float least_roughness;
-    IR_FIELDS(viewer, least_roughness)
+    float min_roughness;
+    IR_FIELDS(viewer, min_roughness)
 };
 
 /// What shaders/passes/bounce/receiver.glsl needs: defines, accesses and constants.

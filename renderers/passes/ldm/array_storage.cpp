@@ -31,7 +31,7 @@ ArrayStorage::ArrayStorage(graph::GraphBuilder& builder, const Layout& layout, H
                                .growable = true});
     sorted_ = declare_sorted_depths(builder, layout);
     offset_words_requested_ = builder.counter({.key = "ldm.offset_words",
-                                               .name = "OffsetsAsked",
+                                               .name = "OffsetsRequested",
                                                .label = "Words of offsets",
                                                .doc = "Of a batch of maps.",
                                                .growth_of = offsets_});

@@ -52,7 +52,7 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
          .elements = texels * expected_layers,
          .growable = true});
     maps.fragments_requested = builder.counter({.key = "ldm.chunk_fragments",
-                                                .name = "FragmentsAsked",
+                                                .name = "FragmentsRequested",
                                                 .label = "Fragments of the largest chunk",
                                                 .growth_of = maps.list.fragments});
     if (maps.storage->needs_arrivals())
@@ -75,7 +75,7 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
                                  .elements = std::max<std::uint64_t>(1 << 16, texels / 2),
                                  .growable = true});
     maps.large_requested = builder.counter({.key = "ldm.chunk_strips",
-                                            .name = "LargeAsked",
+                                            .name = "LargeRequested",
                                             .label = "Strips of the largest chunk",
                                             .growth_of = maps.large});
 }

@@ -32,7 +32,7 @@ HashStorage::HashStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                              .elements = batch_texels() * expected_cells,
                              .growable = true});
     cells_requested_ = builder.counter({.key = "ldm.hash_cells",
-                                        .name = "CellsAsked",
+                                        .name = "CellsRequested",
                                         .label = "Cells of the hash table",
                                         .doc = "That the largest batch of maps needs to fill 9/10 of them.",
                                         .growth_of = cells_});

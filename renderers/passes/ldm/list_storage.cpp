@@ -18,8 +18,8 @@ ListStorage::ListStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                              .fields = {{"next", graph::FieldType::u32}, {"depth", graph::FieldType::u32}},
                              .elements = texels * expected_layers,
                              .growable = true});
-    nodes_requested_ = builder.counter({.key = "ldm.asked_nodes",
-                                        .name = "NodesAsked",
+    nodes_requested_ = builder.counter({.key = "ldm.requested_nodes",
+                                        .name = "NodesRequested",
                                         .label = "Nodes of a batch",
                                         .doc = "Of the largest batch of maps.",
                                         .growth_of = nodes_});

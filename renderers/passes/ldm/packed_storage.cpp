@@ -54,12 +54,12 @@ PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
                               .fields = {{"first", FieldType::u32}},
                               .elements = layout.chunk_maps * layout.map_texels() + 1});
     depth_words_requested_ = builder.counter({.key = "ldm.packed_depth_words",
-                                              .name = "DepthWordsAsked",
+                                              .name = "DepthWordsRequested",
                                               .label = "Words of packed depths",
                                               .doc = "Of the largest batch of maps.",
                                               .growth_of = depths_});
     group_words_requested_ = builder.counter({.key = "ldm.packed_group_words",
-                                              .name = "GroupWordsAsked",
+                                              .name = "GroupWordsRequested",
                                               .label = "Words of groups of texels",
                                               .doc = "Of the largest batch of maps.",
                                               .growth_of = groups_});

@@ -32,13 +32,13 @@ PageStorage::PageStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                              .fields = {{"rank", FieldType::u32}},
                              .elements = chunk_texels * expected_layers,
                              .growable = true});
-    pages_requested_ = builder.counter({.key = "ldm.asked_pages",
-                                        .name = "PagesAsked",
+    pages_requested_ = builder.counter({.key = "ldm.requested_pages",
+                                        .name = "PagesRequested",
                                         .label = "Pages of a batch",
                                         .doc = "Of the largest batch of maps.",
                                         .growth_of = pages_});
-    ranks_requested_ = builder.counter({.key = "ldm.asked_ranks",
-                                        .name = "RanksAsked",
+    ranks_requested_ = builder.counter({.key = "ldm.requested_ranks",
+                                        .name = "RanksRequested",
                                         .label = "Ranks of the largest chunk",
                                         .growth_of = ranks_});
 }

@@ -128,18 +128,17 @@ void add_self_hits(ParameterTable<MapParameters>& table) {
               .hard = {0, 16},
               .soft = {0, 2},
               .active_when = tangent_plane})
-        .add(&MapParameters::largest_dip,
-             {.key = "largest_dip",
-              .label = "Largest dip",
-              .doc = "A ray through the texel's centre may run below the point's "
-                     "surface for this much depth; beyond "
-                     "it, the centre on the point's other side is asked. Up to 1, "
-                     "closed walls of two texels do not "
-                     "leak.",
-              .unit = "texels",
-              .hard = {0, 64},
-              .soft = {0, 4},
-              .active_when = tangent_plane})
+        .add(&MapParameters::max_dip, {.key = "max_dip",
+                                       .label = "Maximum dip",
+                                       .doc = "A ray through the texel's centre may run below the point's "
+                                              "surface for this much depth; beyond "
+                                              "it, the centre on the point's other side is asked. Up to 1, "
+                                              "closed walls of two texels do not "
+                                              "leak.",
+                                       .unit = "texels",
+                                       .hard = {0, 64},
+                                       .soft = {0, 4},
+                                       .active_when = tangent_plane})
         .add(&MapParameters::normal_offset,
              {.key = "normal_offset",
               .label = "Normal offset",

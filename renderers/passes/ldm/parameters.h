@@ -18,7 +18,7 @@ struct MapParameters {
     SelfHit self_hit = SelfHit::tangent_plane;
     float self_hit_tolerance = 3;
     float slope_tolerance = 0.35f;
-    float largest_dip = 1;
+    float max_dip = 1;
     float normal_offset = 1;
 };
 

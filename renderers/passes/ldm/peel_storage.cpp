@@ -50,12 +50,12 @@ PeelStorage::PeelStorage(graph::GraphBuilder& builder, const Layout& layout) : l
          .elements = expected_deepest,
          .growable = true});
     layers_requested_ = builder.counter({.key = "ldm.max_layers",
-                                         .name = "LayersAsked",
-                                         .label = "Most layers",
+                                         .name = "LayersRequested",
+                                         .label = "Maximum layers",
                                          .doc = "Of the deepest texel.",
                                          .growth_of = layers_});
     planes_requested_ = builder.counter({.key = "ldm.plane_entries",
-                                         .name = "PlanesAsked",
+                                         .name = "PlanesRequested",
                                          .label = "Entries of planes",
                                          .doc = "Of the largest batch of maps.",
                                          .growth_of = planes_});

@@ -179,7 +179,7 @@ void declare_scratch(graph::GraphBuilder& builder, const Maps& maps, Points& poi
                         .elements = std::max<std::uint64_t>(1 << 14, chunk_texels / 2),
                         .growable = true});
     points.strips_requested = builder.counter({.key = "ldm.point_strips_requested",
-                                               .name = "LargeAsked",
+                                               .name = "LargeRequested",
                                                .label = "Strips of the largest chunk for faces",
                                                .growth_of = points.strips});
 }

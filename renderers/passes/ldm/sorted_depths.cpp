@@ -36,17 +36,17 @@ SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& l
                         .growable = true});
     sorted.deep_texels = declare_deep_texels(builder, layout);
     sorted.words_requested = builder.counter({.key = "ldm.depth_words",
-                                              .name = "DepthsAsked",
+                                              .name = "DepthsRequested",
                                               .label = "Words of depths",
                                               .doc = "Of the largest batch of maps.",
                                               .growth_of = sorted.depths});
     sorted.unsorted_requested = builder.counter({.key = "ldm.chunk_depths",
-                                                 .name = "UnsortedAsked",
+                                                 .name = "UnsortedRequested",
                                                  .label = "Depths of the largest chunk",
                                                  .growth_of = sorted.unsorted});
     sorted.max_layers = builder.counter({.key = "ldm.max_layers",
                                          .name = "MostLayers",
-                                         .label = "Most layers",
+                                         .label = "Maximum layers",
                                          .doc = "Length of the longest sequence of depths."});
     return sorted;
 }

@@ -17,8 +17,8 @@ SortedListStorage::SortedListStorage(graph::GraphBuilder& builder, const Layout&
                                   .fields = {{"node", graph::FieldType::u32}},
                                   .elements = texels,
                                   .growable = true});
-    successors_requested_ = builder.counter({.key = "ldm.asked_successors",
-                                             .name = "SuccessorsAsked",
+    successors_requested_ = builder.counter({.key = "ldm.requested_successors",
+                                             .name = "SuccessorsRequested",
                                              .label = "Successors of the largest chunk",
                                              .growth_of = successors_});
 }

@@ -41,7 +41,7 @@ SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout)
          .fields = {{"occupied", FieldType::u32}, {"offsets", FieldType::u32}, {"depths", FieldType::u32}},
          .elements = layout_.chunk_maps * map_words()});
     offset_words_requested_ = builder.counter({.key = "ldm.offset_words",
-                                               .name = "OffsetsAsked",
+                                               .name = "OffsetsRequested",
                                                .label = "Words of offsets",
                                                .doc = "Of the largest batch of maps.",
                                                .growth_of = offsets_});

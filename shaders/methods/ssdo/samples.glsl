@@ -217,7 +217,7 @@ float density_of(Point x, Sample s) {
 /// The area that a sample's occluder stands for over the square of its distance.
 float area_by_distance(Point x, Sample s) {
     if (params.estimator == ESTIMATOR_PUBLISHED) {
-        float d = max(s.distance, params.least_distance * reach);
+        float d = max(s.distance, params.min_distance * reach);
         return params.strength * PI * reach * reach / (float(params.samples) * d * d);
     }
     float density = density_of(x, s);

@@ -45,7 +45,7 @@ BlurSurface surface_at(ivec2 pixel) {
 
 #if LIGHT
 
-vec2 filtered_material(vec4 material) { return vec2(material.x, max(material.y, least_roughness)); }
+vec2 filtered_material(vec4 material) { return vec2(material.x, max(material.y, min_roughness)); }
 
 /// False where nothing is to be reconstructed.
 bool target_at(ivec2 pixel, out Target target) {

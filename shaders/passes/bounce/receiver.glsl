@@ -35,7 +35,7 @@ layout(std430) readonly buffer Materials { Material materials[]; };
 
 uniform vec3 eye_ws;
 uniform vec3 view_axis_ws;  // of an orthographic view; 0 for a perspective one
-uniform float least_roughness;
+uniform float min_roughness;
 
 bool is_unlit(vec4 material) { return material.z > 0.5; }
 
@@ -43,13 +43,13 @@ vec3 viewer_of(Receiver receiver) {
     return view_axis_ws == vec3(0.0) ? normalize(eye_ws - receiver.position) : -view_axis_ws;
 }
 
-// DEVIATION [Nalbach15 §3.1]: surfaces smoother than `least_roughness` are taken for this rough, here and where
+// DEVIATION [Nalbach15 §3.1]: surfaces smoother than `min_roughness` are taken for this rough, here and where
 // they reflect, since a mirror's direction has no density and its neighbours' directions would be of no use to
 // it. The reference follows mirrors without counting them as a scattering. A metal in a white furnace, 0.12 degrees
 // a pixel and a filter of radius 3, is right on average, but varies by 0.33 at roughness 0.05 and by 0.03 at 0.1.
 Scatterer scatterer_of(Receiver receiver, vec3 colour, vec4 material) {
     int index = int(clamp(material.w + 0.5, 0.0, float(materials.length() - 1)));
     return make_scatterer(receiver.normal, receiver.geometric_normal, colour, material.x,
-                          max(material.y, least_roughness), materials[index].ior, MATERIALS);
+                          max(material.y, min_roughness), materials[index].ior, MATERIALS);
 }
 #endif

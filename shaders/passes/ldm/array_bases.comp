@@ -3,9 +3,9 @@ layout(local_size_x = 256) in;
 #include "passes/ldm/array_table.glsl"
 #include "passes/ldm/groups.glsl"
 
-layout(std430) buffer DepthsAsked { uint depth_words_requested; };
-layout(std430) buffer OffsetsAsked { uint offset_words_requested; };
-layout(std430) buffer UnsortedAsked { uint unsorted_requested; };
+layout(std430) buffer DepthsRequested { uint depth_words_requested; };
+layout(std430) buffer OffsetsRequested { uint offset_words_requested; };
+layout(std430) buffer UnsortedRequested { uint unsorted_requested; };
 layout(std430) buffer MostLayers { uint all_max_layers; };
 
 shared uint sums[256];

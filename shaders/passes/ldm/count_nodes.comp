@@ -2,7 +2,7 @@
 layout(local_size_x = 1) in;
 #include "passes/ldm/state.glsl"
 
-layout(std430) buffer NodesAsked { uint nodes_requested; };
+layout(std430) buffer NodesRequested { uint nodes_requested; };
 
 void main() {
     atomicMax(nodes_requested, asked + fragment_count);

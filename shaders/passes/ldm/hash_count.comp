@@ -2,7 +2,7 @@
 layout(local_size_x = 1) in;
 #include "passes/ldm/state.glsl"
 
-layout(std430) buffer CellsAsked { uint cells_requested; };
+layout(std430) buffer CellsRequested { uint cells_requested; };
 
 uniform uint min_cells;
 

@@ -4,7 +4,7 @@ layout(local_size_x = 64) in;
 #include "passes/ldm/lists_builder.glsl"
 #include "passes/ldm/list_index.glsl"
 
-layout(std430) buffer SuccessorsAsked { uint successors_requested; };
+layout(std430) buffer SuccessorsRequested { uint successors_requested; };
 
 bool precedes(uint depth, uint node, uint other_depth, uint other) {
     return depth < other_depth || (depth == other_depth && node < other);

@@ -3,7 +3,7 @@ layout(local_size_x = 1) in;
 #include "passes/ldm/groups.glsl"
 #include "passes/ldm/state.glsl"
 
-layout(std430) buffer NodesAsked { uint nodes_requested; };
+layout(std430) buffer NodesRequested { uint nodes_requested; };
 
 void main() {
     uvec2 groups = groups_for(deep_listed);

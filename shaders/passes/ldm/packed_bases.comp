@@ -2,7 +2,7 @@
 layout(local_size_x = 256) in;
 #include "passes/ldm/packed_builder.glsl"
 
-layout(std430) buffer DepthWordsAsked { uint depth_words_requested; };
+layout(std430) buffer DepthWordsRequested { uint depth_words_requested; };
 
 shared uint sums[256];
 

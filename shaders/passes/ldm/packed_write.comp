@@ -3,7 +3,7 @@
 layout(local_size_x = 128) in;
 #include "passes/ldm/packed_builder.glsl"
 
-layout(std430) buffer GroupWordsAsked { uint group_words_requested; };
+layout(std430) buffer GroupWordsRequested { uint group_words_requested; };
 
 void main() {
     uint texel = gl_GlobalInvocationID.x;

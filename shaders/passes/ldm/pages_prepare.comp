@@ -3,7 +3,7 @@ layout(local_size_x = 1) in;
 #include "passes/ldm/pages_builder.glsl"
 #include "passes/ldm/groups.glsl"
 
-layout(std430) buffer PagesAsked { uint pages_requested; };
+layout(std430) buffer PagesRequested { uint pages_requested; };
 
 void main() {
     uvec2 groups = groups_for(deep_listed);

@@ -4,7 +4,7 @@ layout(local_size_x = 64) in;
 #include "passes/ldm/pages_builder.glsl"
 #include "passes/ldm/list_index.glsl"
 
-layout(std430) buffer RanksAsked { uint ranks_requested; };
+layout(std430) buffer RanksRequested { uint ranks_requested; };
 
 void main() {
     uint index = list_index();

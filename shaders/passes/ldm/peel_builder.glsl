@@ -10,8 +10,8 @@ layout(std430) coherent buffer LdmPeeledChunks { LdmPeeledChunk chunks[]; };
 layout(std430) coherent buffer LdmPlanes { uint planes[]; };
 /// Sizes of indirect dispatches, plane by plane.
 layout(std430) buffer LdmPeeledLayers { uint layer_groups[]; };
-layout(std430) buffer LayersAsked { uint layers_requested; };
-layout(std430) buffer PlanesAsked { uint planes_requested; };
+layout(std430) buffer LayersRequested { uint layers_requested; };
+layout(std430) buffer PlanesRequested { uint planes_requested; };
 
 uniform uint chunk;         // in the batch
 uniform uint plane_texels;  // of a chunk with all its maps

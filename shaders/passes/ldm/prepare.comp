@@ -5,7 +5,7 @@ layout(local_size_x = 1) in;
 #include "passes/ldm/groups.glsl"
 
 #if defined(PREPARE_LARGE)
-layout(std430) buffer LargeAsked { uint large_requested; };
+layout(std430) buffer LargeRequested { uint large_requested; };
 uniform uint large_capacity;
 #elif defined(FINISH)
 layout(std430) buffer Generated { uint generated; };
@@ -15,7 +15,7 @@ layout(std430) buffer Bytes { uint bytes; };
 uniform uint fragment_bits;  // that the maps take for each
 #elif !defined(DIRECT)
 #include "passes/ldm/fragments.glsl"
-layout(std430) buffer FragmentsAsked { uint fragments_requested; };
+layout(std430) buffer FragmentsRequested { uint fragments_requested; };
 #endif
 
 void main() {

@@ -2,7 +2,7 @@
 // of methods, after passes/ldm/trace.glsl.
 
 LdmRule ldm_rule() {
-    return LdmRule(params.self_hit_tolerance, params.slope_tolerance, params.normal_offset, params.largest_dip);
+    return LdmRule(params.self_hit_tolerance, params.slope_tolerance, params.normal_offset, params.max_dip);
 }
 
 /// First hit from x along ω = v (`forward`) or -v of a map, nearer than `reach` quanta; `map` counts from the

@@ -172,7 +172,7 @@ TEST_F(LdmAo, DoesNotLeakThroughWallsOfTwoTexels) {
 
 TEST_F(LdmAo, LeaksWhereRaysMayDipFarBelowTheSurface) {
     load("builtin:crevice");
-    const auto settings = with(ao_maps(128, 200), "largest_dip", 64.0);
+    const auto settings = with(ao_maps(128, 200), "max_dip", 64.0);
     EXPECT_GT(mean(render(camera("wall-2"), 64, 64, settings)), 0);
 }
 

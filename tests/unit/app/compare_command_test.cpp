@@ -97,7 +97,7 @@ TEST_F(Compare, FourValuesAreFourAndAlphaIsNone) {
     EXPECT_EQ(channels, 4);
 }
 
-TEST_F(Compare, TellsMeansAndBiasWithoutBeingAsked) {
+TEST_F(Compare, TellsMeansAndBiasWithoutBeingRequested) {
     write("a.exr", picture(0.1f));
     write("b.exr", picture());
     const auto metrics = nlohmann::json::parse(compare("a.exr", "b.exr", "--json").out).at("metrics");

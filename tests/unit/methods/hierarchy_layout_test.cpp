@@ -154,8 +154,8 @@ TEST_F(HierarchyTest, BoundsEncloseExactlyWhatIsBelowThem) {
         shuffle(shot, 2);
         const auto position = read("gbuffer.position");
         for (int level = 0;; ++level) {
-            const auto least = graph().read_image("hierarchy.least", level);
-            const auto most = graph().read_image("hierarchy.most", level);
+            const auto least = graph().read_image("hierarchy.min", level);
+            const auto most = graph().read_image("hierarchy.max", level);
             if (!least) {
                 EXPECT_GE(1 << level, std::max(size.x, size.y));
                 break;

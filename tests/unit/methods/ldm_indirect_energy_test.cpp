@@ -148,7 +148,7 @@ TEST_F(IndirectTracingTest, BatchesAndPartsLeaveNothingOut) {
     for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(again[i].photons, rows[i].photons) << i;
 }
 
-TEST_F(IndirectTracingTest, StoresHiddenPhotonsWhenAsked) {
+TEST_F(IndirectTracingTest, StoresHiddenPhotonsWhenRequested) {
     // A screen hides half of the floor.
     SmallWorld small;
     small.square({0, 0, 0}, {0, 1, 0}, 4);

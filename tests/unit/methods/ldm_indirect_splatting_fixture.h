@@ -96,7 +96,7 @@ inline li::Parameters free_parameters() {
     li::Parameters parameters;
     parameters.maps.directions = 1;
     parameters.direct = li::DirectBy::photons;
-    parameters.greatest_axis = 10;
+    parameters.max_axis = 10;
     return parameters;
 }
 

@@ -147,8 +147,8 @@ TEST_F(IndirectSplatting, ClampsAreCountedAndKeepTheFlux) {
         for (const auto& c : cases) {
             IndirectRun run{.photons = {c.photon}, .parameters = free_parameters()};
             run.parameters.splatting = way;
-            run.parameters.least_axis_pixels = 4;
-            run.parameters.greatest_axis = 1.2f / shot.world.bounds.radius();
+            run.parameters.min_axis_pixels = 4;
+            run.parameters.max_axis = 1.2f / shot.world.bounds.radius();
             auto counters = splat(shot, run).counters;
             for (const auto* key : {"splat.short", "splat.long", "splat.degenerate", "splat.not_finite"}) {
                 const auto expected = c.counts.find(key);

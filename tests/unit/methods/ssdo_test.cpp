@@ -108,9 +108,9 @@ TEST_F(SsdoWallTest, TheDensityEstimatorTendsToTheFormFactorAndThePublishedOneDo
         EXPECT_NEAR(limited.ratio, 1, 0.05) << "light fades over the last twentieth of the radius";
         auto settings = many_samples(128, 0.7);
         settings["estimator"] = std::string("published");
-        settings["least_distance"] = 1.0;
+        settings["min_distance"] = 1.0;
         const auto clamped = received(orthographic, settings, 0.7);
-        settings["least_distance"] = 0.01;
+        settings["min_distance"] = 0.01;
         const auto published = received(orthographic, settings, 0.7);
         EXPECT_GT(std::abs(published.ratio - 1), 0.1);
         EXPECT_LT(clamped.ratio, 0.5);

@@ -3,8 +3,7 @@
 #include <cstring>
 
 #include "renderers/methods/deep-screen-space/surfels.h"
-#include "renderers/methods/deep-screen-space/surfels/counts.h"
-#include "renderers/methods/deep-screen-space/surfels/fine.h"
+#include "renderers/methods/deep-screen-space/surfels/steps.h"
 #include "tests/unit/passes/pass_fixture.h"
 #include "tests/unit/passes/small_world.h"
 

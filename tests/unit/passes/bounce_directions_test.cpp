@@ -141,7 +141,7 @@ TEST_F(DirectionsTest, SmootherReceiversAreTakenForTheLeastRoughness) {
     Wall wall;
     wall.material().roughness = 0;
     bounce::DirectionOptions options{.light = true};
-    options.parameters.least_roughness = 0.25f;
+    options.parameters.min_roughness = 0.25f;
     choose_directions(wall.shot(16, 16), options);
     const auto bsdf = wall.bsdf(options.materials, 0.25f);
     expect_density(all_directions(4), [&](glm::vec3 l) { return bsdf.pdf(wall.towards_eye, l); });

@@ -49,13 +49,13 @@ struct Wall {
         return {scene, camera, width, height};
     }
     /// The scattering of the whole wall as light transport on the host knows it; the least roughness applied.
-    passes::Bsdf bsdf(Transport::Materials model, float least_roughness = 0) const {
+    passes::Bsdf bsdf(Transport::Materials model, float min_roughness = 0) const {
         const auto& m = scene.materials[SmallWorld::opaque];
         passes::Surface surface;
         surface.geometric_normal_ws = surface.shading_normal_ws = normal;
         surface.base_colour = glm::vec3(m.base_colour);
         surface.metallic = m.metallic;
-        surface.roughness = std::max(m.roughness, least_roughness);
+        surface.roughness = std::max(m.roughness, min_roughness);
         return {surface, m, model};
     }
 };

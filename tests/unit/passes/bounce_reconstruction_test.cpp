@@ -106,9 +106,9 @@ TEST_F(ReconstructionTest, LambertInAFurnaceIsItsAlbedoInEverySample) {
 }
 
 /// The directional albedo, the mean of channels, by midpoints over the hemisphere.
-glm::dvec3 directional_albedo(const Wall& wall, Transport::Materials model, float least_roughness) {
+glm::dvec3 directional_albedo(const Wall& wall, Transport::Materials model, float min_roughness) {
     constexpr int steps = 400;
-    const auto bsdf = wall.bsdf(model, least_roughness);
+    const auto bsdf = wall.bsdf(model, min_roughness);
     const auto frame = scene::frame_around(wall.normal);
     glm::dvec3 sum(0);
     for (int i = 0; i < steps; ++i)
@@ -134,7 +134,7 @@ TEST_F(ReconstructionTest, GlossySurfacesInAFurnaceReflectTheirDirectionalAlbedo
             auto r = BounceRun::with(4, Spread::independent, 0);
             r.options.light = true;
             r.options.materials = model;
-            r.options.parameters.least_roughness = 0.25f;
+            r.options.parameters.min_roughness = 0.25f;
             r.meeting = [](glm::ivec2, int, glm::vec4) { return Met{1, glm::vec3(1)}; };
             reconstruct(wall.shot(64, 64), r);
             const auto albedo = directional_albedo(wall, model, 0.25f);

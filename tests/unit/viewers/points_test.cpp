@@ -61,7 +61,7 @@ TEST_F(PointsTest, AreCutByThePicturesEdgeAndNotBefore) {
     EXPECT_LT(pixels_of(picture, 0), 60);
 }
 
-TEST_F(PointsTest, AreAsLargeAsAsked) {
+TEST_F(PointsTest, AreAsLargeAsRequested) {
     auto buffer = point_buffer();
     buffer.add(glm::vec3(0.013, 0.021, 0));
     run({buffer});

@@ -180,8 +180,8 @@ void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer&
     pass.reads("Surfels", splats.surfels)
         .reads("Stored", splats.stored)
         .reads(splats.hierarchy.layout, splats.hierarchy.positions, splats.hierarchy.normals)
-        .reads("min_texture", splats.hierarchy.least, all_levels)
-        .reads("max_texture", splats.hierarchy.most, all_levels)
+        .reads("min_texture", splats.hierarchy.min, all_levels)
+        .reads("max_texture", splats.hierarchy.max, all_levels)
         .writes("Rectangles", splats.rectangles)
         .writes("Draw", splats.command);
     if (is_counted(splats)) pass.counts("Drawn", splats.drawn).counts("Culled", splats.culled);

@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/surfels/counts.h"
+#include "renderers/methods/deep-screen-space/surfels/steps.h"
 
 #include "renderers/methods/deep-screen-space/surfels/view.h"
 

@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/surfels/fine.h"
+#include "renderers/methods/deep-screen-space/surfels/steps.h"
 
 #include <algorithm>
 #include <memory>

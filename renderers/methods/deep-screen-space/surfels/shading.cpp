@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/surfels/shading.h"
+#include "renderers/methods/deep-screen-space/surfels/steps.h"
 
 #include "renderers/methods/deep-screen-space/surfels/packing.h"
 #include "renderers/passes/scene/hit_surfaces.h"

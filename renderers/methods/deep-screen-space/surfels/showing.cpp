@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/surfels/showing.h"
+#include "renderers/methods/deep-screen-space/surfels/steps.h"
 
 #include <algorithm>
 

@@ -2,10 +2,7 @@
 
 #include <cmath>
 
-#include "renderers/methods/deep-screen-space/surfels/counts.h"
-#include "renderers/methods/deep-screen-space/surfels/shading.h"
-#include "renderers/methods/deep-screen-space/surfels/showing.h"
-#include "renderers/methods/deep-screen-space/surfels/thinning.h"
+#include "renderers/methods/deep-screen-space/surfels/steps.h"
 
 namespace ir::methods::deep_screen_space {
 

@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/surfels/thinning.h"
+#include "renderers/methods/deep-screen-space/surfels/steps.h"
 #include "renderers/passes/scan/scan.h"
 
 namespace ir::methods::deep_screen_space {

@@ -53,17 +53,17 @@ void add_footprints(ParameterTable<Parameters>& table) {
               .citation = "Aalund15 eq. 7",
               .hard = {0.02, 100},
               .soft = {0.25, 4}})
-        .add(&Parameters::least_axis_pixels,
-             {.key = "least_axis_pixels",
-              .label = "Shortest semi-axis",
+        .add(&Parameters::min_axis_pixels,
+             {.key = "min_axis_pixels",
+              .label = "Minimum semi-axis",
               .doc = "Shorter semi-axes are made so long, and the photon fainter: footprints that fall "
                      "between the pixels' middles would be lost.",
               .unit = "pixels",
               .hard = {0, 64},
               .soft = {0, 4}})
-        .add(&Parameters::greatest_axis,
-             {.key = "greatest_axis",
-              .label = "Longest semi-axis",
+        .add(&Parameters::max_axis,
+             {.key = "max_axis",
+              .label = "Maximum semi-axis",
               .doc = "Longer semi-axes, as of light that grazes its receiver or of few directions, are cut "
                      "to this part of the radius of the scene's bounds, and the photon is as much "
                      "brighter; splat.long counts them.",

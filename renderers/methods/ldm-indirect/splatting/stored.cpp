@@ -48,11 +48,11 @@ struct Mended {
 Mended declare_counters(graph::GraphBuilder& builder) {
     return {builder.counter({.key = "splat.short",
                              .label = "Footprints widened",
-                             .doc = "Photons with an axis shorter than least_axis_pixels, which was made so "
+                             .doc = "Photons with an axis shorter than min_axis_pixels, which was made so "
                                     "long; their flux stays."}),
             builder.counter({.key = "splat.long",
                              .label = "Footprints cut",
-                             .doc = "Photons with an axis longer than greatest_axis, which was cut to it; "
+                             .doc = "Photons with an axis longer than max_axis, which was cut to it; "
                                     "their flux stays."}),
             builder.counter({.key = "splat.degenerate",
                              .label = "Degenerate footprints",
@@ -134,7 +134,7 @@ Footprints footprints(const graph::FrameInputs& inputs, const Parameters& parame
             .pixel_size = pixel_size(view),
             .splat_size = parameters.splat_size,
             .topological_bias = parameters.topological_bias,
-            .least_axis_pixels = parameters.least_axis_pixels,
+            .min_axis_pixels = parameters.min_axis_pixels,
             .longest_axis = longest_axis(parameters, *inputs.world),
             .map_count = static_cast<unsigned>(parameters.maps.directions),
             .light_count = static_cast<unsigned>(inputs.world->lights.size()),

@@ -35,10 +35,10 @@ void reads_footprints(graph::PassBuilder& pass, const StoredPhotons& photons);
 /// Constants of splatting/footprint.glsl.
 struct Footprints {
     glm::vec3 eye_ws, view_axis_ws;
-    float near_plane, pixel_size, splat_size, topological_bias, least_axis_pixels, longest_axis;
+    float near_plane, pixel_size, splat_size, topological_bias, min_axis_pixels, longest_axis;
     unsigned map_count, light_count;
     bool perspective, count_indirect, count_direct;
-    IR_FIELDS(eye_ws, view_axis_ws, near_plane, pixel_size, splat_size, topological_bias, least_axis_pixels,
+    IR_FIELDS(eye_ws, view_axis_ws, near_plane, pixel_size, splat_size, topological_bias, min_axis_pixels,
               longest_axis, map_count, light_count, perspective, count_indirect, count_direct)
 };
 Footprints footprints(const graph::FrameInputs& inputs, const Parameters& parameters);

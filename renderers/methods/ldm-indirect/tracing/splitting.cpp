@@ -42,7 +42,7 @@ Landing landing(const graph::FrameInputs& inputs, const Parameters& parameters) 
             .splat_size = parameters.splat_size,
             .topological_bias = parameters.topological_bias,
             .longest_axis = longest_axis(parameters, *inputs.world),
-            .shortest_axis = parameters.least_axis_pixels * pixel_size(view),
+            .shortest_axis = parameters.min_axis_pixels * pixel_size(view),
             .nearest_w = view.clip_from_view[3][3] == 0 ? view.near_plane : 1.0f};
 }
 

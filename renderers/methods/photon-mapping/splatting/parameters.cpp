@@ -59,7 +59,7 @@ void add_size(ParameterTable<Parameters>& table) {
               .soft = {0.25, 16}})
         .add(&Parameters::radius_min,
              {.key = "radius_min",
-              .label = "Least radius",
+              .label = "Minimum radius",
               .doc = "Bound of the radius that comes from the density, as part of the radius of the scene's "
                      "bounds. Not printed; the default is 1/500.",
               .citation = "Smal19 eq. 6.2",
@@ -67,7 +67,7 @@ void add_size(ParameterTable<Parameters>& table) {
               .soft = {0, 0.1}})
         .add(&Parameters::radius_max,
              {.key = "radius_max",
-              .label = "Largest radius",
+              .label = "Maximum radius",
               .doc = "Bound of the radius that comes from the density, as part of the radius of the scene's "
                      "bounds. Not printed; the default is 1/20.",
               .citation = "Smal19 eq. 6.2",
@@ -75,7 +75,7 @@ void add_size(ParameterTable<Parameters>& table) {
               .soft = {0.002, 0.2}})
         .add(&Parameters::radius_texels,
              {.key = "radius_texels",
-              .label = "Least radius, texels",
+              .label = "Minimum radius, texels",
               .doc = "Kernels are no smaller than this many texels of the splatting resolution, where a "
                      "texel faces the viewer. √½ lets each be seen by a texel; 0, as published, lets "
                      "small kernels fall between texels or flash on one.",
@@ -88,7 +88,7 @@ void add_shape(ParameterTable<Parameters>& table) {
     table
         .add(&Parameters::ray_length_floor,
              {.key = "ray_length_floor",
-              .label = "Least scale of short rays",
+              .label = "Minimum scale of short rays",
               .doc = "Lower bound of the factor l / l_max by which photons at the end of short rays have "
                      "smaller kernels.",
               .citation = "Smal19 app. C",
@@ -113,7 +113,7 @@ void add_shape(ParameterTable<Parameters>& table) {
               .soft = {0.05, 1}})
         .add(&Parameters::stretch_max,
              {.key = "stretch_max",
-              .label = "Largest stretch",
+              .label = "Maximum stretch",
               .doc = "s_max: how far kernels of light at grazing incidence are stretched along it at most.",
               .citation = "Smal19 eq. 6.3",
               .hard = {1, 100},

@@ -64,9 +64,9 @@ int index_of(Enum choice) {
 /// As struct Path of path.glsl.
 struct PathState {
     glm::vec3 power;
-    float way;
+    float distance;
     std::uint32_t bits, seed;
-    IR_FIELDS(power, way, bits, seed)
+    IR_FIELDS(power, distance, bits, seed)
 };
 
 /// Constants of path.glsl.

@@ -11,7 +11,7 @@ const float MARGIN_PX = 0.05;
 
 /// Largest x / z of a disc at (x, z) cut off at z = near. The disc reaches beyond the near plane; z is depth,
 /// positive in front of the eye.  [Mara13]
-float greatest_slope(vec2 centre, float radius, float near) {
+float max_slope(vec2 centre, float radius, float near) {
     float squared = dot(centre, centre), tangent = sqrt(max(squared - radius * radius, 0.0));
     // The point of tangency is the centre turned by the angle between it and the tangent, and shortened.
     vec2 touch = vec2(tangent * centre.x + radius * centre.y, tangent * centre.y - radius * centre.x);
@@ -32,10 +32,10 @@ PixelRange pixels_of_sphere(vec3 centre_ws, float radius) {
     if (depth + radius < near_plane || depth - radius > far_plane) return NO_PIXELS;
     vec2 least = centre.xy - radius, most = centre.xy + radius;
     if (perspective) {
-        most = vec2(greatest_slope(vec2(centre.x, depth), radius, near_plane),
-                    greatest_slope(vec2(centre.y, depth), radius, near_plane));
-        least = -vec2(greatest_slope(vec2(-centre.x, depth), radius, near_plane),
-                      greatest_slope(vec2(-centre.y, depth), radius, near_plane));
+        most = vec2(max_slope(vec2(centre.x, depth), radius, near_plane),
+                    max_slope(vec2(centre.y, depth), radius, near_plane));
+        least = -vec2(max_slope(vec2(-centre.x, depth), radius, near_plane),
+                      max_slope(vec2(-centre.y, depth), radius, near_plane));
     }
     vec2 a = pixel_scale * least + pixel_offset, b = pixel_scale * most + pixel_offset;
     // Of pixels whose centres are at x + 1/2; far beyond the picture integers would overflow.

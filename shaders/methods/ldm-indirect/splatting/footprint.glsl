@@ -15,7 +15,7 @@ uniform vec3 eye_ws, view_axis_ws;
 uniform float near_plane;
 uniform bool perspective;
 uniform float pixel_size;  // m, of a pixel at 1 m along the view axis; of a parallel view everywhere
-uniform float splat_size, topological_bias, least_axis_pixels, longest_axis;
+uniform float splat_size, topological_bias, min_axis_pixels, longest_axis;
 uniform uint map_count, light_count;
 uniform bool count_indirect, count_direct;
 
@@ -86,7 +86,7 @@ Footprint footprint_of(Photon photon) {
     vec2 direction;
     float longer, shorter;
     principal_axes((u * frame).xy, (v * frame).xy, direction, longer, shorter);
-    float least = least_axis_pixels * pixel_at(f.centre_ws), most = max(longest_axis, least);
+    float least = min_axis_pixels * pixel_at(f.centre_ws), most = max(longest_axis, least);
     if (shorter < least) f.mended |= MENDED_SHORT;
     if (longer > most) f.mended |= MENDED_LONG;
     if (!(shorter > min_ratio * longer)) f.mended |= MENDED_DEGENERATE;

@@ -31,7 +31,7 @@ Photon photon_at(HitSurface surface, Path path, Ray ray) {
     photon.power = packed_power(power_of(path));
     photon.normal = packed_stereographic(surface.geometric_normal_ws, normal_below);
     photon.direction = packed_stereographic(-ray.direction_ws, direction_below);
-    photon.ray_length = path.way;
+    photon.ray_length = path.distance;
     photon.bits = uint(normal_below) | uint(direction_below) << 1u | scatterings_of(path) << 2u |
                   (path.bits >> 8u & 63u) << 6u | path.seed << 12u;
     return photon;
@@ -108,7 +108,7 @@ void land(uint index) {
         count(bounce, TALLY_ABSORBED);
         return;
     }
-    path.way += hit.distance;
+    path.distance += hit.distance;
     if (bounce >= max(min_bounces, 1u)) store(index, photon_at(surface, path, ray));
     rays[index] = go_on(path, surface, -ray.direction_ws);
     paths[index] = path;

@@ -9,7 +9,7 @@
 /// Between two surfaces. The ray is in the buffer of rays; one with far <= 0: the path has ended.
 struct Path {
     float red, green, blue;  // in power units
-    float way;               // m since the last scattering, through mirrors
+    float distance;               // m since the last scattering, through mirrors
     uint bits;               // 0-3 scatterings, 4-7 mirrors, 8-13 light, 16-31 repeat
     uint seed;
 };
@@ -48,7 +48,7 @@ float offset_of_rays(vec3 position_ws) {
 }
 
 /// How far the path may go on; 0: nowhere.
-float far_of(Path path) { return max_distance > 0.0 ? max_distance - path.way : RAY_INFINITY; }
+float far_of(Path path) { return max_distance > 0.0 ? max_distance - path.distance : RAY_INFINITY; }
 
 /// One survival probability for all channels; what leaves is divided by it. Weights beyond 1 are carried on.
 /// [Smal19 eq. 4.9]
@@ -83,7 +83,7 @@ bool scatter_path(inout Path path, Scattered scattered, vec3 arriving, uint surf
         path.bits += 16u;
     } else {
         path.bits += 1u;
-        path.way = 0.0;
+        path.distance = 0.0;
     }
     return goes_on;
 }

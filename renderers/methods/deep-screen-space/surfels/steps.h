@@ -1,0 +1,65 @@
+#pragma once
+
+#include "renderers/methods/deep-screen-space/surfels.h"
+#include "renderers/methods/deep-screen-space/surfels/packing.h"
+
+/// The steps by which surfels are made, in their order. [Nalbach15 fig. 6]
+namespace ir::methods::deep_screen_space {
+
+/// Parts of triangles that the tessellator divides, in the order of triangles; struct Patch of patch.glsl.
+struct Patches {
+    Growing list;                 ///< "surfels.patches.list"
+    Growing points;               ///< "surfels.points": how many points the tessellator makes before each
+    graph::CounterRef triangles;  ///< that are not culled
+};
+
+/// Declares the passes that cull triangles and split those that are too large, and add to `fine_count` how
+/// many points that makes. [Nalbach15 fig. 6 a]
+Patches cut_patches(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                    graph::CounterRef fine_count, float reach, std::uint64_t reserve,
+                    const Parameters& parameters);
+
+/// A surfel before thinning: 48 bytes, as transform feedback writes it.
+struct FineSurfel {
+    glm::vec3 centre_ws;
+    std::uint32_t triangle;
+    glm::vec3 normal_ws;
+    float radius;                          ///< m: π radius² is the patch's area over its number of surfels
+    std::uint32_t barycentrics, identity;  ///< as of Surfel
+    std::uint32_t patch;                   ///< index in "surfels.patches.list"
+    float part;                            ///< of the ideal area at its place
+    IR_FIELDS(centre_ws, triangle, normal_ws, radius, barycentrics, identity, patch, part)
+};
+
+/// Declares "surfels.fine", without what fills it: patches count what goes into it.
+Growing declare_fine(graph::GraphBuilder& builder, std::uint64_t reserve);
+
+/// Declares the pass that fills it, by hardware tessellation. [Nalbach15 fig. 6 b]
+void tessellate(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Patches& patches,
+                const Growing& fine, const Parameters& parameters);
+
+/// Declares "surfels.records" with the passes that keep some of the fine ones, unlit. [Nalbach15 fig. 6 c]
+Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Growing& fine,
+             std::uint64_t reserve, const Parameters& parameters);
+
+/// Declares the pass that lights the surfels. [Nalbach15 fig. 6 d]
+void shade(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::ShadowMaps& shadow,
+           const Surfels& surfels, const Parameters& parameters);
+
+/// Declares the output "surfels", of as many elements, which says of each which one it is.
+void show_surfels(graph::GraphBuilder& builder, const Surfels& surfels, std::uint64_t reserve,
+                  const Parameters& parameters);
+
+/// The row of "surfels.counts".
+struct SurfelCounts {
+    std::uint32_t triangles, left, patches, fine, kept;
+    float fine_area, kept_area;  ///< m²
+    float fine_part, kept_part;  ///< means of area over ideal area
+    IR_FIELDS(triangles, left, patches, fine, kept, fine_area, kept_area, fine_part, kept_part)
+};
+
+/// Declares the table and what it needs; nothing of it runs while nobody looks.
+void count_surfels(graph::GraphBuilder& builder, const Patches& patches, const Growing& fine,
+                   const Surfels& surfels, const Parameters& parameters);
+
+}  // namespace ir::methods::deep_screen_space
