@@ -52,8 +52,7 @@ void note_lists(const std::vector<std::string>& patterns, const FrameReport& rep
     }
     if (!lists.empty())
         std::cerr << "note: --dump writes images; these explanations are lists, which the window shows as "
-                     "tables and in "
-                     "space: "
+                     "tables and in space: "
                   << lists << "\n";
 }
 

@@ -9,8 +9,7 @@ const std::vector<MetricDescription>& metrics() {
     static const std::vector<MetricDescription> list = {
         {"rmse", "RMSE",
          "Root of the mean squared error √(mean (A − B)²), over all channels. Large errors of few pixels "
-         "count "
-         "most. In the images' unit.",
+         "count most. In the images' unit.",
          ""},
         {"mae", "MAE", "Mean absolute error, mean |A − B|, over all channels. In the images' unit.", ""},
         {"bias", "Bias",
@@ -20,8 +19,7 @@ const std::vector<MetricDescription>& metrics() {
          Best::near_zero},
         {"relmse", "relMSE",
          "Mean squared error relative to the reference, mean (A − B)² / (B² + 0.01): errors in the dark "
-         "count as "
-         "much as those in the light.",
+         "count as much as those in the light.",
          "", Best::lowest, "Rousselle11"},
         {"psnr", "PSNR",
          "Peak signal-to-noise ratio −10 log₁₀ MSE for values of 0 to 1; infinite for equal pictures.", "dB",
@@ -32,8 +30,7 @@ const std::vector<MetricDescription>& metrics() {
          "", Best::highest, "Wang04"},
         {"flip", "ꟻLIP",
          "Difference that a person sees who flips between both pictures on a screen, clipped to 0 to 1: 0 "
-         "for "
-         "none, 1 for the largest.",
+         "for none, 1 for the largest.",
          "", Best::lowest, "Andersson20"},
         {"hdr-flip", "HDR-ꟻLIP",
          "The largest ꟻLIP over all exposures at which the reference shows something, tone mapped.", "",

@@ -40,8 +40,7 @@ MotionEditor::MotionEditor(QWidget* parent) : ItemForm(parent) {
     moves_ = new ChoiceField("motion-moves", this);
     row(grid, tr("Moves"), moves_,
         tr("A camera with a pose of its own, a light of a set, or a file of a scene. Another kind of thing "
-           "gets "
-           "one new key"));
+           "gets one new key"));
     connect(moves_, &ChoiceField::chosen, this, [this](const QString& id) {
         const std::string motion_id = id_;
         emit edit_wanted([motion_id, id](const projects::Project& project) {

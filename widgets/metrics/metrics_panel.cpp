@@ -245,8 +245,7 @@ void MetricsPanel::update_foot() {
     if (worker_->is_computing()) text += (now ? QStringLiteral("  ·  ") : QString()) + tr("measuring …");
     foot_->setText(text);
     foot_->setToolTip(now ? tr("Skipped are pixels that are invalid, NaN or infinite in either picture; what "
-                               "the mask or the "
-                               "rectangle leaves out is not counted")
+                               "the mask or the rectangle leaves out is not counted")
                           : QString());
     copy_->setEnabled(now && now->complete);
 }

@@ -58,13 +58,11 @@ MethodDescription description() {
     d.title = "Deep screen space with bounced z-buffer";
     d.summary =
         "Turns what is near the view into surfels of equal size on the screen, splats each onto the pixels "
-        "about "
-        "it, and with visibility keeps, for each sample of a pixel, the nearest along its direction. Ambient "
-        "occlusion, or one bounce of light with glossy receivers and senders. Surfaces that the picture does "
-        "not "
-        "show count. Errors come from the surfels' size, from the number of directions, and from far surfels "
-        "that stand for many. Senders are lit by point, spot and directional "
-        "lights; the environment lights nothing.";
+        "about it, and with visibility keeps, for each sample of a pixel, the nearest along its direction. "
+        "Ambient occlusion, or one bounce of light with glossy receivers and senders. Surfaces that the "
+        "picture does not show count. Errors come from the surfels' size, from the number of directions, and "
+        "from far surfels that stand for many. Senders are lit by point, spot and directional lights; the "
+        "environment lights nothing.";
     d.papers = {"Nalbach15", "Nalbach14"};
     d.background = 1;
     d.outputs = outputs();

@@ -19,8 +19,7 @@ MethodDescription description() {
         "Marches the depth image in some directions around each pixel for the horizon, below which all is "
         "closed. Cheap and independent of the scene's size. What is hidden or beyond the picture's edge "
         "occludes nothing, and what is seen is taken to be infinitely thick. Fall-off: hard takes all that "
-        "is "
-        "nearer than the maximum distance for closed, smooth is the published attenuation 1 − d²/d_max². "
+        "is nearer than the maximum distance for closed, smooth is the published attenuation 1 − d²/d_max². "
         "Without a maximum distance the march ends at the picture's edge, and all that it finds closes.";
     d.papers = {"Bavoil08", "Aalund15"};
     d.background = 1;

@@ -129,9 +129,8 @@ std::vector<OutputDescription> explanation_outputs() {
          .semantic = Semantic::position,
          .unit = "m",
          .doc = "All depths at the texel that the map chosen is asked for the pixel's point. depth: metres "
-                "along "
-                "the map's direction, from the point. layer: 0 is the first along that direction. role: 0 "
-                "none, 1 the point's own, 2 hit along the direction, 3 hit against it.",
+                "along the map's direction, from the point. layer: 0 is the first along that direction. "
+                "role: 0 none, 1 the point's own, 2 hit along the direction, 3 hit against it.",
          .when_empty = no_surface,
          .explains = true},
         {.key = "ldm.explain.walk",

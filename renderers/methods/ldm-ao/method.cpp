@@ -20,8 +20,7 @@ MethodDescription description() {
     d.title = "Ambient occlusion from layered depth maps";
     d.summary =
         "Rasterises the scene along many directions, keeps every layer, and reads the first hits of all rays "
-        "in "
-        "these directions from the sorted depths. Nothing is precomputed. Errors come from the number of "
+        "in these directions from the sorted depths. Nothing is precomputed. Errors come from the number of "
         "directions and from the maps' texels.";
     d.papers = {"Aalund15", "Leopardi06", "Lefebvre14"};
     d.background = 1;

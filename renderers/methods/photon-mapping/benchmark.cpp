@@ -59,8 +59,8 @@ graph::Benchmark on_conference(const char* name, const char* doc, int width, int
 std::vector<graph::Benchmark> benchmarks() {
     auto scaled = on_conference("photon-mapping",
                                 "Photon mapping at 480x270, a sixteenth of the published pixels: 100 000 "
-                                "photons, 1 bounce, splatting at "
-                                "half resolution, 4 filter passes, and what grows when one of these changes",
+                                "photons, 1 bounce, splatting at half resolution, 4 filter passes, and what "
+                                "grows when one of these changes",
                                 480, 270);
     scaled.variants = {
         variant("100 k photons, 1 bounce, half resolution, 4 passes, compute", {}),
@@ -75,10 +75,9 @@ std::vector<graph::Benchmark> benchmarks() {
     auto published = on_conference(
         "photon-mapping-published",
         "Photon mapping at 1920x1080 as published, for GPUs: the rows of [Smal19 table 8.2], and full "
-        "resolution. "
-        "Published on an RTX 2080 Ti in Sponza, ms for RSM, tracing, splatting, filtering, all: 1 M photons "
-        "1.4, 0.7, 1.2, 3.1, 6.1; 2 M 1.8, 1.3, 2.3, 3.1, 9.0; 3 M 2.1, 1.8, 3.9, 3.1, 10.8; 1 M with 3 "
-        "bounces 1.4, 1.3, 2.1, 3.1, 7.9",
+        "resolution. Published on an RTX 2080 Ti in Sponza, ms for RSM, tracing, splatting, filtering, all: "
+        "1 M photons 1.4, 0.7, 1.2, 3.1, 6.1; 2 M 1.8, 1.3, 2.3, 3.1, 9.0; 3 M 2.1, 1.8, 3.9, 3.1, 10.8; 1 M "
+        "with 3 bounces 1.4, 1.3, 2.1, 3.1, 7.9",
         1920, 1080);
     published.variants = {
         variant("1 M photons, 1 bounce", {.photons = 1'000'000}),

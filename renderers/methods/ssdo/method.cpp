@@ -21,9 +21,8 @@ MethodDescription description() {
     d.title = "Screen-space directional occlusion";
     d.summary =
         "Steps of random length over each pixel's hemisphere, looked up in the picture: what is open lets "
-        "the "
-        "environment's light in, what is not sends the light that its pixel shows. Cheap and independent of "
-        "the scene's size. What is hidden, beyond the picture's edge or turned away from the camera sends "
+        "the environment's light in, what is not sends the light that its pixel shows. Cheap and independent "
+        "of the scene's size. What is hidden, beyond the picture's edge or turned away from the camera sends "
         "nothing, nothing in between shadows indirect light, and all surfaces are infinitely thick.";
     d.papers = {"Ritschel09"};
     d.selectors = {sample_selector()};

@@ -11,10 +11,8 @@ const std::string fields =
     " hit: 1 where something was met; rays that met nothing are drawn as far as they were asked for. "
     "distance: metres to it, negative without. density: with which the direction was chosen, 1/sr. incoming: "
     "openness, or the radiance that arrives, W/(m² sr). contribution: what the sample adds to the pixel, of "
-    "both "
-    "lists together the pixel. weight: of a sample beside those of the pixel itself. apart: pixels between "
-    "the "
-    "two.";
+    "both lists together the pixel. weight: of a sample beside those of the pixel itself. apart: pixels "
+    "between the two.";
 const std::string no_surface = "the pixel shows no surface that is reconstructed";
 
 struct Lines {

@@ -97,8 +97,7 @@ void declare_counters(graph::GraphBuilder& builder, Maps& maps) {
          .label = "Dropped fragments",
          .doc = is_fixed(maps.options.storage)
                     ? "Beyond the fixed layers of a texel: hits are missing from the picture. Raise "
-                      "fixed_layers, "
-                      "or choose a storage without such a limit."
+                      "fixed_layers, or choose a storage without such a limit."
                     : "Beyond 60,000 layers at one texel: hits are missing from the picture.",
          .is_loss = true});
     maps.texels = builder.counter({.key = "ldm.texels", .label = "Texels", .doc = "Of all maps."});

@@ -57,8 +57,7 @@ void add_maps(ParameterTable<MapParameters>& table) {
                    Effect::cost},
                   {"fixed-arrays", "Fixed arrays, sorted after",
                    "A fixed number of layers per texel; those that arrive after it is full are dropped and "
-                   "counted. "
-                   "Which ones arrive late may differ from run to run."},
+                   "counted. Which ones arrive late may differ from run to run."},
                   {"fixed-arrays-presorted", "Fixed arrays, pre-sorted",
                    "A fixed number of layers per texel, sorted while they arrive: the nearest ones along the "
                    "map's direction stay, the others are dropped and counted."},

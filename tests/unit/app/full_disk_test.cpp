@@ -77,7 +77,7 @@ class FullDiskCommand : public testing::Test {
         fs::remove_all(root);
         fs::create_directories(disk = root / "disk");
         fs::create_directories(project = root / "p.interreflect");
-        Json json{{"schema", 4}, {"name", "Small"}};
+        Json json{{"schema", projects::schema_version}, {"name", "Small"}};
         json["scenes"] = {{{"id", "box"}, {"parts", {{{"source", "builtin:cornell@1"}}}}}};
         for (const char* id : {"a", "truth"})
             json["experiments"].push_back({{"id", id},

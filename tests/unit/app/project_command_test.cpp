@@ -98,7 +98,8 @@ TEST_F(ProjectCommand, ChecksWhatIsThereAndWhatIsNot) {
 TEST_F(ProjectCommand, AProjectWrittenByHandIsNotTalkedAbout) {
     for (const char* method : {"view-normals", "ldm-ao", "reference"}) {
         SCOPED_TRACE(method);
-        json = {{"schema", 4}, {"scenes", {{{"id", "box"}, {"parts", {{{"source", "builtin:cornell@1"}}}}}}}};
+        json = {{"schema", projects::schema_version},
+                {"scenes", {{{"id", "box"}, {"parts", {{{"source", "builtin:cornell@1"}}}}}}}};
         json["experiments"] = {{{"id", "a"}, {"scene", "box"}, {"method", method}, {"size", {16, 12}}}};
         store();
         EXPECT_EQ(check(0), "[]");

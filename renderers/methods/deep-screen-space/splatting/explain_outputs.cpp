@@ -7,10 +7,9 @@ const std::string no_surface = "the pixel shows no surface";
 
 const std::string outcomes =
     "1 the pixel's point lies in no shell of the level; 2 the ray misses the disc; 3 met beyond the maximum "
-    "distance; 4 "
-    "not counted, as the surfel's centre is not above the plane of the pixel's own triangle; 5 met, but "
-    "something is "
-    "nearer on this level; 6 nearest on its level, but another level decides; 7 what the ray met";
+    "distance; 4 not counted, as the surfel's centre is not above the plane of the pixel's own triangle; 5 "
+    "met, but something is nearer on this level; 6 nearest on its level, but another level decides; 7 what "
+    "the ray met";
 
 }  // namespace
 
@@ -20,10 +19,8 @@ std::vector<OutputDescription> explanation_outputs() {
          .label = "Splats onto the pixel",
          .kind = OutputKind::glyphs,
          .doc = "Discs, as large as they were tested, of surfels that were splatted onto the pixel; found by "
-                "a search "
-                "over all surfels, and those of outcome 1 left out. surfel: 1 + index; sample, level: where "
-                "it was "
-                "splatted; shell: which its disc was enlarged for. outcome: " +
+                "a search over all surfels, and those of outcome 1 left out. surfel: 1 + index; sample, "
+                "level: where it was splatted; shell: which its disc was enlarged for. outcome: " +
                 outcomes +
                 ". distance: m along the ray to the disc's plane; z: what the depth test compares.",
          .when_empty = no_surface,
@@ -32,26 +29,23 @@ std::vector<OutputDescription> explanation_outputs() {
          .label = "Levels of the pixel",
          .kind = OutputKind::table,
          .doc = "For each sample and level how many splats covered the pixel, and how many of them had which "
-                "outcome "
-                "(hits: 5 to 7). found: 1 + index of the nearest by the search, with its z; kept: what the "
-                "framebuffer "
-                "holds, which has to be the same. nearest: 1 on the level whose hit counts.",
+                "outcome (hits: 5 to 7). found: 1 + index of the nearest by the search, with its z; kept: "
+                "what the framebuffer holds, which has to be the same. nearest: 1 on the level whose hit "
+                "counts.",
          .when_empty = no_surface,
          .explains = true},
         {.key = "splats.explain.choice",
          .label = "Surfel explained",
          .kind = OutputKind::table,
          .doc = "surfel: 1 + index of the surfel that was chosen, or else of the one nearest to the picked "
-                "pixel's point, "
-                "with 1 / distance² in 1/m²; 0: none.",
+                "pixel's point, with 1 / distance² in 1/m²; 0: none.",
          .explains = true},
         {.key = "splats.explain.surfel",
          .label = "Splats of the surfel",
          .kind = OutputKind::glyphs,
          .doc = "The chosen surfel's disc, as large as each level tests it in its own shell, and how many "
-                "rays of the "
-                "picture, of all samples, its splat on that level covered, met, and won on the level and in "
-                "the end.",
+                "rays of the picture, of all samples, its splat on that level covered, met, and won on the "
+                "level and in the end.",
          .explains = true},
         {.key = "splats.explain.cover",
          .label = "Where the surfel was splatted",
@@ -71,8 +65,7 @@ SelectorDescription surfel_selector() {
             .label = "Surfel",
             .doc =
                 "1 + index of a surfel, as winners are numbered. 0, or all: the one nearest to the picked "
-                "pixel's "
-                "point.",
+                "pixel's point.",
             .count = "16777216"};
 }
 

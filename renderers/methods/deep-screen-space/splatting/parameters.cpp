@@ -69,8 +69,8 @@ void add_additive(ParameterTable<Parameters>& table) {
               .choices =
                   {{"constant", "Constant",
                     "All as far: 1/2^(levels − 1) of the whole reach, which is the maximum distance. Where "
-                    "that "
-                    "is few of a surfel's radii, what is near is as coarse as what is far, and as blurred."},
+                    "that is few of a surfel's radii, what is near is as coarse as what is far, and as "
+                    "blurred."},
                    {"estimated", "Estimated",
                     "To where a surfel's form factor has fallen to the trade-off: radius / √ε, which is as "
                     "many pixels near and far; farther where levels would not suffice for the whole reach. "

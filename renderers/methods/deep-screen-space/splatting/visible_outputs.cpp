@@ -13,9 +13,8 @@ std::vector<OutputDescription> of_samples() {
          .label = "Level of the hit",
          .kind = OutputKind::stack,
          .doc = "The level of the hierarchical framebuffer whose hit decided: the finest that has one, or "
-                "with estimated influence that of the nearest hit. It is the "
-                "one that "
-                "counts; -1: none. A layer per sample."},
+                "with estimated influence that of the nearest hit. It is the one that counts; -1: none. A "
+                "layer per sample."},
         {.key = "splats.nearest",
          .label = "Surfels that were hit",
          .kind = OutputKind::stack,
@@ -26,10 +25,8 @@ std::vector<OutputDescription> of_samples() {
          .kind = OutputKind::stack,
          .colour_map = "viridis",
          .doc = "How coarse what was hit is: (r 2^k / t)², with the surfel's radius r, the shell k that its "
-                "disc was "
-                "enlarged for, and the distance t. Large values tell where enlarged discs do not follow the "
-                "surface "
-                "or reach through others. 0: no hit. A layer per sample."},
+                "disc was enlarged for, and the distance t. Large values tell where enlarged discs do not "
+                "follow the surface or reach through others. 0: no hit. A layer per sample."},
     };
 }
 
@@ -52,8 +49,7 @@ std::vector<OutputDescription> of_levels() {
          .semantic = Semantic::radiance,
          .unit = "W/(m² sr)",
          .doc = "What the winners store for the side that was hit: without their highlights, 0 for ambient "
-                "occlusion. "
-                "Alpha 0: none." +
+                "occlusion. Alpha 0: none." +
                 sub_images + layer_order},
         {.key = "splats.level_depth",
          .label = "Bounced z by level",
@@ -67,8 +63,7 @@ std::vector<OutputDescription> of_levels() {
          .semantic = Semantic::radiance,
          .unit = "W/(m² sr)",
          .doc = "What the winners store for the side that was hit: without their highlights, 0 for ambient "
-                "occlusion. "
-                "Alpha 0: none." +
+                "occlusion. Alpha 0: none." +
                 where_seen + layer_order},
     };
 }

@@ -92,9 +92,8 @@ void add_costs(ParameterTable<Parameters>& table) {
         .add(&Parameters::reserve, {.key = "reserve",
                                     .label = "Reserve",
                                     .doc = "Surfels per pixel that memory is reserved for at first, with "
-                                           "what comes before thinning in proportion. More "
-                                           "are found room for when they "
-                                           "come, at the price of a second run.",
+                                           "what comes before thinning in proportion. More are found room "
+                                           "for when they come, at the price of a second run.",
                                     .unit = "surfels per pixel",
                                     .hard = {0.001, 100},
                                     .soft = {0.5, 16},

@@ -84,10 +84,10 @@ std::vector<OutputDescription> energy_outputs() {
                  "absorbed at the first surface, 5 not split (paths are direct). Leg 1, behind it: 6 below "
                  "the triangle's plane, 7 left the scene, 8 outside the view, 9 hidden, 10 on a back, 11 "
                  "without a footprint, 12 stored, 13 stored although its middle is hidden or outside. Row 0 "
-                 "is the sum of rows 1 to "
-                 "13. Leg 2, photons that are stored where they arrive from the light, before they are "
-                 "absorbed or split, the same causes: 14 is 0, 15 is 0, 16 outside, 17 hidden, 18 back, 19 "
-                 "without a footprint, 20 stored, 21 stored although its middle is hidden or outside."}};
+                 "is the sum of rows 1 to 13. Leg 2, photons that are stored where they arrive from the "
+                 "light, before they are absorbed or split, the same causes: 14 is 0, 15 is 0, 16 outside, "
+                 "17 hidden, 18 back, 19 without a footprint, 20 stored, 21 stored although its middle is "
+                 "hidden or outside."}};
 }
 
 }  // namespace ir::methods::ldm_indirect

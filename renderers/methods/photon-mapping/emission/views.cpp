@@ -187,19 +187,17 @@ std::vector<OutputDescription> view_outputs() {
          .label = "Points over the map",
          .kind = OutputKind::stack,
          .doc = "The map chosen (of all maps the first), as coarse as each step of warping sees it, with the "
-                "points of the emission "
-                "set: orange where a photon leaves, blue where the roulette ends it. Layer 0: before "
-                "warping; then horizontally and vertically in turns.",
+                "points of the emission set: orange where a photon leaves, blue where the roulette ends it. "
+                "Layer 0: before warping; then horizontally and vertically in turns.",
          .explains = true,
          .active_when = from_rsm()},
         {.key = "emission.histogram",
          .label = "Points against the map",
          .kind = OutputKind::table,
          .doc = "In 16 x 16 cells of the map chosen (of all maps the first) the number of points that its "
-                "emission probabilities "
-                "expect, and that were found. The last row (x and y are -1) is the sum: all points, chi "
-                "square with cells below 5 expected points pooled, and its degrees of freedom. A "
-                "low-discrepancy set stays far below them.",
+                "emission probabilities expect, and that were found. The last row (x and y are -1) is the "
+                "sum: all points, chi square with cells below 5 expected points pooled, and its degrees of "
+                "freedom. A low-discrepancy set stays far below them.",
          .explains = true,
          .active_when = from_rsm()}};
 }
