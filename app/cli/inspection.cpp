@@ -44,14 +44,13 @@ void parse_choose(const std::string& text, const MethodDescription& method, cons
     if (selector == method.selectors.end())
         throw UsageError("--choose '" + text + "': method '" + method.id + "' has no selector '" + key +
                          "'; " + known_selectors(method));
-    const auto parameter = settings.find(selector->count);  // or the count is the number itself
-    const bool is_fixed = parameter == settings.end();
-    const auto count = is_fixed ? std::stoll(selector->count) : std::get<std::int64_t>(parameter->second);
+    const auto count = count_of(*selector, settings);
     const auto index = parse_index(item);
     if (item != "all" && (!index || *index >= count))
-        throw UsageError(
-            "--choose '" + text + "': give 0 to " + std::to_string(count - 1) + " or all" +
-            (is_fixed ? "" : "; the parameter " + selector->count + " is " + std::to_string(count)));
+        throw UsageError("--choose '" + text + "': give 0 to " + std::to_string(count - 1) + " or all" +
+                         (selector->parameter.empty()
+                              ? ""
+                              : "; the parameter " + selector->parameter + " is " + std::to_string(count)));
     inspection.chosen[key] = index.value_or(Inspection::all);
 }
 

@@ -170,11 +170,8 @@ std::vector<widgets::SpaceSelector> ViewModel::selectors(const std::string& owne
     auto values = defaults(method->parameters);
     for (const auto& [key, value] : projects::effective(*experiment).values) values[key] = value;
     for (const auto& each : method->selectors) {
-        const auto count = values.find(each.count);
-        const auto* items = count == values.end() ? nullptr : std::get_if<std::int64_t>(&count->second);
-        // a parameter's value, or the number itself
-        const int number = items ? int(*items) : std::max(1, std::atoi(each.count.c_str()));
-        list.push_back({each.key, each.label, each.doc, number, inspection(owner).item(each.key)});
+        const auto count = static_cast<int>(count_of(each, values));
+        list.push_back({each.key, each.label, each.doc, count, inspection(owner).item(each.key)});
     }
     return list;
 }

@@ -115,6 +115,10 @@ std::string condition_text(const Condition& condition) {
     return text + ".";
 }
 
+std::string count_text(const SelectorDescription& selector) {
+    return selector.parameter.empty() ? std::to_string(selector.count) : selector.parameter;
+}
+
 }  // namespace
 
 std::string describe_json(const MethodDescription& method) {
@@ -131,7 +135,7 @@ std::string describe_json(const MethodDescription& method) {
         json["selectors"].push_back({{"key", selector.key},
                                      {"label", selector.label},
                                      {"doc", selector.doc},
-                                     {"count", selector.count}});
+                                     {"count", count_text(selector)}});
     return json.dump(2);
 }
 
@@ -164,8 +168,8 @@ std::string describe_markdown(const MethodDescription& method) {
         "\n## Selectors\n\nWhat can be looked at one by one.\n\n| key | items | what is chosen "
         "|\n|---|---|---|\n";
     for (const auto& selector : method.selectors)
-        text += "| `" + selector.key + "` | 0 … `" + selector.count + "` − 1, or all | **" + selector.label +
-                ".** " + selector.doc + " |\n";
+        text += "| `" + selector.key + "` | 0 … `" + count_text(selector) + "` − 1, or all | **" +
+                selector.label + ".** " + selector.doc + " |\n";
     return text;
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
+
+#include "renderers/core/value.h"
 
 namespace ir {
 
@@ -11,8 +14,17 @@ struct SelectorDescription {
         key;  ///< "map"; elements of outputs that stand for an item have an integer field of this name
     std::string label;
     std::string doc = {};
-    std::string count;  ///< key of the integer parameter that says how many there are, or the number itself
+    std::string parameter = {};  ///< an integer that says how many there are
+    std::int64_t count = 0;      ///< how many there are, where no parameter says
 };
+
+/// How many items there are under these settings; 1 where they do not say.
+inline std::int64_t count_of(const SelectorDescription& selector, const Settings& settings) {
+    if (selector.parameter.empty()) return selector.count;
+    const auto found = settings.find(selector.parameter);
+    const auto* count = found == settings.end() ? nullptr : std::get_if<std::int64_t>(&found->second);
+    return count ? *count : 1;
+}
 
 /// What a person points at. Passes may write outputs that explain it; what the method computes never depends
 /// on it.

@@ -25,6 +25,12 @@ struct FrameInputs {
     /// when the history is only shown. At least 1 where there is none.
     std::uint64_t sample_limit = std::numeric_limits<std::uint64_t>::max();
     Inspection inspection;
+    /// The pixel of the view that a person picked; (-1, -1): none.
+    glm::ivec2 picked_pixel() const {
+        const auto& p = inspection;
+        const bool inside = p.has_pixel() && p.x < view.width && p.y < view.height;
+        return inside ? glm::ivec2(p.x, p.y) : glm::ivec2(-1);
+    }
 };
 
 }  // namespace ir::graph

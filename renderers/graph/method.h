@@ -21,11 +21,13 @@ struct Method {
 /// Binds a typed setup to its parameter table.
 template <class Parameters>
 Method make_method(MethodDescription description, ParameterTable<Parameters> table,
-                   std::function<void(GraphBuilder&, const Parameters&)> setup) {
+                   std::function<void(GraphBuilder&, const Parameters&)> setup,
+                   std::vector<Benchmark> benchmarks = {}) {
     description.parameters = table.descriptions();
     return {std::move(description),
             [table = std::move(table), setup = std::move(setup)](
-                GraphBuilder& builder, const Settings& settings) { setup(builder, table.typed(settings)); }};
+                GraphBuilder& builder, const Settings& settings) { setup(builder, table.typed(settings)); },
+            std::move(benchmarks)};
 }
 
 }  // namespace ir::graph

@@ -44,12 +44,8 @@ struct Explanation {
     void compute(graph::PassBuilder& pass, const graph::FrameInputs& inputs, bool write) const {
         gl::ProgramSource source{{"methods/ambient-occlusion-volumes/explain.comp"}};
         source.defines = {{"WRITE", write ? "1" : "0"}, {"BOUNCED", directions ? "1" : "0"}};
-        const auto& picked = inputs.inspection;
-        const bool inside =
-            picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
         pass.compute(source, volumes.triangles,
-                     Explain{triangle_constants(inputs, volumes),
-                             inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1),
+                     Explain{triangle_constants(inputs, volumes), inputs.picked_pixel(),
                              static_cast<unsigned>(volumes.triangles)});
     }
 };

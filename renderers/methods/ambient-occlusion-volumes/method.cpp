@@ -44,7 +44,7 @@ MethodDescription description() {
     d.selectors = {{.key = "sample",
                     .label = "Sample",
                     .doc = "One of the pixel's directions, with visibility.",
-                    .count = "samples"}};
+                    .parameter = "samples"}};
     d.stages = {{"bounce.incoming", 0, "First sample", bounced},
                 {"volumes.raw", 0, "Before the blur", {"visibility", {false}}},
                 {"accessibility", 0, "Result"}};
@@ -95,12 +95,9 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
 }  // namespace
 
 const graph::Method& method() {
-    static const auto instance = [] {
-        auto made = graph::make_method<Parameters>(description(), parameter_table(), setup);
-        made.benchmarks = benchmarks();
-        return made;
-    }();
-    return instance;
+    static const auto method =
+        graph::make_method<Parameters>(description(), parameter_table(), setup, benchmarks());
+    return method;
 }
 
 }  // namespace ir::methods::ambient_occlusion_volumes

@@ -101,7 +101,7 @@ SelectorDescription direction_selector() {
     return {.key = "direction",
             .label = "Direction",
             .doc = "One of the directions in the picture that are marched from the pixel.",
-            .count = "directions"};
+            .parameter = "directions"};
 }
 
 void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Parameters& parameters) {
@@ -113,15 +113,13 @@ void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const
     const auto samples = declare(builder, "samples", OutputKind::point_set, record_fields<SampleMarched>(),
                                  directions * static_cast<std::uint64_t>(parameters.steps));
     const auto& view = builder.inputs().view;
-    const auto& picked = builder.inputs().inspection;
-    const bool inside = picked.has_pixel() && picked.x < view.width && picked.y < view.height;
     auto pass = builder.pass("explain");
     pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal);
     pass.writes("Horizons", horizons.elements).counts("HorizonCount", horizons.count);
     pass.writes("Lines", lines.elements).counts("LineCount", lines.count);
     pass.writes("Samples", samples.elements).counts("SampleCount", samples.count);
     pass.compute({{"methods/hbao/explain.comp"}}, 1,
-                 Explain{march_constants(view), inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1)});
+                 Explain{march_constants(view), builder.inputs().picked_pixel()});
 }
 
 }  // namespace ir::methods::hbao

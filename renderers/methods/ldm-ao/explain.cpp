@@ -37,10 +37,7 @@ struct ExplainEntries {
 };
 
 Explained explained(const graph::FrameInputs& inputs) {
-    const auto& picked = inputs.inspection;
-    const bool inside = picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
-    return {inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1), inputs.world->bounds.min,
-            inputs.world->bounds.max};
+    return {inputs.picked_pixel(), inputs.world->bounds.min, inputs.world->bounds.max};
 }
 
 void explain_hits(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,

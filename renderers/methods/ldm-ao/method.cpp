@@ -87,12 +87,9 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
 }  // namespace
 
 const graph::Method& method() {
-    static const auto instance = [] {
-        auto made = graph::make_method<Parameters>(description(), parameter_table(), setup);
-        made.benchmarks = benchmarks();
-        return made;
-    }();
-    return instance;
+    static const auto method =
+        graph::make_method<Parameters>(description(), parameter_table(), setup, benchmarks());
+    return method;
 }
 
 }  // namespace ir::methods::ldm_ao

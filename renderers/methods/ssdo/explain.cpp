@@ -94,7 +94,7 @@ SelectorDescription sample_selector() {
     return {.key = "sample",
             .label = "Sample",
             .doc = "One of the directions over each pixel's hemisphere.",
-            .count = "samples"};
+            .parameter = "samples"};
 }
 
 void explain(graph::GraphBuilder& builder, const Inputs& inputs, graph::ImageRef senders) {
@@ -102,15 +102,12 @@ void explain(graph::GraphBuilder& builder, const Inputs& inputs, graph::ImageRef
     const auto samples = declare(builder, "samples", OutputKind::point_set, record_fields<SampleEnd>(), all);
     const auto lines = declare(builder, "lines", OutputKind::line_set, record_fields<LineToOccluder>(), all);
     const auto& frame = builder.inputs();
-    const auto& picked = frame.inspection;
-    const bool inside = picked.has_pixel() && picked.x < frame.view.width && picked.y < frame.view.height;
     auto pass = builder.pass("explain");
     declare_reads(pass, inputs, senders);
     pass.writes("Ends", samples.elements).counts("EndCount", samples.count);
     pass.writes("Lines", lines.elements).counts("LineCount", lines.count);
-    pass.compute(
-        with_samples("methods/ssdo/explain.comp", inputs), 1,
-        Explain{sample_constants(frame, inputs), inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1)});
+    pass.compute(with_samples("methods/ssdo/explain.comp", inputs), 1,
+                 Explain{sample_constants(frame, inputs), frame.picked_pixel()});
 }
 
 }  // namespace ir::methods::ssdo

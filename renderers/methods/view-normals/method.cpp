@@ -21,10 +21,7 @@ ParameterTable<Parameters> parameters() {
                .doc = "Which normal is shown.",
                .choices = {{"shading", "Shading", "Interpolated between vertices, with normal maps."},
                            {"geometric", "Geometric", "Of the triangle's plane."}}});
-    table.add(&Parameters::as_colour, {.key = "as_colour",
-                                       .label = "As colour",
-                                       .doc = "From [-1, 1] to [0, 1], as normal maps are stored."});
-    return table;
+    return table.add(&Parameters::as_colour, {.key = "as_colour", .label = "As colour", .doc = "In [0, 1]."});
 }
 
 // 3. What the method is, and what it shows of itself. The first output is the main result.

@@ -97,12 +97,10 @@ void explain_rays(graph::GraphBuilder& builder, const SceneBuffers& scene, const
     pass.writes("OwnLines", own.elements).counts("OwnCount", own.count);
     pass.writes("OtherLines", others.elements).counts("OtherCount", others.count);
     const auto& inputs = builder.inputs();
-    const auto& pick = inputs.inspection;
-    const bool inside = pick.has_pixel() && pick.x < inputs.view.width && pick.y < inputs.view.height;
     gl::ProgramSource source{{"passes/bounce/explain.comp"}};
     filter.define(source);
     pass.compute(source, 1,
-                 Explain{filter.constants(inputs), inside ? glm::ivec2(pick.x, pick.y) : glm::ivec2(-1),
+                 Explain{filter.constants(inputs), inputs.picked_pixel(),
                          length_of_misses(*inputs.world, miss_length)});
 }
 

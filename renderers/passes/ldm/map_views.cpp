@@ -53,7 +53,7 @@ SelectorDescription map_selector_description() {
     return {.key = map_selector,
             .label = "Map",
             .doc = "The layered depth map that is shown, and asked for the pixel.",
-            .count = "directions"};
+            .parameter = "directions"};
 }
 
 std::vector<OutputDescription> map_outputs() {

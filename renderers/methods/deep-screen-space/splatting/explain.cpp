@@ -38,12 +38,6 @@ Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputK
     return e;
 }
 
-glm::ivec2 picked_pixel(const graph::FrameInputs& inputs) {
-    const auto& picked = inputs.inspection;
-    const bool inside = picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
-    return inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1);
-}
-
 void dispatch_surfels(const graph::PassContext& p, const gl::Program& program, const Splats& splats,
                       graph::Slice slice) {
     const auto capacity = static_cast<std::int64_t>(p.capacity(splats.surfels));
@@ -95,7 +89,7 @@ void read_splats(graph::PassBuilder& pass, const VisibleSplats& visible) {
 
 void search(const graph::PassContext& p, graph::Slice slice, const VisibleSplats& visible) {
     const auto& program = p.use({{folder + "explain_pixel.comp"}});
-    program.set(ExplainPixel{explain_splat(p.inputs(), visible.splats), picked_pixel(p.inputs())});
+    program.set(ExplainPixel{explain_splat(p.inputs(), visible.splats), p.inputs().picked_pixel()});
     dispatch_surfels(p, program, visible.splats, slice);
 }
 
@@ -148,7 +142,7 @@ graph::BufferRef choose_surfel(graph::GraphBuilder& builder, const VisibleSplats
                 source.defines["FIND"] = find;
                 const auto& program = p.use(source);
                 program.set(
-                    ExplainChoice{picked_pixel(p.inputs()),
+                    ExplainChoice{p.inputs().picked_pixel(),
                                   static_cast<unsigned>(std::max(0, p.inputs().inspection.item("surfel")))});
                 dispatch_surfels(p, program, visible.splats, slice);
             });

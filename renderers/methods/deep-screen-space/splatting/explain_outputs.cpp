@@ -66,7 +66,7 @@ SelectorDescription surfel_selector() {
             .doc =
                 "1 + index of a surfel, as winners are numbered. 0, or all: the one nearest to the picked "
                 "pixel's point.",
-            .count = "16777216"};
+            .count = 1 << 24};
 }
 
 }  // namespace ir::methods::deep_screen_space

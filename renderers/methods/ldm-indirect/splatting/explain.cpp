@@ -54,12 +54,6 @@ Explanation declare(graph::GraphBuilder& builder, int maps) {
     return e;
 }
 
-glm::ivec2 picked_pixel(const graph::FrameInputs& inputs) {
-    const auto& picked = inputs.inspection;
-    const bool inside = picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
-    return inside ? glm::ivec2(picked.x, picked.y) : glm::ivec2(-1);
-}
-
 /// Constants of explain.comp.
 struct Explain {
     Footprints footprints;
@@ -69,7 +63,7 @@ struct Explain {
 
 void gather(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons) {
     const auto& program = p.use({{"methods/ldm-indirect/splatting/explain.comp"}});
-    program.set(Explain{footprints(p.inputs(), photons.parameters), picked_pixel(p.inputs())});
+    program.set(Explain{footprints(p.inputs(), photons.parameters), p.inputs().picked_pixel()});
     const auto range = photons_of(p, photons, slice);
     gl::dispatch_items(program, range.first, range.end);
 }
@@ -93,7 +87,7 @@ void sort_and_add_up(const graph::PassContext& p, const Explanation& e) {
 }
 
 bool is_explained(const graph::PassContext& p, const passes::GBuffer& gbuffer) {
-    const auto pixel = picked_pixel(p.inputs());
+    const auto pixel = p.inputs().picked_pixel();
     if (pixel.x < 0) return false;
     const auto place = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(p.inputs().view.width) +
                        static_cast<std::size_t>(pixel.x);

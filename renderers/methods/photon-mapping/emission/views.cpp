@@ -206,12 +206,12 @@ std::vector<SelectorDescription> emission_selectors() {
     return {{.key = source_selector,
              .label = "Map of a light",
              .doc = "The layer of the reflective shadow map whose emission points are shown.",
-             .count = std::to_string(max_sources)},
+             .count = max_sources},
             {.key = warp_selector,
              .label = "Step of warping",
              .doc = "0: the emission set as it is; then horizontally and vertically in turns, from the whole "
                     "map to its texels.",
-             .count = "21"}};
+             .count = 21}};
 }
 
 }  // namespace ir::methods::photon_mapping

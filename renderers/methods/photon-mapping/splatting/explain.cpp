@@ -55,9 +55,8 @@ Explanation declare(graph::GraphBuilder& builder) {
 }
 
 glm::ivec2 picked_texel(const graph::FrameInputs& inputs, int divisor) {
-    const auto& picked = inputs.inspection;
-    const bool inside = picked.has_pixel() && picked.x < inputs.view.width && picked.y < inputs.view.height;
-    return inside ? glm::ivec2(picked.x, picked.y) / divisor : glm::ivec2(-1);
+    const auto pixel = inputs.picked_pixel();
+    return pixel.x < 0 ? pixel : pixel / divisor;
 }
 
 /// Constants of explain.comp.
