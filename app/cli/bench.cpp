@@ -6,6 +6,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/run_frames.h"
 #include "app/engine/benchmarks.h"
+#include "app/engine/defaults_benchmark.h"
 #include "app/engine/interruption.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
@@ -20,10 +21,15 @@ constexpr const char* error_doc =
     "A project's plots: error of experiments against time, frames or a parameter; give --project";
 
 std::string list(bool json) {
-    if (!json) return engine::benchmark_list(false) + error_name + "  " + error_doc + "\n";
+    const std::pair<const char*, const char*> others[]{{engine::defaults_name, engine::defaults_doc},
+                                                       {error_name, error_doc}};
+    auto text = engine::benchmark_list(false);
     auto all = nlohmann::ordered_json::parse(engine::benchmark_list(true));
-    all.push_back({{"name", error_name}, {"doc", error_doc}});
-    return all.dump(2) + "\n";
+    for (const auto& [name, doc] : others) {
+        text += std::string(name) + "  " + doc + "\n";
+        all.push_back({{"name", name}, {"doc", doc}});
+    }
+    return json ? all.dump(2) + "\n" : text;
 }
 
 /// Measures only: what a project keeps is left as it is.
@@ -37,16 +43,16 @@ int run_plots(ProjectPlots job, const MachineFlags& machine, bool json) {
 
 struct BenchFlags {
     MachineFlags machine;
-    std::string name, scene, eye, target, size, csv;
-    std::vector<std::string> variants;
+    std::string name, eye, target, size, csv;
+    std::vector<std::string> scenes, variants;
     ProjectPlots plots;
     int repeats = 5;
     bool json = false, quiet = false;
 };
 
+/// All but the scene.
 engine::BenchmarkOptions benchmark_options(const BenchFlags& flags) {
     engine::BenchmarkOptions options;
-    options.place.scene = flags.scene;
     if (!flags.eye.empty() || !flags.target.empty()) {
         auto& camera = options.place.camera.emplace();
         camera.eye = projects::parse_vec3(flags.eye, "--eye");
@@ -59,30 +65,81 @@ engine::BenchmarkOptions benchmark_options(const BenchFlags& flags) {
 }
 
 std::string text_of(const engine::BenchmarkProgress& progress) {
-    return progress.label + " (" + std::to_string(progress.row + 1) + " of " + std::to_string(progress.rows) +
-           "), " + (progress.repeat == 0 ? "cold" : std::to_string(progress.repeat));
+    auto text = progress.label + " (" + std::to_string(progress.row + 1) + " of " +
+                std::to_string(progress.rows) + ")";
+    if (progress.repeats == 0) return text + (progress.what.empty() ? "" : ", " + progress.what);
+    return text + (progress.repeat == 0
+                       ? ", cold"
+                       : ", " + std::to_string(progress.repeat) + " of " + std::to_string(progress.repeats));
+}
+
+engine::BenchmarkCallbacks benchmark_callbacks(const BenchFlags& flags, ProgressLine& line) {
+    engine::BenchmarkCallbacks callbacks;
+    callbacks.cancel = &engine::interruption();
+    callbacks.memory_budget = parse_bytes(flags.machine.memory);
+    callbacks.progress = [&line](const auto& progress) { line.tell(text_of(progress), progress.fraction); };
+    return callbacks;
+}
+
+/// Whether any variant could be measured.
+bool complain_of_rows(const engine::BenchmarkReport& report) {
+    for (const auto& row : report.rows)
+        if (!row.problem.empty())
+            std::cerr << "interreflect-cli: " << row.label << ": " << row.problem << "\n";
+    return engine::first_measured(report) != nullptr;
 }
 
 /// Failed where no variant could be measured.
 int run_benchmark(const BenchFlags& flags) {
     const auto& benchmark = engine::find_benchmark(flags.name);
-    const auto options = benchmark_options(flags);
+    if (flags.scenes.size() > 1)
+        throw UsageError("--scene is given more than once, which only the benchmark `defaults` takes");
+    auto options = benchmark_options(flags);
+    if (!flags.scenes.empty()) options.place.scene = flags.scenes.front();
     if (!flags.csv.empty()) require_folder_of(flags.csv, "--csv");
-    engine::BenchmarkCallbacks callbacks;
-    callbacks.cancel = &engine::interruption();
-    callbacks.memory_budget = parse_bytes(flags.machine.memory);
     ProgressLine line(!flags.quiet, 1);
     line.begin({}, 1);
-    callbacks.progress = [&](const auto& progress) { line.tell(text_of(progress), progress.fraction); };
     engine::Machine machine(machine_options(flags.machine));
-    const auto report = engine::run_benchmark(machine, benchmark, options, callbacks);
+    const auto report = engine::run_benchmark(machine, benchmark, options, benchmark_callbacks(flags, line));
     line.clear();
-    for (const auto& row : report.rows)
-        if (!row.problem.empty())
-            std::cerr << "interreflect-cli: " << row.label << ": " << row.problem << "\n";
+    const bool is_measured = complain_of_rows(report);
     if (!flags.csv.empty()) write_file(flags.csv, engine::benchmark_csv(report));
     std::cout << (flags.json ? engine::benchmark_json(report) : engine::benchmark_text(report));
-    return engine::first_measured(report) ? done : failed;
+    return is_measured ? done : failed;
+}
+
+std::string heading_of(const engine::BenchmarkReport& report) {
+    return report.scene + ", " + std::to_string(report.width) + "x" + std::to_string(report.height) + ", " +
+           report.doc + ", " + report.device + "\n";
+}
+
+/// A table for each scene and transport.
+int run_defaults(const BenchFlags& flags) {
+    if (!flags.csv.empty())
+        throw UsageError("--csv does not belong to the benchmark `defaults`; take --json");
+    auto scenes = flags.scenes;
+    if (scenes.empty()) scenes.emplace_back();
+    auto options = benchmark_options(flags);
+    ProgressLine line(!flags.quiet, static_cast<double>(scenes.size()));
+    engine::Machine machine(machine_options(flags.machine));
+    auto tables = nlohmann::ordered_json::array();
+    std::string text;
+    for (const auto& scene : scenes) {
+        options.place.scene = scene;
+        line.begin(scene, 1);
+        const auto reports =
+            engine::run_defaults_benchmark(machine, options, benchmark_callbacks(flags, line));
+        line.clear();
+        for (const auto& report : reports) {
+            complain_of_rows(report);
+            text += (text.empty() ? "" : "\n") + heading_of(report) + engine::benchmark_table(report);
+            tables.push_back(nlohmann::ordered_json::parse(engine::benchmark_json(report)));
+        }
+    }
+    nlohmann::ordered_json json{{"benchmark", engine::defaults_name}};
+    json["tables"] = std::move(tables);
+    std::cout << (flags.json ? json.dump(2) + "\n" : text);
+    return done;
 }
 
 }  // namespace
@@ -91,12 +148,16 @@ void add_bench(CLI::App& app, Run& run) {
     auto flags = std::make_shared<BenchFlags>();
     auto* command = app.add_subcommand("bench", "Benchmarks; without NAME the list of them");
     command->add_option("NAME", flags->name, "Which to run");
-    command->add_option("--scene", flags->scene, "Scene instead of the benchmark's own");
+    command
+        ->add_option("--scene", flags->scenes,
+                     "Scene instead of the benchmark's own; of `defaults` may be given more than once")
+        ->allow_extra_args(false);
     command->add_option("--eye", flags->eye, "Camera position x,y,z in metres");
     command->add_option("--target", flags->target, "Point that the camera looks at, x,y,z");
     command->add_option("--size", flags->size, "WxH in pixels instead of the benchmark's own");
     command
-        ->add_option("--variant", flags->variants, "Label of a variant to run; may be given more than once")
+        ->add_option("--variant", flags->variants,
+                     "Label of a variant to run, of `defaults` a method; may be given more than once")
         ->allow_extra_args(false);
     command->add_option("--project", flags->plots.project, "Of the benchmark `error`: project with plots");
     command->add_option("--plot", flags->plots.plots, "Of `error`: plots to carry out (default: all)");
@@ -121,7 +182,7 @@ void add_bench(CLI::App& app, Run& run) {
             }
             if (!flags->plots.project.empty() || !flags->plots.plots.empty())
                 throw UsageError("--project and --plot belong to the benchmark `error`");
-            return run_benchmark(*flags);
+            return flags->name == engine::defaults_name ? run_defaults(*flags) : run_benchmark(*flags);
         };
     });
 }

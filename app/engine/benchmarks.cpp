@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/engine/benchmark_cells.h"
+#include "app/engine/median.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
 
@@ -11,12 +12,6 @@ namespace ir::engine {
 namespace {
 
 using Variant = graph::Benchmark::Variant;
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const auto n = values.size();
-    return n == 0 ? 0 : n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
 
 bool counts(const graph::Benchmark& benchmark, const std::string& pass) {
     if (benchmark.total_of.empty()) return true;
@@ -84,12 +79,6 @@ std::vector<Variant> chosen_variants(const graph::Benchmark& benchmark,
 
 int scaled(int pixels, float scale) {
     return std::max(1, static_cast<int>(static_cast<float>(pixels) * scale + 0.5f));
-}
-
-std::string name_of_scene(const Experiment& experiment) {
-    std::vector<std::string> sources;
-    for (const auto& part : experiment.composition()) sources.push_back(part.source);
-    return experiment.scene.empty() ? projects::listed(sources) : experiment.scene;
 }
 
 bool compares_with_first(const graph::BenchmarkColumn& column) {
@@ -296,6 +285,12 @@ class BenchmarkRun {
 };
 
 }  // namespace
+
+std::string name_of_scene(const Experiment& experiment) {
+    std::vector<std::string> sources;
+    for (const auto& part : experiment.composition()) sources.push_back(part.source);
+    return experiment.scene.empty() ? projects::listed(sources) : experiment.scene;
+}
 
 BenchmarkReport run_benchmark(Machine& machine, const NamedBenchmark& named, const BenchmarkOptions& options,
                               const BenchmarkCallbacks& callbacks) {

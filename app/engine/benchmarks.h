@@ -22,6 +22,8 @@ const std::vector<NamedBenchmark>& benchmarks();
 const NamedBenchmark& find_benchmark(const std::string& name);
 /// Of its table; the total, the ratio to each peer, and memory where it declares none.
 std::vector<graph::BenchmarkColumn> columns_of(const graph::Benchmark& benchmark);
+/// The scene, or the sources of its parts.
+std::string name_of_scene(const Experiment& experiment);
 /// Names and one line each (or a JSON array).
 std::string benchmark_list(bool json);
 
@@ -37,7 +39,7 @@ struct BenchmarkOptions {
 struct BenchmarkProgress {
     std::string label;              ///< of the variant or peer
     std::size_t row = 0, rows = 0;  ///< the one that runs, and how many there are
-    int repeat = 0, repeats = 0;    ///< 0 is the cold run
+    int repeat = 0, repeats = 0;    ///< 0 is the cold run; of 0 there is one run only
     std::string what;               ///< the pass that runs; empty: a peer
     double fraction = 0;            ///< of all rows
 };

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/engine/from_project.h"
+#include "app/engine/median.h"
 #include "app/engine/moving.h"
 #include "app/engine/pictures.h"
 #include "app/engine/study_plan.h"
@@ -20,12 +21,6 @@ namespace ir::engine {
 namespace {
 
 using projects::Json;
-
-double median_of(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const auto half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
 
 /// With what accumulates over frames as little as it can be: for a first frame that only compiles, uploads
 /// and grows.
@@ -183,7 +178,7 @@ class Study {
             if (!planned.points[i].problem.empty()) continue;
             std::vector<double> at;
             for (const auto& run : times) at.push_back(run[std::size_t(planned.points[i].frames - 1)]);
-            if (told_.count(i) == 0) results[i].ms = median_of(at);
+            if (told_.count(i) == 0) results[i].ms = median(at);
         }
     }
 

@@ -5,6 +5,7 @@
 
 #include "app/engine/from_project.h"
 #include "app/engine/keep_result.h"
+#include "app/engine/pictures.h"
 #include "renderers/core/error.h"
 
 namespace ir::engine {

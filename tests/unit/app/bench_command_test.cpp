@@ -86,6 +86,31 @@ TEST_F(BenchCommand, RefusesInOneLine) {
     expect_refused("view-normals-defaults --size 12", 2, "--size");
     expect_refused("view-normals-defaults --scene " + (root_ / "none.glb").string(), 3, "none.glb");
     expect_refused("error --project x --csv y", 2, "do not belong");
+    expect_refused("view-normals-defaults --scene builtin:cornell --scene builtin:furnace", 2,
+                   "more than once");
+    expect_refused("defaults --csv y", 2, "--csv");
+    expect_refused("defaults --variant view-normals", 2, "can judge none");
+    expect_refused("defaults --scene " + (root_ / "none.glb").string(), 3, "none.glb");
+}
+
+TEST_F(BenchCommand, DefaultsHaveATableForEachSceneAndTransport) {
+    const std::string tiny_defaults =
+        "defaults --variant hbao --variant ssdo --scene builtin:cornell --scene builtin:furnace --size 16x12 "
+        "--repeats 1 ";
+    const auto text = bench(tiny_defaults);
+    ASSERT_EQ(text.status, 0) << text.err;
+    EXPECT_TRUE(text.out.starts_with("builtin:cornell, 16x12, paths=ao max_distance=1, ")) << text.out;
+    EXPECT_NE(text.out.find("\n\nbuiltin:furnace, 16x12, paths=full max_distance=1, "), std::string::npos);
+    EXPECT_NE(text.out.find("\nhbao  "), std::string::npos) << text.out;
+    const auto json = bench(tiny_defaults + "--json");
+    ASSERT_EQ(json.status, 0) << json.err;
+    const auto tables = Json::parse(json.out)["tables"];
+    ASSERT_EQ(tables.size(), 4u);
+    EXPECT_EQ(tables[0]["results"]["scene"], "builtin:cornell");
+    EXPECT_EQ(tables[3]["results"]["scene"], "builtin:furnace");
+    EXPECT_EQ(tables[0]["table"][1]["label"], "hbao");
+    EXPECT_EQ(tables[1]["table"][1]["label"], "ssdo");
+    EXPECT_EQ(tables[1]["table"][1]["cells"].size(), tables[1]["columns"].size());
 }
 
 TEST_F(BenchCommand, ListsWhatThereIs) {
@@ -94,6 +119,8 @@ TEST_F(BenchCommand, ListsWhatThereIs) {
     const auto list = Json::parse(outcome.out);
     EXPECT_TRUE(std::any_of(list.begin(), list.end(),
                             [](const auto& each) { return each["name"] == "view-normals-defaults"; }));
+    EXPECT_TRUE(
+        std::any_of(list.begin(), list.end(), [](const auto& each) { return each["name"] == "defaults"; }));
     for (const auto& each : list) EXPECT_FALSE(each["doc"].get<std::string>().empty());
 }
 
