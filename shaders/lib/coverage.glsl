@@ -1,6 +1,7 @@
 // Whether a surface with an alpha mask is there: the rule of scene::is_covered, on the same bits.
 
 /// One per material; width 0 where there is no mask.
+// C++: ir::passes::OpacityData
 struct OpacityBitmap {
     int width, height;
     uint first_word;  // rows are padded to 32 texels

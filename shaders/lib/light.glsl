@@ -9,6 +9,7 @@ const int LIGHT_DIRECTIONAL = 2;
 const int LIGHT_RECTANGLE = 3;
 const int LIGHT_DISK = 4;
 
+// C++: ir::passes::LightData
 struct Light {
     vec3 position_ws;
     int type;
@@ -20,7 +21,7 @@ struct Light {
     float cos_outer;
     int shadow_layer;   // the first of "shadow.maps", or -1
     int shadow_layers;  // 0, 1, or 6: the faces of a cube
-    int unused0, unused1, unused2;
+    int unused[3];
 };
 
 bool is_punctual(Light light) {

@@ -4,6 +4,7 @@
 //   layout(std430) readonly buffer Materials { Material materials[]; };
 
 /// Where and how a texture is looked up: uv' = offset + R (scale uv)  [glTF2 KHR_texture_transform].
+// C++: ir::passes::TextureSlotData
 struct TextureSlot {
     vec2 offset, scale;
     float sine, cosine;
@@ -15,6 +16,7 @@ const uint MATERIAL_UNLIT = 1u;
 const uint MATERIAL_DOUBLE_SIDED = 2u;
 const uint MATERIAL_MASKED = 4u;
 
+// C++: ir::passes::MaterialData
 struct Material {
     vec4 base_colour;
     vec3 emission;  // W/(m² sr)

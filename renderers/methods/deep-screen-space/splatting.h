@@ -1,9 +1,13 @@
 #pragma once
 
+#include <string>
+
 #include "renderers/methods/deep-screen-space/surfels.h"
 #include "renderers/passes/bounce/samples.h"
 
 namespace ir::methods::deep_screen_space {
+
+inline const std::string folder = "methods/deep-screen-space/splatting/";  ///< of the shaders
 
 /// The hierarchical framebuffer: level l holds 4^l sub-images, into which each neighbourhood of 2^l × 2^l
 /// pixels gives one pixel each, at random. All levels have the same padded size. [Nalbach15 fig. 5]

@@ -2,9 +2,9 @@
 
 #include "renderers/graph/builder.h"
 #include "renderers/methods/deep-screen-space/parameters.h"
-#include "renderers/methods/deep-screen-space/records.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 #include "renderers/passes/shadow/shadow_maps.h"
+#include "shaders/methods/deep-screen-space/records.glsl.h"
 
 namespace ir::methods::deep_screen_space {
 

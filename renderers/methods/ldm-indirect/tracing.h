@@ -2,9 +2,9 @@
 
 #include "renderers/graph/builder.h"
 #include "renderers/methods/ldm-indirect/parameters.h"
-#include "renderers/methods/ldm-indirect/records.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 #include "renderers/passes/scene/scene_buffers.h"
+#include "shaders/methods/ldm-indirect/records.glsl.h"
 
 namespace ir::methods::ldm_indirect {
 

@@ -6,6 +6,7 @@
 #include "renderers/core/fields.h"
 #include "renderers/passes/ldm/directions.h"
 #include "renderers/scene/scene.h"
+#include "shaders/passes/ldm/frames.glsl.h"
 
 namespace ir::passes::ldm {
 
@@ -15,16 +16,6 @@ inline constexpr int depth_margin = 64;
 inline constexpr int max_depth = 65535;
 /// Vertices are snapped to this fraction of a texel before they are rasterised, as OpenGL's rasterisers do.
 inline constexpr int subtexels = 256;
-
-/// The orthographic view of one map, as the shaders read it (shaders/passes/ldm/frames.glsl). A point P is at
-/// texel coordinates (dot(P, u.xyz) + u.w, dot(P, v.xyz) + v.w) and at depth dot(P, depth.xyz) + depth.w
-/// quanta; depth grows along the map's direction.
-struct MapFrame {
-    glm::vec4 u, v, depth;
-    glm::vec4 step_u, step_v;  ///< world-space vectors that cross one texel; w 0
-    glm::vec4 direction;       ///< unit length; w: metres per quantum
-    IR_FIELDS(u, v, depth, step_u, step_v, direction)
-};
 
 /// The frame of the map along `direction` (unit length) with resolution² texels: of the rectangles with a
 /// side along a projected axis that enclose the projected bounds the smallest, which is the smallest of all.

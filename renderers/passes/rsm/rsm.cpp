@@ -68,10 +68,10 @@ struct DrawSurfaces {
 
 DrawDepth depth_constants(const ShadowViewData& view, int resolution) {
     return {.clip_from_world = view.clip_from_world,
-            .view_origin_ws = view.origin,
-            .view_right_ws = view.right,
-            .view_up_ws = view.up,
-            .view_forward_ws = view.forward,
+            .view_origin_ws = view.origin_ws,
+            .view_right_ws = view.right_ws,
+            .view_up_ws = view.up_ws,
+            .view_forward_ws = view.forward_ws,
             .perspective = view.perspective,
             .far = view.far,
             .resolution = static_cast<float>(resolution),

@@ -27,7 +27,7 @@ void draw_triangles(const PassContext& p, const ShadowViewData& view, bool maske
     if (first == end) return;
     const auto& program =
         p.use({{"passes/shadow/shadow.vert", "passes/shadow/shadow.frag"}, {{"MASKED", masked ? "1" : "0"}}});
-    program.set(DrawShadow{view.clip_from_world, view.origin, view.forward / view.far});
+    program.set(DrawShadow{view.clip_from_world, view.origin_ws, view.forward_ws / view.far});
     p.api().DrawArrays(GL_TRIANGLES, first, end - first);
 }
 

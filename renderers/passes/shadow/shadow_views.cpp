@@ -36,14 +36,14 @@ glm::vec3 any_up(glm::vec3 forward) {
 /// Fills in the matrix that belongs to the other members.
 ShadowViewData with_matrix(ShadowViewData v) {
     const float depth = v.far - v.near;
-    const auto x = v.right / glm::dot(v.right, v.right), y = v.up / glm::dot(v.up, v.up);
+    const auto x = v.right_ws / glm::dot(v.right_ws, v.right_ws), y = v.up_ws / glm::dot(v.up_ws, v.up_ws);
     const bool perspective = v.perspective != 0;
-    const auto z = v.forward * (perspective ? v.far / depth : 1 / depth);
+    const auto z = v.forward_ws * (perspective ? v.far / depth : 1 / depth);
     const float z0 = -(perspective ? v.far * v.near : v.near) / depth;
-    const auto w = perspective ? v.forward : glm::vec3(0);
-    const glm::mat4 rows(glm::vec4(x, -glm::dot(x, v.origin)), glm::vec4(y, -glm::dot(y, v.origin)),
-                         glm::vec4(z, z0 - glm::dot(z, v.origin)),
-                         glm::vec4(w, perspective ? -glm::dot(w, v.origin) : 1));
+    const auto w = perspective ? v.forward_ws : glm::vec3(0);
+    const glm::mat4 rows(glm::vec4(x, -glm::dot(x, v.origin_ws)), glm::vec4(y, -glm::dot(y, v.origin_ws)),
+                         glm::vec4(z, z0 - glm::dot(z, v.origin_ws)),
+                         glm::vec4(w, perspective ? -glm::dot(w, v.origin_ws) : 1));
     v.clip_from_world = glm::transpose(rows);
     return v;
 }
@@ -55,11 +55,11 @@ ShadowViewData perspective_view(const scene::World& world, int light, glm::vec3 
     float far = extent.y > 0 ? 1.001f * extent.y : 1.0f;
     if (source.range > 0) far = std::min(far, source.range);
     ShadowViewData v{};
-    v.origin = source.position;
+    v.origin_ws = source.position;
     v.perspective = 1;
-    v.up = any_up(forward) * tangent;
-    v.right = glm::cross(forward, any_up(forward)) * tangent;
-    v.forward = forward;
+    v.up_ws = any_up(forward) * tangent;
+    v.right_ws = glm::cross(forward, any_up(forward)) * tangent;
+    v.forward_ws = forward;
     v.far = far;
     // a lamp's own bulb about its centre must not shadow everything
     v.near = std::min(std::max(0.999f * extent.x, 1e-4f * far), 0.5f * far);
@@ -76,12 +76,12 @@ ShadowViewData orthographic_view(const scene::World& world, int light, int resol
     const float margin = 1 + 2.0f / static_cast<float>(resolution);
     const float least = std::max(1e-3f * (z.y - z.x), 1e-6f);
     ShadowViewData v{};
-    v.right = right * std::max(0.5f * margin * (x.y - x.x), least);
-    v.up = up * std::max(0.5f * margin * (y.y - y.x), least);
-    v.forward = forward;
+    v.right_ws = right * std::max(0.5f * margin * (x.y - x.x), least);
+    v.up_ws = up * std::max(0.5f * margin * (y.y - y.x), least);
+    v.forward_ws = forward;
     v.near = 0;
     v.far = (z.y - z.x) + 2 * least;
-    v.origin = right * 0.5f * (x.x + x.y) + up * 0.5f * (y.x + y.y) + forward * (z.x - least);
+    v.origin_ws = right * 0.5f * (x.x + x.y) + up * 0.5f * (y.x + y.y) + forward * (z.x - least);
     v.light = light;
     return with_matrix(v);
 }

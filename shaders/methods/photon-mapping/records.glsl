@@ -3,34 +3,42 @@
 
 #include "lib/spaces.glsl"
 
+/// A point from which photons leave: where light arrived first, after the roulette there. 32 bytes.
+/// DEVIATION [Smal19 table 5.1]: the table has normal (6 bytes), seed and padding; the material and the texel take
+/// their place, as the first scattering needs them.
+// C++: ir::methods::photon_mapping::SamplePoint
 struct SamplePoint {
     vec3 position_ws;
-    uint power;    // RGB9E5, in power units
-    uint normal;   // packed_direction
+    uint power;    // RGB9E5, in power units: of each photon that leaves, roulette included
+    uint normal;   // shading normal, on the side of the light; octahedral, 2 x 16 bits SNORM (packed_direction)
     uint surface;  // packUnorm4x8: base colour, roughness
-    uint origin;   // bits 0-9 texel x, 10-19 texel y, 20-25 layer, 26-31 metalness in 63rds
-    uint seed;
+    uint origin;   // bits 0-9 texel x, 10-19 texel y, 20-25 layer of the RSM, 26-31 metalness in 63rds
+    uint seed;     // index in the emission set: what all random numbers of its paths come from
 };
 
+/// A photon where it arrived. 32 bytes.  [Smal19 table 4.1]
+// C++: ir::methods::photon_mapping::Photon
 struct Photon {
     vec3 position_ws;
-    uint power;      // RGB9E5, in power units
-    uint normal;     // stereographic, packHalf2x16
-    uint direction;  // towards where the photon came from
-    float ray_length;
-    uint bits;  // 0: normal below z = 0; 1: direction below; 2-5 bounce; 6-11 light; 12-31 low bits of the seed
+    uint power;        // RGB9E5, in power units
+    uint normal;       // geometric, on the side that was hit; stereographic, packHalf2x16
+    uint direction;    // from the surface to where the photon came from; stereographic, packHalf2x16
+    float ray_length;  // m
+    uint bits;         // 0: normal is below z = 0; 1: direction is; 2-5 bounce, from 1; 6-11 light;
+                       // 12-31 low bits of the path's seed
 };
 
-/// One layer of the RSM: where its photons come from.
+/// Where photons come from: a layer of the RSM, or a light whose rays are traced.
+// C++: ir::methods::photon_mapping::SourceData
 struct Source {
-    vec3 origin_ws;    // the light's place; directional lights: the middle of the map's near plane
-    float perspective; // 1, or 0 for a directional light
-    vec3 direction_ws; // of travel: the light's axis
-    uint light;        // index into "scene.lights"
-    vec3 intensity;    // W/sr, or W/m² of a directional light
-    float flux;        // W of all channels' mean within the layer, before the surface
-    uint first_point, points;  // of the emission set: points first_point up to first_point + points
-    uint unused0, unused1;
+    vec3 origin_ws;     // the light's place; directional lights: the middle of the map's near plane
+    float perspective;  // 1, or 0 for a directional light
+    vec3 direction_ws;  // of travel: the light's axis
+    uint light;         // index into "scene.lights"
+    vec3 intensity;     // W/sr, or W/m² of a directional light
+    float flux;         // W of all channels' mean within the layer, before the surface
+    uint first_point, points;  // of the emission set, found on the device: first_point up to first_point + points
+    uint unused[2];
 };
 
 uint source_of(SamplePoint point) { return point.origin >> 20u & 63u; }

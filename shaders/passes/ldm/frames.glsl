@@ -2,6 +2,7 @@
 
 /// A point P is at texel coordinates (dot(P, u.xyz) + u.w, dot(P, v.xyz) + v.w) and at depth
 /// dot(P, depth.xyz) + depth.w quanta, along `direction`.
+// C++: ir::passes::ldm::MapFrame
 struct MapFrame {
     vec4 u, v, depth;
     vec4 step_u, step_v;  // world-space vectors that cross one texel

@@ -3,17 +3,21 @@
 //
 //   layout(std430) buffer Rays { Ray rays[]; };
 
+/// 32 bytes.
+// C++: ir::passes::RayRecord
 struct Ray {
     vec3 origin_ws;
-    float far;  // hits beyond are none; <= 0: no ray
+    float far;          // hits beyond are none; <= 0: no ray
     vec3 direction_ws;  // of unit length
     float unused;
 };
 
+/// 16 bytes.
+// C++: ir::passes::RayHitRecord
 struct RayHit {
     float distance;  // infinite: nothing is hit
-    uint triangle;
-    float u, v;  // weights of the triangle's second and third corner
+    uint triangle;   // of World::indices
+    float u, v;      // barycentric weights of the triangle's second and third corner
 };
 
 const float RAY_INFINITY = uintBitsToFloat(0x7f800000u);

@@ -2,17 +2,20 @@
 
 #include "lib/light.glsl"
 
-/// See renderers/passes/shadow/shadow_views.h.
+/// One layer of "shadow.maps". The point at x, y in normalised device coordinates and t metres along the axis is
+/// origin + t forward + s (x right + y up), s = t for a perspective and 1 for an orthographic map. Maps hold
+/// t / far.
+// C++: ir::passes::ShadowViewData
 struct ShadowView {
     mat4 clip_from_world;
     vec3 origin_ws;
-    float perspective;
+    float perspective;  // 1 or 0
     vec3 right_ws;
-    float far;
+    float far;          // m
     vec3 up_ws;
-    int light;
+    int light;          // index into World::lights
     vec3 forward_ws;
-    float near;
+    float near;         // m
 };
 layout(std430) readonly buffer ShadowViews { ShadowView shadow_views[]; };
 uniform sampler2DArray shadow_maps;

@@ -2,7 +2,7 @@
 // it; culling takes away only splats that reach nothing.
 #include <random>
 
-#include "renderers/methods/deep-screen-space/splatting/cover.h"
+#include "renderers/methods/deep-screen-space/splatting/splats.h"
 #include "tests/unit/methods/dss_fixture.h"
 
 namespace ir::test {

@@ -62,8 +62,8 @@ struct MovedRay {
 };
 MovedRay moved_ray(const passes::ShadowViewData& view, double column, double row, int side) {
     const glm::dvec2 ndc((column + 0.5) / side * 2 - 1, 1 - (row + 0.5) / side * 2);
-    const auto lateral = ndc.x * glm::dvec3(view.right) + ndc.y * glm::dvec3(view.up);
-    const glm::dvec3 origin(view.origin), forward(view.forward);
+    const auto lateral = ndc.x * glm::dvec3(view.right_ws) + ndc.y * glm::dvec3(view.up_ws);
+    const glm::dvec3 origin(view.origin_ws), forward(view.forward_ws);
     return view.perspective != 0 ? MovedRay{origin, glm::normalize(forward + lateral)}
                                  : MovedRay{origin + lateral, forward};
 }

@@ -134,9 +134,9 @@ class EmissionTest : public PassTest {
                                     const passes::ShadowViewData& view, float stored, int x, int y) {
         const auto& light = shot.world.lights.at(static_cast<std::size_t>(view.light));
         const double size = pm::texels(parameters.rsm_resolution);
-        const double area = 4 * glm::length(view.right) * glm::length(view.up) / (size * size);
+        const double area = 4 * glm::length(view.right_ws) * glm::length(view.up_ws) / (size * size);
         const glm::dvec2 ndc(2 * (x + 0.5) / size - 1, 1 - 2 * (y + 0.5) / size);
-        const auto lateral = ndc.x * glm::dvec3(view.right) + ndc.y * glm::dvec3(view.up);
+        const auto lateral = ndc.x * glm::dvec3(view.right_ws) + ndc.y * glm::dvec3(view.up_ws);
         const glm::dvec3 intensity = glm::dvec3(light.colour) * double(light.intensity);
         const double depth = double(stored) * view.far;
         const auto inside = [&](double distance) {
@@ -144,7 +144,7 @@ class EmissionTest : public PassTest {
                    (parameters.photon_far == 0 || distance <= parameters.photon_far);
         };
         if (view.perspective == 0) return inside(depth) ? intensity * area : glm::dvec3(0);
-        const auto direction = glm::dvec3(view.forward) + lateral;
+        const auto direction = glm::dvec3(view.forward_ws) + lateral;
         const double slant = glm::length(direction), distance = depth * slant;
         if (!inside(distance)) return glm::dvec3(0);
         const auto arriving = passes::punctual_arrival(

@@ -326,7 +326,7 @@ TEST(ShadowViews, MatricesAgreeWithTheirAxes) {
     for (const auto& v : views)
         for (const auto& [x, y, part] : {std::tuple{0.3f, -0.8f, 0.4f}, {-0.9f, 0.1f, 0.99f}}) {
             const float t = v.near + part * (v.far - v.near), s = v.perspective != 0 ? t : 1;
-            const auto p = v.origin + t * v.forward + s * (x * v.right + y * v.up);
+            const auto p = v.origin_ws + t * v.forward_ws + s * (x * v.right_ws + y * v.up_ws);
             const auto clip = v.clip_from_world * glm::vec4(p, 1);
             EXPECT_NEAR(clip.x / clip.w, x, 1e-4f);
             EXPECT_NEAR(clip.y / clip.w, y, 1e-4f);

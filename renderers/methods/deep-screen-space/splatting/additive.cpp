@@ -1,7 +1,6 @@
 #include "renderers/methods/deep-screen-space/splatting/additive.h"
 
-#include "renderers/methods/deep-screen-space/splatting/cover.h"
-#include "renderers/methods/deep-screen-space/splatting/folder.h"
+#include "renderers/methods/deep-screen-space/splatting/splats.h"
 #include "renderers/passes/bounce/receiver.h"
 
 namespace ir::methods::deep_screen_space {

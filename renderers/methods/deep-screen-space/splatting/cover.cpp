@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/splatting/cover.h"
+#include "renderers/methods/deep-screen-space/splatting/splats.h"
 
 #include "renderers/methods/deep-screen-space/splatting/additive.h"
 

@@ -5,7 +5,6 @@
 #include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/deep-screen-space/random_seed.h"
 #include "renderers/methods/deep-screen-space/splatting/explain_records.h"
-#include "renderers/methods/deep-screen-space/splatting/folder.h"
 #include "renderers/passes/bounce/tiles.h"
 
 namespace ir::methods::deep_screen_space {

@@ -2,7 +2,6 @@
 #include "renderers/methods/deep-screen-space/random_seed.h"
 #include "renderers/methods/deep-screen-space/splatting.h"
 #include "renderers/methods/deep-screen-space/splatting/bounds.h"
-#include "renderers/methods/deep-screen-space/splatting/folder.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {

@@ -1,6 +1,6 @@
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
 #include "renderers/methods/deep-screen-space/random_seed.h"
-#include "renderers/methods/deep-screen-space/splatting/folder.h"
+#include "shaders/methods/deep-screen-space/surfels/commands.comp.h"
 
 #include <algorithm>
 

@@ -1,4 +1,3 @@
-#include "renderers/methods/deep-screen-space/splatting/folder.h"
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 #include "renderers/passes/bounce/tiles.h"
 

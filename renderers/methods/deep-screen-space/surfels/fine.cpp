@@ -7,6 +7,7 @@
 #include "renderers/methods/deep-screen-space/random_seed.h"
 #include "renderers/methods/deep-screen-space/surfels/capture.h"
 #include "renderers/methods/deep-screen-space/surfels/view.h"
+#include "shaders/methods/deep-screen-space/surfels/commands.comp.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {

@@ -5,6 +5,7 @@
 #include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/deep-screen-space/surfels/view.h"
 #include "renderers/passes/scan/scan.h"
+#include "shaders/methods/deep-screen-space/surfels/patch.glsl.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
@@ -15,12 +16,6 @@ using graph::PassContext;
 using graph::Slice;
 
 constexpr std::int64_t first_slice = 4096;
-
-/// As patch.glsl.
-struct Patch {
-    std::uint32_t triangle, splits, place, level;
-    IR_FIELDS(triangle, splits, place, level)
-};
 
 struct Splitting {
     passes::SceneBuffers scene;

@@ -4,22 +4,10 @@
 
 #include "renderers/methods/deep-screen-space/surfels/packing.h"
 #include "renderers/methods/deep-screen-space/surfels/view.h"
+#include "shaders/methods/deep-screen-space/surfels/show.comp.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
-
-/// As show.comp.
-struct ShownSurfel {
-    glm::vec3 centre_ws;
-    std::uint32_t surfel;
-    glm::vec3 normal_ws;
-    float radius;
-    glm::vec3 radiance_front;
-    std::uint32_t triangle;
-    glm::vec3 radiance_back;
-    float part;
-    IR_FIELDS(centre_ws, surfel, normal_ws, radius, radiance_front, triangle, radiance_back, part)
-};
 
 /// Constants of show.comp.
 struct Show {

@@ -2,6 +2,7 @@
 
 #include "renderers/methods/deep-screen-space/surfels.h"
 #include "renderers/methods/deep-screen-space/surfels/packing.h"
+#include "shaders/methods/deep-screen-space/surfels/fine.glsl.h"
 
 /// The steps by which surfels are made, in their order. [Nalbach15 fig. 6]
 namespace ir::methods::deep_screen_space {
@@ -18,18 +19,6 @@ struct Patches {
 Patches cut_patches(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                     graph::CounterRef fine_count, float reach, std::uint64_t reserve,
                     const Parameters& parameters);
-
-/// A surfel before thinning: 48 bytes, as transform feedback writes it.
-struct FineSurfel {
-    glm::vec3 centre_ws;
-    std::uint32_t triangle;
-    glm::vec3 normal_ws;
-    float radius;                          ///< m: π radius² is the patch's area over its number of surfels
-    std::uint32_t barycentrics, identity;  ///< as of Surfel
-    std::uint32_t patch;                   ///< index in "surfels.patches.list"
-    float part;                            ///< of the ideal area at its place
-    IR_FIELDS(centre_ws, triangle, normal_ws, radius, barycentrics, identity, patch, part)
-};
 
 /// Declares "surfels.fine", without what fills it: patches count what goes into it.
 Growing declare_fine(graph::GraphBuilder& builder, std::uint64_t reserve);

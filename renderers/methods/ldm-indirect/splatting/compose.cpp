@@ -1,6 +1,5 @@
 #include <optional>
 
-#include "renderers/methods/ldm-indirect/splatting/outputs.h"
 #include "renderers/passes/direct/compose.h"
 #include "renderers/passes/gbuffer/glass.h"
 
@@ -53,8 +52,8 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
                 .emission = paths == Paths::full,
                 .lambert = parameters.transport.materials == Transport::Materials::lambert,
                 .background = passes::visible_environment(builder, parameters.transport)};
-    const auto radiance = output_image(builder, "radiance"),
-               indirect = output_image(builder, "indirect.radiance");
+    const auto radiance = builder.output("radiance", {.format = gl::Format::rgba32f}),
+               indirect = builder.output("indirect.radiance", {.format = gl::Format::rgba32f});
     auto pass = builder.pass("compose");
     pass.reads("irradiance_image", splat.irradiance)
         .reads(gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material, gbuffer.emission);

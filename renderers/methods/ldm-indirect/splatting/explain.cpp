@@ -3,7 +3,6 @@
 #include "renderers/core/record.h"
 #include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/ldm-indirect/splatting/found.h"
-#include "renderers/methods/ldm-indirect/splatting/outputs.h"
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
 
 namespace ir::methods::ldm_indirect {

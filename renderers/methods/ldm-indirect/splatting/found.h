@@ -8,20 +8,9 @@
 #include "renderers/core/fields.h"
 #include "renderers/methods/ldm-indirect/parameters.h"
 #include "renderers/scene/world.h"
+#include "shaders/methods/ldm-indirect/splatting/explain.comp.h"
 
 namespace ir::methods::ldm_indirect {
-
-/// A photon that lights the picked pixel: as struct Found of explain.comp.
-struct FoundPhoton {
-    std::array<float, 3> centre, axis_u, axis_v, contribution, flux;
-    std::uint32_t map;
-    std::int32_t side;
-    std::uint32_t light, source;
-    float path_length, distance;
-    std::uint32_t photon;
-    IR_FIELDS(centre, axis_u, axis_v, contribution, flux, map, side, light, source, path_length, distance,
-              photon)
-};
 
 /// As the buffer PixelSum of explain.comp.
 struct PixelSum {

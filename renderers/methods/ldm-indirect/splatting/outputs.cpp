@@ -1,4 +1,4 @@
-#include "renderers/methods/ldm-indirect/splatting/outputs.h"
+#include "renderers/methods/ldm-indirect/splatting.h"
 
 #include "renderers/passes/direct/direct_light.h"
 
@@ -79,10 +79,6 @@ std::vector<OutputDescription> splatting_outputs() {
     auto all = pictures();
     for (auto& output : explanations()) all.push_back(std::move(output));
     return all;
-}
-
-graph::ImageRef output_image(graph::GraphBuilder& builder, const std::string& key) {
-    return builder.output(key, {.format = gl::Format::rgba32f});
 }
 
 }  // namespace ir::methods::ldm_indirect

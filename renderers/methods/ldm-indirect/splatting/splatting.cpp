@@ -1,6 +1,5 @@
 #include "renderers/methods/ldm-indirect/splatting.h"
 
-#include "renderers/methods/ldm-indirect/splatting/outputs.h"
 #include "renderers/methods/ldm-indirect/splatting/ways.h"
 
 namespace ir::methods::ldm_indirect {
@@ -16,7 +15,7 @@ Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
     task.photons = stored_photons(builder, photons, parameters);
     task.position = gbuffer.position;
     task.normal = gbuffer.geometric_normal;
-    task.irradiance = output_image(builder, "indirect.irradiance");
+    task.irradiance = builder.output("indirect.irradiance", {.format = gl::Format::rgba32f});
     switch (parameters.splatting) {
         case Splatting::quads:
             splat_quads(builder, task);

@@ -5,15 +5,9 @@
 #include <optional>
 
 #include "renderers/methods/ldm-indirect/tracing/emission.h"
+#include "shaders/methods/ldm-indirect/tracing/energy.glsl.h"
 
 namespace ir::methods::ldm_indirect {
-
-/// A row of "indirect.energy": equals struct Row of shaders/methods/ldm-indirect/tracing/energy.glsl.
-struct EnergyRow {
-    std::uint32_t cause, leg, photons;
-    std::array<float, 3> flux;
-    IR_FIELDS(cause, leg, photons, flux)
-};
 
 /// Row numbers. Behind the first surface, and of photons that are stored there, the causes of primary.glsl
 /// follow.

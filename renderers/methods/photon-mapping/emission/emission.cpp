@@ -1,7 +1,6 @@
 #include "renderers/methods/photon-mapping/emission.h"
 
 #include "renderers/core/error.h"
-#include "renderers/methods/photon-mapping/emission/from_rsm.h"
 #include "renderers/methods/photon-mapping/emission/points.h"
 #include "renderers/methods/photon-mapping/emission/traced.h"
 #include "renderers/methods/photon-mapping/emission/views.h"

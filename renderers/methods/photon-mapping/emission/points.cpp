@@ -5,7 +5,6 @@
 
 #include "renderers/core/error.h"
 #include "renderers/methods/photon-mapping/compute_items.h"
-#include "renderers/methods/photon-mapping/emission/from_rsm.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/passes/scan/scan.h"
 

@@ -3,8 +3,6 @@
 #include <bit>
 #include <sstream>
 
-#include "renderers/methods/photon-mapping/emission/from_rsm.h"
-
 namespace ir::methods::photon_mapping {
 namespace {
 

@@ -28,7 +28,7 @@ float solid_angle_of_face(const scene::Light& light, const ShadowViewData& view)
     for (int y = 0; y < texels; ++y)
         for (int x = 0; x < texels; ++x) {
             const glm::vec2 ndc = (glm::vec2(x, y) + 0.5f) * (2.0f / texels) - 1.0f;
-            const auto direction = view.forward + ndc.x * view.right + ndc.y * view.up;
+            const auto direction = view.forward_ws + ndc.x * view.right_ws + ndc.y * view.up_ws;
             const float squared = glm::dot(direction, direction), size = std::sqrt(squared);
             const float cosine = glm::dot(direction, light.direction) / size;
             const float profile =
@@ -42,7 +42,7 @@ float solid_angle_of_face(const scene::Light& light, const ShadowViewData& view)
 
 /// What the layer's intensity is multiplied by for its flux: sr, or m² of a directional light.
 float extent_of_layer(const scene::Light& light, const ShadowViewData& view) {
-    if (view.perspective == 0) return 4 * glm::length(view.right) * glm::length(view.up);
+    if (view.perspective == 0) return 4 * glm::length(view.right_ws) * glm::length(view.up_ws);
     if (light.type == scene::LightType::point) return 4 * std::numbers::pi_v<float> / 6;
     return passes::shadow_layers(light) == 1 ? passes::punctual_solid_angle(light)
                                              : solid_angle_of_face(light, view);
@@ -62,7 +62,7 @@ SourceData source_of(const scene::Light& light, int index, float extent) {
 /// The middle of a directional light's map, wherever its photons are found.
 glm::vec3 near_plane_of(const scene::World& world, int light) {
     for (const auto& view : passes::shadow_views(world, 64))
-        if (view.light == light) return view.origin;
+        if (view.light == light) return view.origin_ws;
     return world.bounds.centre();
 }
 
@@ -118,8 +118,8 @@ Sources layers_of_lights(const scene::Scene& scene, const scene::World& world, i
         if (view.light == light_beyond) continue;
         sources.views.push_back(view);
         auto source = source_of(light, view.light, extent_of_layer(light, view));
-        if (view.perspective == 0) source.origin_ws = view.origin;
-        if (light.type == scene::LightType::point) source.direction_ws = view.forward;
+        if (view.perspective == 0) source.origin_ws = view.origin_ws;
+        if (light.type == scene::LightType::point) source.direction_ws = view.forward_ws;
         sources.elements.push_back(source);
     }
     count_others(sources, scene, world);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "renderers/gl/dispatch_items.h"
-#include "renderers/methods/photon-mapping/emission/from_rsm.h"
 #include "renderers/methods/photon-mapping/emission/histogram.h"
 
 namespace ir::methods::photon_mapping {

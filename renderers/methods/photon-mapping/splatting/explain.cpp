@@ -6,21 +6,13 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
+#include "shaders/methods/photon-mapping/splatting/explain.comp.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
 
 /// Kernels that cover a texel are expected to be no more than this at first.
 constexpr std::uint64_t expected_photons = 1024;
-
-/// As struct Found of explain.comp.
-struct FoundPhoton {
-    std::array<float, 3> centre, axis_u, axis_v, axis_w, contribution, power;
-    std::uint32_t bounce, light;
-    float distance, radius;
-    std::uint32_t photon;
-    IR_FIELDS(centre, axis_u, axis_v, axis_w, contribution, power, bounce, light, distance, radius, photon)
-};
 
 /// As the buffer PixelSum of explain.comp, which writes photons and pixel.
 struct Sum {

@@ -5,27 +5,14 @@
 #include "renderers/methods/photon-mapping/compute_items.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/methods/photon-mapping/tracing/wavefront.h"
+#include "shaders/methods/photon-mapping/tracing/locations.comp.h"
+#include "shaders/methods/photon-mapping/tracing/tally.comp.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
 
 using graph::GraphBuilder;
 using graph::PassContext;
-
-/// As struct Row of tally.comp.
-struct TallyRow {
-    std::uint32_t bounce, rays, missed, stored, culled, absorbed, cut;
-    glm::vec3 power;
-    IR_FIELDS(bounce, rays, missed, stored, culled, absorbed, cut, power)
-};
-
-/// As struct Location of locations.comp.
-struct PhotonLocation {
-    glm::vec3 position, normal, direction, power;
-    float ray_length;
-    std::uint32_t bounce, light, seed;
-    IR_FIELDS(position, normal, direction, power, ray_length, bounce, light, seed)
-};
 
 /// As many as memory is reserved for at first: the buffer grows.
 std::uint64_t reserved_photons(const SamplePoints& samples, const Parameters& parameters) {

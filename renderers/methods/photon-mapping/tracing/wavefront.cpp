@@ -7,6 +7,7 @@
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/passes/scan/scan.h"
 #include "renderers/passes/scattering/microfacets.h"
+#include "shaders/methods/photon-mapping/tracing/path.glsl.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -60,14 +61,6 @@ template <class Enum>
 int index_of(Enum choice) {
     return static_cast<int>(choice);
 }
-
-/// As struct Path of path.glsl.
-struct PathState {
-    glm::vec3 power;
-    float distance;
-    std::uint32_t bits, seed;
-    IR_FIELDS(power, distance, bits, seed)
-};
 
 /// Constants of path.glsl.
 struct PathRules {

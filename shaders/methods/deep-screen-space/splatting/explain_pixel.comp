@@ -4,15 +4,19 @@ layout(local_size_x = 64) in;
 #include "methods/deep-screen-space/splatting/explain_splat.glsl"
 
 /// As fields of "splats.explain.candidates".
+// C++: ir::methods::deep_screen_space::SplatCandidate
 struct Candidate {
     float centre[3], normal[3], radius;
     uint surfel, sample_, level, shell, outcome;
-    float distance_m, z;
+    float distance, z;
 };
 layout(std430) writeonly buffer Candidates { Candidate candidates[]; };
 /// As fields of "splats.explain.levels"; the host fills in what was found.
+// C++: ir::methods::deep_screen_space::LevelSum
 struct LevelSum {
-    uint sample_, level, splats, outcomes[5], found, kept, nearest;
+    uint sample_, level, splats;
+    uint outside, missed, too_far, own, hits;  // splats by outcome
+    uint found, kept, nearest;
     float found_z, kept_z;
 };
 layout(std430) buffer Sums { LevelSum sums[]; };
@@ -41,7 +45,11 @@ void explain(Surfel s, uint index, int level, int sample_index, ivec2 place, vec
     ExplainedSplat e = explained_splat(s, level, x_ws, direction.xyz, normal_ws);
     int row = sample_index * levels + level;
     atomicAdd(sums[row].splats, 1u);
-    atomicAdd(sums[row].outcomes[e.hit.outcome - SPLAT_OUTSIDE], 1u);
+    if (e.hit.outcome == SPLAT_OUTSIDE) atomicAdd(sums[row].outside, 1u);
+    if (e.hit.outcome == SPLAT_MISSED) atomicAdd(sums[row].missed, 1u);
+    if (e.hit.outcome == SPLAT_TOO_FAR) atomicAdd(sums[row].too_far, 1u);
+    if (e.hit.outcome == SPLAT_OWN) atomicAdd(sums[row].own, 1u);
+    if (e.hit.outcome == SPLAT_HIT) atomicAdd(sums[row].hits, 1u);
     if (e.hit.outcome != SPLAT_OUTSIDE) write_candidate(s, index, sample_index, level, e);
 }
 

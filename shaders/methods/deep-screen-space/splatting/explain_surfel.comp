@@ -4,6 +4,7 @@
 
 layout(std430) readonly buffer Choice { uint closeness, surfel; };
 /// As fields of "splats.explain.surfel".
+// C++: ir::methods::deep_screen_space::SurfelSum
 struct SurfelSum {
     float centre[3], normal[3], radius;
     uint surfel, level, splats, hits, level_wins, wins;

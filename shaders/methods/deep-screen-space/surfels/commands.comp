@@ -2,6 +2,8 @@
 // the commands, and a patch belongs to the one that has its first point.
 layout(local_size_x = 64) in;
 
+/// What the device reads of an indirect draw.
+// C++: ir::methods::deep_screen_space::DrawCommand
 struct Command {
     uint vertices, instances, first_vertex, base_instance;
 };

@@ -2,13 +2,16 @@
 
 layout(std430) readonly buffer FineSurfels { uvec4 fine_words[]; };
 
+/// A surfel before thinning: 48 bytes, as transform feedback writes it.
+// C++: ir::methods::deep_screen_space::FineSurfel
 struct FineSurfel {
     vec3 centre_ws;
     uint triangle;
     vec3 normal_ws;
-    float radius;
-    uint barycentrics, identity, patch_index;
-    float part;  // of the ideal area
+    float radius;  // m: π radius² is the patch's area over its number of surfels
+    uint barycentrics, identity;  // as of Surfel
+    uint patch_;  // index in "surfels.patches.list"
+    float part;   // of the ideal area at its place
 };
 
 FineSurfel fine_surfel(uint index) {

@@ -1,5 +1,6 @@
 // Parts of triangles that the tessellator can divide into surfels: a triangle is split into m² that are similar
 // to it. 16 bytes in std430.
+// C++: ir::methods::deep_screen_space::Patch
 struct Patch {
     uint triangle;
     uint splits;  // of each side

@@ -4,6 +4,7 @@ layout(local_size_x = 64) in;
 #include "methods/deep-screen-space/surfels/ideal.glsl"
 #include "methods/deep-screen-space/surfels/parts.glsl"
 
+// C++: ir::methods::deep_screen_space::ShownSurfel
 struct ShownSurfel {
     vec3 centre_ws;
     uint surfel;

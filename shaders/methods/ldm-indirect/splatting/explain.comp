@@ -6,12 +6,13 @@ layout(local_size_x = 256) in;
 layout(std430) readonly buffer Photons { Photon photons[]; };
 
 /// As fields of "indirect.explain.photons".
+// C++: ir::methods::ldm_indirect::FoundPhoton
 struct Found {
     float centre[3], axis_u[3], axis_v[3], contribution[3], flux[3];
     uint map;
     int side;
     uint light, source;
-    float path_length, distance_m;
+    float path_length, distance;
     uint photon;
 };
 layout(std430) writeonly buffer FoundPhotons { Found found[]; };
@@ -59,7 +60,7 @@ void write(uint place, uint i, Photon photon, Footprint f, vec3 x) {
     found[place].light = photon.leg >> LEG_LIGHT_SHIFT;
     found[place].source = photon.source;
     found[place].path_length = photon.path_length;
-    found[place].distance_m = distance(f.centre_ws, x);
+    found[place].distance = distance(f.centre_ws, x);
     found[place].photon = i;
 }
 

@@ -54,6 +54,6 @@ void main() {
         sum.flux += one.flux;
         sum.photons += one.photons;
     }
-    blocks[item] = Row(row, row >= ROW_DIRECT ? 2u : row >= ROW_INDIRECT ? 1u : 0u, sum.photons, sum.flux.r,
-                       sum.flux.g, sum.flux.b);
+    blocks[item] = Row(row, row >= ROW_DIRECT ? 2u : row >= ROW_INDIRECT ? 1u : 0u, sum.photons,
+                       float[3](sum.flux.r, sum.flux.g, sum.flux.b));
 }

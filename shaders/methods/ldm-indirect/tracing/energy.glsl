@@ -3,8 +3,10 @@ const uint ROW_EMITTED = 0u, ROW_NOTHING = 1u, ROW_RANGE = 2u, ROW_DEGENERATE = 
            ROW_UNSPLIT = 5u, ROW_INDIRECT = 6u,  // and the causes
            ROW_DIRECT = 14u, ROWS = 22u;
 
+/// A row of "indirect.energy".
+// C++: ir::methods::ldm_indirect::EnergyRow
 struct Row {
     uint cause, leg;  // leg 0: to the first surface, 1: behind it, 2: stored there
     uint photons;
-    float red, green, blue;  // W
+    float flux[3];  // W
 };

@@ -21,14 +21,14 @@ void main() {
     uint photons = 0u;
     for (uint block = 0u; block < block_count; ++block) {
         Row one = blocks[block * ROWS + row];
-        precise vec3 next = vec3(one.red, one.green, one.blue) - lost;
+        precise vec3 next = vec3(one.flux[0], one.flux[1], one.flux[2]) - lost;
         precise vec3 total = sum + next;
         lost = (total - sum) - next;
         sum = total;
         photons += one.photons;
     }
     Row first = blocks[row];
-    table[row] = Row(first.cause, first.leg, photons, sum.r, sum.g, sum.b);
+    table[row] = Row(first.cause, first.leg, photons, float[3](sum.r, sum.g, sum.b));
     uint cause = row - ROW_INDIRECT;
     if (row == ROW_EMITTED) atomicAdd(emitted_counter, photons);
     if (row == ROW_DEGENERATE) atomicAdd(degenerate_counter, photons);

@@ -1,6 +1,6 @@
 // A photon from a pixel of a light's image to the first surface, x1. [Aalund15 §4.2]
-// 160 bytes in std430; equals ir::methods::ldm_indirect::Primary. Differentials are halved, as in records of
-// photons: transfer and rotation are linear.
+// 160 bytes. Differentials are halved, as in records of photons: transfer and rotation are linear.
+// C++: ir::methods::ldm_indirect::Primary
 struct Primary {
     vec3 position_ws;     // x1
     uint source;          // texel of the lights' images
@@ -36,6 +36,7 @@ const uint CAUSE_BELOW = 0u, CAUSE_LEFT = 1u, CAUSE_OUTSIDE = 2u, CAUSE_HIDDEN =
            CAUSE_DEGENERATE = 5u, CAUSE_STORED = 6u, CAUSE_STORED_HIDDEN = 7u, CAUSES = 8u;
 
 /// Parts of a primary photon's reflected flux, and numbers of photons, by cause.
+// C++: ir::methods::ldm_indirect::Shares
 struct Shares {
     float part[8];
     uint photons[8];

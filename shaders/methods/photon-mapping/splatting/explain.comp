@@ -5,10 +5,11 @@
 layout(local_size_x = 256) in;
 
 /// As fields of "splat.explain.photons".
+// C++: ir::methods::photon_mapping::FoundPhoton
 struct Found {
     float centre[3], axis_u[3], axis_v[3], axis_w[3], contribution[3], power[3];
     uint bounce, light;
-    float distance_m, radius;
+    float distance, radius;
     uint photon;
 };
 layout(std430) writeonly buffer FoundPhotons { Found found[]; };
@@ -47,7 +48,7 @@ void write(uint place, uint i, Photon photon, Kernel k) {
     found[place].power = components(unpacked_power(photon.power) * power_unit);
     found[place].bounce = bounce_of(photon);
     found[place].light = light_of(photon);
-    found[place].distance_m = distance_of(k);
+    found[place].distance = distance_of(k);
     found[place].radius = k.radius;
     found[place].photon = i;
 }

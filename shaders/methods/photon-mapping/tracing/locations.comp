@@ -3,6 +3,7 @@ layout(local_size_x = 64) in;
 
 #include "methods/photon-mapping/records.glsl"
 
+// C++: ir::methods::photon_mapping::PhotonLocation
 struct Location {
     float position[3], normal[3], direction[3], power[3];
     float ray_length;

@@ -7,10 +7,11 @@
 #include "passes/raytracing/rays.glsl"
 
 /// Between two surfaces. The ray is in the buffer of rays; one with far <= 0: the path has ended.
+// C++: ir::methods::photon_mapping::PathState
 struct Path {
-    float red, green, blue;  // in power units
-    float distance;               // m since the last scattering, through mirrors
-    uint bits;               // 0-3 scatterings, 4-7 mirrors, 8-13 light, 16-31 repeat
+    float power[3];  // in power units
+    float distance;  // m since the last scattering, through mirrors
+    uint bits;       // 0-3 scatterings, 4-7 mirrors, 8-13 light, 16-31 repeat
     uint seed;
 };
 
@@ -26,12 +27,8 @@ uniform float max_distance;       // m between scatterings; 0: unlimited
 
 uint scatterings_of(Path path) { return path.bits & 15u; }
 uint mirrors_of(Path path) { return path.bits >> 4u & 15u; }
-vec3 power_of(Path path) { return vec3(path.red, path.green, path.blue); }
-void set_power(inout Path path, vec3 power) {
-    path.red = power.r;
-    path.green = power.g;
-    path.blue = power.b;
-}
+vec3 power_of(Path path) { return vec3(path.power[0], path.power[1], path.power[2]); }
+void set_power(inout Path path, vec3 power) { path.power = float[3](power.r, power.g, power.b); }
 
 // Purposes of random words.
 const uint DIRECTION = 0u, CHANNELS = 1u;

@@ -5,9 +5,10 @@ layout(local_size_x = 16) in;
 
 layout(std430) readonly buffer Sums { uint sums[]; };
 
+// C++: ir::methods::photon_mapping::TallyRow
 struct Row {
     uint bounce, rays, missed, stored, culled, absorbed, cut;
-    float red, green, blue;  // W
+    float power[3];  // W
 };
 layout(std430) writeonly buffer Table { Row table[]; };
 layout(std430) buffer RayCounter { uint ray_counter; };
@@ -30,7 +31,7 @@ void main() {
     uint first = TALLY_WORDS * bounce;
     Row row = Row(bounce, sums[first + TALLY_RAYS], sums[first + TALLY_MISSED], sums[first + TALLY_STORED],
                   sums[first + TALLY_CULLED], sums[first + TALLY_ABSORBED], sums[first + TALLY_CUT],
-                  watts(first, 0u), watts(first, 1u), watts(first, 2u));
+                  float[3](watts(first, 0u), watts(first, 1u), watts(first, 2u)));
     table[bounce] = row;
     atomicAdd(missed_counter, row.missed);
     atomicAdd(culled_counter, row.culled);

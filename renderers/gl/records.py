@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""Writes C++ headers of the records that shaders and host share, so that their fields stand once: in GLSL.
+
+A struct whose comment has the line "C++: ir::some::Name" becomes that struct, with IR_FIELDS, in the header
+OUT/shaders/PATH.glsl.h of its file shaders/PATH.glsl; a record may hold records of the same file. A name that is a
+word of GLSL ends in "_" there, and not in C++. Usage:
+records.py ROOT OUT, or records.py --list ROOT for the files that have records.
+"""
+import re
+import sys
+from pathlib import Path
+
+TYPES = {"float": "float", "int": "std::int32_t", "uint": "std::uint32_t", "vec2": "glm::vec2", "vec3": "glm::vec3",
+         "vec4": "glm::vec4", "ivec2": "glm::ivec2", "uvec2": "glm::uvec2", "mat4": "glm::mat4"}
+MARK = "// C++: "
+RECORD = re.compile(r"((?:^//[^\n]*\n)*)^struct (\w+) \{\n(.*?)^\};", re.M | re.S)
+MEMBERS = re.compile(r"\s*(\w+) ([^;]+);\s*(?://\s?(.*))?$")
+
+
+def members_of(body, types, path):
+    """(type, name, comment) of each member, in order; without a type: a comment that goes on."""
+    for line in body.splitlines():
+        if line.strip().startswith("//"):
+            yield None, None, line.strip()[2:].strip()
+            continue
+        match = MEMBERS.match(line)
+        if not match or match[1] not in types:
+            sys.exit(f"{path}: the line '{line.strip()}' of a record is no 'type name;  // comment' with one of "
+                     f"{', '.join(types)}")
+        names = [name.strip() for name in match[2].split(",")]
+        for name in names:
+            kind = types[match[1]]
+            if array := re.fullmatch(r"(\w+)\[(\d+)\]", name):
+                kind, name = f"std::array<{kind}, {array[2]}>", array[1]
+            is_last = re.match(r"\w+", names[-1])[0] == name
+            yield kind, name.removesuffix("_"), match[3] if is_last else None
+
+
+def record_of(comment, name, body, types, path):
+    lines = [f"/// {line.lstrip('/').strip()}" for line in comment.splitlines() if not line.startswith(MARK)]
+    lines.append(f"struct {name} {{")
+    names = []
+    for kind, member, note in members_of(body, types, path):
+        code = f"{kind} {member}{{}};" if kind else ""
+        lines.append(f"    {code}  ///< {note}" if note else f"    {code}")
+        names += [member] if kind else []
+    return "\n".join(lines + [f"    IR_FIELDS({', '.join(names)})", "};"])
+
+
+def header_of(path, text):
+    """The header's text; None where no struct is marked."""
+    records, types = [], dict(TYPES)
+    for comment, glsl_name, body in RECORD.findall(text):
+        for line in comment.splitlines():
+            if line.startswith(MARK):
+                space, name = line[len(MARK):].strip().rsplit("::", 1)
+                record = record_of(comment, name, body, types, path)
+                records.append(f"namespace {space} {{\n\n{record}\n\n}}  // namespace {space}\n")
+                types[glsl_name] = name
+    if len(records) != text.count("\n" + MARK) + text.startswith(MARK):
+        sys.exit(f"{path}: '{MARK}' stands in the comment right above a struct, once")
+    return "\n".join([f"// Made from {path}: edit that.\n#pragma once\n\n#include <array>\n#include <cstdint>\n"
+                      '#include <glm/glm.hpp>\n\n#include "renderers/core/fields.h"\n'] + records) if records else None
+
+
+def headers_of(root):
+    """(path, text) of each header, by the shader's path below the root."""
+    for shader in sorted((root / "shaders").rglob("*.*")):
+        path = shader.relative_to(root).as_posix()
+        if text := header_of(path, shader.read_text(encoding="utf-8")):
+            yield path, text
+
+
+def main():
+    if sys.argv[1] == "--list":
+        print(";".join(path for path, _ in headers_of(Path(sys.argv[2]))), end="")
+        return
+    for path, text in headers_of(Path(sys.argv[1])):
+        header = Path(sys.argv[2]) / (path + ".h")
+        header.parent.mkdir(parents=True, exist_ok=True)
+        if not header.exists() or header.read_text(encoding="utf-8") != text:
+            header.write_text(text, encoding="utf-8")
+
+
+main()

@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""Checks renderers/gl/records.py: what it makes of a record, and what it refuses. Usage: check_records.py ROOT"""
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SCRIPT = Path(sys.argv.pop(1)) / "renderers" / "gl" / "records.py"
+
+
+class Records(unittest.TestCase):
+    def run_on(self, glsl):
+        """(exit status, messages, header) of a tree with one shader."""
+        with tempfile.TemporaryDirectory() as folder:
+            root, out = Path(folder), Path(folder) / "out"
+            (root / "shaders").mkdir()
+            (root / "shaders" / "a.glsl").write_text(glsl, encoding="utf-8")
+            run = subprocess.run([sys.executable, SCRIPT, root, out], capture_output=True, text=True, check=False)
+            header = out / "shaders" / "a.glsl.h"
+            return run.returncode, run.stderr, header.read_text(encoding="utf-8") if header.exists() else None
+
+    def test_fields_keep_order_type_and_comment(self):
+        status, messages, header = self.run_on(
+            "/// Seen by both.\n// C++: ir::here::Thing\nstruct T {\n    vec3 place_ws;  // m\n"
+            "    uint sample_, words[2];  // last\n};\n")
+        self.assertEqual((status, messages), (0, ""))
+        self.assertIn("namespace ir::here {", header)
+        self.assertIn("/// Seen by both.\nstruct Thing {", header)
+        self.assertIn("    glm::vec3 place_ws{};  ///< m\n    std::uint32_t sample{};\n"
+                      "    std::array<std::uint32_t, 2> words{};  ///< last\n"
+                      "    IR_FIELDS(place_ws, sample, words)\n", header)
+
+    def test_records_hold_records(self):
+        header = self.run_on("// C++: ir::A\nstruct InA {\n    float x;\n};\n\n"
+                             "// C++: ir::B\nstruct InB {\n    InA first, second;\n};\n")[2]
+        self.assertIn("    A first{};\n    A second{};\n", header)
+
+    def test_structs_without_a_mark_stay_in_glsl(self):
+        self.assertEqual(self.run_on("struct T {\n    float x;\n};\n"), (0, "", None))
+
+    def test_what_cannot_be_read_is_named(self):
+        status, messages, _ = self.run_on("// C++: ir::A\nstruct T {\n    double x;\n};\n")
+        self.assertEqual(status, 1)
+        self.assertIn("shaders/a.glsl: the line 'double x;'", messages)
+
+    def test_a_mark_without_a_struct_is_refused(self):
+        status, messages, _ = self.run_on("// C++: ir::A\n\nstruct T {\n    float x;\n};\n")
+        self.assertEqual(status, 1)
+        self.assertIn("shaders/a.glsl: '// C++: ' stands in the comment right above a struct", messages)
+
+
+unittest.main()
