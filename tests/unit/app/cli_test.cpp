@@ -61,6 +61,17 @@ TEST_F(Cli, SaysWhatItIs) {
     EXPECT_EQ(scene["triangles"], 36);
 }
 
+/// Libraries of images, windows and drivers take 0.2 s and more to load.
+TEST_F(Cli, StartsWithoutWhatOnlySomeCommandsNeed) {
+    const auto loaded = file("loaded");
+    const auto command = "LD_DEBUG=files " + std::string(CLI_PROGRAM) + " list >/dev/null 2>" + loaded;
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    const auto libraries = read(loaded);
+    EXPECT_NE(libraries.find("libtinygltf"), std::string::npos);
+    for (const auto* library : {"libOpenImageIO", "libQt6", "libLLVM", "libOSMesa"})
+        EXPECT_EQ(libraries.find(library), std::string::npos) << library;
+}
+
 TEST_F(Cli, RefusesWrongUsageInOneLine) {
     expect_refused("scene builtin:nowhere", 2, "nowhere");
     expect_refused("describe no-such-method", 2, "no-such-method");
