@@ -4,6 +4,7 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/draw_scene.h"
+#include "renderers/passes/gbuffer/gbuffer_on_host.h"
 #include "renderers/passes/gbuffer/glass.h"
 
 namespace ir::passes {
@@ -132,7 +133,13 @@ GBufferOptions gbuffer_options(const Transport& transport) {
 
 GBuffer gbuffer(GraphBuilder& builder, const SceneBuffers& scene, const GBufferOptions& options) {
     auto g = declare_images(builder);
+    const bool has_two_bodies = has_host_body(builder.inputs(), options);
+    if (has_two_bodies && builder.inputs().processor == Processor::host) {
+        gbuffer_on_host(builder, g, options);
+        return g;
+    }
     auto pass = builder.pass("G-buffer");
+    if (has_two_bodies) pass.has_two_bodies();
     reads_scene(pass, scene);
     pass.reads(scene.motion)
         .writes(g.depth, g.position, g.normal, g.geometric_normal, g.albedo, g.material, g.emission,

@@ -46,7 +46,7 @@ struct GBufferOptions {
 /// As the transport says; where all materials are opaque, glass is.
 GBufferOptions gbuffer_options(const Transport& transport);
 
-/// Declares the pass "G-buffer" and, where a material may be glass, "glass".
+/// Declares the pass "G-buffer", drawn or on the host, and, where a material may be glass, "glass".
 GBuffer gbuffer(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBufferOptions& options = {});
 
 }  // namespace ir::passes

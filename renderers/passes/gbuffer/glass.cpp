@@ -10,9 +10,9 @@ namespace {
 
 using graph::PassContext;
 
-/// Textures only lower it. As MOSTLY_GLASS of shaders/passes/gbuffer/surface.glsl.
+/// Textures only lower it.
 bool may_be_glass(const scene::Material& material) {
-    return material.transmission > 0.5f && !material.unlit;
+    return material.transmission > mostly_glass && !material.unlit;
 }
 
 /// Of the materials of triangles, each of which has one range.
@@ -49,9 +49,13 @@ void exponentiate(const PassContext& p) {
 
 }  // namespace
 
+bool has_glass(const graph::FrameInputs& inputs) {
+    return glass_count(inputs) > 0;
+}
+
 std::optional<graph::ImageRef> glass_before(graph::GraphBuilder& builder, const SceneBuffers& scene,
                                             const GBuffer& gbuffer, bool normal_maps) {
-    if (glass_count(builder.inputs()) == 0) return {};
+    if (!has_glass(builder.inputs())) return {};
     auto g = gbuffer;
     g.glass = builder.image(
         {.text = {.key = "gbuffer.glass",

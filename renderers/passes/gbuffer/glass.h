@@ -6,6 +6,13 @@
 
 namespace ir::passes {
 
+/// What has a larger fraction of glass is mostly glass. As MOSTLY_GLASS of
+/// shaders/passes/gbuffer/surface.glsl.
+inline constexpr float mostly_glass = 0.5f;
+
+/// Whether a triangle may be mostly glass.
+bool has_glass(const graph::FrameInputs& inputs);
+
 /// What a G-buffer that leaves glass out says of it: declares "gbuffer.glass" and the pass "glass", which
 /// also makes its pixels invalid. Nothing where no triangle may be glass.
 std::optional<graph::ImageRef> glass_before(graph::GraphBuilder& builder, const SceneBuffers& scene,

@@ -10,6 +10,12 @@
 namespace ir::passes {
 namespace {
 
+/// Of a point, by set, and how they change from pixel to pixel where it is filtered.
+struct Coordinates {
+    glm::vec2 at[2], by_column[2]{}, by_row[2]{};
+    bool is_filtered = false;
+};
+
 /// A texture slot of a material, ready to be looked up; without a texture it is 1 everywhere.
 struct Slot {
     const HostTexture* texture = nullptr;
@@ -29,10 +35,14 @@ struct Slot {
     explicit operator bool() const { return texture != nullptr; }
 
     /// [glTF2 KHR_texture_transform]
-    glm::vec3 at(const glm::vec2 (&uv)[2]) const {
-        const auto scaled = scale * uv[uv_set];
-        return texture->at(
-            offset + glm::vec2(cosine * scaled.x + sine * scaled.y, cosine * scaled.y - sine * scaled.x));
+    glm::vec2 turned(glm::vec2 uv) const {
+        const auto scaled = scale * uv;
+        return {cosine * scaled.x + sine * scaled.y, cosine * scaled.y - sine * scaled.x};
+    }
+    glm::vec3 at(const Coordinates& uv) const {
+        const auto place = offset + turned(uv.at[uv_set]);
+        if (!uv.is_filtered) return texture->at(place);
+        return texture->at(place, turned(uv.by_column[uv_set]), turned(uv.by_row[uv_set]));
     }
 };
 
@@ -86,6 +96,16 @@ struct Corners {
         return (1 - u - v) * a.*member + u * b.*member + v * c.*member;
     }
     glm::vec2 uv(int set) const { return (1 - u - v) * a.uv[set] + u * b.uv[set] + v * c.uv[set]; }
+    /// Change of both sets where the point moves on the plane.
+    void uv_along(glm::vec3 way, glm::vec2 (&change)[2]) const {
+        const auto ab = b.position - a.position, ac = c.position - a.position;
+        const auto n = glm::cross(ab, ac);
+        const float area = glm::dot(n, n);
+        const float along_u = area > 0 ? glm::dot(glm::cross(way, ac), n) / area : 0;
+        const float along_v = area > 0 ? glm::dot(glm::cross(ab, way), n) / area : 0;
+        for (int set = 0; set < 2; ++set)
+            change[set] = along_u * (b.uv[set] - a.uv[set]) + along_v * (c.uv[set] - a.uv[set]);
+    }
     glm::vec3 colour() const {
         return (1 - u - v) * unpacked(a.colour) + u * unpacked(b.colour) + v * unpacked(c.colour);
     }
@@ -94,17 +114,26 @@ struct Corners {
 }  // namespace
 
 struct SurfaceLookup::Impl {
-    Impl(const scene::Scene& s, const scene::World& w, bool normal_maps, bool reflectance)
-        : scene(s), world(w) {
-        textures.reserve(s.textures.size());
-        for (const auto& texture : s.textures) textures.emplace_back(texture);
+    Impl(const scene::Scene& s, const scene::World& w, bool normal_maps, bool reflectance, Textures given)
+        : scene(s),
+          world(w),
+          textures(std::move(given)),
+          indices(w.indices),
+          triangle_materials(w.triangle_materials) {
         for (const auto& material : s.materials)
-            materials.emplace_back(material, textures, normal_maps, reflectance);
+            materials.emplace_back(material, *textures, normal_maps, reflectance);
         mark_colours();
         vertices.reserve(w.positions.size());
         for (std::size_t i = 0; i < w.positions.size(); ++i)
             vertices.push_back(
                 {w.positions[i], w.normals[i], w.tangents[i], {w.uv0[i], w.uv1[i]}, w.colours[i]});
+    }
+
+    static Textures finest(const scene::Scene& scene) {
+        auto made = std::make_shared<std::vector<HostTexture>>();
+        made->reserve(scene.textures.size());
+        for (const auto& texture : scene.textures) made->emplace_back(texture);
+        return made;
     }
 
     /// Few materials are drawn with vertex colours.
@@ -116,7 +145,7 @@ struct SurfaceLookup::Impl {
     }
 
     Corners corners(std::uint32_t triangle, float u, float v) const {
-        const auto* index = &world.indices[3 * static_cast<std::size_t>(triangle)];
+        const auto* index = &indices[3 * static_cast<std::size_t>(triangle)];
         return {vertices[index[0]], vertices[index[1]], vertices[index[2]], u, v};
     }
 
@@ -131,7 +160,7 @@ struct SurfaceLookup::Impl {
 
     /// The tangent frame is used as interpolated, neither normalised nor made orthogonal, as bakers assume.
     /// [Mikkelsen08; glTF2 §3.7.2.1]
-    glm::vec3 mapped_normal(const LookedUpMaterial& m, const Corners& c, const glm::vec2 (&uv)[2],
+    glm::vec3 mapped_normal(const LookedUpMaterial& m, const Corners& c, const Coordinates& uv,
                             glm::vec3 normal_ws) const {
         auto n_ts = 2.0f * m.normal_slot.at(uv) - 1.0f;
         n_ts.x *= m.normal_scale, n_ts.y *= m.normal_scale;
@@ -148,8 +177,13 @@ struct SurfaceLookup::Impl {
     }
 
     void fill_textured(const LookedUpMaterial& m, const Corners& c, glm::vec3 vertex_normal,
-                       Surface& s) const {
-        const glm::vec2 uv[2] = {c.uv(0), c.uv(1)};
+                       const Footprint* footprint, Surface& s) const {
+        Coordinates uv{{c.uv(0), c.uv(1)}};
+        if (footprint) {
+            uv.is_filtered = true;
+            c.uv_along(footprint->by_column_ws, uv.by_column);
+            c.uv_along(footprint->by_row_ws, uv.by_row);
+        }
         if (m.base_colour_slot) s.base_colour *= m.base_colour_slot.at(uv);
         if (m.metallic_roughness_slot) {
             const auto texel = m.metallic_roughness_slot.at(uv);
@@ -163,16 +197,39 @@ struct SurfaceLookup::Impl {
             turned(mapped_normal(m, c, uv, vertex_normal), vertex_normal, s.geometric_normal_ws);
     }
 
+    Surface at(const Hit& hit, glm::vec3 direction_ws, const Footprint* footprint) const {
+        const auto c = corners(hit.triangle, hit.u, hit.v);
+        const auto material = triangle_materials[hit.triangle];
+        const auto& m = materials[material];
+        Surface s;
+        fill_geometry(c, direction_ws, s);
+        s.material = static_cast<int>(material);
+        s.base_colour = m.base_colour;
+        s.metallic = m.metallic, s.roughness = m.roughness, s.transmission = m.transmission;
+        s.emission = m.emission;
+        s.is_unlit = m.is_unlit;
+        const auto vertex_normal = c.mix(&Vertex::normal);
+        s.shading_normal_ws = turned(vertex_normal, vertex_normal, s.geometric_normal_ws);
+        if (m.has_colours) s.base_colour *= c.colour();
+        if (m.has_textures) fill_textured(m, c, vertex_normal, footprint, s);
+        return s;
+    }
+
     const scene::Scene& scene;
     const scene::World& world;
-    std::vector<HostTexture> textures;
+    Textures textures;
+    std::vector<std::uint32_t> indices, triangle_materials;
     std::vector<LookedUpMaterial> materials;
     std::vector<Vertex> vertices;
 };
 
 SurfaceLookup::SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps,
                              bool reflectance)
-    : impl_(std::make_unique<Impl>(scene, world, normal_maps, reflectance)) {}
+    : impl_(std::make_unique<Impl>(scene, world, normal_maps, reflectance, Impl::finest(scene))) {}
+
+SurfaceLookup::SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps,
+                             Textures textures)
+    : impl_(std::make_unique<Impl>(scene, world, normal_maps, true, std::move(textures))) {}
 
 SurfaceLookup::~SurfaceLookup() = default;
 
@@ -186,34 +243,27 @@ const scene::World& SurfaceLookup::world() const {
 
 std::uint64_t SurfaceLookup::bytes() const {
     return impl_->vertices.size() * sizeof(Vertex) + impl_->materials.size() * sizeof(LookedUpMaterial) +
-           impl_->textures.size() * sizeof(HostTexture);
+           (impl_->indices.size() + impl_->triangle_materials.size()) * sizeof(std::uint32_t);
 }
 
 Surface SurfaceLookup::at(const Hit& hit, glm::vec3 direction_ws) const {
-    const auto& world = impl_->world;
-    const auto corners = impl_->corners(hit.triangle, hit.u, hit.v);
-    const auto material = world.triangle_materials[hit.triangle];
-    const auto& m = impl_->materials[material];
-    Surface s;
-    impl_->fill_geometry(corners, direction_ws, s);
-    s.material = static_cast<int>(material);
-    s.base_colour = m.base_colour;
-    s.metallic = m.metallic, s.roughness = m.roughness, s.transmission = m.transmission;
-    s.emission = m.emission;
-    s.is_unlit = m.is_unlit;
-    const auto vertex_normal = corners.mix(&Vertex::normal);
-    s.shading_normal_ws = Impl::turned(vertex_normal, vertex_normal, s.geometric_normal_ws);
-    if (m.has_colours) s.base_colour *= corners.colour();
-    if (m.has_textures) impl_->fill_textured(m, corners, vertex_normal, s);
-    return s;
+    return impl_->at(hit, direction_ws, nullptr);
+}
+
+Surface SurfaceLookup::at(const Hit& hit, glm::vec3 direction_ws, const Footprint& footprint) const {
+    return impl_->at(hit, direction_ws, &footprint);
+}
+
+std::pair<glm::vec3, glm::vec3> SurfaceLookup::plane(std::uint32_t triangle) const {
+    const auto c = impl_->corners(triangle, 0, 0);
+    return {triangle_normal(c.a.position, c.b.position, c.c.position), c.a.position};
 }
 
 glm::vec3 SurfaceLookup::emission(std::uint32_t triangle, float u, float v) const {
-    const auto& m = impl_->materials[impl_->world.triangle_materials[triangle]];
+    const auto& m = impl_->materials[impl_->triangle_materials[triangle]];
     if (!m.emission_slot) return m.emission;
     const auto corners = impl_->corners(triangle, u, v);
-    const glm::vec2 uv[2] = {corners.uv(0), corners.uv(1)};
-    return m.emission * m.emission_slot.at(uv);
+    return m.emission * m.emission_slot.at({{corners.uv(0), corners.uv(1)}});
 }
 
 }  // namespace ir::passes

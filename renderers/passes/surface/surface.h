@@ -2,6 +2,8 @@
 
 #include <glm/glm.hpp>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/scene/world.h"
@@ -22,22 +24,38 @@ struct Surface {
     bool is_unlit = false;
 };
 
-/// Looks surfaces up on the host. Keeps pointers to scene and world, which must outlive it. Thread-safe.
+/// How far the point that a pixel shows moves on its plane to the next column and to the next row, m.
+struct Footprint {
+    glm::vec3 by_column_ws{0}, by_row_ws{0};
+};
+
+class HostTexture;
+
+/// Looks surfaces up on the host. Thread-safe.
 class SurfaceLookup {
   public:
     /// Without `reflectance` textures of metallic, roughness and transmission are not asked, for models that
     /// do not use them: texels that are not in the cache cost as much as a ray.
     SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps,
                   bool reflectance = true);
+    /// With mip maps: textures with all levels, as many as the scene's. at() then needs neither scene nor
+    /// world any longer.
+    using Textures = std::shared_ptr<const std::vector<HostTexture>>;
+    SurfaceLookup(const scene::Scene& scene, const scene::World& world, bool normal_maps, Textures textures);
     ~SurfaceLookup();
     SurfaceLookup(const SurfaceLookup&) = delete;
 
+    /// Where they still exist.
     const scene::Scene& scene() const;
     const scene::World& world() const;
-    std::uint64_t bytes() const;  ///< of what it holds itself, a copy of the vertices
+    std::uint64_t bytes() const;  ///< of what it holds itself, a copy of the triangles
 
     /// What a ray with this (unit) direction of travel hits.
     Surface at(const Hit& hit, glm::vec3 direction_ws) const;
+    /// The same, filtered over a pixel.
+    Surface at(const Hit& hit, glm::vec3 direction_ws, const Footprint& footprint) const;
+    /// Normal of a triangle's plane, by its winding, and a corner.
+    std::pair<glm::vec3, glm::vec3> plane(std::uint32_t triangle) const;
     /// Only the emission there; cheap.
     glm::vec3 emission(std::uint32_t triangle, float u, float v) const;
 

@@ -12,9 +12,16 @@ using scene::Scene;
 
 constexpr int width = 48, height = 32;
 
-class GBufferTest : public PassTest {};
+/// Drawn, and found by rays.
+class GBufferTest : public PassTest, public testing::WithParamInterface<Processor> {
+  protected:
+    Processor processor() const override { return GetParam(); }
+};
 
-TEST_F(GBufferTest, PositionIsWhereThePixelsRayMeetsThePlane) {
+INSTANTIATE_TEST_SUITE_P(On, GBufferTest, testing::Values(Processor::gl, Processor::host),
+                         [](const auto& tested) { return to_string(tested.param); });
+
+TEST_P(GBufferTest, PositionIsWhereThePixelsRayMeetsThePlane) {
     const Shot shot("builtin:plane", "above", width, height);
     run_gbuffer(shot);
     const auto position = read("gbuffer.position"), valid = read("valid"), depth = read("gbuffer.depth");
@@ -50,7 +57,7 @@ TEST_F(GBufferTest, PositionIsWhereThePixelsRayMeetsThePlane) {
     EXPECT_GT(misses, 100);
 }
 
-TEST_F(GBufferTest, RaysOfTheShadersAreThoseOfTheScene) {
+TEST_P(GBufferTest, RaysOfTheShadersAreThoseOfTheScene) {
     auto camera = looking({3, 2, 5}, {-1, 0.5f, 0}, {0.2f, 1, 0});
     const scene::Bounds bounds{{-5, -5, -5}, {5, 5, 5}};
     for (const bool orthographic : {false, true}) {
@@ -68,7 +75,7 @@ TEST_F(GBufferTest, RaysOfTheShadersAreThoseOfTheScene) {
     }
 }
 
-TEST_F(GBufferTest, PositionsAreExactInAnOrthographicView) {
+TEST_P(GBufferTest, PositionsAreExactInAnOrthographicView) {
     auto camera = looking({0, 4, 0}, {0, 0, 0}, {0, 0, -1});
     camera.orthographic = true;
     camera.height = 8;
@@ -82,7 +89,7 @@ TEST_F(GBufferTest, PositionsAreExactInAnOrthographicView) {
         }
 }
 
-TEST_F(GBufferTest, RowZeroIsTheTopRow) {
+TEST_P(GBufferTest, RowZeroIsTheTopRow) {
     SmallWorld small;
     small.square({0, 2, 0}, {0, 0, 1}, 0.5f);  // above the eye's level
     const Shot shot(small.scene(), looking({0, 0, 6}, {0, 0, 0}), 33, 33);
@@ -98,7 +105,7 @@ TEST_F(GBufferTest, RowZeroIsTheTopRow) {
     EXPECT_LT(rows / sum, 10);
 }
 
-TEST_F(GBufferTest, NormalsTurnToTheViewerOnBackFacesToo) {
+TEST_P(GBufferTest, NormalsTurnToTheViewerOnBackFacesToo) {
     const Shot shot("builtin:cornell", "", width, height);
     run_gbuffer(shot);
     const auto position = read("gbuffer.position"), valid = read("valid");
@@ -126,7 +133,7 @@ TEST_F(GBufferTest, NormalsTurnToTheViewerOnBackFacesToo) {
     }
 }
 
-TEST_F(GBufferTest, TheGeometricNormalOfASliverIsThatOfItsPlane) {
+TEST_P(GBufferTest, TheGeometricNormalOfASliverIsThatOfItsPlane) {
     SmallWorld small;
     scene::Mesh mesh;  // 2 m long, 1/1000 m wide, in a tilted plane far from the origin
     const glm::vec3 origin(100, 50, -30), along = glm::normalize(glm::vec3(1, 2, 3));
@@ -144,7 +151,7 @@ TEST_F(GBufferTest, TheGeometricNormalOfASliverIsThatOfItsPlane) {
     EXPECT_GT(glm::dot(geometric, expected), 1 - 1e-6f);
 }
 
-TEST_F(GBufferTest, AlphaMasksCutHolesAtTheTexelsOfTheBitmap) {
+TEST_P(GBufferTest, AlphaMasksCutHolesAtTheTexelsOfTheBitmap) {
     SmallWorld small;
     small.quad({-1, 1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, SmallWorld::masked);
     auto camera = looking({0, 0, 3}, {0, 0, 0});
@@ -157,7 +164,7 @@ TEST_F(GBufferTest, AlphaMasksCutHolesAtTheTexelsOfTheBitmap) {
         for (int x = 0; x < 16; ++x) EXPECT_EQ(valid.at(x, y), x < 8 && y < 8 ? 0 : 1) << x << ' ' << y;
 }
 
-TEST_F(GBufferTest, CoverageAgreesWithTheSceneForEveryWrapAndTransform) {
+TEST_P(GBufferTest, CoverageAgreesWithTheSceneForEveryWrapAndTransform) {
     using scene::Wrap;
     for (const auto wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
         SmallWorld small;
@@ -207,7 +214,7 @@ Scene leaning_square() {
     return scene;
 }
 
-TEST_F(GBufferTest, NormalMapsLeanTheShadingNormalOnly) {
+TEST_P(GBufferTest, NormalMapsLeanTheShadingNormalOnly) {
     const Shot shot(leaning_square(), looking({0, 0, 4}, {0, 0, 0}), 9, 9);
     run_gbuffer(shot);
     const float half = std::sqrt(0.5f);
@@ -217,14 +224,14 @@ TEST_F(GBufferTest, NormalMapsLeanTheShadingNormalOnly) {
     EXPECT_LT(glm::distance(rgb(read("gbuffer.normal"), 4, 4), {0, 0, 1}), 1e-3f);
 }
 
-TEST_F(GBufferTest, ReliefOfABackFaceIsTheFrontsFromBehind) {
+TEST_P(GBufferTest, ReliefOfABackFaceIsTheFrontsFromBehind) {
     const Shot shot(leaning_square(), looking({0, 0, -4}, {0, 0, 0}), 9, 9);
     run_gbuffer(shot);
     const float half = std::sqrt(0.5f);
     EXPECT_LT(glm::distance(rgb(read("gbuffer.normal"), 4, 4), {-half, 0, -half}), 0.01f);
 }
 
-TEST_F(GBufferTest, MirroredInstancesMirrorTheirRelief) {
+TEST_P(GBufferTest, MirroredInstancesMirrorTheirRelief) {
     auto scene = leaning_square();
     scene.nodes[0].scale = {-1, 1, 1};
     const Shot shot(scene, looking({0, 0, 4}, {0, 0, 0}), 9, 9);
@@ -234,7 +241,7 @@ TEST_F(GBufferTest, MirroredInstancesMirrorTheirRelief) {
     EXPECT_LT(glm::distance(rgb(read("gbuffer.geometric_normal"), 4, 4), {0, 0, 1}), 1e-6f);
 }
 
-TEST_F(GBufferTest, VelocityIsTheDifferenceOfProjections) {
+TEST_P(GBufferTest, VelocityIsTheDifferenceOfProjections) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 0, 1}, 2);
     auto scene = small.scene();
@@ -261,7 +268,7 @@ TEST_F(GBufferTest, VelocityIsTheDifferenceOfProjections) {
     }
 }
 
-TEST_F(GBufferTest, MaterialsReachTheBuffers) {
+TEST_P(GBufferTest, MaterialsReachTheBuffers) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 0, 1}, 1);
     auto scene = small.scene();
@@ -282,7 +289,7 @@ TEST_F(GBufferTest, MaterialsReachTheBuffers) {
     EXPECT_GT(read("gbuffer.position").at(4, 4, 3), 0) << "but it is seen";
 }
 
-TEST_F(GBufferTest, SrgbTexturesAreDecodedAndOthersNot) {
+TEST_P(GBufferTest, SrgbTexturesAreDecodedAndOthersNot) {
     for (const bool srgb : {true, false}) {
         SmallWorld small;
         small.square({0, 0, 0}, {0, 0, 1}, 1);
@@ -299,7 +306,7 @@ TEST_F(GBufferTest, SrgbTexturesAreDecodedAndOthersNot) {
     }
 }
 
-TEST_F(GBufferTest, EachSlotHasItsOwnCoordinatesAndTransform) {
+TEST_P(GBufferTest, EachSlotHasItsOwnCoordinatesAndTransform) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 0, 1}, 1);
     auto scene = small.scene();
@@ -326,7 +333,7 @@ TEST_F(GBufferTest, EachSlotHasItsOwnCoordinatesAndTransform) {
 }
 
 /// The border pixels of a triangle take differences from neighbours beside it.
-TEST_F(GBufferTest, MipLevelsAreTheSameAtBordersOfTriangles) {
+TEST_P(GBufferTest, MipLevelsAreTheSameAtBordersOfTriangles) {
     SmallWorld small;
     small.square({0, 0, 0}, {0, 0, 1}, 1);
     auto scene = small.scene();
@@ -351,6 +358,42 @@ TEST_F(GBufferTest, MipLevelsAreTheSameAtBordersOfTriangles) {
             if (inside > -3 && inside < 2) continue;
             EXPECT_EQ(albedo.at(x, y), inside > 0 ? 1 : 0) << x << ' ' << y;
         }
+}
+
+/// Edges lie where the pixel's centre is on one side or the other, but for rounding.
+TEST_F(PassTest, TheHostsGBufferIsTheDrawnOne) {
+    for (const auto* name : {"builtin:atrium", "builtin:still-life", "builtin:cornell"}) {
+        const Shot shot(name, "", 96, 64);
+        std::map<std::string, Image> drawn;
+        const std::vector<std::string> keys{"gbuffer.position", "gbuffer.geometric_normal",
+                                            "gbuffer.normal",   "gbuffer.albedo",
+                                            "gbuffer.material", "gbuffer.depth",
+                                            "gbuffer.velocity", "valid"};
+        for (const auto body : {Processor::gl, Processor::host}) {
+            auto inputs = shot.inputs();
+            inputs.processor = body;
+            const auto report = run(inputs, [](graph::GraphBuilder& builder) {
+                passes::gbuffer(builder, passes::upload_scene(builder), {.sees_through_glass = false});
+            });
+            for (const auto& pass : report.passes) {
+                if (pass.name != "G-buffer") continue;
+                EXPECT_EQ(pass.queue, body == Processor::host ? "cpu" : "gl");
+                EXPECT_TRUE(pass.has_two_bodies);
+            }
+            for (const auto& key : keys) {
+                if (body == Processor::gl) {
+                    drawn[key] = read(key);
+                    continue;
+                }
+                const auto found = read(key);
+                const auto& expected = drawn.at(key);
+                std::size_t apart = 0;
+                for (std::size_t i = 0; i < found.pixels.size(); ++i)
+                    apart += std::abs(found.pixels[i] - expected.pixels[i]) > 0.03f;
+                EXPECT_LT(double(apart), 0.005 * double(found.pixels.size())) << name << ' ' << key;
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -116,7 +116,14 @@ class PassTest : public testing::Test {
         context_->release();
     }
 
-    FrameReport run(const Shot& shot, const Setup& setup) { return run(shot.inputs(), setup); }
+    /// On which the passes of a shot run that have two bodies.
+    virtual Processor processor() const { return Processor::gl; }
+
+    FrameReport run(const Shot& shot, const Setup& setup) {
+        auto inputs = shot.inputs();
+        inputs.processor = processor();
+        return run(inputs, setup);
+    }
     FrameReport run(const graph::FrameInputs& inputs, const Setup& setup) {
         graph::Method method;
         method.description.id = "test";
