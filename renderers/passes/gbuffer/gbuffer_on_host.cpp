@@ -30,7 +30,7 @@ graph::ObjectRef declare_textures(graph::GraphBuilder& builder) {
                                                  .label = "Textures with all levels",
                                                  .doc = "What the G-buffer's rays look up on the host."},
                                         .fingerprint = builder.inputs().scene->content_hash});
-    builder.pass("textures", graph::Queue::cpu).writes(result).execute([=](graph::PassContext& context) {
+    builder.pass("textures of the G-buffer", graph::Queue::cpu).writes(result).execute([=](graph::PassContext& context) {
         const auto made = with_all_levels(*context.inputs().scene);
         std::uint64_t bytes = 0;
         for (const auto& texture : *made) bytes += texture.bytes();
@@ -46,7 +46,7 @@ graph::ObjectRef declare_surfaces(graph::GraphBuilder& builder, bool normal_maps
         .fingerprint = builder.inputs().world_fingerprint};
     if (!normal_maps && !desc.fingerprint.empty()) desc.fingerprint += " without normal maps";
     const auto result = builder.object(desc);
-    builder.pass("surfaces", graph::Queue::cpu)
+    builder.pass("surfaces of the G-buffer", graph::Queue::cpu)
         .reads(textures)
         .writes(result)
         .execute([=](graph::PassContext& context) {

@@ -253,6 +253,8 @@ std::uint64_t Bvh::bytes() const {
 graph::ObjectRef bvh(graph::GraphBuilder& builder) {
     graph::ObjectDesc desc;
     desc.text.key = "raytracing.bvh";
+    for (std::size_t i = 0; i < builder.objects().size(); ++i)
+        if (builder.objects()[i].text.key == desc.text.key) return {static_cast<int>(i)};
     desc.text.label = "Bounding volume hierarchy";
     desc.text.doc = "Embree's acceleration structure over the world.";
     desc.fingerprint = builder.inputs().world_fingerprint;

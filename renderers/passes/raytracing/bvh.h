@@ -62,7 +62,8 @@ class Bvh {
     std::unique_ptr<Impl> impl_;
 };
 
-/// Declares the pass "BVH" (cpu), kept while the world stays the same.
+/// Declares the pass "BVH" (cpu), kept while the world stays the same. Who asks again in a frame gets the
+/// same.
 graph::ObjectRef bvh(graph::GraphBuilder& builder);
 
 }  // namespace ir::passes
