@@ -31,7 +31,10 @@ class Legend {
             layer_.colour_by.empty() ? QString() : QStringLiteral(" · ") + colour_text(layer_, info_.fields);
         line(label_beside(label, field) + field, text_colour);
         painter_.setFont(small_font(painter_, 11));
-        if (!layer_.colour_by.empty() && info_.elements > 0) ramp();
+        if (!info_.categories.empty())
+            swatches();
+        else if (!layer_.colour_by.empty() && info_.elements > 0)
+            ramp();
         if (info_.elements > 0) line(amount_text(info_), dim_text_colour);
         if (!info_.note.empty()) paragraph(QString::fromStdString(info_.note));
         return y_;
@@ -58,6 +61,23 @@ class Legend {
         painter_.setPen(warning_colour);
         if (painting_) painter_.drawText(room, Qt::TextWordWrap, text);
         y_ += std::min(taken.height(), room.height()) + 1;
+    }
+    /// Of the names that occur.
+    void swatches() {
+        for (const auto& category : info_.categories) {
+            const QRectF row(inner_.left(), inner_.top() + y_, inner_.width(), line_height);
+            if (painting_) {
+                const auto& [red, green, blue] = category.colour;
+                painter_.fillRect(QRectF(row.left(), row.top() + 3, 11, 11), QColor(red, green, blue));
+                painter_.setPen(text_colour);
+                const QRectF room = row.adjusted(17, 0, 0, 0);
+                painter_.drawText(
+                    room, Qt::AlignLeft | Qt::AlignVCenter,
+                    QFontMetricsF(painter_.font())
+                        .elidedText(QString::fromStdString(category.label), Qt::ElideRight, room.width()));
+            }
+            y_ += line_height;
+        }
     }
     void ramp() {
         const QRectF bar(inner_.left(), inner_.top() + y_ + 3, inner_.width(), bar_height);
