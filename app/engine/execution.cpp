@@ -154,7 +154,7 @@ scene::Camera Execution::camera() const {
     if (experiment_.camera) return camera_at(experiment_, time_);
     for (const auto& camera : world_.cameras)
         if (camera.name == experiment_.camera_name) return camera;
-    return world_.cameras.empty() ? scene::framing_camera(world_.bounds) : world_.cameras.front();
+    return world_.cameras.front();
 }
 
 /// The world at `time`, and how it has moved since the frame before.

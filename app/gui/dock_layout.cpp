@@ -158,9 +158,11 @@ void DockLayout::arrange() {
     tabify("timeline", "benchmarks");
     for (auto* each : docks()) each->show();
     for (const char* front : {"display", "buffers", "parameters", "messages"}) dock(front)->raise();
-    window_.resizeDocks({dock("parameters"), dock("buffers")}, {350, 400}, Qt::Horizontal);
+    window_.resizeDocks({dock("parameters"), dock("buffers")}, {300, 340}, Qt::Horizontal);
     window_.resizeDocks({dock("display"), dock("buffers"), dock("timings")}, {330, 330, 180}, Qt::Vertical);
     window_.resizeDocks({dock("messages")}, {110}, Qt::Vertical);
+    // They have something to say only when somebody asks; what is wrong stands in banners.
+    for (const char* quiet : {"messages", "results", "plots", "timeline", "benchmarks"}) dock(quiet)->hide();
 }
 
 QStringList DockLayout::names() {

@@ -139,25 +139,49 @@ projects::SampleCopy Samples::copy(const std::filesystem::path& sample) const {
     return projects::copy_of_sample(sample, place(), engine::registry());
 }
 
+namespace {
+
+/// The file that lists the samples: groups with their headings, and the seconds that samples take.
+projects::Json sample_index() {
+    const auto file = samples_directory() / "index.json";
+    QFile list(QString::fromStdString(file.string()));
+    if (!list.open(QIODevice::ReadOnly))
+        throw Error(file.string() + " cannot be read; install the program again");
+    return projects::parse_json(list.readAll().toStdString(), file.string());
+}
+
+widgets::SampleProject sample_at(const std::filesystem::path& folder) {
+    widgets::SampleProject sample;
+    sample.path = QString::fromStdString(folder.string());
+    const auto document = peek(sample.path);
+    sample.name = QString::fromStdString(field_or(document, "name", folder.stem().string()));
+    // The heading says the paper already: "Authors 2015, Fig. 9: what it shows".
+    const auto notes = QString::fromStdString(field_or(document, "notes", std::string()));
+    const auto colon = notes.indexOf(QStringLiteral(": "));
+    sample.description = colon > 0 && colon < 80 ? notes.mid(colon + 2) : notes;
+    if (!sample.description.isEmpty()) sample.description[0] = sample.description[0].toUpper();
+    sample.thumbnail = QImage(thumbnail_file(sample.path));
+    return sample;
+}
+
+}  // namespace
+
 std::vector<widgets::SampleProject> Samples::all() const {
     std::vector<widgets::SampleProject> samples;
     try {
-        for (const auto& entry : std::filesystem::directory_iterator(samples_directory())) {
-            if (entry.path().extension() != projects::folder_suffix) continue;
-            widgets::SampleProject sample;
-            sample.path = QString::fromStdString(entry.path().string());
-            const auto document = peek(sample.path);
-            sample.name = QString::fromStdString(field_or(document, "name", entry.path().stem().string()));
-            sample.description = QString::fromStdString(field_or(document, "notes", std::string()));
-            sample.thumbnail =
-                QImage(thumbnail_file(QString::fromStdString((place() / entry.path().filename()).string())));
-            if (sample.thumbnail.isNull()) sample.thumbnail = QImage(thumbnail_file(sample.path));
-            samples.push_back(std::move(sample));
-        }
+        const auto index = sample_index();
+        const auto& seconds = member_or_null(index, "seconds");
+        for (const auto& group : member_or_null(index, "groups"))
+            for (const auto& id : member_or_null(group, "samples")) {
+                const auto name = id.get<std::string>();
+                auto sample = sample_at(samples_directory() / (name + projects::folder_suffix));
+                sample.group = QString::fromStdString(field_or(group, "name", std::string()));
+                sample.seconds = field_or(seconds, name.c_str(), 0.0);
+                samples.push_back(std::move(sample));
+            }
     } catch (const std::exception&) {
         return {};  // an installation without samples: the page says so
     }
-    std::sort(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
     return samples;
 }
 

@@ -38,7 +38,7 @@ class Samples {
   public:
     /// Without `remember` copies go with the program, and none of the user's is looked at.
     explicit Samples(bool remember);
-    /// By path; name and description are the project's own, the picture is that of its copy.
+    /// In the order of the samples' index; name and description are the project's own.
     std::vector<widgets::SampleProject> all() const;
     static bool contains(const std::filesystem::path& path);
     projects::SampleCopy copy(const std::filesystem::path& sample) const;  ///< throws Error

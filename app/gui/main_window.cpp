@@ -15,12 +15,17 @@
 #include <QVBoxLayout>
 
 #include "app/engine/version.h"
+#include "app/gui/display_dock.h"
+#include "app/gui/json_fields.h"
 #include "app/gui/text_of.h"
 #include "widgets/panels/shortcuts_dialog.h"
 #include "widgets/style/icons.h"
 
 namespace ir::gui {
 namespace {
+
+/// In lower windows, logical pixels, notes open folded: the pictures need the room.
+constexpr int least_height_for_notes = 850;
 
 /// Its size is asked neither of the panels that share its place nor of the window.
 QScrollArea* scrolled(QWidget* panel) {
@@ -48,6 +53,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       references_(session_, live_, views(), *banners_),
       exports_(session_, live_, renderer, workspace_),
       welcome_(new widgets::WelcomePage),
+      notes_(new widgets::NotesStrip),
       pages_(new QStackedWidget),
       messages_(new widgets::MessagesPanel),
       display_(new widgets::DisplayPanel),
@@ -71,7 +77,8 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       result_actions_(session_, live_, playback_, views(), references_, *results_, *document_, actions_),
       timeline_(new TimelineDock(session_, live_, playback_, actions_)),
       view_actions_(session_, live_, playback_, scenes_, workspace_, inspector_, *display_, actions_),
-      project_banners_(*this, session_, live_, *banners_) {
+      project_banners_(*this, session_, live_, *banners_),
+      light_offer_(session_, scenes_, *banners_) {
     setObjectName(QStringLiteral("main"));
     setWindowIcon(widgets::icon("app"));
     setAcceptDrops(true);
@@ -117,6 +124,7 @@ void MainWindow::make_centre(bool wants_opengl) {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(banners_);
+    layout->addWidget(notes_);
     layout->addWidget(pages_, 1);
     pages_->addWidget(welcome_);
     pages_->addWidget(&workspace_.area());
@@ -132,7 +140,8 @@ void MainWindow::make_docks() {
     display_->setMinimumWidth(300);
     docks_.add("parameters", tr("Parameters"), parameters_, K(Qt::CTRL | Qt::Key_1));
     docks_.add("project", tr("Project"), document_, K(Qt::CTRL | Qt::Key_2));
-    docks_.add("display", tr("Display"), display_, K(Qt::CTRL | Qt::Key_3));
+    docks_.add("display", tr("Display"), new DisplayDock(display_, workspace_, views()),
+               K(Qt::CTRL | Qt::Key_3));
     docks_.add("scene", tr("Scene"), scene_, K(Qt::CTRL | Qt::Key_4));
     docks_.add("buffers", tr("Buffers"), &lists_.buffers(), K(Qt::CTRL | Qt::Key_5));
     docks_.add("inspector", tr("Inspector"), &inspector_.panel(), K(Qt::CTRL | Qt::Key_6));
@@ -274,6 +283,7 @@ void MainWindow::save_memory() {
     plots_->save(memory);
     benchmarks_->save(memory);
     playback_.save(memory);
+    memory["notes"] = {{"folded", notes_->is_folded()}};
 }
 
 void MainWindow::load_memory() {
@@ -284,6 +294,8 @@ void MainWindow::load_memory() {
     plots_->load(memory);
     benchmarks_->load(memory);
     playback_.load(memory);
+    notes_->set_folded(
+        field_or(member_or_null(memory, "notes"), "folded", height() < least_height_for_notes));
 }
 
 /// The page, and the title.
@@ -291,6 +303,7 @@ void MainWindow::update_frame() {
     const bool has_project = session_.has_project();
     pages_->setCurrentIndex(has_project ? 1 : 0);
     docks_.show(has_project);
+    notes_->set_notes(has_project ? text_of(session_.document().notes) : QString());
     if (!has_project) {
         setWindowModified(false);
         return setWindowTitle(tr("Interreflect"));

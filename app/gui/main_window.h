@@ -8,6 +8,7 @@
 #include "app/gui/export_controller.h"
 #include "app/gui/file_controller.h"
 #include "app/gui/frame_lists.h"
+#include "app/gui/light_offer.h"
 #include "app/gui/metrics_dock.h"
 #include "app/gui/parameter_dock.h"
 #include "app/gui/plots_dock.h"
@@ -16,6 +17,7 @@
 #include "app/gui/scene_dock.h"
 #include "app/gui/timeline_dock.h"
 #include "app/gui/view_controller.h"
+#include "widgets/panels/notes_strip.h"
 
 class QLabel;
 class QStackedWidget;
@@ -105,6 +107,7 @@ class MainWindow : public QMainWindow {
     References references_;
     Exports exports_;
     widgets::WelcomePage* welcome_;
+    widgets::NotesStrip* notes_;
     QStackedWidget* pages_;
     widgets::MessagesPanel* messages_;
     widgets::DisplayPanel* display_;
@@ -127,6 +130,7 @@ class MainWindow : public QMainWindow {
     TimelineDock* timeline_;
     ViewController view_actions_;
     ProjectBanners project_banners_;
+    LightOffer light_offer_;
     QObject joins_;  ///< ends the connections between parts before the first of them goes
 };
 

@@ -1,6 +1,7 @@
 #include "app/gui/picture_presenter.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/gui/pixel_places.h"
 #include "app/gui/stage_chain.h"
@@ -41,6 +42,7 @@ PicturePresenter::PicturePtr PicturePresenter::with_meaning(int view, const View
         alike.semantic = ours->semantic;
         alike.unit = ours->unit;
         alike.colour_map = ours->colour_map;
+        alike.categories = ours->categories;
     });
 }
 
@@ -83,7 +85,31 @@ void PicturePresenter::update_reference(int view, CompareView& compare) {
 
 widgets::Display PicturePresenter::display_of(const ViewSource& source, int view) const {
     const auto* chosen = views_.chosen_display(views_.rules().display_key(source), view);
-    return chosen ? *chosen : views_.pictures().automatic_display(source);
+    if (chosen) return *chosen;
+    auto display = views_.pictures().automatic_display(source);
+    if (display.mode == widgets::Display::Mode::colour)
+        display.exposure = shared_exposure(view, views_.pictures().picture(source)->semantic);
+    return display;
+}
+
+/// That of the first picture of this meaning in the view, and in linked views of all: else brightness could
+/// not be compared.
+double PicturePresenter::shared_exposure(int view, Semantic semantic) const {
+    for (const int each : views_.linked() ? views_.open_views() : std::vector{view})
+        for (const auto& source : views_.rules().sources(views_.state(each))) {
+            const auto picture = views_.pictures().picture(source);
+            if (picture->has_image() && picture->semantic == semantic)
+                return views_.pictures().automatic_display(source).exposure;
+        }
+    return 0;
+}
+
+bool PicturePresenter::take_exposure_change() {
+    std::map<Semantic, double> now;
+    if (views_.linked())
+        for (const auto semantic : {Semantic::radiance, Semantic::irradiance})
+            now[semantic] = shared_exposure(0, semantic);
+    return std::exchange(exposures_, now) != now;
 }
 
 void PicturePresenter::update_displays(int view, CompareView& compare) {

@@ -14,6 +14,8 @@ class PicturePresenter {
     void set_linked(bool linked) { link_.set_linked(linked); }
     void update(int view, widgets::ViewPane& pane);
     void update_displays(int view, widgets::CompareView& compare);
+    /// Once after pictures came by which others are exposed, too.
+    bool take_exposure_change();
     /// What is explained is marked, also when it was chosen elsewhere. A mark on that pixel already stays: on
     /// a coarser level several of its pixels are the same one.
     void mark_explained(int view, widgets::ViewPane& pane);
@@ -27,10 +29,12 @@ class PicturePresenter {
     void name_stages(int view, std::vector<PicturePtr>& pictures) const;
     void update_reference(int view, widgets::CompareView& compare);
     widgets::Display display_of(const widgets::ViewSource& source, int view) const;
+    double shared_exposure(int view, Semantic semantic) const;
     QPoint pixel_of_result(int view, const widgets::Picture* picture, QPoint pixel) const;
 
     Session& session_;
     ViewModel& views_;
+    std::map<Semantic, double> exposures_;  ///< that linked views share
     widgets::ViewLink link_;  ///< of the pictures of all views: those of equal size move together
 };
 

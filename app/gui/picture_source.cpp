@@ -198,6 +198,7 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
         picture.semantic = resource->semantic;
         picture.unit = text_of(resource->unit);
         picture.colour_map = resource->colour_map;
+        picture.categories = categories_of(resource->categories, "");
     }
     const auto found = result->images.find({source.output, source.level, source.layer});
     if (found == result->images.end() || found->second.empty()) {
@@ -273,8 +274,8 @@ widgets::Display PictureSource::automatic_display(const ViewSource& source) {
     const auto& picture = *found.picture;
     if (picture.has_image() && found.measured.lock() != picture.image) {
         found.measured = picture.image;
-        found.automatic =
-            widgets::display_for(picture.semantic, picture.colour_map, *picture.image, picture.atlas);
+        found.automatic = widgets::display_for(picture.semantic, picture.colour_map, *picture.image,
+                                               picture.atlas, picture.categories);
     }
     return found.automatic;
 }

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QBuffer>
 #include <QElapsedTimer>
 #include <QLoggingCategory>
 #include <QSocketNotifier>
@@ -17,6 +18,7 @@
 #include "app/gui/write_picture.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
+#include "renderers/core/write_file.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -26,14 +28,17 @@ namespace {
 /// Nothing was under way for so long before the window is grabbed; so often it is looked at.
 constexpr int settle_ms = 400, look_ms = 50;
 constexpr int failed = 1, bad_input = 3;
+/// Of a thumbnail: pixels across, and bytes that its file may have.
+constexpr int card_width = 320, most_card_bytes = 60'000;
 
 struct Arguments {
-    std::string project, layout, screenshot, size, backend, processor, plot, plot_file;
+    std::string project, layout, screenshot, thumbnail, size, backend, processor, plot, plot_file;
     int scale = 1;
     bool dark = false;
 
     bool exports() const { return !plot_file.empty(); }
-    bool needs_screen() const { return screenshot.empty() && !exports(); }
+    bool takes_picture() const { return !screenshot.empty() || !thumbnail.empty(); }
+    bool needs_screen() const { return !takes_picture() && !exports(); }
 };
 
 void describe(CLI::App& command, Arguments& arguments) {
@@ -44,6 +49,9 @@ void describe(CLI::App& command, Arguments& arguments) {
                        "Arrangement of the docks: " + DockLayout::names().join(", ").toStdString());
     command.add_option("--screenshot", arguments.screenshot,
                        "Wait until everything shown is rendered, save the window as PNG and quit");
+    command.add_option("--thumbnail", arguments.thumbnail,
+                       "The same with the first view's picture alone, small, for a card of the start page; "
+                       "prints how many seconds the window took");
     command.add_option("--size", arguments.size, "Size of the window, or of the exported plot, WxH");
     auto* plot = command.add_option("--plot", arguments.plot,
                                     "Show this plot of the project, and carry it out unless its numbers are "
@@ -76,20 +84,55 @@ QStringList missing(MainWindow& window) {
     return reasons;
 }
 
+/// Of the first view that shows a picture, as a card of the start page has it: small, also as a file.
+QByteArray thumbnail_of(MainWindow& window) {
+    QImage picture;
+    for (const int view : window.workspace().area().open_views()) {
+        auto* pane = window.workspace().pane(view);
+        if (!pane || pane->content() == widgets::ViewPane::Content::table) continue;
+        picture = pane->snapshot(false);
+        if (pane->content() == widgets::ViewPane::Content::picture) {  // without what surrounds it
+            const auto& t = pane->compare().main_view().transform();
+            picture = picture.copy(QRectF(t.offset(), t.image_size() * t.zoom()).toRect() & picture.rect());
+        }
+        if (!picture.isNull()) break;
+    }
+    QByteArray bytes;
+    for (int width = card_width; !picture.isNull() && width > 32; width = width * 7 / 8) {
+        const QSize size(width, width * 9 / 16);
+        QImage small = picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+        small = small.copy(
+            QRect(QPoint((small.width() - width) / 2, (small.height() - size.height()) / 2), size));
+        bytes.clear();
+        QBuffer buffer(&bytes);
+        small.save(&buffer, "PNG", 0);  // compressed most
+        if (bytes.size() <= most_card_bytes) break;
+    }
+    return bytes;
+}
+
 /// Saves the window once nothing has been under way for a while, and ends the program. The state is looked at
 /// again and again: whatever forgot to say that it is done would be waited for in vain.
-void take_screenshot(MainWindow& window, const QString& file) {
+void take_screenshot(MainWindow& window, const Arguments& arguments) {
     auto* looks = new QTimer(&window);
     const auto reasons = std::make_shared<QStringList>();
+    QElapsedTimer begun;
+    begun.start();
     QObject::connect(&window.plots(), &PlotsDock::failed, looks,
                      [reasons](const QString& reason) { *reasons << reason; });
     QObject::connect(looks, &QTimer::timeout, &window,
-                     [&window, file, reasons, still = QElapsedTimer()]() mutable {
+                     [&window, arguments, reasons, begun, still = QElapsedTimer()]() mutable {
                          if (!still.isValid() || !window.is_settled()) still.start();
                          if (still.elapsed() < settle_ms) return;
                          *reasons << missing(window);
                          try {
-                             write_picture(file, window.grab().toImage());
+                             if (!arguments.screenshot.empty())
+                                 write_picture(QString::fromStdString(arguments.screenshot),
+                                               window.grab().toImage());
+                             if (!arguments.thumbnail.empty()) {
+                                 write_file(arguments.thumbnail, thumbnail_of(window).toStdString());
+                                 std::cout << double(begun.elapsed() - still.elapsed()) / 1000 << "\n";
+                             }
                          } catch (const Error& error) {
                              *reasons << QString::fromStdString(error.what());
                          }
@@ -133,7 +176,7 @@ engine::MachineOptions machine_of(const Arguments& arguments) {
 int run_window(const Arguments& arguments) {
     const auto machine = machine_of(arguments);
     const auto renderer = make_thread_renderer(machine);
-    const bool screenshot = !arguments.screenshot.empty();
+    const bool screenshot = arguments.takes_picture();
     MainWindow window(*renderer, engine::registry(), {.remember = !screenshot, .machine = machine});
     if (!arguments.size.empty()) {
         const auto size = projects::parse_size(arguments.size, "--size");
@@ -143,7 +186,7 @@ int run_window(const Arguments& arguments) {
     if (!arguments.layout.empty()) window.docks().apply(QString::fromStdString(arguments.layout));
     window.show();
     const auto project = QString::fromStdString(arguments.project);
-    if (screenshot) take_screenshot(window, QString::fromStdString(arguments.screenshot));
+    if (screenshot) take_screenshot(window, arguments);
     if (!project.isEmpty() && !window.open_path(project) && screenshot) {
         std::cerr << "interreflect: "
                   << in_one_line(window.banners().text(QStringLiteral("file")).toStdString()) << "\n";

@@ -43,6 +43,7 @@ widgets::LayerInfo info_of(const passes::viewers::DrawnLayer& layer) {
     info.high = layer.high;
     info.min = layer.min;
     info.max = layer.max;
+    info.categories = layer.categories;
     return info;
 }
 
@@ -104,10 +105,17 @@ std::optional<widgets::BufferReader> SpacePresenter::values_of(int view, int lay
 QString SpacePresenter::hover_text(int view, int layer, qint64 element) const {
     const auto values = values_of(view, layer);
     if (!values || element < 0 || element >= qint64(values->elements())) return {};
+    const auto& key = views_.state(view).space.layers[std::size_t(layer)].key;
+    const auto* resource = find_resource(live_.result(views_.state(view).a.owner)->report, key);
     QStringList lines;
-    for (std::size_t i = 0; i < values->scalars().size(); ++i)
-        lines << QString::fromStdString(values->scalars()[i].name + " " +
-                                        values->text(std::uint64_t(element), i));
+    for (std::size_t i = 0; i < values->scalars().size(); ++i) {
+        const auto& name = values->scalars()[i].name;
+        const auto number = values->value(std::uint64_t(element), i);
+        const auto label =
+            resource ? category_label(categories_of(resource->categories, name), number) : std::string();
+        lines << QString::fromStdString(name + " " + values->text(std::uint64_t(element), i) +
+                                        (label.empty() ? "" : ": " + label));
+    }
     return lines.join(QLatin1Char('\n'));
 }
 

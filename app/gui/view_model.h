@@ -26,6 +26,7 @@ class ViewModel : public QObject {
     const PictureSource& pictures() const { return pictures_; }
     const ViewRules& rules() const { return rules_; }
     const widgets::ViewState& state(int view) const { return states_[std::size_t(view)]; }
+    std::vector<int> open_views() const { return area_.open_views(); }
     const widgets::ViewState& active_state() const { return state(area_.active()); }
     std::string shown_key() const;  ///< resource key of the active view's A
     std::vector<std::string> shown_experiments() const;

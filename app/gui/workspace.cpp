@@ -137,6 +137,9 @@ void Workspace::update_view(int view) {
     const auto content = views_.rules().content_of(views_.state(view));
     if (content == ViewPane::Content::picture) {
         pictures_.update(view, *pane(view));
+        if (pictures_.take_exposure_change())
+            for (const int other : area_->open_views())
+                if (other != view && pane(other)) pictures_.update_displays(other, pane(other)->compare());
     } else {
         pane(view)->show_content(content);
         content == ViewPane::Content::space ? spaces_.update(view) : update_table(view);

@@ -48,6 +48,10 @@ Json json_of(const OutputDescription& output) {
               {"colour_map", map.empty() ? default_colour_map(output.semantic) : map},
               {"doc", full_doc(output)},
               {"explains", output.explains}};
+    for (const auto& categories : output.categories)
+        for (const auto& [value, label, colour] : categories.values)
+            json["categories"][categories.field].push_back(
+                {{"value", value}, {"label", label}, {"colour", colour}});
     if (!output.active_when.key.empty()) json["active_when"] = json_of(output.active_when);
     return json;
 }
@@ -161,7 +165,7 @@ std::string describe_markdown(const MethodDescription& method) {
     text += "\n## Outputs\n\n| key | kind | semantic | unit | what it shows |\n|---|---|---|---|---|\n";
     for (const auto& o : method.outputs)
         text += "| `" + o.key + "` | " + to_string(o.kind) + " | " + to_string(o.semantic) + " | " + o.unit +
-                " | **" + o.label + ".** " + o.doc + condition_text(o.active_when) +
+                " | **" + o.label + ".** " + full_doc(o) + condition_text(o.active_when) +
                 (o.explains ? explains_text : "") + " |\n";
     if (method.selectors.empty()) return text;
     text +=

@@ -18,10 +18,12 @@ std::string to_string(Semantic semantic) {
 }
 
 std::string full_doc(const OutputDescription& output) {
-    if (output.when_empty.empty()) return output.doc;
+    std::string text = output.doc;
+    for (const auto& categories : output.categories) text += " " + category_doc(categories);
+    if (output.when_empty.empty()) return text;
     const std::string begin =
         output.explains ? " Empty while no pixel is picked, and where " : " Empty where ";
-    return output.doc + begin + output.when_empty + ".";
+    return text + begin + output.when_empty + ".";
 }
 
 std::string default_colour_map(Semantic semantic) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "renderers/core/category.h"
 #include "renderers/core/condition.h"
 
 namespace ir {
@@ -40,6 +41,8 @@ struct OutputDescription {
     std::string unit = {};
     std::string colour_map = {};  ///< empty: the semantic's own
     std::string doc = {};
+    /// Fields whose numbers are names: they have colours of their own and no colour map.
+    std::vector<Categories> categories = {};
     /// Of a set: where it has no elements although everything succeeded; of one that explains, although a
     /// pixel is picked: "the pixel shows no surface". The rest of a sentence that says "Empty where".
     std::string when_empty = {};
@@ -49,7 +52,7 @@ struct OutputDescription {
     Condition active_when = {};
 };
 
-/// `doc`, and when it is empty.
+/// `doc`, what the numbers of its categories mean, and when it is empty.
 std::string full_doc(const OutputDescription& output);
 
 /// The colour map that a semantic is shown with when nobody chose another ("viridis", "grey", …).

@@ -59,7 +59,8 @@ struct ResourceReport {
     int width = 0, height = 0, levels = 1, layers = 1;
     std::uint64_t elements = 0;  ///< buffers: elements in use (counter) or capacity
     std::vector<Field> fields;   ///< of a buffer's element, tightly packed
-    std::uint64_t bytes = 0;     ///< device and host together
+    std::vector<Categories> categories = {};
+    std::uint64_t bytes = 0;  ///< device and host together
     bool is_output = false, is_history = false, available = false, explains = false;
 };
 

@@ -15,7 +15,8 @@ bool is_image(OutputKind kind) {
 }  // namespace
 
 ResourceText text_of(const OutputDescription& output) {
-    return {output.key, output.label, full_doc(output), output.semantic, output.unit, output.colour_map};
+    return {output.key,  output.label,      full_doc(output), output.semantic,
+            output.unit, output.colour_map, output.categories};
 }
 
 int stride(const BufferDesc& desc) {

@@ -34,6 +34,7 @@ ResourceReport described(const ResourceText& text, const MethodDescription& meth
     report.semantic = text.semantic;
     report.unit = text.unit;
     report.colour_map = text.colour_map.empty() ? default_colour_map(text.semantic) : text.colour_map;
+    report.categories = text.categories;
     for (const auto& output : method.outputs) {
         if (output.key != text.key) continue;
         report.is_output = true;

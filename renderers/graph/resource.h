@@ -34,6 +34,7 @@ struct ResourceText {
     Semantic semantic = Semantic::generic;
     std::string unit = {};
     std::string colour_map = {};
+    std::vector<Categories> categories = {};
     bool operator==(const ResourceText&) const = default;
 };
 

@@ -117,6 +117,22 @@ const std::vector<std::string>& colour_map_names() {
     return names;
 }
 
+StepMap step_map(const std::vector<Category>& categories) {
+    StepMap map{ColourMap(entry_count, colour_without_name), -0.5, 0.5};
+    if (categories.empty()) return map;
+    const auto by_value = [](const Category& a, const Category& b) { return a.value < b.value; };
+    const auto [least, most] = std::minmax_element(categories.begin(), categories.end(), by_value);
+    map.low = least->value - 0.5;
+    map.high = most->value + 0.5;
+    for (std::size_t i = 0; i < map.colours.size(); ++i) {
+        const double number = map.low + (static_cast<double>(i) / 255.0) * (map.high - map.low);
+        for (const auto& category : categories)
+            if (std::abs(number - category.value) <= 0.5)
+                map.colours[i] = category.colour;
+    }
+    return map;
+}
+
 float srgb_from_linear(float linear) {
     if (linear <= 0.0031308f) return 12.92f * linear;
     return 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;

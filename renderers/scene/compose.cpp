@@ -7,6 +7,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/hash.h"
+#include "renderers/scene/opening_camera.h"
 #include "renderers/scene/part_motion.h"
 #include "renderers/scene/placement.h"
 
@@ -79,7 +80,7 @@ class Composer {
         for (const auto& part : parts) hashes += add(part) + ";";
         result_.name = composition_name(parts);
         result_.content_hash = hash_bytes(hashes);
-        if (result_.cameras.empty()) result_.cameras.push_back(framing_camera(bounds_of(result_, 0)));
+        if (result_.cameras.empty()) result_.cameras.push_back(opening_camera(result_));
         return std::move(result_);
     }
 
@@ -182,16 +183,9 @@ class Composer {
         }
     }
 
-    /// Whether the camera is the one that a file without cameras gets.
-    static bool is_made_up(const Camera& camera, const Scene& loaded) {
-        if (loaded.cameras.size() != 1 || camera.node >= 0) return false;
-        const auto made_up = framing_camera(bounds_of(loaded, 0));
-        return camera.name == made_up.name && camera.eye == made_up.eye && camera.target == made_up.target;
-    }
-
     void add_cameras(const Part& part, const Scene& loaded, int first_node) {
-        if (loaded.cameras.size() == 1 && is_made_up(loaded.cameras.front(), loaded)) return;
         for (auto camera : loaded.cameras) {
+            if (camera.is_made_up) continue;
             const bool is_carried = camera.node < 0 && !part.motion.keys.empty();
             if (is_carried) {
                 camera.node = static_cast<int>(result_.nodes.size()) - first_node;

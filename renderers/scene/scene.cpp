@@ -75,15 +75,4 @@ Bounds bounds_of(const Scene& scene, double time) {
     return bounds.min.x <= bounds.max.x ? bounds : Bounds{};
 }
 
-Camera framing_camera(const Bounds& bounds) {
-    Camera camera;
-    camera.name = "default";
-    const float radius = bounds.radius() > 0 && std::isfinite(bounds.radius()) ? bounds.radius() : 1.0f;
-    // The bounding sphere touches the frustum's upper and lower planes.
-    const float distance = radius / std::sin(0.5f * camera.fov_y);
-    camera.target = bounds.centre();
-    camera.eye = camera.target + distance * glm::normalize(glm::vec3(0.6f, 0.4f, 1.0f));
-    return camera;
-}
-
 }  // namespace ir::scene

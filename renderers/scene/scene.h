@@ -135,6 +135,7 @@ struct Camera {
     bool orthographic = false;
     float height = 2;  ///< metres across the image's height, orthographic only
     int node = -1;     ///< when ≥ 0 the camera moves with this node; eye, target and up are those at time 0
+    bool is_made_up = false;  ///< by opening_camera(): the file has none
 };
 
 /// Radiance from infinity, W/(m² sr): a constant, or an equirectangular map (row 0 is +Y, column 0 is -X).
@@ -163,7 +164,7 @@ struct Scene {
     std::size_t material_count = 0;   ///< as the file declares (a default one may have been added)
     std::vector<Texture> textures;
     std::vector<Light> lights;
-    std::vector<Camera> cameras;  ///< at least one: a framing camera is made where the file has none
+    std::vector<Camera> cameras;  ///< at least one: opening_camera() where the file has none
     Environment environment;
     std::vector<Message> warnings;
 
@@ -187,9 +188,6 @@ Scene load_scene(const std::string& name);
 Scene load_gltf(const std::string& file);                     // gltf/
 Scene make_builtin(const std::string& name_version_options);  // builtin/
 std::vector<std::string> builtin_names();
-
-/// A camera that frames the bounds pleasantly, named "default".
-Camera framing_camera(const Bounds& bounds);
 
 /// Angle-weighted vertex normals, where a file has none; degenerate triangles contribute nothing.
 void generate_normals(Mesh& mesh);

@@ -52,6 +52,14 @@ struct CanvasState {
     const PreparedPicture& at(QPointF image_px) const;
 };
 
+/// Where a view's legends stand: beside the picture, or in a line below it, whichever leaves the picture
+/// larger.
+struct LegendPlace {
+    bool is_line = false;
+    QSizeF margins{0, 0};  ///< that they take on the right and at the bottom, device pixels
+};
+LegendPlace legend_place(const CanvasState& state, qreal pixel_ratio);
+
 /// Half the width of a stripe of the zebra and a field of the chequer, device pixels.
 int pattern_half(qreal pixel_ratio);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderers/image/channels.h"
+#include "renderers/image/exposure.h"
 #include "widgets/style/number_text.h"
 
 namespace ir::widgets {
@@ -39,8 +40,22 @@ Statistics statistics(const Image& image, Semantic semantic, const Atlas& atlas,
     return result;
 }
 
-Display display_for(Semantic semantic, const std::string& map, const Image& image, const Atlas& atlas) {
+ColourMap colours_of(const Display& display) {
+    return display.categories.empty() ? colour_map(display.colour_map) : step_map(display.categories).colours;
+}
+
+Display display_for(Semantic semantic, const std::string& map, const Image& image, const Atlas& atlas,
+                    const std::vector<Category>& categories) {
     Display display;
+    if (!categories.empty() && image.channels == 1) {
+        const auto steps = step_map(categories);
+        display.mode = Display::Mode::scalar;
+        display.categories = categories;
+        display.low = steps.low;
+        display.high = steps.high;
+        display.negative_is_bad = false;
+        return display;
+    }
     display.colour_map = map.empty() ? default_colour_map(semantic) : map;
     display.negative_is_bad = !may_be_negative(semantic);
     const Statistics numbers = statistics(image, semantic, atlas);
@@ -77,6 +92,8 @@ Display display_for(Semantic semantic, const std::string& map, const Image& imag
             break;
         case Semantic::radiance:
         case Semantic::irradiance:
+            display.exposure = automatic_exposure(image);
+            [[fallthrough]];
         case Semantic::albedo:
             display.mode = Display::Mode::colour;
             break;

@@ -5,9 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "renderers/core/output.h"
 #include "renderers/image/atlas.h"
+#include "renderers/image/colour_map.h"
 #include "renderers/image/image.h"
 
 namespace ir::widgets {
@@ -41,6 +43,8 @@ struct Display {
         false;  ///< pixels that the picture's mask excludes: a grey chequer instead of colours
     /// Scalar mode: exactly 0 is grey and no colour of the map, where 0 means that nothing was found.
     bool grey_zero = false;
+    /// Scalar mode: where numbers are names, their colours, and neither map nor range.
+    std::vector<Category> categories = {};
     bool operator==(const Display&) const = default;
 };
 
@@ -58,7 +62,9 @@ Statistics statistics(const Image& image, Semantic semantic, const Atlas& atlas 
 
 /// How a buffer is shown before anybody chooses otherwise.
 Display display_for(Semantic semantic, const std::string& colour_map, const Image& image,
-                    const Atlas& atlas = {});
+                    const Atlas& atlas = {}, const std::vector<Category>& categories = {});
+/// The colours of scalar mode.
+ColourMap colours_of(const Display& display);
 
 /// The encoded colour of one pixel with `channels` values.
 std::array<unsigned char, 3> shade(const Display& display, const float* pixel, int channels);

@@ -92,7 +92,7 @@ class GlCanvas final : public QOpenGLWidget, public Canvas {
         vertices_ = std::make_unique<QOpenGLVertexArrayObject>();
         vertices_->create();
         context()->extraFunctions()->glGenTextures(1, &map_texture_);
-        map_name_.clear();
+        map_.clear();
     }
     void paintGL() override {
         auto& gl = *context()->extraFunctions();
@@ -160,14 +160,14 @@ class GlCanvas final : public QOpenGLWidget, public Canvas {
                         GL_UNSIGNED_BYTE, picture.cover->data());
         ++upload_count_;
     }
-    void use_map(QOpenGLExtraFunctions& gl, const std::string& name) {
+    void use_map(QOpenGLExtraFunctions& gl, const Display& display) {
         bind(gl, map_unit, map_texture_);
-        if (name == map_name_) return;
+        auto map = colours_of(display);
+        if (map == map_) return;
         prepare_upload(gl);
-        const auto& map = colour_map(name);
         gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, int(map.size()), 1, 0, GL_RGB, GL_UNSIGNED_BYTE,
                         map.data());
-        map_name_ = name;
+        map_ = std::move(map);
     }
     void set_place() {
         const auto& t = state_.transform;
@@ -198,7 +198,7 @@ class GlCanvas final : public QOpenGLWidget, public Canvas {
         if (area.isEmpty()) return;
         use_image(gl, picture.shown);
         use_cover(gl, picture);
-        use_map(gl, picture.display.colour_map);
+        use_map(gl, picture.display);
         auto& p = *program_;
         p.setUniformValue("picture", int(picture_unit));
         p.setUniformValue("colour_map", int(map_unit));
@@ -217,7 +217,7 @@ class GlCanvas final : public QOpenGLWidget, public Canvas {
     std::unique_ptr<QOpenGLVertexArrayObject> vertices_;
     TextureCache textures_;
     GLuint map_texture_ = 0;
-    std::string map_name_;
+    ColourMap map_;
     int upload_count_ = 0;
 };
 

@@ -45,6 +45,9 @@ ImageView::ImageView(QWidget* parent, Surface surface) : QWidget(parent), region
 }
 
 void ImageView::repaint_all() {
+    const double before = state_.transform.zoom();
+    state_.transform.set_margins(legend_place(state_, devicePixelRatioF()).margins);
+    if (state_.transform.zoom() != before) emit zoom_changed(state_.transform.zoom());
     canvas_->state_changed();
     overlay_->update();
 }
@@ -52,7 +55,11 @@ void ImageView::repaint_all() {
 void ImageView::set_picture(std::shared_ptr<const Picture> picture) {
     const QSizeF size = picture ? QSizeF(picture->size().expandedTo({0, 0})) : QSizeF(0, 0);
     auto& second = state_.pictures[1];
-    if (second.picture && QSizeF(second.picture->size()) != size) second = {{}, {}, {}, second.display};
+    if (second.picture && QSizeF(second.picture->size()) != size) {
+        const auto kept = second.display;
+        second = {};
+        second.display = kept;
+    }
     state_.pictures[0] = cache_.prepare(std::move(picture), display_);
     const auto& shown = state_.pictures[0].picture;
     state_.note = shown && !shown->has_image() ? shown->note : QString();
@@ -128,14 +135,16 @@ QImage ImageView::snapshot(bool overlays, bool legend, SnapshotScale scale) cons
     drawn.stale = false;
     drawn.legend = legend;
     qreal ratio = devicePixelRatioF();
+    drawn.transform.set_margins(legend_place(drawn, ratio).margins);
     QSize size = state_.transform.view_size().toSize();
     qreal beside = 0;  // where the legend goes when the whole picture is exported
     if (scale == SnapshotScale::picture_pixels && state_.has_image()) {
         ratio = 1;
         size = state_.transform.image_size().toSize();
+        drawn.legend = false;
+        drawn.transform.set_margins({0, 0});
         drawn.transform.set_view_size(size);
         drawn.transform.fit();
-        drawn.legend = false;
         if (legend) beside = legend_size(state_.pictures[0], ratio, whole_legend).width() + 16;
     }
     const qreal height = beside > 0 ? legend_size(state_.pictures[0], ratio, whole_legend).height() + 16 : 0;

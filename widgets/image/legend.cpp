@@ -30,13 +30,23 @@ struct Contents {
     std::vector<Mark> marks;
 };
 
-std::vector<Mark> marks_of(const Display& display) {
+QColor colour_of(const Category& category) {
+    return {category.colour[0], category.colour[1], category.colour[2]};
+}
+
+/// Of what occurs.
+std::vector<Mark> marks_of(const PreparedPicture& picture) {
+    const Display& display = picture.display;
+    const Occurring& occurring = *picture.occurring;
     std::vector<Mark> marks;
+    for (const auto& category : occurring.categories)
+        marks.push_back({colour_of(category), QString::fromStdString(category.label)});
     if (display.mark_bad) {
-        marks.push_back({{255, 0, 255}, QStringLiteral("NaN")});
-        marks.push_back({{255, 255, 0}, QStringLiteral("+Inf")});
-        marks.push_back({{0, 255, 255}, QStringLiteral("−Inf")});
-        if (display.negative_is_bad) marks.push_back({{40, 80, 255}, legend_text("negative")});
+        if (occurring.nan) marks.push_back({{255, 0, 255}, QStringLiteral("NaN")});
+        if (occurring.plus_infinity) marks.push_back({{255, 255, 0}, QStringLiteral("+Inf")});
+        if (occurring.minus_infinity) marks.push_back({{0, 255, 255}, QStringLiteral("−Inf")});
+        if (occurring.negative && display.negative_is_bad)
+            marks.push_back({{40, 80, 255}, legend_text("negative")});
     }
     if (display.zebra && display.mode != Display::Mode::ids) {
         marks.push_back({{40, 90, 255}, legend_text("below"), Qt::BDiagPattern});
@@ -44,24 +54,27 @@ std::vector<Mark> marks_of(const Display& display) {
     }
     if (display.grey_zero)
         marks.push_back({{zero_grey[0], zero_grey[1], zero_grey[2]}, legend_text("within noise")});
-    if (display.hide_invalid) marks.push_back({{136, 136, 136}, legend_text("no value"), Qt::Dense4Pattern});
+    if (display.hide_invalid && occurring.hidden)
+        marks.push_back({{136, 136, 136}, legend_text("no value"), Qt::Dense4Pattern});
     return marks;
 }
 
 QStringList colour_lines(const Display& display) {
-    QStringList lines = {legend_text("exposure %1").arg(exposure_text(display.exposure))};
+    QStringList lines;
+    if (display.exposure != 0) lines << legend_text("exposure %1").arg(exposure_text(display.exposure));
     if (display.tone_map == Display::ToneMap::reinhard) lines << legend_text("tone map Reinhard");
     if (display.tone_map == Display::ToneMap::filmic) lines << legend_text("tone map filmic");
-    return lines << legend_text("sRGB");
+    return lines;
 }
 
 Contents contents_of(const PreparedPicture& picture) {
     const Display& display = picture.display;
     Contents contents;
-    contents.marks = marks_of(display);
+    contents.marks = marks_of(picture);
     const QString unit = picture.picture ? picture.picture->unit : QString();
     const int channels = picture.picture ? picture.picture->image->channels : 1;
     if (!unit.isEmpty()) contents.lines << unit;
+    if (!display.categories.empty()) return contents;
     const bool all = channels > 1 && display.channel < 0;
     switch (display.mode) {
         case Display::Mode::colour:
@@ -119,7 +132,7 @@ QColor bar_colour(const Display& display, double fraction) {
         const int grey = int(fraction * 255 + 0.5);
         return {grey, grey, grey};
     }
-    const auto& entry = colour_map(display.colour_map)[std::size_t(fraction * 255 + 0.5)];
+    const auto entry = colours_of(display)[std::size_t(fraction * 255 + 0.5)];
     return {entry[0], entry[1], entry[2]};
 }
 
@@ -172,6 +185,53 @@ void paint_mark(QPainter& painter, const Mark& mark, const Layout& layout, QPoin
                      Qt::AlignLeft | Qt::AlignVCenter, mark.text);
 }
 
+/// A row that is filled from the left, as long as there is room.
+class Line {
+  public:
+    Line(QPainter& painter, const QRectF& row, qreal ratio) : painter_(painter), row_(row), r_(ratio) {}
+
+    void text(const QString& words) {
+        if (words.isEmpty()) return;
+        gap();
+        const QFontMetricsF metrics(painter_.font());
+        const QString fitting = metrics.elidedText(words, Qt::ElideRight, row_.width());
+        painter_.drawText(row_, Qt::AlignLeft | Qt::AlignVCenter, fitting);
+        advance(metrics.horizontalAdvance(fitting));
+    }
+    void bar(const Display& display, const QString& low, const QString& high) {
+        text(low);
+        if (row_.width() < 40 * r_) return;
+        const QRectF box(row_.left() + 6 * r_, row_.center().y() - 4 * r_,
+                         std::min(110 * r_, row_.width() / 2), 8 * r_);
+        QImage colours(256, 1, QImage::Format_RGB32);
+        for (int x = 0; x < 256; ++x) colours.setPixelColor(x, 0, bar_colour(display, x / 255.0));
+        painter_.drawImage(box, colours);
+        advance(box.width() + 12 * r_);
+        begun_ = false;  // the number belongs to the bar
+        text(high);
+    }
+    void mark(const Mark& mark) {
+        gap();
+        if (row_.width() < 40 * r_) return;
+        paint_swatch(painter_, mark, QRectF(row_.left(), row_.center().y() - 5 * r_, 10 * r_, 10 * r_), r_);
+        painter_.setPen(QColor(235, 235, 235));
+        advance(15 * r_);
+        begun_ = false;
+        text(mark.text);
+    }
+
+  private:
+    void gap() {
+        if (begun_) advance(12 * r_);
+        begun_ = true;
+    }
+    void advance(qreal width) { row_.setLeft(std::min(row_.left() + width, row_.right())); }
+    QPainter& painter_;
+    QRectF row_;
+    qreal r_;
+    bool begun_ = false;
+};
+
 }  // namespace
 
 std::vector<double> legend_ticks(double low, double high, int count) {
@@ -192,6 +252,32 @@ std::vector<double> legend_ticks(double low, double high, int count) {
     }
     ticks.push_back(greatest);
     return ticks;
+}
+
+qreal legend_line_height(qreal pixel_ratio) {
+    return QFontMetricsF(legend_font(pixel_ratio)).height() + 6 * pixel_ratio;
+}
+
+void paint_legend_line(QPainter& painter, const PreparedPicture& picture, const QRectF& row,
+                       qreal pixel_ratio) {
+    if (picture.empty()) return;
+    const Contents contents = contents_of(picture);
+    painter.save();
+    painter.fillRect(row, QColor(20, 20, 20, 200));
+    painter.setFont(legend_font(pixel_ratio));
+    painter.setPen(QColor(235, 235, 235));
+    Line line(painter, row.adjusted(8 * pixel_ratio, 0, -8 * pixel_ratio, 0), pixel_ratio);
+    for (const auto& text : contents.lines) line.text(text);
+    if (contents.bar)
+        line.bar(picture.display, short_number(picture.display.low), short_number(picture.display.high));
+    for (const auto& mark : contents.marks) line.mark(mark);
+    painter.restore();
+}
+
+bool has_legend(const PreparedPicture& picture) {
+    if (picture.empty()) return false;
+    const Contents contents = contents_of(picture);
+    return contents.bar || !contents.lines.isEmpty() || !contents.marks.empty();
 }
 
 QSizeF legend_size(const PreparedPicture& picture, qreal pixel_ratio, qreal room) {

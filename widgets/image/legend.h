@@ -13,6 +13,14 @@ QSizeF legend_size(const PreparedPicture& picture, qreal pixel_ratio, qreal room
 void paint_legend(QPainter& painter, const PreparedPicture& picture, QPointF top_left, qreal pixel_ratio,
                   qreal room);
 
+/// The same in one line, for views in which a column would leave less of the picture. What has no room is
+/// left out from the right.
+qreal legend_line_height(qreal pixel_ratio);
+void paint_legend_line(QPainter& painter, const PreparedPicture& picture, const QRectF& row,
+                       qreal pixel_ratio);
+/// Whether it has anything to say.
+bool has_legend(const PreparedPicture& picture);
+
 /// Both ends and round numbers between them, at most `count` in all, ascending.
 std::vector<double> legend_ticks(double low, double high, int count);
 

@@ -159,18 +159,32 @@ void paint_labels(QPainter& painter, const CanvasState& state, const QRectF& vie
     if (old && label.isEmpty()) paint_badge(painter, view, rendering, Qt::AlignRight | Qt::AlignTop, ratio);
 }
 
-/// On the right; of two pictures that are shown differently, one on either side.
+/// Of two pictures that are shown differently, one on either side.
+bool has_two_legends(const CanvasState& state) {
+    return state.has_divider() && state.pictures[0].display != state.pictures[1].display;
+}
+
 void paint_legends(QPainter& painter, const CanvasState& state, const QRectF& view, qreal ratio) {
-    const qreal gap = 8 * ratio;
-    const bool both = state.has_divider() && state.pictures[0].display != state.pictures[1].display;
-    for (int i = 0; i < (both ? 2 : 1); ++i) {
-        const qreal room = view.height() * 0.7;
-        const QSizeF size = legend_size(state.pictures[i], ratio, room);
-        const bool left = both && i == 0;
-        paint_legend(painter, state.pictures[i],
-                     {left ? gap : view.width() - size.width() - gap, view.height() - size.height() - gap},
-                     ratio, room);
+    const auto place = legend_place(state, ratio);
+    const QRectF picture(state.transform.offset(), state.transform.image_size() * state.transform.zoom());
+    if (place.is_line) {
+        const qreal height = legend_line_height(ratio);
+        const qreal top = std::min(std::max(picture.bottom(), 0.0), view.height() - height);
+        const int count = has_two_legends(state) ? 2 : 1;
+        const QRectF row = QRectF(picture.left(), top, picture.width(), height) & view;
+        // Of a narrow picture it may be wider.
+        const qreal width = std::min(std::max(row.width(), 260 * ratio), view.width());
+        const qreal left = std::clamp(row.center().x() - width / 2, 0.0, view.width() - width);
+        for (int i = 0; i < count; ++i)
+            paint_legend_line(painter, state.pictures[i],
+                              {left + i * width / count, top, width / count, height}, ratio);
+        return;
     }
+    const qreal gap = 8 * ratio, room = view.height() - 2 * gap;
+    const QSizeF size = legend_size(state.pictures[0], ratio, room);
+    const qreal x = std::min(std::max(picture.right(), 0.0) + gap, view.width() - size.width() - gap);
+    const qreal y = std::clamp(picture.bottom() - size.height(), gap, view.height() - size.height() - gap);
+    paint_legend(painter, state.pictures[0], {x, y}, ratio, room);
 }
 
 class Overlay final : public QWidget {
@@ -204,6 +218,21 @@ const PreparedPicture& CanvasState::at(QPointF image_px) const {
     return pictures[right ? 1 : 0];
 }
 
+LegendPlace legend_place(const CanvasState& state, qreal ratio) {
+    if (!state.legend || !state.has_image() || !has_legend(state.pictures[0])) return {};
+    const QSizeF view = state.transform.view_size(), image = state.transform.image_size();
+    const LegendPlace line{true, {0, legend_line_height(ratio)}};
+    if (has_two_legends(state)) return line;
+    const qreal gap = 8 * ratio, room = view.height() - 2 * gap;
+    const QSizeF size = legend_size(state.pictures[0], ratio, room);
+    const LegendPlace column{false, {size.width() + 2 * gap, 0}};
+    const auto zoom = [&](const LegendPlace& place) {
+        const QSizeF left = view - place.margins;
+        return std::min(left.width() / image.width(), left.height() / image.height());
+    };
+    return size.height() > room || zoom(line) > zoom(column) ? line : column;
+}
+
 int pattern_half(qreal pixel_ratio) {
     return std::max(2, int(std::lround(3 * pixel_ratio)));
 }
@@ -224,8 +253,12 @@ void paint_overlay(QPainter& painter, const CanvasState& state, qreal ratio) {
     }
     if (!state.note.isEmpty()) paint_note(painter, view, state.note, ratio);
     paint_labels(painter, state, view, ratio);
-    if (!state.hint.isEmpty()) paint_badge(painter, view, state.hint, Qt::AlignLeft | Qt::AlignBottom, ratio);
-    if (state.legend && state.has_image()) paint_legends(painter, state, view, ratio);
+    const bool has_legends = state.legend && state.has_image() && has_legend(state.pictures[0]);
+    const qreal below = has_legends ? legend_place(state, ratio).margins.height() : 0;
+    if (!state.hint.isEmpty())
+        paint_badge(painter, view.adjusted(0, 0, 0, -below), state.hint, Qt::AlignLeft | Qt::AlignBottom,
+                    ratio);
+    if (has_legends) paint_legends(painter, state, view, ratio);
     painter.restore();
 }
 

@@ -22,11 +22,12 @@ struct Picture {
     bool awaits_variance = false;  ///< it will have one
     Semantic semantic = Semantic::generic;
     QString label, unit;
-    QString note;            ///< instead of an image: why there is none
-    std::string colour_map;  ///< empty: the semantic's own
-    Atlas atlas;             ///< levels and layers in one picture; empty: a plain image
-    bool stale = false;      ///< a newer one is being rendered
-    std::string origin;      ///< whose computation it is a part of; empty: nobody knows
+    QString note;                           ///< instead of an image: why there is none
+    std::string colour_map;                 ///< empty: the semantic's own
+    std::vector<Category> categories = {};  ///< where numbers, or colours, are names
+    Atlas atlas;                            ///< levels and layers in one picture; empty: a plain image
+    bool stale = false;                     ///< a newer one is being rendered
+    std::string origin;                     ///< whose computation it is a part of; empty: nobody knows
 
     bool operator==(const Picture&) const = default;  ///< of pixels the same object
     bool has_image() const { return image && !image->empty(); }

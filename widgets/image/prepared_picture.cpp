@@ -1,6 +1,10 @@
 #include "widgets/image/prepared_picture.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "renderers/image/channels.h"
+#include "renderers/image/colour_map.h"
 
 namespace ir::widgets {
 namespace {
@@ -31,6 +35,40 @@ std::shared_ptr<const CoverMap> cover_of(const Picture& picture) {
     return cover;
 }
 
+/// Whether a pixel shows a category: its number, or in a colour image its colour.
+bool shows(const float* pixel, int channels, const Category& category) {
+    if (channels < 3) return std::abs(pixel[0] - static_cast<float>(category.value)) <= 0.5f;
+    for (std::size_t c = 0; c < 3; ++c)
+        if (std::abs(pixel[c] - linear_from_srgb(category.colour[c] / 255.0f)) > 0.01f) return false;
+    return true;
+}
+
+std::shared_ptr<const Occurring> occurring_in(const Picture& picture, const Image& shown,
+                                              const CoverMap* cover) {
+    auto found = std::make_shared<Occurring>();
+    std::vector<bool> named(picture.categories.size());
+    const int values = value_channels(picture.semantic, shown.channels);
+    const std::size_t pixels = shown.pixels.size() / std::size_t(std::max(1, shown.channels));
+    for (std::size_t i = 0; i < pixels; ++i) {
+        if (cover && (*cover)[i] != Cover::value) {
+            found->hidden |= (*cover)[i] == Cover::hidden;
+            if ((*cover)[i] == Cover::gap) continue;
+        }
+        const float* pixel = &shown.pixels[i * std::size_t(shown.channels)];
+        for (int c = 0; c < values; ++c) {
+            found->nan |= std::isnan(pixel[c]);
+            found->plus_infinity |= std::isinf(pixel[c]) && pixel[c] > 0;
+            found->minus_infinity |= std::isinf(pixel[c]) && pixel[c] < 0;
+            found->negative |= pixel[c] < 0;
+        }
+        for (std::size_t k = 0; k < named.size(); ++k)
+            if (!named[k]) named[k] = shows(pixel, shown.channels, picture.categories[k]);
+    }
+    for (std::size_t k = 0; k < named.size(); ++k)
+        if (named[k]) found->categories.push_back(picture.categories[k]);
+    return found;
+}
+
 }  // namespace
 
 Cover PreparedPicture::cover_at(int x, int y) const {
@@ -46,6 +84,7 @@ PreparedPicture PictureCache::prepare(std::shared_ptr<const Picture> picture, co
     const Entry& entry = entry_for(*result.picture, many ? display.channel : -1);
     result.shown = entry.derived ? entry.derived : result.picture->image;
     result.cover = entry.cover;
+    result.occurring = entry.occurring;
     if (many) result.display.channel = -1;
     return result;
 }
@@ -63,9 +102,11 @@ const PictureCache::Entry& PictureCache::entry_for(const Picture& picture, int c
         return entries_.back();
     }
     Entry entry{picture.image, picture.valid, picture.valid != nullptr, picture.atlas,
-                channel,       nullptr,       cover_of(picture)};
+                channel,       nullptr,       cover_of(picture),        nullptr};
     if (picture.image->channels > 4)
         entry.derived = std::make_shared<const Image>(shown_channels(*picture.image, channel));
+    entry.occurring =
+        occurring_in(picture, entry.derived ? *entry.derived : *picture.image, entry.cover.get());
     if (entries_.size() >= remembered) entries_.erase(entries_.begin());
     entries_.push_back(std::move(entry));
     return entries_.back();

@@ -17,12 +17,19 @@ enum class Cover : std::uint8_t {
 };
 using CoverMap = std::vector<Cover>;
 
+/// What there is in a picture that a legend may have to explain.
+struct Occurring {
+    bool nan = false, plus_infinity = false, minus_infinity = false, negative = false, hidden = false;
+    std::vector<Category> categories;  ///< of the picture's
+};
+
 /// A picture in the form that canvases draw.
 struct PreparedPicture {
     std::shared_ptr<const Picture> picture;
     std::shared_ptr<const Image> shown;     ///< at most four channels; the picture's own pixels up to four
     std::shared_ptr<const CoverMap> cover;  ///< null: a value everywhere
-    Display display;                        ///< channel: of `shown`
+    std::shared_ptr<const Occurring> occurring;
+    Display display;  ///< channel: of `shown`
 
     bool empty() const { return !shown; }
     Cover cover_at(int x, int y) const;
@@ -45,6 +52,7 @@ class PictureCache {
         int channel = -1;
         std::shared_ptr<const Image> derived;  ///< null: the image itself
         std::shared_ptr<const CoverMap> cover;
+        std::shared_ptr<const Occurring> occurring;
     };
     const Entry& entry_for(const Picture& picture, int channel);
     std::vector<Entry> entries_;  ///< oldest first

@@ -12,6 +12,12 @@ void ViewTransform::set_view_size(QSizeF size_px) {
     fitted_ ? fit() : look_at(middle, zoom_);
 }
 
+void ViewTransform::set_margins(QSizeF margins_px) {
+    if (margins_px == margins_) return;
+    margins_ = margins_px;
+    if (fitted_) fit();
+}
+
 void ViewTransform::set_image_size(QSizeF size_px) {
     if (size_px == image_) return;
     const QSizeF before = image_;
@@ -51,10 +57,11 @@ void ViewTransform::pan(QPointF delta_px) {
 void ViewTransform::fit() {
     fitted_ = true;
     zoom_ = 1;
+    const QSizeF room = (view_ - margins_).expandedTo({1, 1});
     if (!image_.isEmpty())
-        zoom_ = std::clamp(std::min(view_.width() / image_.width(), view_.height() / image_.height()),
-                           min_zoom, max_zoom);
-    offset_ = {(view_.width() - image_.width() * zoom_) / 2, (view_.height() - image_.height() * zoom_) / 2};
+        zoom_ = std::clamp(std::min(room.width() / image_.width(), room.height() / image_.height()), min_zoom,
+                           max_zoom);
+    offset_ = {(room.width() - image_.width() * zoom_) / 2, (room.height() - image_.height() * zoom_) / 2};
     clamp_offset();
 }
 

@@ -15,6 +15,8 @@ class ViewTransform {
     void set_view_size(QSizeF size_px);
     /// Another resolution of the same picture keeps the region that is seen.
     void set_image_size(QSizeF size_px);
+    /// What a fitted picture leaves free on the right and at the bottom.
+    void set_margins(QSizeF margins_px);
     QSizeF view_size() const { return view_; }
     QSizeF image_size() const { return image_; }
 
@@ -37,7 +39,7 @@ class ViewTransform {
 
   private:
     void clamp_offset();
-    QSizeF view_{1, 1}, image_{0, 0};
+    QSizeF view_{1, 1}, image_{0, 0}, margins_{0, 0};
     double zoom_ = 1;
     QPointF offset_{0, 0};
     bool fitted_ = true;

@@ -175,6 +175,7 @@ void DisplayPanel::make_range(QGridLayout* grid) {
     connect(map_, &ColourMapBox::chosen, this, [this](const QString& name) {
         Display display = display_;
         display.colour_map = name.toStdString();
+        display.categories.clear();
         choose(display);
     });
     low_ = add_number("low", tr("Value shown with the lowest colour"), &Display::low);

@@ -2,34 +2,14 @@
 
 #include <QKeyEvent>
 #include <QPainter>
-#include <QTextLayout>
 #include <algorithm>
 
-#include "widgets/style/icons.h"
+#include "widgets/panels/sample_card.h"
 
 namespace ir::widgets {
 namespace {
 
 constexpr int picture_width = 84, picture_height = 56, margin = 7;
-
-/// Draws at most `most` lines, the last one elided.
-void draw_lines(QPainter& painter, const QRect& box, const QString& text, int most) {
-    QTextLayout layout(text, painter.font());
-    layout.beginLayout();
-    const QFontMetrics metrics = painter.fontMetrics();
-    int y = box.top();
-    for (int number = 0; number < most; ++number) {
-        QTextLine line = layout.createLine();
-        if (!line.isValid()) break;
-        line.setLineWidth(box.width());
-        QString part = text.mid(line.textStart(), line.textLength());
-        if (number == most - 1 && line.textStart() + line.textLength() < text.size())
-            part = metrics.elidedText(text.mid(line.textStart()), Qt::ElideRight, box.width());
-        painter.drawText(QPoint(box.left(), y + metrics.ascent()), part);
-        y += metrics.lineSpacing();
-    }
-    layout.endLayout();
-}
 
 }  // namespace
 
@@ -53,24 +33,6 @@ int ProjectCard::note_lines() const {
     return content_.note.isEmpty() ? 0 : content_.detail.isEmpty() ? 3 : 1;
 }
 
-void ProjectCard::paint_picture(QPainter& painter, const QRect& box) const {
-    painter.fillRect(box, palette().color(QPalette::Dark));
-    if (content_.thumbnail.isNull()) {
-        const int side = 28;
-        QRect place(0, 0, side, side);
-        place.moveCenter(box.center());
-        painter.setOpacity(isEnabled() ? 0.5 : 0.25);
-        widgets::icon("open").paint(&painter, place);
-        painter.setOpacity(1);
-        return;
-    }
-    const QSizeF whole = content_.thumbnail.size();
-    QRectF part(QPointF(), QSizeF(box.size()).scaled(whole, Qt::KeepAspectRatio));
-    part.moveCenter(QRectF(QPointF(), whole).center());
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(box, content_.thumbnail, part);
-}
-
 void ProjectCard::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -79,7 +41,7 @@ void ProjectCard::paintEvent(QPaintEvent*) {
     painter.setBrush(palette().color(isDown() ? QPalette::Mid : lit ? QPalette::Midlight : QPalette::Window));
     painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
     const QRect picture(margin, margin, picture_width, picture_height);
-    paint_picture(painter, picture);
+    draw_project_picture(painter, picture, content_.thumbnail, isEnabled());
 
     QRect text = rect().adjusted(picture.right() + 1 + margin + 3, margin, -margin, -margin);
     QFont bold = font();

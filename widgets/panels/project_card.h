@@ -24,7 +24,6 @@ class ProjectCard : public QAbstractButton {
     bool event(QEvent* event) override;
 
   private:
-    void paint_picture(QPainter& painter, const QRect& box) const;
     int note_lines() const;
     Content content_;
 };

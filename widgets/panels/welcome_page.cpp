@@ -2,18 +2,26 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
+#include "widgets/panels/card_flow.h"
 #include "widgets/panels/project_card.h"
+#include "widgets/panels/sample_card.h"
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
 namespace {
+
+/// Below this width, logical pixels, samples stand under the rest.
+constexpr int narrow_width = 760;
 
 QLabel* heading(const QString& text) {
     auto* label = new QLabel(text);
@@ -50,6 +58,14 @@ QString when_text(const QDateTime& when) {
     return when.date().toString(Qt::ISODate);
 }
 
+/// "2 s", "1 min"; empty where it is not known.
+QString time_text(double seconds) {
+    if (seconds <= 0) return {};
+    if (seconds < 10) return WelcomePage::tr("%1 s").arg(seconds, 0, 'f', seconds < 3 ? 1 : 0);
+    if (seconds < 90) return WelcomePage::tr("%1 s").arg(std::lround(seconds / 5) * 5);
+    return WelcomePage::tr("%1 min").arg(std::lround(seconds / 60));
+}
+
 QString short_path(const QString& path) {
     const QString home = QDir::homePath();
     const bool below = home.size() > 1 && path.startsWith(home + QLatin1Char('/'));
@@ -59,46 +75,58 @@ QString short_path(const QString& path) {
 }  // namespace
 
 WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
-    auto* content = new QWidget;
-    content->setMaximumWidth(880);
-    content->setMinimumWidth(300);
-    auto* grid = new QGridLayout(content);
-    grid->setContentsMargins(20, 20, 20, 20);
-    grid->setHorizontalSpacing(36);
-    grid->setVerticalSpacing(8);
-    grid->setColumnStretch(0, 1);
-    grid->setColumnStretch(1, 1);
+    auto* begin = new QWidget;
+    auto* left = new QVBoxLayout(begin);
+    left->setContentsMargins(20, 16, 8, 16);
     auto* title = new QLabel(tr("Interreflect"));
     title->setStyleSheet(QStringLiteral("font-size: 26px; font-weight: bold;"));
     auto* text =
         new QLabel(tr("Open a scene, run methods of global illumination on it, look inside every "
                       "buffer, and keep the whole as a project."));
     text->setWordWrap(true);
-    grid->addWidget(title, 0, 0, 1, 2);
-    grid->addWidget(text, 1, 0, 1, 2);
-    grid->addWidget(make_start(), 2, 0, 1, 2);
-    const auto list = [&](const QString& name, int column) {
-        grid->addWidget(heading(name), 3, column);
-        auto* result = new QVBoxLayout;
-        result->setSpacing(2);
-        grid->addLayout(result, 4, column, Qt::AlignTop);
-        return result;
-    };
-    recent_ = list(tr("Recent projects"), 0);
-    samples_ = list(tr("Sample projects"), 1);
+    left->addWidget(title);
+    left->addWidget(text);
+    left->addWidget(make_start());
+    left->addWidget(heading(tr("Recent projects")));
+    recent_ = new QVBoxLayout;
+    recent_->setSpacing(2);
+    left->addLayout(recent_);
+    left->addStretch(1);
 
-    auto* scroll = new QScrollArea(this);
+    auto* shelf = new QWidget;
+    auto* right = new QVBoxLayout(shelf);
+    right->setContentsMargins(8, 16, 20, 16);
+    right->setSpacing(8);
+    auto* row = new QHBoxLayout;
+    row->addWidget(heading(tr("Samples")));
+    search_ = new QLineEdit;
+    search_->setObjectName(QStringLiteral("search"));
+    search_->setPlaceholderText(tr("Search figures, methods, scenes …"));
+    search_->setAccessibleName(tr("Search the samples"));
+    search_->setClearButtonEnabled(true);
+    search_->setMaximumWidth(320);
+    search_->installEventFilter(this);
+    row->addStretch(1);
+    row->addWidget(search_, 1);
+    right->addLayout(row);
+    nothing_ = dim_text(tr("No sample has these words."));
+    nothing_->hide();
+    right->addWidget(nothing_);
+    samples_ = new QVBoxLayout;
+    samples_->setSpacing(6);
+    right->addLayout(samples_);
+    right->addStretch(1);
+    connect(search_, &QLineEdit::textChanged, this, &WelcomePage::search);
+
+    auto* whole = new QWidget;
+    halves_ = new QHBoxLayout(whole);
+    halves_->setContentsMargins(0, 0, 0, 0);
+    halves_->addWidget(begin, 1);
+    halves_->addWidget(shelf, 3);
+    auto* scroll = scroll_ = new QScrollArea(this);
     scroll->setWidgetResizable(true);
-    auto* centred = new QWidget;
-    auto* rows = new QVBoxLayout(centred);
-    auto* columns = new QHBoxLayout;
-    columns->addStretch(1);
-    columns->addWidget(content, 1000);
-    columns->addStretch(1);
-    rows->addStretch(1);
-    rows->addLayout(columns);
-    rows->addStretch(2);
-    scroll->setWidget(centred);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(whole);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(scroll);
@@ -106,12 +134,83 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
     set_samples(QStringList());
 }
 
+void WelcomePage::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    halves_->setDirection(width() < narrow_width ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+/// Down from the search into the cards, Enter opens the first of them. Arrows on a card go to another.
+bool WelcomePage::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::KeyPress) return false;
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (watched != search_) {
+        if (key < Qt::Key_Left || key > Qt::Key_Down) return false;
+        move_focus(key);
+        return true;
+    }
+    if (key != Qt::Key_Down && key != Qt::Key_Return && key != Qt::Key_Enter) return false;
+    for (const auto& section : sections_)
+        for (const auto& [card, words] : section.samples) {
+            if (card->isHidden()) continue;
+            key == Qt::Key_Down ? card->setFocus() : card->click();
+            return true;
+        }
+    return true;
+}
+
+void WelcomePage::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Find)) return search_->setFocus();
+    QWidget::keyPressEvent(event);
+}
+
+/// To the nearest card in that direction.
+void WelcomePage::move_focus(int key) {
+    auto* from = qobject_cast<SampleCard*>(focusWidget());
+    if (!from) return;
+    const auto middle = [this](const QWidget* card) { return card->mapTo(this, card->rect().center()); };
+    const bool sideways = key == Qt::Key_Left || key == Qt::Key_Right;
+    const int sign = key == Qt::Key_Left || key == Qt::Key_Up ? -1 : 1;
+    SampleCard* best = nullptr;
+    int least = 0;
+    for (const auto& section : sections_)
+        for (const auto& [card, words] : section.samples) {
+            const QPoint way = middle(card) - middle(from);
+            const int ahead = sign * (sideways ? way.x() : way.y());
+            const int aside = std::abs(sideways ? way.y() : way.x());
+            if (card->isHidden() || ahead < (sideways ? 1 : from->height() / 2)) continue;
+            if (sideways && aside > from->height() / 2) continue;
+            if (const int far = ahead + 2 * aside; !best || far < least) best = card, least = far;
+        }
+    if (!best) return;
+    best->setFocus();
+    scroll_->ensureWidgetVisible(best);
+}
+
+void WelcomePage::search(const QString& text) {
+    const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    bool any = false;
+    for (const auto& section : sections_) {
+        bool some = false;
+        for (const auto& [card, content] : section.samples) {
+            const bool found = std::all_of(words.begin(), words.end(), [&](const QString& word) {
+                return content.contains(word, Qt::CaseInsensitive);
+            });
+            card->setVisible(found);
+            some |= found;
+        }
+        section.heading->setVisible(some);
+        section.cards->setVisible(some);
+        any |= some;
+    }
+    nothing_->setVisible(!any && !words.isEmpty());
+}
+
 QWidget* WelcomePage::make_start() {
     auto* start = new QWidget;
     auto* page = new QVBoxLayout(start);
     page->setContentsMargins(0, 8, 0, 10);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(8);
+    auto* row = new QVBoxLayout;
+    row->setSpacing(6);
     const auto button = [&](const char* name, const char* icon_name, const QString& text, const QString& tip,
                             void (WelcomePage::*chosen)()) {
         auto* result = new QPushButton(icon(icon_name), text);
@@ -128,23 +227,41 @@ QWidget* WelcomePage::make_start() {
            &WelcomePage::open_chosen);
     button("scene", "add", tr("Open a scene …"), tr("A .gltf or .glb file, in a new project"),
            &WelcomePage::scene_chosen);
-    row->addStretch(1);
     page->addLayout(row);
     page->addWidget(dim_text(tr("Or drop a project, a .gltf or a .glb file here.")));
     return start;
 }
 
 void WelcomePage::set_samples(const std::vector<SampleProject>& samples) {
+    sections_.clear();
     empty(samples_);
-    for (const auto& sample : samples) {
-        auto* card =
-            new ProjectCard({name_of(sample.path, sample.name), sample.description, {}, sample.thumbnail});
-        card->setToolTip(sample.description.isEmpty() ? sample.path
-                                                      : sample.description + QLatin1Char('\n') + sample.path);
-        connect(card, &ProjectCard::clicked, this, [this, path = sample.path] { emit project_chosen(path); });
-        samples_->addWidget(card);
+    QStringList groups;
+    for (const auto& sample : samples)
+        if (!groups.contains(sample.group)) groups << sample.group;
+    for (const auto& group : groups) {
+        Section section{heading(group), new QWidget, {}};
+        auto* flow = new CardFlow(SampleCard::usual_width, section.cards);
+        for (const auto& sample : samples) {
+            if (sample.group != group) continue;
+            const QString name = name_of(sample.path, sample.name);
+            auto* card =
+                new SampleCard({name, sample.description, time_text(sample.seconds), sample.thumbnail});
+            card->installEventFilter(this);
+            card->setToolTip(sample.description.isEmpty() ? sample.path : sample.description);
+            connect(card, &SampleCard::clicked, this,
+                    [this, path = sample.path] { emit project_chosen(path); });
+            flow->addWidget(card);
+            section.samples.push_back(
+                {card, QStringList{name, sample.description, group, sample.path}.join(QLatin1Char('\n'))});
+        }
+        section.heading->setVisible(!group.isEmpty());
+        samples_->addWidget(section.heading);
+        samples_->addWidget(section.cards);
+        sections_.push_back(std::move(section));
     }
     if (samples.empty()) samples_->addWidget(dim_text(tr("This installation has no sample projects.")));
+    search_->setVisible(!samples.empty());
+    if (!search_->text().isEmpty()) search(search_->text());
 }
 
 void WelcomePage::set_recent(const std::vector<RecentProject>& projects) {
@@ -180,7 +297,7 @@ void WelcomePage::set_recent(const std::vector<RecentProject>& projects) {
 
 void WelcomePage::set_samples(const QStringList& paths) {
     std::vector<SampleProject> samples;
-    for (const QString& path : paths) samples.push_back({path, {}, {}, {}});
+    for (const QString& path : paths) samples.push_back({path, {}, {}, {}, {}, 0});
     set_samples(samples);
 }
 

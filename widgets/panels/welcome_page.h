@@ -7,9 +7,15 @@
 #include <QWidget>
 #include <vector>
 
+class QBoxLayout;
+class QLabel;
+class QLineEdit;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace ir::widgets {
+
+class SampleCard;
 
 /// A project that was open before.
 struct RecentProject {
@@ -23,6 +29,8 @@ struct RecentProject {
 struct SampleProject {
     QString path, name, description;
     QImage thumbnail;
+    QString group;       ///< heading that it stands under, such as its paper
+    double seconds = 0;  ///< until its pictures are complete; 0: not known
 };
 
 /// What the window shows while no project is open.
@@ -43,8 +51,27 @@ class WelcomePage : public QWidget {
     void project_chosen(const QString& path);
     void recent_removed(const QString& path);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
     QWidget* make_start();
+    /// Hides the samples that do not have all words of the search.
+    void search(const QString& text);
+    void move_focus(int key);
+
+    struct Section {
+        QLabel* heading;
+        QWidget* cards;
+        std::vector<std::pair<SampleCard*, QString>> samples;  ///< with the text that is searched
+    };
+    std::vector<Section> sections_;
+    QBoxLayout* halves_;  ///< what begins and was begun beside the samples; in narrow windows above them
+    QScrollArea* scroll_;
+    QLineEdit* search_;
+    QLabel* nothing_;
     QVBoxLayout *samples_, *recent_;
 };
 

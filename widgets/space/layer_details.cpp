@@ -199,10 +199,11 @@ void LayerDetails::show_colours(const LayerInfo* info) {
     const bool ramp = !layer_.colour_by.empty(), facing = layer_.colour_by == SpaceLayer::facing && !field;
     component_->setVisible(count > 1);
     component_label_->setVisible(count > 1);
-    map_->setVisible(ramp);
-    map_label_->setVisible(ramp);
-    range_->setVisible(ramp && !facing);
-    range_label_->setVisible(ramp && !facing);
+    const bool named = known && !info->categories.empty();  // names have colours of their own
+    map_->setVisible(ramp && !named);
+    map_label_->setVisible(ramp && !named);
+    range_->setVisible(ramp && !facing && !named);
+    range_label_->setVisible(ramp && !facing && !named);
     const bool sized = layer_.kind != OutputKind::glyphs && layer_.kind != OutputKind::sphere_values;
     size_->setVisible(sized);
     size_label_->setVisible(sized);

@@ -9,6 +9,25 @@ namespace {
 
 constexpr double line_height = 16, bar_height = 10, max_width = 230;
 
+/// In smaller views, logical pixels, legends are lines.
+constexpr double legend_width = 640, legend_height = 420;
+
+void paint_map(QPainter& painter, const QRectF& bar, const std::string& name) {
+    const auto& known = colour_map_names();
+    const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
+    const ColourMap& map = colour_map(is_known ? name : "viridis");
+    QImage strip(int(map.size()), 1, QImage::Format_RGB32);
+    for (int i = 0; i < strip.width(); ++i) {
+        const auto& c = map[std::size_t(i)];
+        strip.setPixelColor(i, 0, QColor(c[0], c[1], c[2]));
+    }
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(bar, strip);
+    painter.setPen(QPen(QColor(0, 0, 0, 120), 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(bar);
+}
+
 /// One layer's legend, painted or only measured.
 class Legend {
   public:
@@ -31,7 +50,10 @@ class Legend {
             layer_.colour_by.empty() ? QString() : QStringLiteral(" · ") + colour_text(layer_, info_.fields);
         line(label_beside(label, field) + field, text_colour);
         painter_.setFont(small_font(painter_, 11));
-        if (!layer_.colour_by.empty() && info_.elements > 0) ramp();
+        if (!info_.categories.empty())
+            swatches();
+        else if (!layer_.colour_by.empty() && info_.elements > 0)
+            ramp();
         if (info_.elements > 0) line(amount_text(info_), dim_text_colour);
         if (!info_.note.empty()) paragraph(QString::fromStdString(info_.note));
         return y_;
@@ -59,9 +81,26 @@ class Legend {
         if (painting_) painter_.drawText(room, Qt::TextWordWrap, text);
         y_ += std::min(taken.height(), room.height()) + 1;
     }
+    /// Of the names that occur.
+    void swatches() {
+        for (const auto& category : info_.categories) {
+            const QRectF row(inner_.left(), inner_.top() + y_, inner_.width(), line_height);
+            if (painting_) {
+                const auto& [red, green, blue] = category.colour;
+                painter_.fillRect(QRectF(row.left(), row.top() + 3, 11, 11), QColor(red, green, blue));
+                painter_.setPen(text_colour);
+                const QRectF room = row.adjusted(17, 0, 0, 0);
+                painter_.drawText(
+                    room, Qt::AlignLeft | Qt::AlignVCenter,
+                    QFontMetricsF(painter_.font())
+                        .elidedText(QString::fromStdString(category.label), Qt::ElideRight, room.width()));
+            }
+            y_ += line_height;
+        }
+    }
     void ramp() {
         const QRectF bar(inner_.left(), inner_.top() + y_ + 3, inner_.width(), bar_height);
-        if (painting_) paint_bar(bar);
+        if (painting_) paint_map(painter_, bar, layer_.colour_map);
         y_ += bar_height + 4;
         if (painting_) {
             const bool is_field = std::any_of(info_.fields.begin(), info_.fields.end(),
@@ -74,22 +113,6 @@ class Legend {
         }
         y_ += line_height;
     }
-    void paint_bar(const QRectF& bar) {
-        const auto& known = colour_map_names();
-        const bool is_known = std::find(known.begin(), known.end(), layer_.colour_map) != known.end();
-        const ColourMap& map = colour_map(is_known ? layer_.colour_map : "viridis");
-        QImage strip(int(map.size()), 1, QImage::Format_RGB32);
-        for (int i = 0; i < strip.width(); ++i) {
-            const auto& c = map[std::size_t(i)];
-            strip.setPixelColor(i, 0, QColor(c[0], c[1], c[2]));
-        }
-        painter_.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter_.drawImage(bar, strip);
-        painter_.setPen(QPen(QColor(0, 0, 0, 120), 1));
-        painter_.setBrush(Qt::NoBrush);
-        painter_.drawRect(bar);
-    }
-
     QPainter& painter_;
     const SpaceLayer& layer_;
     const LayerInfo& info_;
@@ -98,9 +121,53 @@ class Legend {
     bool painting_ = false;
 };
 
+/// In one line: label, colours and their meaning. Returns its height.
+double paint_line(QPainter& painter, const LayerInfo& info, const QRectF& row) {
+    painter.fillRect(row, badge_colour);
+    painter.setFont(small_font(painter, 11));
+    const QFontMetricsF metrics(painter.font());
+    double x = row.left() + padding;
+    const auto write = [&](const QString& text, const QColor& colour) {
+        const QString fitting = metrics.elidedText(text, Qt::ElideRight, row.right() - padding - x);
+        painter.setPen(colour);
+        painter.drawText(QRectF(x, row.top(), row.right() - x, row.height()),
+                         Qt::AlignLeft | Qt::AlignVCenter, fitting);
+        x += metrics.horizontalAdvance(fitting) + padding;
+    };
+    write(info.asked.colour_by.empty() ? QString::fromStdString(info.asked.label)
+                                       : colour_text(info.asked, info.fields),
+          text_colour);
+    for (const auto& category : info.categories) {
+        if (x > row.right() - 30) break;
+        const auto& [red, green, blue] = category.colour;
+        painter.fillRect(QRectF(x, row.center().y() - 5, 10, 10), QColor(red, green, blue));
+        x += 14;
+        write(QString::fromStdString(category.label), text_colour);
+    }
+    if (info.categories.empty() && !info.asked.colour_by.empty() && info.elements > 0 &&
+        info.asked.colour_by != SpaceLayer::facing) {
+        write(short_number(info.low), dim_text_colour);
+        const QRectF bar(x - 2, row.center().y() - 4, std::min(80.0, std::max(0.0, row.right() - x - 60)), 8);
+        paint_map(painter, bar, info.asked.colour_map);
+        x = bar.right() + 6;
+        write(short_number(info.high), dim_text_colour);
+    }
+    write(info.note.empty() ? amount_text(info) : QString::fromStdString(info.note),
+          info.note.empty() ? dim_text_colour : warning_colour);
+    return row.height();
+}
+
 }  // namespace
 
 void paint_legends(QPainter& painter, const OverlayState& state, const QRectF& area) {
+    if (area.width() < legend_width || area.height() < legend_height) {
+        double y = area.top();
+        for (const LayerInfo& info : state.layers) {
+            if (y > area.top() + area.height() / 4) return;
+            y += paint_line(painter, info, {area.left(), y, area.width(), line_height + 4});
+        }
+        return;
+    }
     const double width = std::min(max_width, area.width() - 2 * gap);
     double top = area.top() + gap;
     for (const LayerInfo& info : state.layers) {

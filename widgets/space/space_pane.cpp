@@ -8,8 +8,8 @@
 namespace ir::widgets {
 namespace {
 
-/// From here on (logical pixels) the panel leaves enough of the view.
-constexpr int roomy_width = 620;
+/// From here on (logical pixels) the panel leaves enough of the view; below, the window shows it elsewhere.
+constexpr int roomy_width = 1000;
 /// What the panel keeps of itself in the narrowest view, where it scrolls.
 constexpr int min_panel_width = 60;
 

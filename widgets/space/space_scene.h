@@ -72,8 +72,10 @@ struct LayerInfo {
     std::optional<std::uint64_t> passing = {};  ///< of those, how many pass the filters; absent: unknown
     double low = 0, high = 0;                   ///< range of the colours that was used
     double min = 0, max = 0;                    ///< of the field that colours, over the elements that pass
-    SpaceLayer asked = {};                      ///< what it was drawn for; SpaceView fills it in
-    std::optional<SpaceBox> bounds = {};        ///< metres; absent: unknown
+    /// Where the field that colours holds names: those that occur, and no colour map.
+    std::vector<Category> categories = {};
+    SpaceLayer asked = {};                ///< what it was drawn for; SpaceView fills it in
+    std::optional<SpaceBox> bounds = {};  ///< metres; absent: unknown
 };
 
 /// What the renderer drew, and what stands at each pixel.

@@ -79,7 +79,8 @@ std::vector<OutputDescription> explanation_outputs() {
          .kind = OutputKind::line_set,
          .unit = "m",
          .doc = "From the pixel's point to the sample that made each direction's horizon; without length "
-                "where found is 0. distance and contribution as for the horizons.",
+                "where there is none. distance and contribution as for the horizons.",
+         .categories = {{"found", {{0, "no horizon", tints::grey}, {1, "horizon", tints::orange}}}},
          .when_empty = no_surface,
          .explains = true},
         {.key = "hbao.explain.samples",
@@ -87,11 +88,15 @@ std::vector<OutputDescription> explanation_outputs() {
          .kind = OutputKind::point_set,
          .semantic = Semantic::position,
          .unit = "m",
-         .doc =
-             "What was looked at, direction by direction. role: 0 no surface, shown at the pixel's depth; 1 "
-             "not counted: beyond the radius, the pixel itself, or below the angle bias; 2 below the "
-             "horizon so far; 3 raises it. elevation: degrees above the plane across the line of sight; "
-             "taken: what the sample takes from the pixel's accessibility before the blur.",
+         .doc = "What was looked at, direction by direction. Without a surface it is shown at the pixel's "
+                "depth. Not counted is what lies beyond the radius or below the angle bias, and the pixel "
+                "itself. elevation: degrees above the plane across the line of sight; taken: what the sample "
+                "takes from the pixel's accessibility before the blur.",
+         .categories = {{"role",
+                         {{0, "no surface", tints::dark},
+                          {1, "not counted", tints::grey},
+                          {2, "below the horizon so far", tints::sky},
+                          {3, "raises the horizon", tints::orange}}}},
          .when_empty = no_surface,
          .explains = true},
     };

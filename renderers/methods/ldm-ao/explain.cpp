@@ -15,6 +15,14 @@ constexpr std::uint64_t expected_entries = 64;
 
 const std::string no_surface = "the pixel shows no surface";
 
+const Categories what_was_hit{
+    "hit",
+    {{-1, "below the surface, not asked", tints::dark}, {0, "miss", tints::sky}, {1, "hit", tints::orange}}};
+
+Categories yes_or_no(const std::string& field, const std::string& no, const std::string& yes) {
+    return {field, {{0, no, tints::grey}, {1, yes, tints::green}}};
+}
+
 /// Constants of explained.glsl.
 struct Explained {
     glm::ivec2 pixel;
@@ -105,19 +113,23 @@ std::vector<OutputDescription> explanation_outputs() {
          .label = "Hits by direction",
          .kind = OutputKind::sphere_values,
          .doc =
-             "What each of the 2N directions finds from the pixel's point. hit: 1 hit, 0 miss, -1 below the "
-             "surface, not asked. distance: metres to the hit, or to the largest distance or the scene's "
-             "end. contribution: what the direction adds to the pixel's accessibility of this frame. "
-             "own_found: 1 where the point's own entry was in the map.",
+             "What each of the 2N directions finds from the pixel's point. distance: metres to the hit, or to "
+             "the largest distance or the scene's end. contribution: what the direction adds to the pixel's "
+             "accessibility of this frame. own_found: whether the point's own entry was in the map.",
+         .categories = {what_was_hit, yes_or_no("own_found", "not found", "found")},
          .when_empty = no_surface,
          .explains = true},
         {.key = "ldm.explain.rays",
          .label = "Rays of the pixel",
          .kind = OutputKind::line_set,
          .unit = "m",
-         .doc = "One line per map: from the pixel's point along the direction above its surface to what it "
-                "hits, or to the largest distance or the scene's end. hit as for the directions; lines below "
-                "the surface have no length. side: 1 along the map's direction, -1 against it.",
+         .doc =
+             "One line per map: from the pixel's point along the direction above its surface to what it "
+             "hits, or to the largest distance or the scene's end. Lines below the surface have no length.",
+         .categories = {what_was_hit,
+                        {"side",
+                         {{-1, "against the map's direction", tints::orange},
+                          {1, "along the map's direction", tints::sky}}}},
          .when_empty = no_surface,
          .explains = true},
         {.key = "ldm.explain.entries",
@@ -126,8 +138,12 @@ std::vector<OutputDescription> explanation_outputs() {
          .semantic = Semantic::position,
          .unit = "m",
          .doc = "All depths at the texel that the map chosen is asked for the pixel's point. depth: metres "
-                "along the map's direction, from the point. layer: 0 is the first along that direction. "
-                "role: 0 none, 1 the point's own, 2 hit along the direction, 3 hit against it.",
+                "along the map's direction, from the point. layer: 0 is the first along that direction.",
+         .categories = {{"role",
+                         {{0, "none", tints::grey},
+                          {1, "the point's own", tints::green},
+                          {2, "hit along the direction", tints::orange},
+                          {3, "hit against it", tints::sky}}}},
          .when_empty = no_surface,
          .explains = true},
         {.key = "ldm.explain.walk",
@@ -135,10 +151,16 @@ std::vector<OutputDescription> explanation_outputs() {
          .kind = OutputKind::line_set,
          .unit = "m",
          .doc =
-             "From the pixel's point along (role 0) and against (role 1) the direction of the map chosen to "
-             "what is found there, or to the largest distance or the scene's end; hit says which. above: 1 "
-             "for the direction above the surface, which counts. Then (role 2) from entry to entry of the "
-             "texel, up to the one where a search from the front ends; step counts them.",
+             "From the pixel's point along and against the direction of the map chosen to what is found "
+             "there, or to the largest distance or the scene's end; hit says which. above: whether the "
+             "direction is above the surface, and counts. Then from entry to entry of the texel, up to the "
+             "one where a search from the front ends; step counts them.",
+         .categories = {{"role",
+                         {{0, "along the direction", tints::orange},
+                          {1, "against it", tints::sky},
+                          {2, "from entry to entry", tints::purple}}},
+                        what_was_hit,
+                        yes_or_no("above", "below the surface", "above, counts")},
          .when_empty = no_surface,
          .explains = true},
         {.key = "ldm.explain.texel",

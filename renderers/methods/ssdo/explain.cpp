@@ -6,10 +6,15 @@ namespace ir::methods::ssdo {
 namespace {
 
 const std::string no_surface = "the pixel shows no surface";
-const std::string roles =
-    "role: 0 outside of the picture; 1 open; 2 an occluder that sends light; 3 an occluder turned away; 4 an "
-    "occluder below the pixel's horizon; 5 one beyond the maximum distance. sent: W/(m² sr), RGB, what the "
-    "sample adds to the pixel's indirect light before the blur.";
+const Categories roles{"role",
+                       {{0, "outside of the picture", tints::dark},
+                        {1, "open", tints::sky},
+                        {2, "an occluder that sends light", tints::yellow},
+                        {3, "an occluder turned away", tints::vermilion},
+                        {4, "an occluder below the pixel's horizon", tints::purple},
+                        {5, "an occluder beyond the maximum distance", tints::grey}}};
+const std::string sent =
+    "sent: W/(m² sr), RGB, what the sample adds to the pixel's indirect light before the blur.";
 const std::string sky =
     " sky: likewise of the environment's light; with the density estimator by a step of another length along "
     "the same direction.";
@@ -73,8 +78,9 @@ std::vector<OutputDescription> explanation_outputs() {
          .kind = OutputKind::point_set,
          .semantic = Semantic::position,
          .unit = "m",
-         .doc = "Where the picked pixel's steps end, and what became of them. step: its length, m. " + roles +
+         .doc = "Where the picked pixel's steps end, and what became of them. step: its length, m. " + sent +
                 sky,
+         .categories = {roles},
          .when_empty = no_surface,
          .explains = true},
         {.key = "ssdo.explain.lines",
@@ -84,7 +90,8 @@ std::vector<OutputDescription> explanation_outputs() {
          .doc = "From the picked pixel's point to what occludes each sample, or along its step where nothing "
                 "does. pixel: where the sample ended in the picture, -1 outside. distance: m, from the "
                 "pixel's point to the occluder, 0 without one. " +
-                roles,
+                sent,
+         .categories = {roles},
          .when_empty = no_surface,
          .explains = true},
     };

@@ -21,6 +21,16 @@ gl::ImageShape map_shape() {
     return shape;
 }
 
+/// Tells lists of colours from each other.
+std::string name_of(const std::vector<Category>& categories) {
+    std::string name = "categories";
+    for (const auto& [value, label, colour] : categories) {
+        name += ' ' + std::to_string(value) + ':';
+        for (const auto part : colour) name += std::to_string(part) + ',';
+    }
+    return name;
+}
+
 std::vector<std::string> shaders_of(Primitive primitive) {
     switch (primitive) {
         case Primitive::lines:
@@ -123,11 +133,13 @@ LayerPainter::~LayerPainter() {
     for (const auto& [name, texture] : maps_) tools_.device.destroy_image(texture);
 }
 
-gl::Name LayerPainter::map_texture(const std::string& name) {
+gl::Name LayerPainter::map_texture(const LayerPlan& plan) {
+    const auto name = plan.categories.empty() ? plan.wanted.colour_map : name_of(plan.categories);
     const auto known = maps_.find(name);
     if (known != maps_.end()) return known->second;
+    const ColourMap colours = plan.categories.empty() ? colour_map(name) : step_map(plan.categories).colours;
     std::vector<glm::vec4> texels;
-    for (const auto& entry : colour_map(name))
+    for (const auto& entry : colours)
         texels.emplace_back(linear_from_srgb(entry[0] / 255.0f), linear_from_srgb(entry[1] / 255.0f),
                             linear_from_srgb(entry[2] / 255.0f), 1);
     const auto texture = tools_.device.create_image(map_shape(), "colour map " + name);
@@ -157,7 +169,7 @@ void LayerPainter::draw(const LayerPlan& plan, std::size_t index, const Sight& s
     if (plan.primitive == Primitive::points) return draw_points(plan, index, sight, target);
     const auto& gl = tools_.api;
     const auto& program = begin(plan, index, shaders_of(plan.primitive));
-    program.bind_texture("colour_map", map_texture(plan.wanted.colour_map));
+    program.bind_texture("colour_map", map_texture(plan));
     const auto count = static_cast<GLsizei>(plan.block.drawn);
     const auto samples = static_cast<float>(sight.pixel_samples);
     if (plan.primitive == Primitive::lines)
@@ -205,7 +217,7 @@ void LayerPainter::draw_points(const LayerPlan& plan, std::size_t index, const S
 
     const auto& program = begin(plan, index, {"lib/full_screen.vert", "passes/viewers/points.frag"});
     bind(program);
-    program.bind_texture("colour_map", map_texture(plan.wanted.colour_map));
+    program.bind_texture("colour_map", map_texture(plan));
     program.set(NearestPoints{points, samples});
     gl.DepthFunc(GL_ALWAYS);  // they have competed with what is there already
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -224,7 +236,7 @@ void LayerPainter::draw_sphere(const LayerPlan& plan, std::size_t index, const S
     gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 
     const auto& program = begin(plan, index, {"lib/full_screen.vert", "passes/viewers/sphere.frag"});
-    program.bind_texture("colour_map", map_texture(plan.wanted.colour_map));
+    program.bind_texture("colour_map", map_texture(plan));
     program.bind_texture("regions", regions);
     // of a sphere at the middle of the picture; regions cover it twice, in front and behind
     const auto& clip_from_view = sight.view.clip_from_view;
@@ -261,7 +273,7 @@ void LayerPainter::mark(const LayerPlan& plan, std::size_t index, const Sight& s
                    .mark_colour = {},
                    .own_colour = false};
     const bool is_line = plan.primitive == Primitive::lines;
-    if (is_line) program.bind_texture("colour_map", map_texture(plan.wanted.colour_map));
+    if (is_line) program.bind_texture("colour_map", map_texture(plan));
     const auto band = [&](float width_px, glm::vec3 colour, bool own_colour) {
         constants.band_px = samples * width_px;
         constants.mark_colour = colour;

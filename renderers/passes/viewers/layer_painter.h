@@ -30,7 +30,7 @@ class LayerPainter {
     void mark(const LayerPlan& plan, std::size_t index, const Sight& sight);
 
   private:
-    gl::Name map_texture(const std::string& name);
+    gl::Name map_texture(const LayerPlan& plan);
     const gl::Program& begin(const LayerPlan& plan, std::size_t index, std::vector<std::string> files);
     void draw_points(const LayerPlan& plan, std::size_t index, const Sight& sight, const Target& target);
     void draw_sphere(const LayerPlan& plan, std::size_t index, const Sight& sight, Target& target,

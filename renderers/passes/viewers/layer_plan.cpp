@@ -18,9 +18,9 @@ constexpr std::uint64_t most_drawn = 200'000'000;
 /// Software drivers end loops silently after 65,535 iterations, and one texel may have to look at all.
 constexpr std::uint64_t max_regions = 32'768;
 
-/// Colours of layers in one colour, sRGB: told apart with any colour vision, and on grey. [Okabe08]
-constexpr std::array<std::array<int, 3>, 6> layer_colours{
-    {{230, 159, 0}, {86, 180, 233}, {0, 158, 115}, {240, 228, 66}, {213, 94, 0}, {204, 121, 167}}};
+/// Of layers in one colour.
+constexpr std::array layer_colours{tints::orange, tints::sky,       tints::green,
+                                   tints::yellow, tints::vermilion, tints::purple};
 
 struct Place {
     std::int32_t offset = -1;
@@ -122,7 +122,7 @@ bool place_fields(LayerPlan& plan, const std::vector<Field>& fields) {
 
 void choose_colour(LayerPlan& plan, const std::vector<Field>& fields, std::size_t index) {
     const auto& srgb = layer_colours[index % layer_colours.size()];
-    const auto linear = [&](std::size_t c) { return linear_from_srgb(static_cast<float>(srgb[c]) / 255.0f); };
+    const auto linear = [&](std::size_t c) { return linear_from_srgb(srgb[c] / 255.0f); };
     plan.block.red = linear(0);
     plan.block.green = linear(1);
     plan.block.blue = linear(2);
@@ -253,6 +253,8 @@ LayerPlan plan_layer(const Layer& layer, const std::optional<graph::DeviceBuffer
     block.size_px = std::isfinite(layer.size_px) ? std::clamp(layer.size_px, 1.0f, 64.0f) : 3.0f;
     choose_step(plan, max_elements);
     choose_colour(plan, fields, index);
+    if (plan.block.colour_mode == ColourMode::field)
+        plan.categories = categories_of(buffer->desc.text.categories, layer.colour_by);
     choose_filters(plan, fields);
     choose_map(plan);
     return plan;

@@ -49,6 +49,7 @@ struct LayerPlan {
     bool has_own_space = false;  ///< stands apart from the scene
     Primitive primitive = Primitive::points;
     FieldType colour_type = FieldType::f32;
+    std::vector<Category> categories;  ///< of the field that colours, where its numbers are names
     LayerBlock block;
     gl::Name buffer = 0;
 };

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <span>
 
+#include "renderers/image/colour_map.h"
 #include "renderers/passes/viewers/layer_painter.h"
 
 namespace ir::passes::viewers {
@@ -11,7 +12,8 @@ namespace {
 
 /// As block Measure of shaders/passes/viewers/measure.comp, padded to every driver's alignment of bindings.
 struct Measure {
-    std::uint32_t min = 0xffffffffu, max = 0, count = 0, unused = 0;
+    std::uint32_t min = 0xffffffffu, max = 0, count = 0;
+    std::uint32_t numbers = 0;  ///< bit n: a whole number that is n modulo 32 occurs
     std::uint32_t lowest[3] = {0xffffffffu, 0xffffffffu, 0xffffffffu}, highest[3] = {0, 0, 0};
     std::uint32_t padding[54] = {};
 };
@@ -43,6 +45,14 @@ void set_range(LayerPlan& plan, const Measure& measure) {
     if (plan.block.colour_mode == ColourMode::facing) {  // both sides keep their colours, also alone
         plan.drawn.low = usable(plan.wanted.low, -1);
         plan.drawn.high = usable(plan.wanted.high, 1);
+    }
+    if (!plan.categories.empty()) {
+        const auto steps = step_map(plan.categories);
+        plan.drawn.low = steps.low;
+        plan.drawn.high = steps.high;
+        for (const auto& category : plan.categories)
+            if (measure.numbers >> (static_cast<std::uint32_t>(category.value) & 31u) & 1u)
+                plan.drawn.categories.push_back(category);
     }
     plan.block.low = static_cast<float>(plan.drawn.low);
     plan.block.high = static_cast<float>(plan.drawn.high);

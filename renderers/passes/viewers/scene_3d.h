@@ -76,6 +76,8 @@ struct DrawnLayer {
     std::uint64_t passing = 0;   ///< of those, how many have a place and pass the filters: they are drawn
     double low = 0, high = 0;    ///< range of the colours that was used
     double min = 0, max = 0;     ///< of the field that colours, over all elements that pass the filters
+    /// Where that field's numbers are names: those that occur; their colours count, and no colour map.
+    std::vector<Category> categories = {};
 };
 
 /// The picture and what stands at each of its pixels.

@@ -4,6 +4,7 @@
 #include "renderers/scene/gltf/materials.h"
 #include "renderers/scene/gltf/nodes.h"
 #include "renderers/scene/gltf/primitives.h"
+#include "renderers/scene/opening_camera.h"
 #include "renderers/scene/scene.h"
 
 namespace ir::scene {
@@ -29,8 +30,7 @@ Scene load_gltf(const std::string& file) {
     gltf::load_animations(document, scene, nodes);
     gltf::load_cameras(document, scene, nodes);
     gltf::load_lights(document, scene, nodes);
-    const auto bounds = bounds_of(scene, 0);
-    if (scene.cameras.empty()) scene.cameras.push_back(framing_camera(bounds));
+    if (scene.cameras.empty()) scene.cameras.push_back(opening_camera(scene));
     if (scene.instanced_triangles() == 0) document.warnings.add("the scene draws no triangles");
     scene.warnings = std::move(document.warnings.messages);
     return scene;

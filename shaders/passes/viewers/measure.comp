@@ -5,13 +5,14 @@ layout(local_size_x = 256) in;
 
 // Least and most as keys: unsigned numbers in the order of what they stand for.
 layout(std430) buffer Measure {
-    uint min, max, count, unused;
+    uint min, max, count;
+    uint numbers;  // bit n: a whole number that is n modulo 32 occurs
     uint lowest[3], highest[3];
 } measure;
 
 uniform uint elements_per_invocation;
 
-shared uint group_min, group_max, group_count, group_lowest[3], group_highest[3];
+shared uint group_min, group_max, group_count, group_numbers, group_lowest[3], group_highest[3];
 
 uint key_of(float x) {
     uint bits = floatBitsToUint(x);
@@ -49,14 +50,14 @@ bool extent(uint base, out vec3 centre_ws, out vec3 half_size) {
 void main() {
     if (gl_LocalInvocationIndex == 0u) {
         group_min = 0xffffffffu;
-        group_max = group_count = 0u;
+        group_max = group_count = group_numbers = 0u;
         for (int c = 0; c < 3; ++c) {
             group_lowest[c] = 0xffffffffu;
             group_highest[c] = 0u;
         }
     }
     barrier();
-    uint least = 0xffffffffu, most = 0u, count = 0u;
+    uint least = 0xffffffffu, most = 0u, count = 0u, numbers = 0u;
     vec3 lowest = vec3(uintBitsToFloat(0x7f7fffffu)), highest = -lowest;
     uint first = gl_WorkGroupID.x * gl_WorkGroupSize.x * elements_per_invocation + gl_LocalInvocationIndex;
     for (uint k = 0u; k < elements_per_invocation; ++k) {
@@ -74,11 +75,13 @@ void main() {
         if (!counts) continue;
         least = min(least, key);
         most = max(most, key);
+        numbers |= 1u << (uint(int(round(colour_number(base, centre_ws)))) & 31u);
     }
     if (count > 0u) {
         atomicAdd(group_count, count);
         atomicMin(group_min, least);
         atomicMax(group_max, most);
+        atomicOr(group_numbers, numbers);
         for (int c = 0; c < 3; ++c) {
             atomicMin(group_lowest[c], key_of(lowest[c]));
             atomicMax(group_highest[c], key_of(highest[c]));
@@ -89,6 +92,7 @@ void main() {
     atomicAdd(measure.count, group_count);
     atomicMin(measure.min, group_min);
     atomicMax(measure.max, group_max);
+    atomicOr(measure.numbers, group_numbers);
     for (int c = 0; c < 3; ++c) {
         atomicMin(measure.lowest[c], group_lowest[c]);
         atomicMax(measure.highest[c], group_highest[c]);

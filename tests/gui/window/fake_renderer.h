@@ -174,6 +174,7 @@ class FakeRenderer final : public Renderer {
             summary.camera_values[1].eye = {5, 0, 0};
             summary.nodes = {{"box", -1, 12}};
             summary.triangles = 12;
+            summary.is_lit = scene_is_lit;
             summary.bounds = {{-1, -1, -1}, {1, 1, 1}};
             emit scene_arrived(summary);
         });
@@ -349,7 +350,8 @@ class FakeRenderer final : public Renderer {
     bool hold = false, hold_views = false;
     bool finds_none = false, shows_surface = true;  ///< of what explains a pixel; of every pixel
     bool halves_rough = false;                      ///< the first stage has half the size
-    std::string failure;                            ///< of every request from now on
+    bool scene_is_lit = true;
+    std::string failure;  ///< of every request from now on
     int cancels = 0;
 };
 

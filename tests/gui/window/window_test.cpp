@@ -9,6 +9,7 @@
 #include <QProgressBar>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
@@ -20,6 +21,7 @@
 #include "projects/lock.h"
 #include "renderers/core/error.h"
 #include "tests/gui/window/window_fixture.h"
+#include "widgets/space/layer_panel.h"
 
 namespace ir::gui {
 namespace {
@@ -79,6 +81,58 @@ TEST_F(WindowTest, AnOrbitIsOneEditOfTheCamera) {
     window.action("undo")->trigger();
     window.action("undo")->trigger();
     EXPECT_TRUE(window.session().document().cameras.empty());
+}
+
+TEST_F(WindowTest, OffersALightWhereTheSceneHasNone) {
+    renderer.scene_is_lit = false;
+    open_scene();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.banners().text("light").isEmpty(); }, 5000));
+    const auto before = window.session().open_project().undo_stack().position();
+    auto* banner = window.banners().findChild<QWidget*>("banner:light");
+    ASSERT_NE(banner, nullptr);
+    QTest::mouseClick(banner->findChild<QPushButton*>(), Qt::LeftButton);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.session().open_project().undo_stack().position(), before + 1);
+    const auto& document = window.session().document();
+    ASSERT_EQ(document.lights.size(), 1u);
+    EXPECT_EQ(window.session().experiment()->lights, document.lights[0].id) << "applied at once";
+    ASSERT_EQ(document.lights[0].lights.size(), 1u);
+    EXPECT_GT(document.lights[0].lights[0].intensity(), 0);
+    EXPECT_TRUE(renderer.requests.back().experiment.replace_lights);
+    EXPECT_TRUE(window.banners().text("light").isEmpty());
+    window.action("undo")->trigger();
+    EXPECT_TRUE(window.session().document().lights.empty());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.banners().text("light").isEmpty(); }, 5000));
+}
+
+TEST_F(WindowTest, ShowsTheNotesOfTheProjectAboveTheViews) {
+    open_scene();
+    auto* strip = window.findChild<widgets::NotesStrip*>();
+    EXPECT_TRUE(strip->isHidden());
+    window.session().edit(
+        [&](const projects::Project& project) { return projects::edits::set_notes(project, "Figure 9"); });
+    EXPECT_FALSE(strip->isHidden());
+    EXPECT_EQ(strip->isAncestorOf(window.focusWidget()), false);
+}
+
+TEST_F(WindowTest, LinkedViewsShareTheExposureThatNobodyChose) {
+    open_scene();
+    add_second_experiment(0.01);
+    trigger("views-2");
+    const auto first = window.session().experiment()->id;
+    const auto other = window.session().document().experiments[1].id;
+    auto states = std::array{window.views().state(0), window.views().state(1)};
+    states[0].a = {first, {}};
+    states[1].a = {other, {}};
+    for (int view = 0; view < 2; ++view) window.views().set_state(view, states[std::size_t(view)]);
+    ASSERT_TRUE(settle());
+    const auto exposure = [&](int view) {
+        return window.workspace().pane(view)->compare().compared().shown_display(0).exposure;
+    };
+    EXPECT_EQ(exposure(0), exposure(1)) << "else brightness could not be compared";
+    window.views().set_linked(false);
+    ASSERT_TRUE(settle());
+    EXPECT_GT(exposure(1), exposure(0)) << "the darker picture by itself";
 }
 
 TEST_F(WindowTest, ChangesThatDoNotTouchThePictureRenderNothing) {
@@ -229,7 +283,33 @@ TEST_F(WindowTest, DocksUndockAndRedockAndTheDefaultLayoutComesBack) {
     }
     window.action("layout-default")->trigger();
     QApplication::processEvents();
-    for (auto* dock : docks) EXPECT_FALSE(dock->isHidden()) << dock->objectName().toStdString();
+    const QStringList quiet{"messages", "results", "plots", "timeline", "benchmarks"};
+    for (auto* dock : docks)
+        EXPECT_EQ(dock->isHidden(), quiet.contains(dock->objectName())) << dock->objectName().toStdString();
+    window.action("dock-messages")->trigger();
+    QApplication::processEvents();
+    EXPECT_FALSE(window.findChild<QDockWidget*>("messages")->visibleRegion().isEmpty());
+}
+
+TEST_F(WindowTest, DisplayFollowsTheActiveViewIntoSpaceAndTables) {
+    open_scene();
+    auto* dock = qobject_cast<QStackedWidget*>(window.findChild<QDockWidget*>("display")->widget());
+    ASSERT_NE(dock, nullptr);
+    EXPECT_NE(qobject_cast<widgets::DisplayPanel*>(dock->currentWidget()), nullptr);
+    window.views().show_output("cloud");
+    ASSERT_TRUE(settle());
+    auto* layers = qobject_cast<widgets::LayerPanel*>(dock->currentWidget());
+    ASSERT_NE(layers, nullptr);
+    ASSERT_EQ(layers->layers().size(), 1u);
+    EXPECT_EQ(layers->layers()[0].key, "cloud");
+    auto changed = layers->layers();
+    changed[0].size_px = 9;
+    emit layers->layers_chosen(changed);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window.views().active_state().space.layers[0].size_px, 9);
+    EXPECT_EQ(window.workspace().active_pane().space().view().scene().layers[0].size_px, 9);
+    trigger("buffer-main");
+    EXPECT_NE(qobject_cast<widgets::DisplayPanel*>(dock->currentWidget()), nullptr);
 }
 
 TEST_F(WindowTest, LayoutsAreNamed) {

@@ -86,4 +86,18 @@ TEST(ColourMap, SrgbTransferFunctions) {
 }
 
 }  // namespace
+TEST(StepMap, HasAStepForEachNumber) {
+    const auto map =
+        step_map({{-1, "below", tints::dark}, {1, "hit", tints::orange}, {4, "far", tints::sky}});
+    EXPECT_EQ(map.low, -1.5);
+    EXPECT_EQ(map.high, 4.5);
+    const auto colour = [&](double number) {
+        return map.colours[std::size_t((number - map.low) / (map.high - map.low) * 255 + 0.5)];
+    };
+    EXPECT_EQ(colour(-1), tints::dark);
+    EXPECT_EQ(colour(1), tints::orange);
+    EXPECT_EQ(colour(4), tints::sky);
+    EXPECT_EQ(colour(2.5), colour_without_name);
+}
+
 }  // namespace ir

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "renderers/scene/opening_camera.h"
+
 namespace {
 
 using namespace ir;

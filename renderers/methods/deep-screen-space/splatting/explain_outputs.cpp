@@ -5,11 +5,15 @@ namespace {
 
 const std::string no_surface = "the pixel shows no surface";
 
-const std::string outcomes =
-    "1 the pixel's point lies in no shell of the level; 2 the ray misses the disc; 3 met beyond the maximum "
-    "distance; 4 not counted, as the surfel's centre is not above the plane of the pixel's own triangle; 5 "
-    "met, but something is nearer on this level; 6 nearest on its level, but another level decides; 7 what "
-    "the ray met";
+/// By SplatOutcome.
+const std::vector<Category> outcomes{{0, "does not cover the pixel", tints::dark},
+                                     {1, "the pixel's point lies in no shell of the level", tints::grey},
+                                     {2, "the ray misses the disc", tints::sky},
+                                     {3, "met beyond the maximum distance", tints::blue},
+                                     {4, "below the plane of the pixel's own triangle", tints::purple},
+                                     {5, "met, something is nearer on this level", tints::yellow},
+                                     {6, "nearest on its level, another level decides", tints::vermilion},
+                                     {7, "what the ray met", tints::green}};
 
 }  // namespace
 
@@ -20,9 +24,9 @@ std::vector<OutputDescription> explanation_outputs() {
          .kind = OutputKind::glyphs,
          .doc = "Discs, as large as they were tested, of surfels that were splatted onto the pixel; found by "
                 "a search over all surfels, and those of outcome 1 left out. surfel: 1 + index; sample, "
-                "level: where it was splatted; shell: which its disc was enlarged for. outcome: " +
-                outcomes +
-                ". distance: m along the ray to the disc's plane; z: what the depth test compares.",
+                "level: where it was splatted; shell: which its disc was enlarged for. "
+                "distance: m along the ray to the disc's plane; z: what the depth test compares.",
+         .categories = {{"outcome", outcomes}},
          .when_empty = no_surface,
          .explains = true},
         {.key = "splats.explain.levels",
@@ -52,8 +56,8 @@ std::vector<OutputDescription> explanation_outputs() {
          .kind = OutputKind::stack,
          .doc =
              "What became of the chosen surfel's splat on each pixel, a layer per level; of all samples the "
-             "outcome that went farthest. 0: its splat does not cover the pixel; " +
-             outcomes + ".",
+             "outcome that went farthest.",
+         .categories = {{"", outcomes}},
          .explains = true},
     };
     for (auto& output : outputs) output.active_when = {"visibility", {true}};

@@ -13,8 +13,17 @@ std::vector<OutputDescription> of_samples() {
          .label = "Level of the hit",
          .kind = OutputKind::stack,
          .doc = "The level of the hierarchical framebuffer whose hit decided: the finest that has one, or "
-                "with estimated influence that of the nearest hit. It is the one that counts; -1: none. A "
-                "layer per sample."},
+                "with estimated influence that of the nearest hit. It is the one that counts. A layer per "
+                "sample.",
+         .categories = {{"",
+                         {{-1, "no hit", tints::dark},
+                          {0, "finest level", tints::yellow},
+                          {1, "level 1", tints::orange},
+                          {2, "level 2", tints::vermilion},
+                          {3, "level 3", tints::purple},
+                          {4, "level 4", tints::blue},
+                          {5, "level 5", tints::sky},
+                          {6, "level 6", tints::green}}}}},
         {.key = "splats.nearest",
          .label = "Surfels that were hit",
          .kind = OutputKind::stack,

@@ -1,5 +1,6 @@
 #include "renderers/methods/ldm-indirect/splatting.h"
 
+#include "renderers/methods/ldm-indirect/sides.h"
 #include "renderers/passes/direct/direct_light.h"
 
 namespace ir::methods::ldm_indirect {
@@ -31,46 +32,52 @@ std::vector<OutputDescription> pictures() {
 const std::string no_surface = "the pixel shows no surface";
 
 std::vector<OutputDescription> explanations() {
-    return {{.key = "indirect.explain.photons",
-             .label = "Photons that light the pixel",
-             .kind = OutputKind::glyphs,
-             .unit = "m",
-             .doc = "Footprints, as splatted, that cover the picked pixel's point, the largest contribution "
-                    "first. contribution: RGB, W/m², to the splatted irradiance. flux: W. map, side: what "
-                    "direction it came along (side 1: with the map's, -1: against it; 0: directly from the "
-                    "light, map 65535). source: texel of the lights' images. path_length: m, from the light. "
-                    "distance: m, from the pixel's point to the footprint's middle. photon: its place in the "
-                    "photon buffer.",
-             .when_empty = no_surface,
-             .explains = true},
-            {.key = "indirect.explain.sum",
-             .label = "Sum of the photons against the pixel",
-             .kind = OutputKind::table,
-             .unit = "W/m²",
-             .doc = "gathered: the sum of what the photons above contribute, found by a search through the "
-                    "whole photon buffer, by eq. 7 as printed; direct: the part that came directly from the "
-                    "lights; pixel: the splatted irradiance; difference: pixel less gathered, which is "
-                    "rounding.",
-             .when_empty = no_surface,
-             .explains = true},
-            {.key = "indirect.explain.directions",
-             .label = "Light by direction",
-             .kind = OutputKind::sphere_values,
-             .unit = "W/m²",
-             .doc = "What each of the 2N directions adds to the picked pixel. centre: where its light comes "
-                    "from. contribution: RGB, W/m²; luminance: the same as one number; photons: how many. "
-                    "map, side: as of the photons; light that comes directly is not in it.",
-             .when_empty = no_surface,
-             .explains = true},
-            {.key = "indirect.explain.paths",
-             .label = "Paths of the photons",
-             .kind = OutputKind::line_set,
-             .unit = "m",
-             .doc = "leg 0: from the light to where a photon was split; leg 1: from there to its footprint's "
-                    "middle. Photons that came directly have leg 0 alone. The point in between follows from "
-                    "length and direction. contribution, map, side and photon as of the photons.",
-             .when_empty = no_surface,
-             .explains = true}};
+    return {
+        {.key = "indirect.explain.photons",
+         .label = "Photons that light the pixel",
+         .kind = OutputKind::glyphs,
+         .unit = "m",
+         .doc =
+             "Footprints, as splatted, that cover the picked pixel's point, the largest contribution "
+             "first. contribution: RGB, W/m², to the splatted irradiance. flux: W. map, side: what "
+             "direction it came along; directly from the light, the map is 65535. source: texel of the lights' images. path_length: m, from the light. "
+             "distance: m, from the pixel's point to the footprint's middle. photon: its place in the "
+             "photon buffer.",
+         .categories = {side_categories()},
+         .when_empty = no_surface,
+         .explains = true},
+        {.key = "indirect.explain.sum",
+         .label = "Sum of the photons against the pixel",
+         .kind = OutputKind::table,
+         .unit = "W/m²",
+         .doc = "gathered: the sum of what the photons above contribute, found by a search through the "
+                "whole photon buffer, by eq. 7 as printed; direct: the part that came directly from the "
+                "lights; pixel: the splatted irradiance; difference: pixel less gathered, which is "
+                "rounding.",
+         .when_empty = no_surface,
+         .explains = true},
+        {.key = "indirect.explain.directions",
+         .label = "Light by direction",
+         .kind = OutputKind::sphere_values,
+         .unit = "W/m²",
+         .doc = "What each of the 2N directions adds to the picked pixel. centre: where its light comes "
+                "from. contribution: RGB, W/m²; luminance: the same as one number; photons: how many. "
+                "map, side: as of the photons; light that comes directly is not in it.",
+         .categories = {side_categories()},
+         .when_empty = no_surface,
+         .explains = true},
+        {.key = "indirect.explain.paths",
+         .label = "Paths of the photons",
+         .kind = OutputKind::line_set,
+         .unit = "m",
+         .doc = "Photons that came directly have the first leg alone. The point in between follows from "
+                "length and direction. contribution, map, side and photon as of the photons.",
+         .categories = {{"leg",
+                         {{0, "from the light to where a photon was split", tints::yellow},
+                          {1, "from there to its footprint", tints::sky}}},
+                        side_categories()},
+         .when_empty = no_surface,
+         .explains = true}};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "renderers/methods/ldm-indirect/tracing/views.h"
 
 #include "renderers/gl/dispatch_items.h"
+#include "renderers/methods/ldm-indirect/sides.h"
 #include "renderers/passes/scan/scan.h"
 
 namespace ir::methods::ldm_indirect {
@@ -130,8 +131,11 @@ std::vector<OutputDescription> view_outputs() {
          .kind = OutputKind::glyphs,
          .unit = "m",
          .doc = "The stored photons with their differentials, before splatting scales and limits them. "
-                "map and side: the direction that they came along, 1 the map's own, -1 the opposite. "
-                "direct: 1 where they came from the light itself. flux: W. path_length: m from the light.",
+                "map and side: the direction that they came along. flux: W. path_length: m from the light.",
+         .categories = {side_categories(),
+                        {"direct",
+                         {{0, "by way of a surface", tints::sky},
+                          {1, "from the light itself", tints::yellow}}}},
          .explains = true}};
 }
 

@@ -178,8 +178,10 @@ std::vector<OutputDescription> view_outputs() {
          .semantic = Semantic::position,
          .doc = "The emission set of the map chosen in the unit square, upright, before (warp 0) and after "
                 "each step of warping: horizontally (odd) and vertically (even) in turns, from the whole map "
-                "to texels. All steps stand side by side, maps below each other. survives: 1 where a photon "
-                "leaves. probability: of the texel that the point comes to.",
+                "to texels. All steps stand side by side, maps below each other. probability: of the texel "
+                "that the point comes to.",
+         .categories = {{"survives",
+                         {{0, "the roulette ends it", tints::sky}, {1, "a photon leaves", tints::orange}}}},
          .explains = true,
          .active_when = from_rsm()},
         {.key = "emission.points",

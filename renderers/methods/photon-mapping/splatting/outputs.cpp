@@ -1,5 +1,5 @@
-
-#include <stdexcept>
+#include "renderers/methods/photon-mapping/bounces.h"
+#include "renderers/methods/photon-mapping/splatting.h"
 
 namespace ir::methods::photon_mapping {
 
@@ -32,8 +32,8 @@ std::vector<OutputDescription> splatting_outputs() {
         {.key = "photons.overlay",
          .label = "Photons over the picture",
          .semantic = Semantic::albedo,
-         .doc = "A dot for each photon that is seen, over the scene in grey: red, green and blue for the "
-                "bounces 1, 2 and 3, then yellow, magenta, cyan, orange and white."},
+         .doc = "A dot for each photon that is seen, over the scene in grey, in the colour of its bounce.",
+         .categories = {bounce_categories("")}},
         {.key = "splat.explain.photons",
          .label = "Photons that light the pixel",
          .kind = OutputKind::glyphs,
@@ -42,6 +42,7 @@ std::vector<OutputDescription> splatting_outputs() {
                 "contribution: RGB, W/m², to the unfiltered irradiance. power: W. distance: from the surface "
                 "to the photon, m. radius: of the kernel across the light, m. photon: its place in the "
                 "photon buffer.",
+         .categories = {bounce_categories("bounce")},
          .when_empty = "no kernel covers the texel in this frame: the light there comes from neighbours and "
                        "earlier frames, by filtering",
          .explains = true},

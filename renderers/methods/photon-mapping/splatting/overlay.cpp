@@ -1,8 +1,11 @@
 #include "renderers/methods/photon-mapping/splatting/overlay.h"
 
 #include <algorithm>
+#include <array>
 
 #include "renderers/graph/pass_context.h"
+#include "renderers/image/colour_map.h"
+#include "renderers/methods/photon-mapping/bounces.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
 
 namespace ir::methods::photon_mapping {
@@ -21,8 +24,19 @@ struct MarkPhotons {
 /// Constants of overlay.frag.
 struct Overlay {
     glm::vec3 view_axis_ws;
-    IR_FIELDS(view_axis_ws)
+    std::array<glm::vec4, 8> bounce_colours;
+    IR_FIELDS(view_axis_ws, bounce_colours)
 };
+
+/// Linear, from the first bounce on.
+std::array<glm::vec4, 8> bounce_colours() {
+    std::array<glm::vec4, 8> colours{};
+    const auto named = bounce_categories("").values;
+    for (std::size_t i = 0; i < colours.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            colours[i][c] = linear_from_srgb(named.at(i).colour[static_cast<std::size_t>(c)] / 255.0f);
+    return colours;
+}
 
 void mark_dots(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons,
                graph::ImageRef dots) {
@@ -56,8 +70,9 @@ void draw_overlay(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
     builder.pass("photons over the picture")
         .reads("dots", dots)
         .reads(gbuffer.albedo, gbuffer.normal)
-        .draw({{"methods/photon-mapping/splatting/overlay.frag"}}, overlay,
-              Overlay{-glm::vec3(glm::transpose(builder.inputs().view.view_from_world)[2])});
+        .draw(
+            {{"methods/photon-mapping/splatting/overlay.frag"}}, overlay,
+            Overlay{-glm::vec3(glm::transpose(builder.inputs().view.view_from_world)[2]), bounce_colours()});
 }
 
 }  // namespace ir::methods::photon_mapping

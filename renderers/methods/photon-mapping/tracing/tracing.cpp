@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderers/methods/photon-mapping/bounces.h"
 #include "renderers/methods/photon-mapping/compute_items.h"
 #include "renderers/methods/photon-mapping/records.h"
 #include "renderers/methods/photon-mapping/tracing/wavefront.h"
@@ -113,9 +114,10 @@ std::vector<OutputDescription> tracing_outputs() {
          .unit = "m",
          .doc =
              "All photons that are stored. normal: of the triangle, on the side that was hit. direction: to "
-             "where the photon came from. power: W, red, green and blue. bounce: from 1. ray_length: metres "
+             "where the photon came from. power: W, red, green and blue. ray_length: metres "
              "since the last scattering. light: number of the light source. seed: the low 20 bits of the "
              "sample point's seed; photons of one seed share their path.",
+         .categories = {bounce_categories("bounce")},
          .explains = true},
         {.key = "photons.tally",
          .label = "Photons by bounce",

@@ -4,12 +4,9 @@ uniform sampler2D gbuffer_albedo;
 uniform sampler2D gbuffer_normal;
 
 uniform vec3 view_axis_ws;
+uniform vec4 bounce_colours[8];
 
 layout(location = 0) out vec4 out_colour;
-
-/// Red, green and blue for the first three bounces, as published; then yellow, magenta, cyan, orange, white.
-const vec3 bounce_colours[8] = vec3[8](vec3(1, 0.05, 0.05), vec3(0.05, 1, 0.05), vec3(0.1, 0.2, 1), vec3(1, 0.9, 0.05),
-                                       vec3(1, 0.1, 1), vec3(0.05, 1, 1), vec3(1, 0.4, 0.02), vec3(1));
 
 float grey(ivec2 pixel) {
     float luminance = dot(texelFetch(gbuffer_albedo, pixel, 0).rgb, vec3(0.2126, 0.7152, 0.0722));
@@ -20,5 +17,5 @@ float grey(ivec2 pixel) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     uint bounce = texelFetch(dots, pixel, 0).r & 15u;
-    out_colour = vec4(bounce > 0u ? bounce_colours[(bounce - 1u) % 8u] : vec3(grey(pixel)), 1);
+    out_colour = vec4(bounce > 0u ? bounce_colours[(bounce - 1u) % 8u].rgb : vec3(grey(pixel)), 1);
 }

@@ -14,6 +14,7 @@
 #include <QTreeWidget>
 
 #include "widgets/panels/messages_panel.h"
+#include "widgets/panels/notes_strip.h"
 #include "widgets/panels/project_card.h"
 #include "widgets/panels/shortcuts_dialog.h"
 #include "widgets/panels/welcome_page.h"
@@ -99,8 +100,8 @@ class WelcomeTest : public testing::Test {
         page.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&page));
     }
-    ProjectCard* card(const QString& name) {
-        for (auto* card : page.findChildren<ProjectCard*>())
+    QAbstractButton* card(const QString& name) {
+        for (auto* card : page.findChildren<QAbstractButton*>())
             if (card->text() == name && card->isVisible()) return card;
         return nullptr;
     }
@@ -108,7 +109,7 @@ class WelcomeTest : public testing::Test {
 };
 
 TEST_F(WelcomeTest, OpensSamplesAndRecentProjects) {
-    page.set_samples({{"/samples/atrium.interreflect", "Atrium", "Figure 7", QImage()}});
+    page.set_samples({{"/samples/atrium.interreflect", "Atrium", "Figure 7", QImage(), "Paper", 2}});
     page.set_recent({{"/home/kitchen.interreflect", "", QDateTime::currentDateTime(), QImage(), false},
                      {"/home/lost.interreflect", "Lost", QDateTime(), QImage(), true}});
     QApplication::processEvents();
@@ -160,6 +161,50 @@ TEST_F(WelcomeTest, StartsByButtonAndKeyboard) {
     EXPECT_EQ(fresh.count(), 1);
     EXPECT_EQ(open.count(), 1);
     EXPECT_EQ(scene.count(), 1);
+}
+
+TEST_F(WelcomeTest, FindsSamplesByTheirWordsAndWalksThemByArrows) {
+    page.set_samples({{"/ao.interreflect", "Occlusion", "of a hairball", QImage(), "Maps", 1.2},
+                      {"/gi.interreflect", "Indirect light", "of an atrium", QImage(), "Maps", 0},
+                      {"/photons.interreflect", "Photons", "in an atrium", QImage(), "Photons", 70}});
+    auto* search = page.findChild<QLineEdit*>("search");
+    QTest::keyClicks(search, "atrium");
+    EXPECT_EQ(card("Occlusion"), nullptr);
+    EXPECT_NE(card("Indirect light"), nullptr);
+    QTest::keyClicks(search, " photons");
+    EXPECT_EQ(card("Indirect light"), nullptr) << "all words, also of the heading";
+    const QSignalSpy chosen(&page, &WelcomePage::project_chosen);
+    QTest::keyClick(search, Qt::Key_Return);
+    ASSERT_EQ(chosen.count(), 1);
+    EXPECT_EQ(chosen[0][0].toString(), "/photons.interreflect");
+    search->clear();
+    QApplication::processEvents();
+    page.activateWindow();
+    search->setFocus();
+    QTest::keyClick(search, Qt::Key_Down);
+    EXPECT_EQ(page.focusWidget(), card("Occlusion"));
+    QTest::keyClick(page.focusWidget(), Qt::Key_Right);
+    EXPECT_EQ(page.focusWidget(), card("Indirect light"));
+    QTest::keyClick(page.focusWidget(), Qt::Key_Down);
+    EXPECT_EQ(page.focusWidget(), card("Photons"));
+    QTest::keyClick(page.focusWidget(), Qt::Key_Up);
+    QTest::keyClick(page.focusWidget(), Qt::Key_Return);
+    ASSERT_EQ(chosen.count(), 2);
+    EXPECT_EQ(chosen[1][0].toString(), "/ao.interreflect");
+}
+
+TEST(NotesStrip, FoldsIntoOneLineAndTakesNoRoomWithoutNotes) {
+    NotesStrip strip;
+    strip.resize(600, 200);
+    EXPECT_TRUE(strip.isHidden());
+    strip.set_notes(QString("What the figure shows, and with which settings it was made. ").repeated(8));
+    strip.show();
+    const int open = strip.sizeHint().height();
+    const QSignalSpy folded(&strip, &NotesStrip::folded_changed);
+    QTest::mouseClick(strip.findChild<QAbstractButton*>("fold-notes"), Qt::LeftButton);
+    EXPECT_EQ(folded.count(), 1);
+    EXPECT_TRUE(strip.is_folded());
+    EXPECT_LT(strip.sizeHint().height(), open);
 }
 
 TEST(ShortcutsDialog, ListsEveryActionByMenuAndFindsThem) {

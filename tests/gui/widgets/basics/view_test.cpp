@@ -344,6 +344,63 @@ TEST(Pictures, PlacesAreToldWithinTheirTile) {
     EXPECT_EQ(tile_name(picture.atlas, picture.atlas.tiles[2]), "slice 4 · level 0");
 }
 
+/// A picture of 16:9 in a view of 16:9: whatever stands beside it takes room from it.
+TEST_P(EachSurface, TheLegendStandsBesideThePictureOrInALineBelow) {
+    Image wide(160, 90, 1);
+    for (std::size_t i = 0; i < wide.pixels.size(); ++i) wide.pixels[i] = float(i);
+    for (const QSize size : {QSize(640, 360), QSize(320, 180), QSize(900, 360)}) {
+        ImageView view(nullptr, surface());
+        view.set_picture(make_picture(wide, Semantic::depth, {}, "m"));
+        view.set_legend(true);
+        show(view);
+        view.resize(size);
+        QApplication::processEvents();
+        const auto place = legend_place(view.state(), view.devicePixelRatioF());
+        EXPECT_EQ(place.is_line, size.width() < 900);
+        const auto& t = view.transform();
+        const QRectF picture(t.offset(), t.image_size() * t.zoom());
+        EXPECT_LE(picture.right(), t.view_size().width() - place.margins.width() + 1);
+        EXPECT_LE(picture.bottom(), t.view_size().height() - place.margins.height() + 1);
+        EXPECT_GT(picture.width() * picture.height(),
+                  0.8 * std::min(t.view_size().width() * t.view_size().width() * 9 / 16,
+                                 t.view_size().height() * t.view_size().height() * 16 / 9));
+        view.set_legend(false);
+        EXPECT_TRUE(legend_place(view.state(), 1).margins.isNull());
+    }
+}
+
+TEST(Legend, ListsOnlyWhatOccurs) {
+    const auto prepared = [](Image image) {
+        auto picture = std::make_shared<Picture>(*make_picture(std::move(image), Semantic::generic));
+        picture->categories = {{0, "miss", tints::sky}, {1, "hit", tints::orange}, {2, "own", tints::green}};
+        const auto display = display_for(Semantic::generic, {}, *picture->image, {}, picture->categories);
+        return PictureCache().prepare(picture, display);
+    };
+    Image image(2, 1, 1);
+    image.pixels = {0, 2};
+    auto found = prepared(image);
+    ASSERT_EQ(found.occurring->categories.size(), 2u);
+    EXPECT_EQ(found.occurring->categories[1].label, "own");
+    EXPECT_FALSE(found.occurring->nan);
+    const qreal without = legend_size(found, 1, 1000).height();
+    image.pixels = {std::nanf(""), 2};
+    found = prepared(image);
+    EXPECT_TRUE(found.occurring->nan);
+    image.pixels = {1, 1};
+    EXPECT_LT(legend_size(prepared(image), 1, 1000).height(), without);
+}
+
+TEST(Shading, NumbersThatAreNamesHaveTheirOwnColours) {
+    Display display;
+    display.mode = Display::Mode::scalar;
+    display.categories = {{-1, "below", tints::dark}, {1, "hit", tints::orange}};
+    display.negative_is_bad = false;
+    const auto of = [&](float number) { return shade(display, &number, 1); };
+    EXPECT_EQ(of(-1), tints::dark);
+    EXPECT_EQ(of(1), tints::orange);
+    EXPECT_EQ(of(0), colour_without_name);
+}
+
 TEST(Legend, TicksAreRoundNumbersBetweenTheEnds) {
     EXPECT_EQ(legend_ticks(0, 1, 6), (std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1}));
     const auto ticks = legend_ticks(-3.3, 8.9, 6);
