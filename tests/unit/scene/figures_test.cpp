@@ -64,7 +64,7 @@ TEST_P(Figures, NormalMappedMeshesHaveTangents) {
         ++found;
         EXPECT_EQ(mesh.tangents.size(), mesh.positions.size()) << mesh.name;
     }
-    EXPECT_GT(found, 0);
+    EXPECT_EQ(found > 0, GetParam() != "dominoes") << "dominoes are smooth";
 }
 
 TEST_P(Figures, CamerasStandInTheOpenAndSeeSurfaces) {
