@@ -1,6 +1,6 @@
 #include "projects/coordinate.h"
 
-#include "projects/object_reader.h"
+#include "projects/document_fields.h"
 #include "projects/text.h"
 #include "projects/value_reader.h"
 #include "renderers/core/error.h"
@@ -34,14 +34,8 @@ void set_coordinate(Experiment& e, const Project& project, const MethodDescripti
     const Json object = Json::object({{key, json}});
     const std::string file = "value";
     ObjectReader reader(object, file, "");
-    if (key == "size")
-        e.size = reader.optional_size(key).value_or(e.size);
-    else if (key == "seed")
-        e.seed = reader.natural(key, e.seed);
-    else if (key == "frames")
-        e.frames = static_cast<int>(reader.integer(key, e.frames, 1, 1'000'000'000));
-    else if (key == "time")
-        e.time = reader.number(key, e.time);
+    if (const auto* field = find_field(experiment_fields(), key))
+        read_value(reader, field->text, field->slot(e));
     else if (key == "scene")
         e.scene = known_id(project.scenes, json, "", key);
     else if (key == "camera")
@@ -55,7 +49,12 @@ void set_coordinate(Experiment& e, const Project& project, const MethodDescripti
 }  // namespace
 
 const std::vector<std::string>& general_keys() {
-    static const std::vector<std::string> keys{"size", "seed", "frames", "time", "camera", "lights", "scene"};
+    static const auto keys = [] {
+        std::vector<std::string> result;
+        for (const auto& field : experiment_fields()) result.push_back(field.text.key);
+        result.insert(result.end(), {"camera", "lights", "scene"});
+        return result;
+    }();
     return keys;
 }
 

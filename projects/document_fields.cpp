@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "renderers/core/limits.h"
+
 namespace ir::projects {
 namespace {
 
@@ -30,9 +32,12 @@ bool has_target(const LightSpec& light) {
     return looks(light.type);
 }
 
-const Field<Motion::Key> time_field{
-    &Motion::Key::time,
-    {"time", "Time", "s", "Seconds; between two keys all is interpolated linearly", {-1e9, 1e9}}};
+const Field<Motion::Key> time_field{&Motion::Key::time,
+                                    {"time",
+                                     "Time",
+                                     "s",
+                                     "Seconds; between two keys all is interpolated linearly",
+                                     {-max_seconds, max_seconds}}};
 
 }  // namespace
 
@@ -80,7 +85,11 @@ const Fields<Camera>& camera_fields() {
          {"up", "Up", "", "Direction that is up in the picture: x, y, z, any length"},
          has_own_pose},
         {&Camera::fov_y_degrees,
-         {"fov_y_degrees", "View angle", "°", "Vertical field of view in degrees", {0.001, 179.999}},
+         {"fov_y_degrees",
+          "View angle",
+          "°",
+          "Vertical field of view in degrees",
+          {min_fov_degrees, max_fov_degrees}},
          has_own_pose,
          [](const Camera& camera) { return !camera.orthographic; }},
         {&Camera::orthographic, {.key = "orthographic", .writing = Writing::unless_default}, has_own_pose},
@@ -174,6 +183,29 @@ const Fields<Motion::Key>& key_fields(Motion::Kind kind) {
          {"scale", "Scale", "", "Along its own x, y and z; the motion takes the place of its transform"}}};
     static const std::array tables{&camera, &light, &part};
     return *tables.at(static_cast<std::size_t>(kind));
+}
+
+const Fields<Experiment>& experiment_fields() {
+    static const Fields<Experiment> fields{
+        {&Experiment::size,
+         {"size", "Size", "px", "Width and height of the picture in pixels", {1, max_image_side}}},
+        {&Experiment::seed, {"seed", "Seed", "", "Seed of everything random"}},
+        {&Experiment::frames,
+         {"frames",
+          "Frames",
+          "",
+          "Frames to run from empty history; each is 1/30 s after the one before, unless the method adds "
+          "frames up",
+          {1, max_frames}}},
+        {&Experiment::time,
+         {"time", "Time", "s", "Time of the first frame in seconds", {-max_seconds, max_seconds}}}};
+    return fields;
+}
+
+const Fields<Preset>& preset_fields() {
+    static const Fields<Preset> fields{{&Preset::size, field_of(experiment_fields(), "size").text},
+                                       {&Preset::frames, field_of(experiment_fields(), "frames").text}};
+    return fields;
 }
 
 const Fields<ForeignImage>& image_fields() {

@@ -15,6 +15,10 @@ const FieldText& quantity_text(LightSpec::Quantity quantity);
 const FieldText& constant_environment_text();
 /// Of a motion's key: its time, and what things of this kind have.
 const Fields<Motion::Key>& key_fields(Motion::Kind kind);
+/// What an experiment has besides its method's parameters and the items that it names.
+const Fields<Experiment>& experiment_fields();
+/// What of it a preset may have in its place.
+const Fields<Preset>& preset_fields();
 const Fields<ForeignImage>& image_fields();
 const Fields<Comparison>& comparison_fields();
 const Fields<Sweep>& sweep_fields();

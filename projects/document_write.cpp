@@ -16,9 +16,6 @@ Json with_extra(Json json, const Json& extra) {
 Json array(const glm::dvec3& v) {
     return Json::array({v.x, v.y, v.z});
 }
-Json array(const glm::ivec2& v) {
-    return Json::array({v.x, v.y});
-}
 
 Json to_json(const Value& value) {
     return std::visit([](const auto& v) { return Json(v); }, value);
@@ -121,8 +118,7 @@ void put_values(Json& json, const Settings& values, const Json& extra_values, co
 
 Json write_preset(const Preset& preset) {
     Json json = Json::object();
-    if (preset.size) json["size"] = array(*preset.size);
-    if (preset.frames) json["frames"] = *preset.frames;
+    write_fields(json, preset, preset_fields());
     put_values(json, preset.values, preset.extra_values, preset.extra_transport);
     if (json["transport"].empty()) json.erase("transport");
     if (json["values"].empty()) json.erase("values");
@@ -138,10 +134,7 @@ Json write_experiment(const Experiment& e) {
     json["method"] = e.method;
     json["method_version"] = e.method_version;
     put_values(json, e.values, e.extra_values, e.extra_transport);
-    json["size"] = array(e.size);
-    json["seed"] = e.seed;
-    json["frames"] = e.frames;
-    json["time"] = e.time;
+    write_fields(json, e, experiment_fields());
     put_unless_empty(json, "reference", e.reference);
     put_unless_empty(json, "active_preset", e.active_preset);
     for (const auto& [name, preset] : e.presets) json["presets"][name] = write_preset(preset);

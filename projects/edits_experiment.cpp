@@ -19,6 +19,7 @@ const Experiment& experiment_of(const Project& project, const std::string& id) {
 
 EditPtr changed(const Project& project, const Experiment& after, const std::string& label,
                 const std::string& what) {
+    validate(after);
     return replace(project, after, label, what.empty() ? "" : what + ":" + after.id);
 }
 
@@ -172,7 +173,6 @@ EditPtr set_lights_of(const Project& project, const std::string& experiment, con
 
 EditPtr set_size(const Project& project, const std::string& experiment, glm::ivec2 size) {
     Experiment after = experiment_of(project, experiment);
-    validate_size(size);
     auto* preset = active_preset(after);
     if (preset && preset->size)
         preset->size = size;
@@ -189,7 +189,6 @@ EditPtr set_seed(const Project& project, const std::string& experiment, std::uin
 
 EditPtr set_frames(const Project& project, const std::string& experiment, int frames) {
     Experiment after = experiment_of(project, experiment);
-    validate_frames(frames);
     auto* preset = active_preset(after);
     if (preset && preset->frames)
         preset->frames = frames;
@@ -200,7 +199,6 @@ EditPtr set_frames(const Project& project, const std::string& experiment, int fr
 
 EditPtr set_time(const Project& project, const std::string& experiment, double seconds) {
     Experiment after = experiment_of(project, experiment);
-    if (!std::isfinite(seconds)) throw UsageError("time: must be a number (seconds)");
     after.time = seconds;
     return changed(project, after, "Change time", "time");
 }

@@ -1,3 +1,4 @@
+#include "projects/document_fields.h"
 #include "projects/text.h"
 #include "projects/value_reader.h"
 #include "renderers/core/error.h"
@@ -83,8 +84,7 @@ Preset read_preset(const Json& json, const ObjectReader& outer, const std::strin
                    const MethodDescription* method) {
     ObjectReader reader(json, outer.file(), pointer);
     Preset preset;
-    preset.size = reader.optional_size("size");
-    if (reader.has("frames")) preset.frames = static_cast<int>(reader.integer("frames", 1, 1, 1'000'000'000));
+    read_fields(reader, preset, preset_fields());
     read_groups(reader, {preset.values, preset.extra_values, method}, preset.extra_transport);
     preset.extra = reader.rest();
     return preset;
@@ -132,10 +132,7 @@ Experiment read_experiment(ObjectReader& reader, const Registry& registry, int s
     read_groups(reader, {e.values, e.extra_values, method}, e.extra_transport);
     const bool is_older = !has_version && schema_in_file < schema_version;
     if (method) complete(e, *method, {is_older ? 1 : e.method_version, has_version}, messages);
-    e.size = reader.optional_size("size").value_or(e.size);
-    e.seed = reader.natural("seed", e.seed);
-    e.frames = static_cast<int>(reader.integer("frames", e.frames, 1, 1'000'000'000));
-    e.time = reader.number("time", e.time);
+    read_fields(reader, e, experiment_fields());
     e.reference = reader.text("reference");
     read_presets(reader, e, method);
     reader.take("last_kept_key");  // of version 0.1; the index of the results says it

@@ -17,11 +17,27 @@ constexpr bool is_vector = requires(T value) {
     T::length();
 };
 
-std::vector<double> components(double number) {
-    return {number};
+template <class T>
+constexpr bool is_number = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+template <class T>
+constexpr bool is_whole = is_number<T>&& std::is_integral_v<T>;
+
+/// Of vectors and optional numbers what they are made of.
+template <class T>
+struct NumberOf {
+    using Type = T;
+};
+template <class T>
+struct NumberOf<std::optional<T>> : NumberOf<T> {};
+template <glm::length_t n, class T>
+struct NumberOf<glm::vec<n, T>> : NumberOf<T> {};
+
+template <class T>
+requires is_number<T> std::vector<double> components(T number) {
+    return {static_cast<double>(number)};
 }
-template <glm::length_t n>
-std::vector<double> components(const glm::vec<n, double>& vector) {
+template <glm::length_t n, class T>
+std::vector<double> components(const glm::vec<n, T>& vector) {
     return {&vector[0], &vector[0] + n};
 }
 template <class T>
@@ -29,7 +45,7 @@ std::vector<double> components(const std::optional<T>& value) {
     return value ? components(*value) : std::vector<double>();
 }
 template <class T>
-std::vector<double> components(const T&) {
+requires(!is_number<T>) std::vector<double> components(const T&) {
     return {};
 }
 
@@ -38,26 +54,28 @@ Json json_of(const FieldText& text, const T& value) {
     if constexpr (is_optional<T>)
         return json_of(text, *value);
     else if constexpr (is_vector<T>)
-        return Json(components(value));
+        return Json(std::vector(&value[0], &value[0] + T::length()));
     else if constexpr (std::is_same_v<T, bool>)
         return text.choices.empty() ? Json(value) : Json(text.choices.at(value ? 1 : 0));
     else
         return Json(value);
 }
 
-void put(double& value, int, double number) {
-    value = number;
+template <class T>
+requires is_number<T>
+void put(T& value, int, double number) {
+    value = static_cast<T>(number);
 }
-template <glm::length_t n>
-void put(glm::vec<n, double>& value, int index, double number) {
-    value[index] = number;
+template <glm::length_t n, class T>
+void put(glm::vec<n, T>& value, int index, double number) {
+    value[index] = static_cast<T>(number);
 }
 template <class T>
 void put(std::optional<T>& value, int index, double number) {
-    put(value ? *value : value.emplace(0.0), index, number);
+    put(value ? *value : value.emplace(0), index, number);
 }
 template <class T>
-void put(T&, int, double) {
+requires(!is_number<T>) void put(T&, int, double) {
     throw std::logic_error("no number");
 }
 
@@ -72,6 +90,23 @@ void take(ObjectReader& reader, const FieldText& text, bool& value) {
         reader.fail(text.key, "must be " + text.choices[0] + " or " + text.choices[1] + ", not '" +
                                   printable(name, 60) + "'");
     value = found != text.choices.begin();
+}
+
+std::int64_t whole(double number) {
+    return static_cast<std::int64_t>(
+        std::clamp<double>(number, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
+}
+
+void take(ObjectReader& reader, const FieldText& text, int& value) {
+    value = static_cast<int>(reader.integer(text.key, value, whole(text.range.min), whole(text.range.max)));
+}
+
+void take(ObjectReader& reader, const FieldText& text, std::uint64_t& value) {
+    value = reader.natural(text.key, value);
+}
+
+void take(ObjectReader& reader, const FieldText& text, glm::ivec2& value) {
+    value = reader.size(text.key, value, whole(text.range.min), whole(text.range.max));
 }
 
 void take(ObjectReader& reader, const FieldText& text, double& value) {
@@ -90,7 +125,7 @@ void take(ObjectReader& reader, const FieldText& text, glm::vec<n, double>& valu
 
 template <class T>
 void take(ObjectReader& reader, const FieldText& text, std::optional<T>& value) {
-    if (reader.has(text.key)) take(reader, text, value.emplace(0.0));
+    if (reader.has(text.key)) take(reader, text, value.emplace(0));
 }
 
 void take(ObjectReader& reader, const FieldText& text, std::vector<std::string>& value) {
@@ -109,15 +144,17 @@ bool contains(const Range& range, double number) {
            !(range.is_above_min && number == range.min);
 }
 
-std::string text_of(double number) {
-    return ir::to_string(Value{number});
-}
-
-/// "must be a number from 0 to 90 °", "must be 3 numbers of at least 0"
-std::string demand(const FieldText& text, std::size_t count) {
+/// "must be a number from 0 to 90 °", "must be 3 numbers of at least 0", "must be 2 integers from 1 to 64"
+std::string demand(const FieldText& text, std::size_t count, bool are_whole) {
     const auto& range = text.range;
     const Range all;
-    std::string words = count == 1 ? "must be a number" : "must be " + std::to_string(count) + " numbers";
+    const auto text_of = [&](double number) {
+        return ir::to_string(are_whole ? Value{whole(number)} : Value{number});
+    };
+    const std::string kind = are_whole ? "integer" : "number";
+    std::string words = count != 1  ? "must be " + std::to_string(count) + " " + kind + "s"
+                        : are_whole ? "must be an integer"
+                                    : "must be a number";
     const bool has_min = range.min > all.min, has_max = range.max < all.max;
     if (!has_min && !has_max) return words + (count == 1 ? " that is finite" : " that are finite");
     if (has_min && has_max && !range.is_above_min)
@@ -145,7 +182,14 @@ std::string problem_with(const FieldText& text, const Slot& value) {
         return "is missing or empty; give a text";
     const auto numbers = numbers_of(value);
     for (const double number : numbers)
-        if (!contains(text.range, number)) return demand(text, numbers.size());
+        if (!contains(text.range, number)) {
+            const bool are_whole = std::visit(
+                [](const auto* place) {
+                    return is_whole<typename NumberOf<std::decay_t<decltype(*place)>>::Type>;
+                },
+                value);
+            return demand(text, numbers.size(), are_whole);
+        }
     return {};
 }
 

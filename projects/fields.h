@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
 #include <optional>
@@ -34,9 +35,10 @@ struct FieldText {
 };
 
 /// A value of an item.
-using Slot = std::variant<bool*, double*, std::string*, glm::dvec2*, glm::dvec3*, std::optional<double>*,
-                          std::optional<glm::dvec2>*, std::optional<glm::dvec3>*, std::optional<glm::dvec4>*,
-                          std::vector<std::string>*, std::vector<Json>*>;
+using Slot = std::variant<bool*, int*, std::uint64_t*, double*, std::string*, glm::ivec2*, glm::dvec2*,
+                          glm::dvec3*, std::optional<int>*, std::optional<double>*,
+                          std::optional<glm::ivec2>*, std::optional<glm::dvec2>*, std::optional<glm::dvec3>*,
+                          std::optional<glm::dvec4>*, std::vector<std::string>*, std::vector<Json>*>;
 
 /// Takes the member of this key; absent: the value stays. Throws InputError for a wrong type or range.
 void read_value(ObjectReader& reader, const FieldText& text, const Slot& value);
@@ -52,10 +54,12 @@ void set_number(const Slot& value, int index, double number);
 
 template <class Item>
 struct Field {
-    std::variant<bool Item::*, double Item::*, std::string Item::*, glm::dvec2 Item::*, glm::dvec3 Item::*,
-                 std::optional<double> Item::*, std::optional<glm::dvec2> Item::*,
-                 std::optional<glm::dvec3> Item::*, std::optional<glm::dvec4> Item::*,
-                 std::vector<std::string> Item::*, std::vector<Json> Item::*>
+    std::variant<bool Item::*, int Item::*, std::uint64_t Item::*, double Item::*, std::string Item::*,
+                 glm::ivec2 Item::*, glm::dvec2 Item::*, glm::dvec3 Item::*, std::optional<int> Item::*,
+                 std::optional<double> Item::*, std::optional<glm::ivec2> Item::*,
+                 std::optional<glm::dvec2> Item::*, std::optional<glm::dvec3> Item::*,
+                 std::optional<glm::dvec4> Item::*, std::vector<std::string> Item::*,
+                 std::vector<Json> Item::*>
         member;
     FieldText text;
     bool (*is_stored)(const Item&) = nullptr;  ///< whether the file has it; null: always
@@ -96,12 +100,19 @@ void validate_fields(Item item, const Fields<Item>& fields, const std::string& w
     }
 }
 
+/// The field of a key, or null.
+template <class Item>
+const Field<Item>* find_field(const Fields<Item>& fields, const std::string& key) {
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.text.key == key; });
+    return found == fields.end() ? nullptr : &*found;
+}
+
 /// The field of a key that is in the table.
 template <class Item>
 const Field<Item>& field_of(const Fields<Item>& fields, const std::string& key) {
-    const auto found =
-        std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.text.key == key; });
-    if (found == fields.end()) throw std::logic_error("no field " + key);
+    const auto* found = find_field(fields, key);
+    if (!found) throw std::logic_error("no field " + key);
     return *found;
 }
 

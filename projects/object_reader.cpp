@@ -3,7 +3,6 @@
 #include "projects/document.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
-#include "renderers/core/limits.h"
 
 namespace ir::projects {
 namespace {
@@ -106,14 +105,16 @@ void ObjectReader::numbers(const std::string& key, double* out, std::size_t coun
     if (!good) fail(key, "must be an array of " + std::to_string(count) + " numbers");
 }
 
-std::optional<glm::ivec2> ObjectReader::optional_size(const std::string& key) {
+glm::ivec2 ObjectReader::size(const std::string& key, glm::ivec2 otherwise, std::int64_t min,
+                              std::int64_t max) {
     const auto* json = take(key);
-    if (!json) return std::nullopt;
-    const auto is_side = [](const Json& side) {
-        return side.is_number_integer() && side.get<double>() >= 1 && side.get<double>() <= max_image_side;
+    if (!json) return otherwise;
+    const auto is_side = [&](const Json& side) {
+        return side.is_number_integer() && side.get<double>() >= double(min) &&
+               side.get<double>() <= double(max);
     };
     if (!json->is_array() || json->size() != 2 || !is_side((*json)[0]) || !is_side((*json)[1]))
-        fail(key, "must be [width, height], each an integer from 1 to " + std::to_string(max_image_side));
+        fail(key, range_text("[width, height], each an integer", std::to_string(min), std::to_string(max)));
     return glm::ivec2((*json)[0].get<int>(), (*json)[1].get<int>());
 }
 

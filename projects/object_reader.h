@@ -39,7 +39,8 @@ class ObjectReader {
     std::uint64_t natural(const std::string& key, std::uint64_t otherwise);
     /// The member is an array of so many numbers.
     void numbers(const std::string& key, double* out, std::size_t count);
-    std::optional<glm::ivec2> optional_size(const std::string& key);
+    /// The member is an array of width and height; absent: `otherwise`.
+    glm::ivec2 size(const std::string& key, glm::ivec2 otherwise, std::int64_t min, std::int64_t max);
 
     /// Calls `read(item, pointer)` for every item of the array; an absent member is empty.
     void each(const std::string& key, const std::function<void(const Json&, const std::string&)>& read);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "projects/edit_kinds.h"
+#include "renderers/core/limits.h"
 
 namespace ir::projects {
 namespace {
@@ -17,9 +18,6 @@ std::uint64_t count_of(const Value& value) {
     const auto* number = std::get_if<std::int64_t>(&value);
     return number && *number > 0 ? static_cast<std::uint64_t>(*number) : 1;
 }
-
-/// As validate_frames() allows.
-constexpr std::uint64_t max_frames = 1'000'000'000;
 
 /// The number of samples in a frame that is nearest to `per_frame` and divides `samples`, within a factor of
 /// 4; else all in one frame.

@@ -108,13 +108,10 @@ void validate(const Experiment& experiment) {
     refuse_unless(!experiment.method.empty(), where + "its method is missing; give one");
     refuse_unless(experiment.method_version >= 1 && experiment.method_version <= 1'000'000,
                   where + "the method's version must be at least 1");
-    validate_size(experiment.size);
-    validate_frames(experiment.frames);
-    refuse_unless(std::isfinite(experiment.time), where + "time must be a number (seconds)");
+    validate_fields(experiment, experiment_fields(), where);
     refuse_unless(is_finite(experiment.values), where + "values must be finite");
     for (const auto& [name, preset] : experiment.presets) {
-        if (preset.size) validate_size(*preset.size);
-        if (preset.frames) validate_frames(*preset.frames);
+        validate_fields(preset, preset_fields(), where);
         refuse_unless(is_finite(preset.values), where + "values must be finite");
     }
     refuse_unless(experiment.active_preset.empty() || experiment.presets.count(experiment.active_preset) != 0,
@@ -135,15 +132,6 @@ void validate(const Sweep& sweep) {
 void validate(const ErrorPlot& plot) {
     check_id(plot.id, "plot");
     validate_fields(plot, plot_fields(), "plot '" + plot.id + "': ");
-}
-
-void validate_size(glm::ivec2 size) {
-    refuse_unless(size.x >= 1 && size.y >= 1 && size.x <= max_image_side && size.y <= max_image_side,
-                  "size: both sides must lie between 1 and " + std::to_string(max_image_side) + " pixels");
-}
-
-void validate_frames(int frames) {
-    refuse_unless(frames >= 1 && frames <= 1'000'000'000, "frames: must lie between 1 and 1000000000");
 }
 
 }  // namespace ir::projects

@@ -16,7 +16,4 @@ void validate(const Comparison& comparison);
 void validate(const Sweep& sweep);
 void validate(const ErrorPlot& plot);
 
-void validate_size(glm::ivec2 size);
-void validate_frames(int frames);
-
 }  // namespace ir::projects

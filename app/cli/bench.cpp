@@ -8,8 +8,10 @@
 #include "app/engine/benchmarks.h"
 #include "app/engine/defaults_benchmark.h"
 #include "app/engine/interruption.h"
+#include "projects/document_fields.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 #include "renderers/core/write_file.h"
 
 namespace ir::cli {
@@ -152,8 +154,9 @@ void add_bench(CLI::App& app, Run& run) {
         ->add_option("--scene", flags->scenes,
                      "Scene instead of the benchmark's own; of `defaults` may be given more than once")
         ->allow_extra_args(false);
-    command->add_option("--eye", flags->eye, "Camera position x,y,z in metres");
-    command->add_option("--target", flags->target, "Point that the camera looks at, x,y,z");
+    command->add_option("--eye", flags->eye, projects::field_of(projects::camera_fields(), "eye").text.doc);
+    command->add_option("--target", flags->target,
+                        projects::field_of(projects::camera_fields(), "target").text.doc);
     command->add_option("--size", flags->size, "WxH in pixels instead of the benchmark's own");
     command
         ->add_option("--variant", flags->variants,
@@ -162,7 +165,7 @@ void add_bench(CLI::App& app, Run& run) {
     command->add_option("--project", flags->plots.project, "Of the benchmark `error`: project with plots");
     command->add_option("--plot", flags->plots.plots, "Of `error`: plots to carry out (default: all)");
     command->add_option("--repeats", flags->repeats, "Runs of which the median counts")
-        ->check(CLI::Range(1, 1000));
+        ->check(CLI::Range(1, max_repeats));
     command->add_option("--csv", flags->csv, "Write the table to this file");
     command->add_flag("--json", flags->json, "Print one JSON object");
     command->add_flag("--quiet", flags->quiet, "No progress on standard error");

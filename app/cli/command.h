@@ -6,6 +6,8 @@
 #include <functional>
 #include <string>
 
+#include "projects/fields.h"
+
 namespace ir::cli {
 
 /// The contract with scripts; engine::interruption_status() where a signal ended the work.
@@ -40,6 +42,11 @@ inline CLI::Validator within(double min, double max) {
                 return range(text);
             },
             range.get_description()};
+}
+
+/// The range of a document's number.
+inline CLI::Validator within(const projects::FieldText& text) {
+    return within(text.range.min, text.range.max);
 }
 
 /// "2GB", "500MB", "1.5 GiB" or bytes; 0 when empty. Throws UsageError.

@@ -1,4 +1,5 @@
 #include "app/cli/plot_project.h"
+#include "renderers/core/limits.h"
 
 namespace ir::cli {
 
@@ -16,7 +17,7 @@ void add_plot(CLI::App& app, Run& run) {
     command->add_option("ID", job.plots, "Plots to carry out (default: all)");
     command->add_option("--metric", job.metric, "Metric of table and front (default: the plot's)");
     command->add_option("--repeats", job.repeats, "Runs of which the median time counts (default 1)")
-        ->check(CLI::Range(1, 1000));
+        ->check(CLI::Range(1, max_repeats));
     command->add_option("--json", job.json, "File for all numbers; - or nothing: standard output")
         ->expected(0, 1)
         ->default_str("-");

@@ -21,6 +21,7 @@
 #include "projects/scene_files.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 #include "renderers/core/write_file.h"
 
 namespace ir::cli {
@@ -201,7 +202,7 @@ void add_reference(CLI::App& app, Run& run) {
     command
         ->add_option("--samples", flags->samples,
                      "Samples per pixel; references that have fewer go on (default: as the project says)")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
+        ->check(CLI::Range(std::int64_t{1}, max_samples));
     command->add_option("--out", flags->out, "Folder for the references as ID.exr and ID.json");
     add_checkpoint_flag(*command, flags->checkpoint);
     command->add_flag("--quiet", flags->quiet, "No progress on standard error");

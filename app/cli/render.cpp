@@ -15,9 +15,11 @@
 #include "app/engine/execution.h"
 #include "app/engine/from_project.h"
 #include "app/engine/pictures.h"
+#include "projects/document_fields.h"
 #include "projects/match.h"
 #include "projects/samples.h"
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 #include "renderers/core/write_file.h"
 
 namespace ir::cli {
@@ -107,8 +109,6 @@ engine::Experiment to_experiment(const RenderFlags& flags) {
     }
     if (!flags.environment.empty()) e.environment = parse_environment(flags.environment);
     e.seed = parse_seed(flags.seed_text);
-    if (!std::isfinite(flags.time) || flags.time < 0)
-        throw UsageError("--time must be a number of seconds from 0 on");
     const auto size = flags.size.empty() ? glm::ivec2(800, 600) : projects::parse_size(flags.size, "--size");
     e.width = size.x;
     e.height = size.y;
@@ -191,26 +191,28 @@ void add_render(CLI::App& app, Run& run) {
     command->add_option("--experiment", flags->experiments, "Id of an experiment to render (default: all)");
     command->add_option("--scene", flags->scene, "A .gltf or .glb file, or builtin:NAME");
     command->add_option("--method", flags->method, "Id, as `list` prints it");
-    command->add_option("--eye", flags->eye, "Camera position x,y,z in metres");
-    command->add_option("--target", flags->target, "Point that the camera looks at, x,y,z");
-    command->add_option("--up", flags->up, "Upward direction x,y,z (default 0,1,0)");
-    command->add_option("--fov-y", flags->fov_y, "Vertical field of view in degrees")
-        ->check(within(0.1, 179.0));
+    const auto camera_text = [](const char* key) {
+        return projects::field_of(projects::camera_fields(), key).text;
+    };
+    const auto text = [](const char* key) {
+        return projects::field_of(projects::experiment_fields(), key).text;
+    };
+    command->add_option("--eye", flags->eye, camera_text("eye").doc);
+    command->add_option("--target", flags->target, camera_text("target").doc);
+    command->add_option("--up", flags->up, camera_text("up").doc + " (default 0,1,0)");
+    command->add_option("--fov-y", flags->fov_y, camera_text("fov_y_degrees").doc)
+        ->check(within(camera_text("fov_y_degrees")));
     command->add_option("--camera", flags->camera, "Name of one of the scene's cameras");
-    command->add_option("--size", flags->size, "Picture size WxH (default 800x600)");
+    command->add_option("--size", flags->size, text("size").doc + ", as 800x600 (the default)");
     command->add_option("--set", flags->sets, "Parameter key=value; repeat for more");
     command->add_option(
         "--light", flags->lights,
         "Light that replaces the scene's, such as point:position=0,2,0;flux=40; a rect's size is "
         "its width, held level (along X where it points straight up or down), and height");
     command->add_option("--env", flags->environment, "Environment: an image file, or radiance r,g,b");
-    command->add_option("--seed", flags->seed_text, "Seed of everything random");
-    command
-        ->add_option("--frames", flags->frames,
-                     "Frames to run from empty history; each is 1/30 s after the one before, unless the "
-                     "method adds frames up")
-        ->check(CLI::Range(1, 1000000));
-    command->add_option("--time", flags->time, "Time of the first frame in seconds");
+    command->add_option("--seed", flags->seed_text, text("seed").doc);
+    command->add_option("--frames", flags->frames, text("frames").doc)->check(within(text("frames")));
+    command->add_option("--time", flags->time, text("time").doc)->check(within(text("time")));
     command->add_option("--dump", flags->dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");
     command->add_option("--pick", flags->inspection.pick,
                         "Pixel x,y that outputs which explain are computed for");
@@ -228,7 +230,7 @@ void add_render(CLI::App& app, Run& run) {
                       "Render the ground truth of --method and its --set instead: the same transport by the "
                       "reference");
     command->add_option("--samples", flags->samples, "With --match: how many samples")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
+        ->check(CLI::Range(std::int64_t{1}, max_samples));
     command->add_flag("--keep", flags->keep,
                       "Keep the results in the project; what accumulates goes on from the kept state");
     add_checkpoint_flag(*command, flags->checkpoint);

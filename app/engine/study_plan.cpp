@@ -9,6 +9,7 @@
 #include "projects/results.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 #include "renderers/image/metrics.h"
 
 namespace ir::engine {
@@ -60,12 +61,11 @@ std::vector<PlannedPoint> frame_points(const ErrorPlot& plot, const projects::Ex
             points.push_back({frames, run, frames});
     for (const auto& value : plot.values) {
         PlannedPoint point{value, run, 0};
-        constexpr int most = 1'000'000;
-        if (value.is_number_integer() && value >= 1 && value <= most)
+        if (value.is_number_integer() && value >= 1 && value <= max_frames)
             point.frames = value;
         else
             point.problem = "'" + shown(value) + "' is no number of frames; give an integer from 1 to " +
-                            std::to_string(most);
+                            std::to_string(max_frames);
         points.push_back(std::move(point));
     }
     // The execution goes on to the last of them.

@@ -4,6 +4,7 @@
 #include "app/engine/error_study.h"
 #include "app/engine/number_text.h"
 #include "projects/object_reader.h"
+#include "renderers/core/limits.h"
 #include "renderers/image/metrics.h"
 
 namespace ir::engine {
@@ -47,7 +48,7 @@ ErrorPoint read_point(ObjectReader& reader) {
     ErrorPoint point;
     point.experiment = reader.required_text("experiment");
     if (const auto* value = reader.take("value")) point.value = *value;
-    point.frames = int(reader.integer("frames", 1, 1, 1'000'000'000));
+    point.frames = int(reader.integer("frames", 1, 1, max_frames));
     point.problem = reader.text("problem");
     point.ms = reader.number("ms", 0, 0);
     if (const auto* errors = reader.take("errors")) {

@@ -4,7 +4,7 @@
 
 #include "app/gui/notices.h"
 #include "app/gui/scene_shelf.h"
-#include "widgets/parameters/experiment_panel.h"
+#include "widgets/document/experiment_panel.h"
 #include "widgets/parameters/parameter_panel.h"
 
 namespace ir::gui {

@@ -5,11 +5,11 @@
 
 #include "app/gui/json_fields.h"
 #include "projects/samples.h"
+#include "renderers/core/limits.h"
 
 namespace ir::gui {
 namespace {
 
-constexpr double longest = 1e6;  ///< seconds
 constexpr std::size_t measured_frames = 12;
 
 double on_frame(double time) {
@@ -74,7 +74,7 @@ void Playback::show(Moment moment) {
 
 void Playback::seek(double time) {
     if (!can_play()) return;
-    show({std::clamp(on_frame(time), 0.0, longest), 1});
+    show({std::clamp(on_frame(time), 0.0, max_seconds), 1});
 }
 
 void Playback::step(int frames) {
@@ -149,7 +149,7 @@ void Playback::set_loop(bool loop) {
 }
 
 void Playback::set_end(double end) {
-    end_ = std::isfinite(end) ? std::clamp(end, 0.0, longest) : 0;
+    end_ = std::isfinite(end) ? std::clamp(end, 0.0, max_seconds) : 0;
     emit changed();
 }
 
@@ -185,7 +185,8 @@ void Playback::load(const projects::Json& memory) {
     loop_ = field_or(own, "loop", false);
     set_end(field_or(own, "end", 0.0));
     const double time = field_or(own, "time", -1.0);
-    live_.set_moment(time >= 0 && time <= longest ? std::optional(Moment{on_frame(time), 1}) : std::nullopt);
+    live_.set_moment(time >= 0 && time <= max_seconds ? std::optional(Moment{on_frame(time), 1})
+                                                      : std::nullopt);
     emit changed();
 }
 

@@ -52,7 +52,7 @@ class Playback : public QObject {
 
     Session& session_;
     LivePictures& live_;
-    QTimer timer_;
+    QTimer timer_{this};
     QElapsedTimer clock_;           ///< since the program began to play
     std::deque<qint64> frames_ms_;  ///< when the last frames were asked for
     bool playing_ = false, loop_ = false;

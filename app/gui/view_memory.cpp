@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/gui/json_fields.h"
+#include "renderers/core/limits.h"
 
 namespace ir::gui {
 namespace {
@@ -102,8 +103,8 @@ Json to_json(const Inspection& inspection) {
 
 Inspection inspection_from_json(const Json& json) {
     Inspection inspection;
-    inspection.x = std::clamp(field_or(json, "x", -1), -1, 65535);
-    inspection.y = std::clamp(field_or(json, "y", -1), -1, 65535);
+    inspection.x = std::clamp(field_or(json, "x", -1), -1, max_image_side - 1);
+    inspection.y = std::clamp(field_or(json, "y", -1), -1, max_image_side - 1);
     const auto& chosen = member_or_null(json, "chosen");
     if (!chosen.is_object()) return inspection;
     for (const auto& [selector, item] : chosen.items())
@@ -124,7 +125,9 @@ Json to_json(QSize size, const QRect& region) {
 std::pair<QSize, QRect> region_from_json(const Json& json) {
     const auto& of = member_or_null(json, "of");
     if (!of.is_array() || of.size() != 2 || !of[0].is_number() || !of[1].is_number()) return {};
-    const auto side = [&](std::size_t i) { return int(std::clamp(of[i].get<double>(), 0.0, 65536.0)); };
+    const auto side = [&](std::size_t i) {
+        return int(std::clamp<double>(of[i].get<double>(), 0, max_image_side));
+    };
     const QSize size(side(0), side(1));
     const QRect region(field_or(json, "x", 0), field_or(json, "y", 0), field_or(json, "width", 0),
                        field_or(json, "height", 0));
@@ -147,7 +150,8 @@ std::optional<widgets::CameraPose> pose_from_json(const Json& json) {
     const auto up = vector_from_json(member_or_null(json, "up"));
     if (!eye || !target || !up || *eye == *target) return {};
     widgets::CameraPose pose{*eye, *target, *up};
-    pose.fov_y_degrees = std::clamp(field_or(json, "fov_y_degrees", pose.fov_y_degrees), 0.1, 179.0);
+    pose.fov_y_degrees =
+        std::clamp(field_or(json, "fov_y_degrees", pose.fov_y_degrees), min_fov_degrees, max_fov_degrees);
     pose.orthographic = field_or(json, "orthographic", false);
     pose.height = std::max(1e-6, field_or(json, "height", pose.height));
     return pose;

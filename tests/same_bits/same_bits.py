@@ -3,7 +3,8 @@
 
     same_bits.py [--quick] [--method ID] BASE OTHER
 
-BASE and OTHER are commits, each of which is built in build/same-bits, or programs that are built already.
+BASE and OTHER are commits, each of which is built in build/same-bits, or programs that are built already. The BASE
+`before` is HEAD where something is not committed yet; else where this branch left its upstream; else HEAD's parent.
 Every method renders at its defaults on four built-in scenes, by EGL and by OSMesa, and on one scene with each
 choice of each of its parameters, --quick without those; always two frames with a pixel picked, so that histories
 and explanations are there. The exit status is 1 where a bit differs.
@@ -24,6 +25,19 @@ SCENES = ["builtin:cornell", "builtin:still-life", "builtin:dominoes", "builtin:
 BACKENDS = ["egl", "osmesa"]
 SIZE = "48x32"
 PARTS_FLAG = 0x1000  # of an EXR file's version: several parts
+
+
+def git(*words):
+    """What a command of git says; nothing where it fails."""
+    return subprocess.run(["git", *words], cwd=ROOT, capture_output=True, text=True).stdout.strip()
+
+
+def commit_before():
+    """The commit that this tree is to be compared with: never one of the same content."""
+    if git("status", "--porcelain", "--untracked-files=no"):
+        return "HEAD"
+    left = git("merge-base", "HEAD", "@{upstream}")
+    return left if left and left != git("rev-parse", "HEAD") else "HEAD~1"
 
 
 def program_of(commit):
@@ -170,7 +184,9 @@ def main():
     parser.add_argument("--quick", action="store_true")
     arguments = parser.parse_args()
     FOLDER.mkdir(parents=True, exist_ok=True)
-    programs = [program_of(arguments.base), program_of(arguments.other)]
+    base = commit_before() if arguments.base == "before" else arguments.base
+    print(f"compared with {base}", flush=True)
+    programs = [program_of(base), program_of(arguments.other)]
     every = [jobs_of(program, arguments.quick, arguments.method) for program in programs]
     for name in sorted(every[0].keys() ^ every[1].keys()):
         print(f"only at one commit, not compared: {name}")

@@ -14,14 +14,13 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "renderers/core/limits.h"
 #include "widgets/panels/empty_tree_view.h"
 #include "widgets/parameters/number_field.h"
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
 namespace {
-
-constexpr int max_repeats = 1000;
 
 /// What a control does, and why it cannot.
 QString tip_with(const QString& tip, const QString& why_not) {

@@ -3,7 +3,7 @@
 #include <QWidget>
 
 #include "widgets/benchmarks/benchmark_model.h"
-#include "widgets/parameters/experiment_panel.h"
+#include "widgets/parameters/option.h"
 
 class QBoxLayout;
 class QComboBox;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "projects/fields.h"
-#include "widgets/parameters/experiment_panel.h"
 #include "widgets/parameters/number_field.h"
+#include "widgets/parameters/option.h"
 
 class QGridLayout;
 class QLabel;

@@ -8,7 +8,7 @@
 
 #include "widgets/document/item_form.h"
 #include "widgets/image/camera_motion.h"
-#include "widgets/parameters/experiment_panel.h"
+#include "widgets/parameters/option.h"
 
 class QLabel;
 class QStackedWidget;

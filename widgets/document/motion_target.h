@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "projects/motion.h"
-#include "widgets/parameters/experiment_panel.h"
+#include "widgets/parameters/option.h"
 
 namespace ir::widgets {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "widgets/parameters/experiment_panel.h"
+#include "widgets/parameters/option.h"
 
 namespace ir::widgets {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "widgets/document/item_form.h"
-#include "widgets/parameters/experiment_panel.h"
+#include "widgets/parameters/option.h"
 
 class QCheckBox;
 class QToolButton;

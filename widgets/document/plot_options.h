@@ -6,7 +6,7 @@
 #include "projects/document.h"
 #include "renderers/core/method.h"
 #include "widgets/document/edit_maker.h"
-#include "widgets/parameters/experiment_panel.h"
+#include "widgets/parameters/option.h"
 
 /// What can be chosen of a plot, wherever it is edited.
 namespace ir::widgets {

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "widgets/parameters/experiment_panel.h"
+#include "widgets/parameters/option.h"
 
 class QAction;
 class QBoxLayout;

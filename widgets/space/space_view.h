@@ -131,7 +131,7 @@ class SpaceView : public QWidget {
     QPointF last_position_, press_position_;
     bool cursor_inside_ = false;
     CameraController hand_;
-    QTimer refine_timer_;
+    QTimer refine_timer_{this};
 };
 
 }  // namespace ir::widgets

@@ -7,14 +7,13 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "renderers/core/limits.h"
 #include "widgets/parameters/number_field.h"
 #include "widgets/style/icons.h"
 #include "widgets/timeline/time_bar.h"
 
 namespace ir::widgets {
 namespace {
-
-constexpr double longest = 1e6;  ///< seconds
 
 NumberField* number(const char* name, const QString& tip, int width) {
     auto* field = new NumberField;
@@ -70,13 +69,13 @@ QWidget* TimelinePanel::make_bar() {
     loop_->setCheckable(true);
     for (auto* each : {start, back, play_, forward, loop_}) row->addWidget(each);
     time_ = number("time", tr("Time that is shown, seconds"), 92);
-    time_->setRange(0, longest);
+    time_->setRange(0, max_seconds);
     time_->setSuffix(tr(" s"));
     frame_ = number("frame", tr("Number of the frame, 30 a second"), 76);
     frame_->set_whole(true);
-    frame_->setRange(0, longest);
+    frame_->setRange(0, max_frames);
     end_ = number("end", tr("Where the timeline ends, seconds; 0 is as long as something moves"), 92);
-    end_->setRange(0, longest);
+    end_->setRange(0, max_seconds);
     end_->setSuffix(tr(" s"));
     speed_ = new QLabel;
     speed_->setObjectName(QStringLiteral("speed"));

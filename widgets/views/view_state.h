@@ -7,7 +7,7 @@
 #include "renderers/core/output.h"
 #include "renderers/image/difference.h"
 #include "widgets/compare/compare_view.h"
-#include "widgets/parameters/experiment_panel.h"
+#include "widgets/parameters/option.h"
 #include "widgets/space/space_scene.h"
 
 /// What a view shows, as plain data: what session.json remembers and what the header edits.

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 #include "renderers/scene/gltf/nodes.h"
 #include "renderers/scene/placement.h"
 
@@ -23,10 +24,10 @@ Camera camera_of(Document& document, const tinygltf::Camera& source) {
         camera.height = static_cast<float>(2 * std::abs(source.orthographic.ymag));
         return camera;
     }
-    constexpr double least = 1e-3, most = 3.1;  // radians
-    camera.fov_y = static_cast<float>(std::clamp(source.perspective.yfov, least, most));
-    if (source.perspective.yfov < least || source.perspective.yfov > most)
-        document.warnings.add("a camera's yfov was clamped to what can be drawn (0.001...3.1 rad)");
+    const double min = glm::radians(min_fov_degrees), max = glm::radians(max_fov_degrees);
+    camera.fov_y = static_cast<float>(std::clamp(source.perspective.yfov, min, max));
+    if (source.perspective.yfov < min || source.perspective.yfov > max)
+        document.warnings.add("a camera's yfov was clamped to what can be drawn (above 0, below π rad)");
     return camera;
 }
 

@@ -5,7 +5,7 @@
 
 #include "renderers/image/exr.h"
 #include "tests/gui/window/window_fixture.h"
-#include "widgets/parameters/experiment_panel.h"
+#include "widgets/document/experiment_panel.h"
 
 namespace ir::gui {
 namespace {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "projects/document_fields.h"
 #include "renderers/image/exr.h"
 #include "tests/unit/app/outcome.h"
 
@@ -227,6 +228,31 @@ TEST_F(Cli, KeepsAndVerifiesResults) {
 TEST_F(Cli, WritesNoTwoFilesToOnePlace) {
     expect_refused(small("view-normals", "a.exr") + "--json " + file("a.exr"), 2, "is the file of --out");
     EXPECT_FALSE(fs::exists(file("a.exr")));
+}
+
+TEST_F(Cli, HasTheLimitsOfTheDocument) {
+    using namespace projects;
+    const auto number = [](double value) { return ir::to_string(Value{value}); };
+    const auto whole = [](double value) { return std::to_string(std::int64_t(value)); };
+    const auto frames = field_of(experiment_fields(), "frames").text.range;
+    const auto time = field_of(experiment_fields(), "time").text.range;
+    const auto size = field_of(experiment_fields(), "size").text.range;
+    const auto fov = field_of(camera_fields(), "fov_y_degrees").text.range;
+    const std::string command =
+        "render --scene builtin:cornell --method view-normals --eye 0,0,1 --target 0,0,0 ";
+    const auto allowed = [&](const std::string& options) {  // refused for the file's name alone
+        expect_refused(command + options + " --out a.png", 2, "--out");
+    };
+    allowed("--frames " + whole(frames.max) + " --time " + number(time.max) + " --fov-y " + number(fov.max) +
+            " --size " + whole(size.max) + "x" + whole(size.max));
+    allowed("--frames " + whole(frames.min) + " --time=" + number(time.min) + " --fov-y " + number(fov.min) +
+            " --size 1x1");
+    for (const auto& [option, value] : {std::pair("--frames", whole(frames.max + 1)),
+                                        {"--frames", whole(frames.min - 1)},
+                                        {"--time", number(2 * time.max)},
+                                        {"--fov-y", number(fov.max + 0.001)},
+                                        {"--size", whole(size.max + 1) + "x1"}})
+        expect_refused(command + option + " " + value + " --out a.exr", 2, option);
 }
 
 TEST_F(Cli, RefusesWhatIsNoNumber) {

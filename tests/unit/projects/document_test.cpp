@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "projects/edits.h"
 #include "projects/motion.h"
 #include "projects/settings.h"
+#include "projects/validate.h"
 #include "renderers/core/error.h"
+#include "renderers/core/limits.h"
 #include "tests/unit/projects/sample.h"
 
 namespace ir::projects {
@@ -135,6 +138,30 @@ TEST(Document, WrongStructureNamesThePlace) {
               std::string::npos);
     EXPECT_NE(refusal_with("/motion/0/keys/1/time", 0).find("later than"), std::string::npos);
     EXPECT_NE(refusal(Json::array()).find("is no project"), std::string::npos);
+}
+
+TEST(Document, LimitsThemselvesAreAllowed) {
+    auto project = sample_project();
+    auto& e = project.experiments[0];
+    e.size = {max_image_side, 1};
+    e.frames = max_frames;
+    e.time = -max_seconds;
+    e.seed = std::numeric_limits<std::uint64_t>::max();
+    e.presets["most"] = {.size = glm::ivec2(1, max_image_side), .frames = max_frames};
+    project.cameras[0].fov_y_degrees = max_fov_degrees;
+    const auto back = read(write_project(project));
+    EXPECT_EQ(back.project, project);
+    EXPECT_NO_THROW(validate(back.project.experiments[0]));
+    EXPECT_NO_THROW(edits::set_frames(project, e.id, max_frames));
+    for (const auto& [key, beyond] :
+         {std::pair<std::string, Json>("size", {1, max_image_side + 1}), {"frames", max_frames + 1}})
+        for (const std::string place : {"/experiments/0/", "/experiments/0/presets/paper/"})
+            EXPECT_NE(refusal_with(place + key, beyond).find(key + ": must be"), std::string::npos);
+    EXPECT_NE(refusal_with("/experiments/0/time", 2 * max_seconds).find("time: must be a number from"),
+              std::string::npos);
+    EXPECT_THROW(edits::set_size(project, e.id, {0, 1}), UsageError);
+    EXPECT_THROW(edits::set_frames(project, e.id, 0), UsageError);
+    EXPECT_THROW(edits::set_time(project, e.id, 2 * max_seconds), UsageError);
 }
 
 TEST(Document, ValuesOfNewerParametersComeFromTheirDescription) {

@@ -157,8 +157,10 @@ TEST(Atrium, HasFloorsUnderItsStoreysAndSkyOverTheCourt) {
 
 TEST(Atrium, ColumnsStandOnTheFloorAndCarryTheArches) {
     // Plinths reach into the floor and abaci into the arches' feet, both by less than five centimetres.
+    int found = 0;
     for (const auto& mesh : atrium().meshes) {
         if (mesh.name != "lower columns" && mesh.name != "upper columns") continue;
+        ++found;
         const float floor = mesh.name == "lower columns" ? 0 : 5.6f, arch = floor > 0 ? 8.4f : 3.3f;
         float low = 1e9f, high = -1e9f;
         for (const auto& p : mesh.positions) {
@@ -168,6 +170,7 @@ TEST(Atrium, ColumnsStandOnTheFloorAndCarryTheArches) {
         EXPECT_TRUE(low < floor && low > floor - 0.05f) << mesh.name;
         EXPECT_TRUE(high > arch && high < arch + 0.05f) << mesh.name;
     }
+    EXPECT_EQ(found, 2);
 }
 
 TEST(Atrium, SunReachesTheCourt) {

@@ -239,7 +239,9 @@ TEST_F(SpaceViewTest, APictureThatStandsStillBecomesSmoothOnce) {
     EXPECT_EQ(oversamplings_.back(), 1);
     ASSERT_TRUE(QTest::qWaitFor([&] { return oversamplings_.back() == 2; }, 2000));
     const std::size_t count = wanted_.size();
-    QTest::qWait(400);
+    const auto* refine = view_.findChild<QTimer*>(QString(), Qt::FindDirectChildrenOnly);
+    ASSERT_TRUE(refine);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !refine->isActive(); }, 2000)) << "another one is to come";
     EXPECT_EQ(wanted_.size(), count);
     drag(Qt::LeftButton, {}, {30, 0});
     EXPECT_EQ(oversamplings_.back(), 1);

@@ -1,4 +1,4 @@
-#include "widgets/parameters/experiment_panel.h"
+#include "widgets/document/experiment_panel.h"
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -11,12 +11,21 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "widgets/parameters/number_field.h"
+#include "projects/document_fields.h"
+#include "widgets/document/fields.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/section.h"
 
 namespace ir::widgets {
 namespace {
+
+const projects::FieldText& text_of(const char* key) {
+    return projects::field_of(projects::experiment_fields(), key).text;
+}
+
+QString label_of(const char* key) {
+    return QString::fromStdString(text_of(key).label);
+}
 
 void show_options(QComboBox* box, const std::vector<Option>& options, const QString& current) {
     const QString held = box->property("options").toString();
@@ -65,7 +74,7 @@ ExperimentPanel::ExperimentPanel(QWidget* parent) : QWidget(parent) {
     const auto add_side = [&](const char* name) {
         auto* field = new NumberField(size);
         field->set_whole(true);
-        field->setRange(1, 16384);
+        widgets::set_range(field, text_of("size").range);
         field->setMinimumWidth(60);
         field->setObjectName(QLatin1String(name));
         size_row->addWidget(field, 1);
@@ -77,12 +86,12 @@ ExperimentPanel::ExperimentPanel(QWidget* parent) : QWidget(parent) {
     width_ = add_side("width");
     size_row->addWidget(new QLabel(QStringLiteral("×"), size));
     height_ = add_side("height");
-    add_row(tr("Size"), size);
+    add_row(label_of("size"), size);
 
-    frames_ = add_number(tr("Frames"), "frames", 1, 1000000, true);
+    frames_ = add_number("frames");
+    frames_->set_whole(true);
     connect(frames_, &NumberField::chosen, this, [this](double value) { emit frames_chosen(int(value)); });
-    time_ = add_number(tr("Time"), "time", -1e6, 1e6, false);
-    time_->setSuffix(QStringLiteral(" s"));
+    time_ = add_number("time");
     connect(time_, &NumberField::chosen, this, &ExperimentPanel::time_chosen);
     seed_ = new QLineEdit(this);
     seed_->setObjectName(QStringLiteral("seed"));
@@ -97,7 +106,7 @@ ExperimentPanel::ExperimentPanel(QWidget* parent) : QWidget(parent) {
     connect(dice_, &QToolButton::clicked, this,
             [this] { emit seed_chosen(QRandomGenerator::global()->generate()); });
     editable_.push_back(dice_);
-    add_row(tr("Seed"), seed_, dice_);
+    add_row(label_of("seed"), seed_, dice_);
 }
 
 void ExperimentPanel::add_row(const QString& text, QWidget* editor, QWidget* button) {
@@ -122,13 +131,9 @@ QComboBox* ExperimentPanel::add_list(const QString& label, const char* name, Sig
     return box;
 }
 
-NumberField* ExperimentPanel::add_number(const QString& label, const char* name, double least, double most,
-                                         bool whole) {
-    auto* field = new NumberField(this);
-    field->setObjectName(QLatin1String(name));
-    field->set_whole(whole);
-    field->setRange(least, most);
-    add_row(label, field);
+NumberField* ExperimentPanel::add_number(const char* key) {
+    auto* field = make_number(QLatin1String(key), text_of(key), this);
+    add_row(label_of(key), field);
     return field;
 }
 

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "widgets/parameters/option.h"
+
 class QComboBox;
 class QGridLayout;
 class QLabel;
@@ -15,12 +17,6 @@ class QToolButton;
 namespace ir::widgets {
 
 class NumberField;
-
-/// An entry of a list to choose from.
-struct Option {
-    QString id, label, tooltip;
-    bool operator==(const Option&) const = default;
-};
 
 /// What an experiment is besides its method's parameters.
 struct ExperimentFields {
@@ -58,7 +54,7 @@ class ExperimentPanel : public QWidget {
   private:
     using Signal = void (ExperimentPanel::*)(const QString&);
     QComboBox* add_list(const QString& label, const char* name, Signal chosen);
-    NumberField* add_number(const QString& label, const char* name, double least, double most, bool whole);
+    NumberField* add_number(const char* key);
     void add_row(const QString& label, QWidget* editor, QWidget* button = nullptr);
     void choose_seed();
 
