@@ -73,6 +73,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       view_actions_(session_, live_, playback_, scenes_, workspace_, inspector_, *display_, actions_),
       project_banners_(*this, session_, live_, *banners_) {
     setObjectName(QStringLiteral("main"));
+    live_.set_drafts(options.drafts);
     setWindowIcon(widgets::icon("app"));
     setAcceptDrops(true);
     add_actions();

@@ -125,7 +125,8 @@ int run_window(const Arguments& arguments) {
     machine.backend = arguments.backend;
     const auto renderer = make_thread_renderer(machine);
     const bool screenshot = !arguments.screenshot.empty();
-    MainWindow window(*renderer, engine::registry(), {.remember = !screenshot, .machine = machine});
+    MainWindow window(*renderer, engine::registry(),
+                      {.remember = !screenshot, .drafts = !screenshot, .machine = machine});
     if (!arguments.size.empty()) {
         const auto size = projects::parse_size(arguments.size, "--size");
         window.resize(size.x, size.y);
