@@ -133,6 +133,8 @@ Execution& Drafts::execution_for(std::unique_ptr<Execution>& execution, Experime
 
 LiveResult Drafts::render(Fineness fineness, const LiveRequest& request, graph::FrameOptions options) {
     const bool is_preview = fineness == Fineness::preview;
+    // However slow the machine is, a hand that never rests sees something.
+    if (is_preview) options.cancel = nullptr;
     const auto experiment =
         is_preview ? preview_of(request.experiment) : coarse_of(request.experiment, fineness);
     auto& execution = execution_for(is_preview ? preview_ : coarse_, experiment);

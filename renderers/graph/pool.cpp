@@ -26,7 +26,10 @@ void Pool::release(const Physical& physical, std::shared_ptr<Copy>& copy) {
 
 Copy& Pool::own(Physical& physical) {
     auto& copy = physical.copies[physical.current];
-    if (copy.use_count() > 1) release(physical, copy);
+    if (copy.use_count() > 1)
+        release(physical, copy);
+    else
+        copy = std::make_shared<Copy>(std::move(*copy));  // whoever knows it by its old contents loses it
     return *copy;
 }
 

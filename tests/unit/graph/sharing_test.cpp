@@ -80,6 +80,19 @@ TEST_F(SharingTest, WhatIsMadeAnewIsNotSeenByTheOther) {
     EXPECT_EQ(made, 2);
 }
 
+/// Nor is what stood there before, by its old name.
+TEST_F(SharingTest, WhatWasWrittenOverIsNotTaken) {
+    run(declare());
+    fingerprint = "another";
+    value = 8;
+    run(declare());
+    fingerprint = "f";
+    value = 7;
+    run_other();
+    EXPECT_EQ(made, 3);
+    EXPECT_EQ(other->read_image("seen")->at(0, 0), 7);
+}
+
 TEST_F(SharingTest, ItLastsAsLongAsOneGraphKeepsIt) {
     run(declare());
     run_other();
