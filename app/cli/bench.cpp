@@ -7,6 +7,7 @@
 #include "app/cli/run_frames.h"
 #include "app/engine/benchmarks.h"
 #include "app/engine/defaults_benchmark.h"
+#include "app/engine/interaction_benchmark.h"
 #include "app/engine/interruption.h"
 #include "projects/document_fields.h"
 #include "projects/light_spec.h"
@@ -24,6 +25,7 @@ constexpr const char* error_doc =
 
 std::string list(bool json) {
     const std::pair<const char*, const char*> others[]{{engine::defaults_name, engine::defaults_doc},
+                                                       {engine::interaction_name, engine::interaction_doc},
                                                        {error_name, error_doc}};
     auto text = engine::benchmark_list(false);
     auto all = nlohmann::ordered_json::parse(engine::benchmark_list(true));
@@ -91,11 +93,35 @@ bool complain_of_rows(const engine::BenchmarkReport& report) {
     return engine::first_measured(report) != nullptr;
 }
 
-/// Failed where no variant could be measured.
-int run_benchmark(const BenchFlags& flags) {
-    const auto& benchmark = engine::find_benchmark(flags.name);
+void refuse_more_scenes(const BenchFlags& flags) {
     if (flags.scenes.size() > 1)
         throw UsageError("--scene is given more than once, which only the benchmark `defaults` takes");
+}
+
+/// Failed where no variant could be measured.
+int print_report(const BenchFlags& flags, const engine::BenchmarkReport& report) {
+    const bool is_measured = complain_of_rows(report);
+    if (!flags.csv.empty()) write_file(flags.csv, engine::benchmark_csv(report));
+    std::cout << (flags.json ? engine::benchmark_json(report) : engine::benchmark_text(report));
+    return is_measured ? done : failed;
+}
+
+int run_interaction(const BenchFlags& flags) {
+    refuse_more_scenes(flags);
+    auto options = benchmark_options(flags);
+    if (!flags.scenes.empty()) options.place.scene = flags.scenes.front();
+    if (!flags.csv.empty()) require_folder_of(flags.csv, "--csv");
+    ProgressLine line(!flags.quiet, 1);
+    line.begin({}, 1);
+    const auto report = engine::run_interaction_benchmark(machine_options(flags.machine), options,
+                                                          benchmark_callbacks(flags, line));
+    line.clear();
+    return print_report(flags, report);
+}
+
+int run_benchmark(const BenchFlags& flags) {
+    const auto& benchmark = engine::find_benchmark(flags.name);
+    refuse_more_scenes(flags);
     auto options = benchmark_options(flags);
     if (!flags.scenes.empty()) options.place.scene = flags.scenes.front();
     if (!flags.csv.empty()) require_folder_of(flags.csv, "--csv");
@@ -104,10 +130,7 @@ int run_benchmark(const BenchFlags& flags) {
     engine::Machine machine(machine_options(flags.machine));
     const auto report = engine::run_benchmark(machine, benchmark, options, benchmark_callbacks(flags, line));
     line.clear();
-    const bool is_measured = complain_of_rows(report);
-    if (!flags.csv.empty()) write_file(flags.csv, engine::benchmark_csv(report));
-    std::cout << (flags.json ? engine::benchmark_json(report) : engine::benchmark_text(report));
-    return is_measured ? done : failed;
+    return print_report(flags, report);
 }
 
 std::string heading_of(const engine::BenchmarkReport& report) {
@@ -160,7 +183,8 @@ void add_bench(CLI::App& app, Run& run) {
     command->add_option("--size", flags->size, "WxH in pixels instead of the benchmark's own");
     command
         ->add_option("--variant", flags->variants,
-                     "Label of a variant to run, of `defaults` a method; may be given more than once")
+                     "Label of a variant to run, of `defaults` and `interaction` a method; may be given "
+                     "more than once")
         ->allow_extra_args(false);
     command->add_option("--project", flags->plots.project, "Of the benchmark `error`: project with plots");
     command->add_option("--plot", flags->plots.plots, "Of `error`: plots to carry out (default: all)");
@@ -185,6 +209,7 @@ void add_bench(CLI::App& app, Run& run) {
             }
             if (!flags->plots.project.empty() || !flags->plots.plots.empty())
                 throw UsageError("--project and --plot belong to the benchmark `error`");
+            if (flags->name == engine::interaction_name) return run_interaction(*flags);
             return flags->name == engine::defaults_name ? run_defaults(*flags) : run_benchmark(*flags);
         };
     });

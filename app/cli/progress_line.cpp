@@ -11,15 +11,9 @@
 namespace ir::cli {
 namespace {
 
-/// Between lines off a terminal, twice as long each time.
-constexpr std::chrono::seconds min_pause{1}, max_pause{16};
 /// Seconds of work that an estimate of the rest is made from.
 constexpr double enough_seconds = 2;
 constexpr std::size_t longest_text = 120;
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// "45 s", "3 min 5 s", "2 h 10 min", "3 d 4 h".
 std::string duration_text(double seconds) {
@@ -42,11 +36,11 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(bool is_shown, double work)
+ProgressLine::ProgressLine(bool is_shown, double work, std::function<Clock::time_point()> now)
     : is_shown_(is_shown),
       is_terminal_(isatty(STDERR_FILENO) != 0),
       work_(std::max(work, 1e-9)),
-      pause_(min_pause) {}
+      now_(std::move(now)) {}
 
 void ProgressLine::begin(std::string name, double work) {
     clear();
@@ -78,7 +72,8 @@ void ProgressLine::clear() const {
 }
 
 std::string ProgressLine::text(const std::string& what) const {
-    const double now = done_ + fraction_ * part_, seconds = seconds_since(start_), own = now - given_;
+    const double now = done_ + fraction_ * part_, own = now - given_;
+    const double seconds = std::chrono::duration<double>(now_() - start_).count();
     char percent[16];
     std::snprintf(percent, sizeof percent, "%3.0f %% ", std::floor(100 * std::min(1.0, now / work_)));
     auto line = name_ + (name_.empty() || what.empty() ? "" : ": ") + what;
@@ -90,12 +85,8 @@ std::string ProgressLine::text(const std::string& what) const {
 
 /// Off a terminal.
 bool ProgressLine::is_due() {
-    const auto tenths = static_cast<int>(10 * (done_ + fraction_ * part_) / work_);
-    const auto pause = Clock::now() - last_line_;
-    if (pause < (tenths > tenths_ ? min_pause : pause_)) return false;
-    tenths_ = tenths;
-    pause_ = std::min<Clock::duration>(2 * pause_, max_pause);
-    last_line_ = Clock::now();
+    if (now_() - last_line_ < pause) return false;
+    last_line_ = now_();
     return true;
 }
 

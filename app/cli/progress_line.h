@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 
 #include "renderers/core/progress.h"
@@ -8,12 +9,14 @@
 namespace ir::cli {
 
 /// How far a command has come with all that it was asked for, and how long the rest will take, on standard
-/// error. On a terminal one line that follows the work; elsewhere plain lines: at each tenth but at most one
-/// a second, and after 1, 2, 4, 8 and then every 16 seconds, as far as the work tells of itself.
+/// error. On a terminal one line that follows the work; elsewhere a plain line every ten seconds, as far as
+/// the work tells of itself.
 class ProgressLine {
   public:
-    /// `work`: of all parts, in any unit.
-    ProgressLine(bool is_shown, double work);
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::seconds pause{10};  ///< off a terminal
+    /// `work`: of all parts, in any unit. Tests have a time of their own.
+    ProgressLine(bool is_shown, double work, std::function<Clock::time_point()> now = Clock::now);
     ~ProgressLine() { clear(); }
     ProgressLine(const ProgressLine&) = delete;
 
@@ -27,19 +30,17 @@ class ProgressLine {
     void clear() const;
 
   private:
-    using Clock = std::chrono::steady_clock;
     std::string text(const std::string& what) const;
     bool is_due();
     const bool is_shown_, is_terminal_;
     const double work_;
-    const Clock::time_point start_ = Clock::now();
+    const std::function<Clock::time_point()> now_;
+    const Clock::time_point start_ = now_();
     Clock::time_point last_line_ = start_;
     std::string name_;
     double done_ = 0, part_ = 0, fraction_ = 0;
     double given_ = 0;  ///< work that was done before
     bool is_told_ = false;
-    int tenths_ = 0;
-    Clock::duration pause_;
 };
 
 }  // namespace ir::cli

@@ -169,4 +169,19 @@ void fill_ratios(BenchmarkReport& report) {
     }
 }
 
+graph::BenchmarkColumn own_column(const std::string& label, const std::string& unit, const std::string& doc,
+                                  Column::Best best) {
+    return {.label = label, .unit = unit, .doc = doc, .source = Column::PassTime{}, .best = best};
+}
+
+Experiment place_of(const BenchmarkOptions& options, glm::ivec2 usual_size) {
+    auto place = options.place;
+    if (place.scene.empty() && place.parts.empty()) place.scene = graph::Benchmark{}.scene;
+    const auto size = options.size.value_or(usual_size);
+    place.width = size.x;
+    place.height = size.y;
+    place.frames = 1;
+    return place;
+}
+
 }  // namespace ir::engine

@@ -45,28 +45,22 @@ struct Region {
 /// In the order of the table's columns.
 enum ColumnIndex { time, flat_rmse, flat_flip, flat_ratio, rmse, flip, mean_ratio, flat_ms, ms, flat_gain };
 
-/// Its cells are filled here, whatever its source.
-Column column(const std::string& label, const std::string& unit, const std::string& doc,
-              Column::Best best = Column::Best::lowest) {
-    return {.label = label, .unit = unit, .doc = doc, .source = Column::PassTime{}, .best = best};
-}
-
 std::vector<Column> columns(bool is_light) {
     const std::string flip_name = is_light ? "HDR-ꟻLIP" : "ꟻLIP";
     const std::string on_flat = ", on pixels away from geometric edges.";
     const auto none = Column::Best::none;
-    return {column("Time", "ms", "One frame with everything built anew; median of the warm runs."),
-            column("RMSE flat", "", "From the long reference" + on_flat),
-            column(flip_name + " flat", "", "From the long reference" + on_flat),
-            column("Mean flat", "", "Mean over the long reference's" + on_flat, none),
-            column("RMSE", "", "From the long reference."),
-            column(flip_name, "", "From the long reference."),
-            column("Mean", "", "Mean over the long reference's.", none),
-            column("Reference flat", "ms", "Time of the reference to the same RMSE" + on_flat, none),
-            column("Reference", "ms", "Time of the reference to the same RMSE.", none),
-            column("Reference flat / time", "",
-                   "How many times as long the reference takes to the same RMSE" + on_flat,
-                   Column::Best::highest)};
+    return {own_column("Time", "ms", "One frame with everything built anew; median of the warm runs."),
+            own_column("RMSE flat", "", "From the long reference" + on_flat),
+            own_column(flip_name + " flat", "", "From the long reference" + on_flat),
+            own_column("Mean flat", "", "Mean over the long reference's" + on_flat, none),
+            own_column("RMSE", "", "From the long reference."),
+            own_column(flip_name, "", "From the long reference."),
+            own_column("Mean", "", "Mean over the long reference's.", none),
+            own_column("Reference flat", "ms", "Time of the reference to the same RMSE" + on_flat, none),
+            own_column("Reference", "ms", "Time of the reference to the same RMSE.", none),
+            own_column("Reference flat / time", "",
+                       "How many times as long the reference takes to the same RMSE" + on_flat,
+                       Column::Best::highest)};
 }
 
 const MethodDescription& reference_method() {
@@ -326,22 +320,12 @@ class QuestionRun {
     Region flat_, all_;
 };
 
-Experiment place_of(const BenchmarkOptions& options) {
-    auto place = options.place;
-    if (place.scene.empty() && place.parts.empty()) place.scene = graph::Benchmark{}.scene;
-    const auto size = options.size.value_or(glm::ivec2(400, 300));
-    place.width = size.x;
-    place.height = size.y;
-    place.frames = 1;
-    return place;
-}
-
 }  // namespace
 
 std::vector<BenchmarkReport> run_defaults_benchmark(Machine& machine, const BenchmarkOptions& options,
                                                     const BenchmarkCallbacks& callbacks) {
     const auto asked = questions(options.variants);
-    const auto place = place_of(options);
+    const auto place = place_of(options, {400, 300});
     machine.scenes().load(place.composition());
     BenchmarkProgress progress;
     for (const auto& question : asked) progress.rows += question.methods.size() + 2;

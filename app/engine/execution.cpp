@@ -11,6 +11,7 @@
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
 #include "renderers/methods/all_methods.h"
+#include "renderers/passes/preview/preview.h"
 
 namespace ir::engine {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 const graph::Method& find_method(const std::string& id) {
     for (const auto* method : methods::all_methods())
         if (method->description.id == id) return *method;
+    if (id == passes::preview().description.id) return passes::preview();
     registry().at(id);  // throws, naming the known ones
     throw Error("method '" + id + "' is not built");
 }
@@ -48,10 +50,11 @@ const Registry& registry() {
     return all;
 }
 
-Execution::Execution(Machine& machine, Experiment experiment)
+Execution::Execution(Machine& machine, Experiment experiment, std::shared_ptr<graph::SharedContents> shared)
     : machine_(machine), experiment_(std::move(experiment)) {
     load();
-    graph_ = std::make_unique<graph::Graph>(machine_.device(), &machine_.context(), &machine_.programs());
+    graph_ = std::make_unique<graph::Graph>(machine_.device(), &machine_.context(), &machine_.programs(),
+                                            std::move(shared));
 }
 
 const MethodDescription& Execution::method() const {
@@ -85,11 +88,12 @@ void Execution::load() {
     settings_ = std::move(settings);
     scene_ = std::move(loaded);
     inputs_ = {};  // they point into the old scene
+    world_time_ = std::nan("");
     forget_frames();
 }
 
 void Execution::forget_frames() {
-    world_time_ = lights_time_ = std::nan("");
+    lights_time_ = std::nan("");
     time_ = experiment_.time;
     previous_view_.reset();
     frame_ = first_frame_ = 0;
@@ -161,10 +165,11 @@ scene::Camera Execution::camera() const {
 void Execution::move_world(double time) {
     const double before = frame_ > first_frame_ ? time - seconds_per_frame() : time;
     const double world_time = scene_->is_animated() ? time : 0;
-    if (world_time != world_time_) {
-        world_previous_ = scene_->is_animated() ? before : world_time;
-        world_ = scene::flatten(*scene_, world_time, world_previous_);
+    const double world_previous = scene_->is_animated() ? before : world_time;
+    if (world_time != world_time_ || world_previous != world_previous_) {
+        world_ = scene::flatten(*scene_, world_time, world_previous);
         world_time_ = world_time;
+        world_previous_ = world_previous;
         own_lights_ = world_.lights;
         lights_time_ = std::nan("");
     }
@@ -182,7 +187,9 @@ FrameReport Execution::run_frame(const graph::FrameOptions& options, std::uint64
     auto& inputs = inputs_;
     inputs.scene = scene_.get();
     inputs.world = &world_;
-    inputs.world_fingerprint = world_fingerprint();
+    inputs.geometry_fingerprint = geometry_fingerprint();
+    inputs.world_fingerprint =
+        inputs.geometry_fingerprint + ' ' + lighting_digest(world_.lights, scene_->environment);
     inputs.view = scene::make_view(camera(), experiment_.width, experiment_.height, world_.bounds);
     inputs.previous_view = previous_view_.value_or(inputs.view);
     inputs.seed = experiment_.seed;
@@ -207,11 +214,10 @@ bool Execution::explain(const graph::FrameOptions& options) {
     return graph_->explain(*method_, settings_, inputs_, options);
 }
 
-std::string Execution::world_fingerprint() const {
+std::string Execution::geometry_fingerprint() const {
     std::ostringstream text;
     text << std::hexfloat << scene_->content_hash << '@' << world_time_;
     if (world_previous_ != world_time_) text << '<' << world_previous_;
-    text << ' ' << lighting_digest(world_.lights, scene_->environment);
     return text.str();
 }
 

@@ -13,6 +13,7 @@
 #include "renderers/gl/context.h"
 #include "renderers/gl/program.h"
 #include "renderers/graph/graph.h"
+#include "renderers/graph/shared_contents.h"
 #include "renderers/image/exr.h"
 #include "renderers/scene/world.h"
 
@@ -71,7 +72,9 @@ class Machine {
 /// One experiment at one camera and size: owns graph, history and accumulation. Render thread only.
 class Execution {
   public:
-    Execution(Machine& machine, Experiment experiment);
+    /// Executions with the same `shared` contents make what stands still once.
+    Execution(Machine& machine, Experiment experiment,
+              std::shared_ptr<graph::SharedContents> shared = nullptr);
 
     const Experiment& experiment() const { return experiment_; }
     const MethodDescription& method() const;
@@ -141,7 +144,7 @@ class Execution {
     void forget_frames();
     double seconds_per_frame() const;
     void move_world(double time);
-    std::string world_fingerprint() const;
+    std::string geometry_fingerprint() const;
     std::uint64_t samples_per_frame() const;
     std::uint64_t sample_limit(std::uint64_t most) const;
     void count_frame(const FrameReport& report, std::uint64_t limit);

@@ -24,6 +24,14 @@ struct Part {
     auto operator<=>(const Part&) const = default;
 };
 
+/// How fine a picture is. Only full ones count; the others are for the eye, until the full one is there.
+enum class Fineness {
+    preview,  ///< the surfaces under a light at the eye
+    quarter,  ///< the method at a quarter of the picture's sides
+    half,
+    full
+};
+
 /// What is wanted of an experiment. Requests of one tag replace each other: the newest wins. One tag is one
 /// execution; a request that differs from the last in `parts`, `kept` or `inspection` alone runs no method
 /// again unless something asked for was not computed.
@@ -39,6 +47,10 @@ struct LiveRequest {
     /// Where a history is lost (something else is computed, a parameter changed), only so many of the last
     /// frames are run again, the first of them with an empty history; 0: all, as the picture is defined.
     int frames_again = 0;
+    /// Coarser pictures come before the full one, and a request for another picture interrupts it.
+    bool drafts = false;
+    /// Equal texts of one tag ask for the same picture; empty: nobody knows.
+    std::string picture = {};
     /// Stored history to begin with (state_file.h); empty, absent or of something else: from nothing.
     std::string state_file = {};
 };
@@ -64,8 +76,11 @@ struct LiveResult {
     std::map<std::string, Image> thumbnails;  ///< at most 96 pixels wide, by resource key
     Inspection inspection;
     FrameReport report;
-    scene::Camera camera;   ///< in force
-    bool finished = false;  ///< all frames asked for are committed
+    scene::Camera camera;  ///< in force
+    /// Coarse images are enlarged to the full size; parts whose size is not the picture's are not there.
+    Fineness fineness = Fineness::full;
+    bool drafts_left = false;  ///< a finer one comes before the full one
+    bool finished = false;     ///< all frames asked for are committed
 };
 
 /// A picture of buffers in space; drawn between the slices of whatever is rendered. Newest of a tag wins.

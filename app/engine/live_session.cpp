@@ -134,6 +134,7 @@ void LiveSession::run_frame(Entry& entry, const LiveRequest& request, const Step
     entry.whole = entry.report.complete;
     entry.explained = request.inspection;
     entry.rebuild = entry.rebuild && !entry.report.complete;
+    if (entry.report.complete) entry.drafts->note_full(entry.report);
 }
 
 /// With which frame a history that was lost begins again.
@@ -142,15 +143,24 @@ int LiveSession::first_frame(const LiveRequest& request) {
 }
 
 void LiveSession::update(Entry& entry, const LiveRequest& request) {
+    bool is_new = true;
     if (!entry.execution) {
-        entry.execution = std::make_unique<Execution>(machine_, request.experiment);
+        entry.execution = std::make_unique<Execution>(machine_, request.experiment, shared_);
+        entry.drafts = std::make_unique<Drafts>(machine_, shared_);
         entry.execution->restart(first_frame(request));
     } else if (entry.execution->update(request.experiment) ||
                (request.frames_again == 0 && entry.execution->first_frame() > 0)) {
         entry.wanted.clear();  // what nobody looks at any more is not computed again
         entry.begins = true;
+        entry.whole = false;
         entry.execution->restart(first_frame(request));
+    } else {
+        is_new = false;
     }
+    if (!request.drafts)
+        entry.drafts->skip();
+    else if (is_new)
+        entry.drafts->begin(request.experiment);
     entry.execution->inspect(request.inspection);
     // Explanations are computed only while they are asked for.
     const auto& outputs = entry.execution->method().outputs;
@@ -171,7 +181,10 @@ void LiveSession::begin(Entry& entry, const LiveRequest& request) {
     if (request.state_file.empty() || !std::filesystem::exists(request.state_file, ignored)) return;
     try {
         auto state = load_state(request.state_file);
-        if (state.samples > entry.execution->samples()) entry.execution->restore(std::move(state));
+        if (state.samples > entry.execution->samples()) {
+            entry.execution->restore(std::move(state));
+            entry.drafts->skip();  // its picture is there at once
+        }
     } catch (const Error& error) {
         entry.state_messages = {
             {Severity::warning, "state", std::string("a stored state is not continued: ") + error.what()}};
@@ -184,10 +197,23 @@ void LiveSession::restart(Entry& entry, const LiveRequest& request) {
     begin(entry, request);
 }
 
+std::optional<LiveResult> LiveSession::draft(Entry& entry, const LiveRequest& request, const Step& step) {
+    graph::FrameOptions options;
+    options.memory_budget = request.memory_budget;
+    options.cancel = step.cancel;
+    options.between_slices = step.between_slices;
+    options.rebuild = entry.rebuild;
+    return entry.drafts->render(request, options);
+}
+
 LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial, const Step& step) {
     auto& entry = entries_[request.tag];
     update(entry, request);
     begin(entry, request);
+    if (auto coarser = draft(entry, request, step)) {
+        coarser->serial = serial;
+        return std::move(*coarser);
+    }
     auto& execution = *entry.execution;
     const bool lacking = execution.committed_frames() > execution.first_frame() && lacks(entry, request);
     if (!execution.is_done()) {
@@ -207,6 +233,7 @@ LiveResult LiveSession::advance(const LiveRequest& request, std::uint64_t serial
     result.history = execution.committed_frames() - execution.first_frame();
     result.time = execution.time();
     result.finished = execution.is_done();
+    if (result.finished) entry.drafts->rest();
     result.inspection = request.inspection;
     result.report = entry.report;
     result.camera = execution.camera();
@@ -254,6 +281,7 @@ void LiveSession::forget_results() {
     for (auto& [tag, entry] : entries_) {
         if (!entry.execution) continue;
         entry.execution->restart();
+        entry.drafts->free();
         entry.begins = entry.rebuild = true;
     }
 }

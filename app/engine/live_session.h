@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/engine/drafts.h"
 #include "app/engine/execution.h"
 #include "app/engine/live.h"
 #include "renderers/passes/viewers/draw.h"
@@ -25,8 +26,8 @@ class LiveSession {
         ProgressCallback progress;
         std::function<void()> between_slices;  ///< serves draw() and probe()
     };
-    /// Runs the next frame that the request needs, or none when everything is there, and reads back what is
-    /// asked for. Throws as Execution::run_frame.
+    /// Runs the next draft or frame that the request needs, or none when everything is there, and reads back
+    /// what is asked for. Throws as Execution::run_frame.
     LiveResult advance(const LiveRequest& request, std::uint64_t serial, const Step& step);
 
     /// Frees an execution.
@@ -52,6 +53,7 @@ class LiveSession {
   private:
     struct Entry {
         std::unique_ptr<Execution> execution;
+        std::unique_ptr<Drafts> drafts;
         std::unique_ptr<passes::viewers::Viewer> viewer;  ///< made when it is first drawn
         std::vector<std::string> wanted;                  ///< patterns asked for since the history was empty
         std::vector<std::string> tried;                   ///< what the report's frame was asked for
@@ -63,6 +65,7 @@ class LiveSession {
         std::string state_file;               ///< that was tried last
         std::vector<Message> state_messages;  ///< why it is not what the history begins with
     };
+    std::optional<LiveResult> draft(Entry& entry, const LiveRequest& request, const Step& step);
     static bool lacks(const Entry& entry, const LiveRequest& request);
     static bool is_explained(const Entry& entry, const LiveRequest& request);
     void update(Entry& entry, const LiveRequest& request);
@@ -75,6 +78,7 @@ class LiveSession {
     static void run_frame(Entry& entry, const LiveRequest& request, const Step& step);
 
     Machine& machine_;
+    std::shared_ptr<graph::SharedContents> shared_ = std::make_shared<graph::SharedContents>();
     std::map<std::string, Entry> entries_;
 };
 

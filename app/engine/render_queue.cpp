@@ -8,6 +8,8 @@ namespace {
 /// A newer request lets the frame that runs finish, so that a dragged camera shows pictures on its way,
 /// unless that frame already runs this long.
 constexpr auto patience = std::chrono::milliseconds(1500);
+/// With drafts the first picture of a request may take so long; all after it make way at once.
+constexpr auto draft_patience = std::chrono::milliseconds(250);
 constexpr auto shader_poll = std::chrono::milliseconds(700);
 
 template <class Value>
@@ -24,14 +26,50 @@ std::uint64_t RenderQueue::request(LiveRequest request) {
     const std::lock_guard lock(mutex_);
     const auto serial = ++serial_;
     const auto tag = request.tag;
-    jobs_[tag] = {{std::move(request), serial}, true, false};
-    std::erase(cancelled_, tag);
-    if (!running_ || running_tag_ != tag)
-        give_turn(tag);
-    else if (Clock::now() - running_since_ > patience)
+    if (is_in_the_way(request)) {
+        makes_way_ = running_job_.request.tag != tag;
         cancel_.cancel();
+    }
+    auto& known = jobs_[tag];
+    const bool is_another = is_another_picture(request, known.job.request);
+    const bool has_drafts = request.drafts && (is_another || known.drafts);
+    known = {{std::move(request), serial}, true, false, known.answered && !is_another, has_drafts};
+    std::erase(cancelled_, tag);
+    if (!running_ || running_job_.request.tag != tag) give_turn(tag);
     wake_.notify_all();
     return serial;
+}
+
+bool RenderQueue::is_another_picture(const LiveRequest& request, const LiveRequest& than) {
+    return request.picture.empty() || request.picture != than.picture;
+}
+
+bool RenderQueue::runs_longer_than(std::chrono::milliseconds patience) const {
+    return Clock::now() - running_since_ > patience;
+}
+
+/// Whether the frame that runs is to be given up for a request that comes.
+bool RenderQueue::is_in_the_way(const LiveRequest& request) const {
+    if (!running_) return false;
+    const bool is_draft_asked = request.drafts && running_job_.request.drafts;
+    if (running_job_.request.tag == request.tag) {
+        if (!is_draft_asked || !is_another_picture(request, running_job_.request))
+            return runs_longer_than(patience);
+        return running_answered_ || runs_longer_than(draft_patience);
+    }
+    // Whose hand moves sees something at once; what is in the way has shown something already.
+    const auto known = jobs_.find(request.tag);
+    return is_draft_asked && !running_draft_ && !request.picture.empty() &&
+           (known == jobs_.end() || is_another_picture(request, known->second.job.request));
+}
+
+void RenderQueue::cancel_if_overdue() {
+    const std::lock_guard lock(mutex_);
+    if (!running_ || !running_job_.request.drafts || !runs_longer_than(draft_patience)) return;
+    const auto known = jobs_.find(running_job_.request.tag);
+    if (known != jobs_.end() && known->second.job.serial != running_job_.serial &&
+        is_another_picture(known->second.job.request, running_job_.request))
+        cancel_.cancel();
 }
 
 std::uint64_t RenderQueue::draw(SceneViewRequest request) {
@@ -78,7 +116,7 @@ void RenderQueue::release(const std::string& tag) {
     probes_.erase(tag);
     drop_turn(tag);
     released_.push_back(tag);
-    if (running_ && running_tag_ == tag) cancel_.cancel();
+    if (running_ && running_job_.request.tag == tag) cancel_.cancel();
     wake_.notify_all();
 }
 
@@ -89,7 +127,7 @@ void RenderQueue::cancel(const std::string& tag) {
     known->second.active = false;
     known->second.cancelled = true;
     drop_turn(tag);
-    if (running_ && running_tag_ == tag)
+    if (running_ && running_job_.request.tag == tag)
         cancel_.cancel();
     else
         cancelled_.push_back(tag);
@@ -147,14 +185,29 @@ RenderQueue::Work RenderQueue::take() {
         work.scene = std::move(scenes_.front());
         scenes_.pop_front();
     } else if (!turns_.empty()) {
-        running_tag_ = std::move(turns_.front());
-        turns_.pop_front();
+        const auto& next = jobs_.at(take_turn());
+        work.job = running_job_ = next.job;
         running_ = true;
+        running_answered_ = next.answered;
+        running_draft_ = next.drafts;
         running_since_ = Clock::now();
+        makes_way_ = false;
         cancel_.reset();
-        work.job = jobs_.at(running_tag_).job;
     }
     return work;
+}
+
+/// The first tag that has drafts left, else the first that does not yield, else the first.
+std::string RenderQueue::take_turn() {
+    const auto rank = [&](const std::string& tag) {
+        const auto& known = jobs_.at(tag);
+        return known.drafts ? 0 : known.yields ? 2 : 1;
+    };
+    const auto next = std::min_element(turns_.begin(), turns_.end(),
+                                       [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    const auto tag = *next;
+    turns_.erase(next);
+    return tag;
 }
 
 void RenderQueue::give_turn(const std::string& tag) {
@@ -170,9 +223,21 @@ bool RenderQueue::finish(const Job& job, Outcome outcome) {
     auto& active = known->second.active;
     const bool newest = known->second.job.serial == job.serial;
     const bool cancelled = newest && !active;
-    if (newest && outcome != Outcome::more) active = false;
+    const bool is_done = outcome == Outcome::finished || outcome == Outcome::failed;
+    if (newest && active && outcome == Outcome::failed && makes_way_) {
+        known->second.yields = true;
+        give_turn(job.request.tag);
+        return false;
+    }
+    if (outcome != Outcome::drafts && !running_draft_)
+        for (auto& [tag, each] : jobs_) each.yields = false;
+    if (newest && outcome != Outcome::failed) {
+        known->second.answered = true;
+        known->second.drafts = outcome == Outcome::drafts;
+    }
+    if (newest && is_done) active = false;
     if (active) give_turn(job.request.tag);
-    return outcome == Outcome::failed ? newest : outcome == Outcome::more && cancelled;
+    return outcome == Outcome::failed ? newest : !is_done && cancelled;
 }
 
 RenderQueue::Looks RenderQueue::take_looks() {

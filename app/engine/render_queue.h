@@ -51,7 +51,7 @@ class RenderQueue {
     Work take();
     /// After a frame of `job`: the tag's next frame waits for its turn unless this was the last one. Whether
     /// somebody waits to hear that it failed, or that it was cancelled with frames left.
-    enum class Outcome { more, finished, failed };
+    enum class Outcome { drafts, more, finished, failed };  ///< drafts: more of them are left
     bool finish(const Job& job, Outcome outcome);
     /// What waits to be looked at now; what comes meanwhile waits until the next slice is done.
     struct Looks {
@@ -63,6 +63,8 @@ class RenderQueue {
     void run_all_again();
     /// Of the frame that runs.
     const CancelToken& cancel_token() const { return cancel_; }
+    /// To be called between slices: cancels a frame whose picture nobody waits for any more.
+    void cancel_if_overdue();
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -70,14 +72,21 @@ class RenderQueue {
         Job job;
         bool active = false;     ///< frames are left to render
         bool cancelled = false;  ///< by hand, with frames left
+        bool answered = false;   ///< something of the picture was sent
+        bool drafts = false;     ///< are left: they come before the full frames of other tags
+        bool yields = false;     ///< made way, and waits until another's full frame is done
     };
     void give_turn(const std::string& tag);
     bool has_work() const;
+    static bool is_another_picture(const LiveRequest& request, const LiveRequest& than);
+    bool is_in_the_way(const LiveRequest& request) const;
+    bool runs_longer_than(std::chrono::milliseconds patience) const;
     bool is_active(const std::string& tag) const;
     /// The first of `requests` whose tag has nothing left to render.
     template <class Request>
     std::optional<Request> take_ready(std::deque<Request>& requests);
     void drop_turn(const std::string& tag);
+    std::string take_turn();
 
     std::mutex mutex_;
     std::condition_variable wake_;
@@ -89,8 +98,11 @@ class RenderQueue {
     std::deque<KeepRequest> keeps_;
     std::deque<std::vector<scene::Part>> scenes_;
     std::vector<std::string> released_, cancelled_;
-    std::string running_tag_;
+    Job running_job_;
     bool running_ = false;
+    bool running_answered_ = false;  ///< something of its picture was sent before
+    bool running_draft_ = false;     ///< as far as is known
+    bool makes_way_ = false;         ///< the frame was cancelled for another tag's, and is tried again
     Clock::time_point running_since_;
     CancelToken cancel_;
     std::uint64_t serial_ = 0;

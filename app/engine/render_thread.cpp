@@ -133,14 +133,16 @@ void RenderThread::State::render_frame(const RenderQueue::Job& job) {
     };
     // A frame that is being cancelled has no time for it.
     step.between_slices = [this] {
+        queue.cancel_if_overdue();
         if (!queue.cancel_token().is_cancelled()) render_views();
     };
     try {
         auto result = session->advance(job.request, job.serial, step);
-        const bool finished = result.finished;
+        const auto outcome = result.finished      ? Outcome::finished
+                             : result.drafts_left ? Outcome::drafts
+                                                  : Outcome::more;
         tell(callbacks.on_result, std::move(result));
-        if (queue.finish(job, finished ? Outcome::finished : Outcome::more))
-            tell(callbacks.on_failure, tag, "cancelled", true);
+        if (queue.finish(job, outcome)) tell(callbacks.on_failure, tag, "cancelled", true);
     } catch (const Cancelled&) {
         if (queue.finish(job, Outcome::failed)) tell(callbacks.on_failure, tag, "cancelled", true);
     } catch (const std::exception& error) {

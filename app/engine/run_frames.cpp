@@ -69,18 +69,28 @@ class FrameRun {
         add(execution_.run_frame(options, most), before);
     }
 
+    /// "frame 3 of 10, trace"; of one frame the pass alone.
+    std::string frame_text(const std::string& what) const {
+        const int frames = execution_.experiment().frames;
+        if (frames < 2) return what;
+        const auto frame = "frame " + std::to_string(std::min(execution_.committed_frames() + 1, frames)) +
+                           " of " + std::to_string(frames);
+        return what.empty() ? frame : frame + ", " + what;
+    }
+
     /// The fraction of all frames, whatever one of them adds.
     ProgressCallback progress_of(std::uint64_t most) const {
         const auto frames = static_cast<double>(std::max(1, execution_.experiment().frames));
         if (!adds_up_)
             return [this, frames](const std::string& what, double part) {
-                options_.progress(what, std::min(1.0, (execution_.committed_frames() + part) / frames));
+                options_.progress(frame_text(what),
+                                  std::min(1.0, (execution_.committed_frames() + part) / frames));
             };
         const auto asked = execution_.samples_requested(), before = execution_.samples();
         const auto added = std::min({most, asked - std::min(asked, before),
                                      std::max<std::uint64_t>(1, asked / static_cast<std::uint64_t>(frames))});
-        return [this, asked, before, added, text = samples_text(execution_, total_)](const std::string&,
-                                                                                     double part) {
+        return [this, asked, before, added, text = frame_text(samples_text(execution_, total_))](
+                   const std::string&, double part) {
             options_.progress(
                 text, std::min(1.0, (static_cast<double>(before) + part * static_cast<double>(added)) /
                                         static_cast<double>(std::max<std::uint64_t>(1, asked))));

@@ -45,7 +45,17 @@ void write_csv(std::ostream& out, const widgets::Picture& picture) {
         }
 }
 
+void Exports::check_full() const {
+    auto& pane = workspace_.active_pane();
+    if (pane.content() != widgets::ViewPane::Content::picture) return;
+    for (const auto* view : pane.compare().views())
+        for (const auto& each : view->state().pictures)
+            if (each.picture && !each.picture->draft.isEmpty())
+                throw Error("the full picture is still being rendered; export it when it is there");
+}
+
 std::shared_ptr<const widgets::Picture> Exports::picture() const {
+    check_full();
     const auto shown = workspace_.display_picture();
     if (workspace_.active_pane().content() != widgets::ViewPane::Content::picture || !shown ||
         !shown->has_image())
@@ -60,6 +70,7 @@ QString Exports::title() const {
 }
 
 void Exports::save_view(const QString& file) const {
+    check_full();
     const QImage image = workspace_.active_pane().snapshot(true);
     if (image.isNull()) throw Error("the view shows nothing to save");
     write_picture(file, image);

@@ -25,6 +25,8 @@ class Exports {
     QString title() const;
 
   private:
+    /// Throws Error where the active view shows a draft.
+    void check_full() const;
     std::shared_ptr<const widgets::Picture> picture() const;
     Session& session_;
     LivePictures& live_;

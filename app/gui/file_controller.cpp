@@ -212,6 +212,8 @@ bool FileController::may_discard() {
 
 /// The picture by which the project is known on the start page.
 void FileController::save_thumbnail() {
+    const auto shown = workspace_.active_pane().picture_at(0);
+    if (shown && !shown->draft.isEmpty()) return;
     const QImage picture = workspace_.active_pane().snapshot(false);
     if (picture.isNull()) return;
     const QString file = thumbnail_file(QString::fromStdString(session_.open_project().folder().string()));

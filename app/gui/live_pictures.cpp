@@ -158,6 +158,7 @@ void LivePictures::update(const std::string& id, Entry& entry) {
     // What another method has painted, or will yet, must not stand under this one's name.
     if (std::exchange(entry.method, chosen->method) != chosen->method) {
         entry.result.reset();
+        entry.draft.reset();
         entry.signature.clear();
         entry.first_serial = 0;
     }
@@ -228,12 +229,14 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     request.thumbnails = entry.want.thumbnails;
     // Under a camera that is being moved there is another picture than the stored one.
     request.frames_again = entry.frames_again;
+    request.drafts = wants_drafts_ && !(moment_ && moment_->plays && is_moving(id));
+    auto picture = request.picture = signature(experiment);
     const auto* chosen = session_.camera().moved_pose(id) ? nullptr : session_.experiment(id);
     int ignored = 0;
     if (chosen) request.state_file = kept_.state_file(at_moment(*chosen, ignored));
     entry.serial = renderer_.request(std::move(request));
     if (entry.first_serial == 0) entry.first_serial = entry.serial;
-    entry.sent[entry.serial] = signature(experiment);
+    entry.sent[entry.serial] = std::move(picture);
     entry.fraction = 0;
     entry.doing.clear();
     entry.has_begun = false;
@@ -254,6 +257,11 @@ void LivePictures::on_result(std::shared_ptr<const engine::LiveResult> result) {
     auto& entry = found->second;
     const auto id = found->first;
     if (entry.first_serial == 0 || result->serial < entry.first_serial) return;
+    if (result->fineness != engine::Fineness::full) {
+        entry.draft = result;
+        return emit picture_arrived(id);
+    }
+    entry.draft.reset();
     entry.result = result;
     entry.sent.erase(entry.sent.begin(), entry.sent.lower_bound(result->serial));
     if (const auto sent = entry.sent.find(result->serial); sent != entry.sent.end())
@@ -312,6 +320,11 @@ const std::string& LivePictures::text(const std::string& id) const {
 std::shared_ptr<const engine::LiveResult> LivePictures::result(const std::string& id) const {
     const auto* entry = find(id);
     return entry ? entry->result : nullptr;
+}
+
+std::shared_ptr<const engine::LiveResult> LivePictures::draft(const std::string& id) const {
+    const auto* entry = find(id);
+    return entry ? entry->draft : nullptr;
 }
 
 const std::string& LivePictures::computed_from(const std::string& id) const {

@@ -63,6 +63,8 @@ class LivePictures : public QObject {
     State state(const std::string& id) const;
     const std::string& text(const std::string& id) const;                           ///< why blocked or failed
     std::shared_ptr<const engine::LiveResult> result(const std::string& id) const;  ///< may be null
+    /// What is newer than result() and only to be seen; null where nothing is.
+    std::shared_ptr<const engine::LiveResult> draft(const std::string& id) const;
     /// The same text for all results of one computation: what the present one was computed from.
     const std::string& computed_from(const std::string& id) const;
     /// Of the experiment's whole run, 0 … 1, and what is being done.
@@ -73,6 +75,8 @@ class LivePictures : public QObject {
     std::vector<std::string> rendering() const;
     bool is_settled() const { return rendering().empty(); }
 
+    /// Whether coarser pictures are shown before the full ones.
+    void set_drafts(bool on) { wants_drafts_ = on; }
     void cancel();
     void render_again();  ///< everything that is wanted
     void update();        ///< asks again where the document or the camera has changed
@@ -101,7 +105,7 @@ class LivePictures : public QObject {
         double fraction = 0;
         bool has_begun = false;   ///< something was heard of the newest request
         RemainingTime remaining;  ///< since then
-        std::shared_ptr<const engine::LiveResult> result;
+        std::shared_ptr<const engine::LiveResult> result, draft;
     };
     void update(const std::string& id, Entry& entry);
     void follow_camera();
@@ -122,6 +126,7 @@ class LivePictures : public QObject {
     const KeptResults& kept_;
     std::map<std::string, Entry> entries_;
     std::optional<Moment> moment_;
+    bool wants_drafts_ = true;
     std::string no_device_;  ///< why nothing can be rendered
     QElapsedTimer clock_;
 };

@@ -80,6 +80,7 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       project_banners_(*this, session_, live_, *banners_),
       light_offer_(session_, scenes_, *banners_) {
     setObjectName(QStringLiteral("main"));
+    live_.set_drafts(options.drafts);
     setWindowIcon(widgets::icon("app"));
     setAcceptDrops(true);
     add_actions();

@@ -32,6 +32,7 @@ class MainWindow : public QMainWindow {
     struct Options {
         bool remember = true;  ///< keeps geometry, docks and recent projects between runs
         widgets::ImageView::Surface surface = widgets::ImageView::Surface::best;
+        bool drafts = true;                             ///< coarser pictures are shown before the full ones
         engine::MachineOptions machine = {};            ///< of studies and benchmarks
         engine::StudyRunner study_runner = {};          ///< without one they are carried out by that machine
         engine::BenchmarkRunner benchmark_runner = {};  ///< as above

@@ -153,9 +153,11 @@ void MetricsDock::update() {
     const auto picture = mask ? views_.pictures().picture(*mask) : nullptr;
     for (const auto& [letter, each] : {std::pair(tr("A"), now->image), std::pair(tr("B"), now->reference),
                                        std::pair(tr("The mask"), picture)}) {
-        if (!each || each->has_image()) continue;
-        fields.refusal = each->note.isEmpty() ? tr("%1 has no picture yet.").arg(letter)
-                                              : tr("%1: %2").arg(letter, each->note);
+        const bool is_draft = each && !each->draft.isEmpty();
+        if (!each || (each->has_image() && !is_draft)) continue;
+        fields.refusal = is_draft               ? widgets::full_picture_awaited()
+                         : each->note.isEmpty() ? tr("%1 has no picture yet.").arg(letter)
+                                                : tr("%1: %2").arg(letter, each->note);
         fields.may_override = false;
         break;
     }

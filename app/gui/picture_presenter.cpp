@@ -116,8 +116,11 @@ void PicturePresenter::update_displays(int view, CompareView& compare) {
     const auto& rules = views_.rules();
     const auto& shown = views_.state(view);
     std::vector<widgets::Display> displays;
-    for (const auto& source : rules.sources(shown))
-        displays.push_back(display_of(rules.meaning_of(shown, source), view));
+    for (const auto& source : rules.sources(shown)) {
+        const auto picture = views_.pictures().picture(source);
+        displays.push_back(picture->is_preview ? widgets::Display()
+                                               : display_of(rules.meaning_of(shown, source), view));
+    }
     compare.set_displays(std::move(displays));
     const auto* chosen = views_.chosen_display(rules.difference_key(shown), view);
     compare.set_difference_display(chosen ? std::optional(*chosen) : std::nullopt);

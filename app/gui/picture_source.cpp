@@ -72,6 +72,19 @@ QString rendering() {
     return QObject::tr("Rendering …");
 }
 
+QString draft_name(engine::Fineness fineness) {
+    switch (fineness) {
+        case engine::Fineness::preview:
+            return QObject::tr("preview");
+        case engine::Fineness::quarter:
+            return QObject::tr("coarse ¼");
+        case engine::Fineness::half:
+            return QObject::tr("coarse ½");
+        default:
+            return {};
+    }
+}
+
 QString asks_for_pixel(const ResourceReport& resource) {
     return QObject::tr("“%1” explains a pixel: Shift-click one, or press H over it.")
         .arg(text_of(resource.label));
@@ -175,6 +188,31 @@ std::string PictureSource::key_of(const ViewSource& source) const {
     return output ? output->key : std::string();
 }
 
+/// The image of a result that has it, with its meaning and mask.
+void PictureSource::take_image(Picture& picture, const ViewSource& source,
+                               const std::shared_ptr<const engine::LiveResult>& result) const {
+    const auto& image = result->images.at({source.output, source.level, source.layer});
+    picture.image = {result, &image};
+    if (result->valid.width == image.width && result->valid.height == image.height)
+        picture.valid = {result, &result->valid};
+    const auto* resource = find_resource(result->report, key_of(source));
+    if (!resource) return;
+    picture.semantic = resource->semantic;
+    picture.unit = text_of(resource->unit);
+    picture.colour_map = resource->colour_map;
+}
+
+/// False where no draft is newer than the full picture, or it has none of this.
+bool PictureSource::take_draft(Picture& picture, const ViewSource& source) const {
+    const auto draft = live_.draft(source.owner);
+    if (!draft || !draft->images.count({source.output, source.level, source.layer})) return false;
+    take_image(picture, source, draft);
+    picture.draft = draft_name(draft->fineness);
+    picture.is_preview = draft->fineness == engine::Fineness::preview;
+    if (picture.is_preview) picture.semantic = Semantic::albedo;
+    return true;
+}
+
 Picture PictureSource::of_experiment(const ViewSource& source) const {
     Picture picture;
     const auto key = key_of(source);
@@ -190,6 +228,7 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
     const auto state = live_.state(source.owner);
     picture.stale = state == LivePictures::State::rendering;
     picture.origin = source.owner;
+    if (take_draft(picture, source)) return picture;
     if (!result) {
         picture.note = why_nothing(source.owner);
         return picture;
@@ -208,9 +247,7 @@ Picture PictureSource::of_experiment(const ViewSource& source) const {
                                .arg(option.label, text_of(to_string(option.kind)));
         return picture;
     }
-    picture.image = {result, &found->second};
-    if (result->valid.width == found->second.width && result->valid.height == found->second.height)
-        picture.valid = {result, &result->valid};
+    take_image(picture, source, result);
     if (resource && (source.level == ViewSource::all || source.layer == ViewSource::all))
         picture.atlas = make_atlas(resource->width, resource->height,
                                    source.level == ViewSource::all ? resource->levels : 1,
@@ -272,6 +309,7 @@ std::shared_ptr<const Picture> PictureSource::picture(const ViewSource& source) 
 widgets::Display PictureSource::automatic_display(const ViewSource& source) {
     auto& found = entry(source);
     const auto& picture = *found.picture;
+    if (picture.is_preview) return {};
     if (picture.has_image() && found.measured.lock() != picture.image) {
         found.measured = picture.image;
         found.automatic = widgets::display_for(picture.semantic, picture.colour_map, *picture.image,

@@ -69,6 +69,9 @@ class PictureSource {
     Entry& entry(const widgets::ViewSource& source);
     widgets::Picture make(const widgets::ViewSource& source) const;
     widgets::Picture of_experiment(const widgets::ViewSource& source) const;
+    void take_image(widgets::Picture& picture, const widgets::ViewSource& source,
+                    const std::shared_ptr<const engine::LiveResult>& result) const;
+    bool take_draft(widgets::Picture& picture, const widgets::ViewSource& source) const;
     void add_variance(widgets::Picture& picture, const widgets::ViewSource& source) const;
     widgets::Picture of_file(const widgets::ViewSource& source) const;
     /// Of the method's output; null for other buffers.

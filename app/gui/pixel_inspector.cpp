@@ -56,7 +56,7 @@ PixelInspector::PixelInspector(Session& session, LivePictures& live, Renderer& r
     connect(&workspace_, &Workspace::explain_wanted, this, &PixelInspector::explain);
     connect(&views_, &ViewModel::active_changed, this, &PixelInspector::update);
     connect(&live_, &LivePictures::picture_arrived, this, [this](const std::string& id) {
-        if (id == experiment()) update();
+        if (id == experiment() && !live_.draft(id)) update();
     });
     // A picture arrives before it counts as finished, and until then nothing is known to be empty.
     connect(&live_, &LivePictures::state_changed, this, [this](const std::string& id) {

@@ -177,7 +177,8 @@ int run_window(const Arguments& arguments) {
     const auto machine = machine_of(arguments);
     const auto renderer = make_thread_renderer(machine);
     const bool screenshot = arguments.takes_picture();
-    MainWindow window(*renderer, engine::registry(), {.remember = !screenshot, .machine = machine});
+    MainWindow window(*renderer, engine::registry(),
+                      {.remember = !screenshot, .drafts = !screenshot, .machine = machine});
     if (!arguments.size.empty()) {
         const auto size = projects::parse_size(arguments.size, "--size");
         window.resize(size.x, size.y);

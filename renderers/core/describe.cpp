@@ -79,6 +79,7 @@ Json json_of(const ParameterDescription& p) {
     json["effect"] = p.effect == Effect::image ? "image" : "cost";
     json["on_change"] = on_change_name(p.on_change);
     if (p.accumulates) json["accumulates"] = true;
+    if (p.coarse) json["coarse"] = json_of(*p.coarse);
     if (!p.active_when.key.empty()) json["active_when"] = json_of(p.active_when);
     json["since_version"] = p.since_version;
     if (p.value_in_older_projects) json["value_in_older_projects"] = json_of(*p.value_in_older_projects);
@@ -117,6 +118,11 @@ std::string condition_text(const Condition& condition) {
     for (const auto& value : condition.values)
         text += (&value == &condition.values.front() ? " " : ", ") + to_string(value);
     return text + ".";
+}
+
+std::string coarse_text(const ParameterDescription& p) {
+    const bool is_number = p.type == ParameterType::integer || p.type == ParameterType::number;
+    return (is_number ? "at most " : "") + to_string(*p.coarse);
 }
 
 std::string count_text(const SelectorDescription& selector) {
@@ -159,6 +165,7 @@ std::string describe_markdown(const MethodDescription& method) {
             if (!choice.doc.empty() && (p.supported.empty() || p.supported.size() > 1))
                 text += " `" + choice.key + "`: " + choice.doc;
         text += condition_text(p.active_when);
+        if (p.coarse) text += " In coarse pictures " + coarse_text(p) + ".";
         if (!p.citation.empty()) text += " [" + p.citation + "]";
         text += " |\n";
     }

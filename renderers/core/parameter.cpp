@@ -116,6 +116,17 @@ Value ParameterDescription::parse(std::string_view text) const {
     return std::string(text);
 }
 
+Settings coarse(const std::vector<ParameterDescription>& parameters, Settings settings) {
+    for (const auto& p : parameters) {
+        if (!p.coarse) continue;
+        auto& value = settings.at(p.key);
+        const bool is_number = p.type == ParameterType::integer || p.type == ParameterType::number;
+        const auto coarse = p.checked(*p.coarse);
+        value = is_number ? std::min(p.checked(value), coarse) : coarse;
+    }
+    return settings;
+}
+
 const ParameterDescription* find(const std::vector<ParameterDescription>& parameters, std::string_view key) {
     for (const auto& p : parameters)
         if (p.key == key) return &p;

@@ -55,6 +55,9 @@ struct ParameterText {
     /// picture depends on their sum, bit by bit, and not on how frames divided it, so that a stored state
     /// (graph::History) serves all values.
     bool accumulates = false;
+    /// What it is worth in a coarse picture, which is shown while the full one is rendered and counts for
+    /// nothing: of numbers the most, of others the value itself. Absent: what was asked for.
+    std::optional<Value> coarse = {};
     int since_version = 1;                              ///< the method version that introduced the parameter
     std::optional<Value> value_in_older_projects = {};  ///< for projects saved before since_version
 };
@@ -79,6 +82,9 @@ Settings defaults(const std::vector<ParameterDescription>& parameters);
 
 /// `given` checked and completed with defaults. Unknown keys throw UsageError that lists the known ones.
 Settings completed(const std::vector<ParameterDescription>& parameters, const Settings& given);
+
+/// Of complete settings: those of a coarse picture.
+Settings coarse(const std::vector<ParameterDescription>& parameters, Settings settings);
 
 /// Whether the parameter has a meaning under these (complete) settings.
 bool is_active(const ParameterDescription& parameter, const Settings& settings);

@@ -27,8 +27,9 @@ struct PassReport {
     bool has_two_bodies = false;  ///< one for each processor; `queue` says which one ran
     double gpu_ms = 0;  ///< on software drivers measured with glFinish and a steady clock, like cpu_ms
     double cpu_ms = 0;
-    int slices = 1;
+    int slices = 1;  ///< 0: what it writes was there already
     bool culled = false;
+    bool is_kept = false;                    ///< all that it writes stays valid while fingerprints stay equal
     std::vector<std::string> reads, writes;  ///< resource keys
 };
 

@@ -76,7 +76,8 @@ struct GraphCache {
     std::vector<std::string> warnings;      ///< PassContext::warn
     bool is_running = false;                ///< a frame or an explanation is under way
 
-    std::optional<History> restored;  ///< for the next frame
+    std::optional<History> restored;         ///< for the next frame
+    std::shared_ptr<SharedContents> shared;  ///< with other graphs; may be null
 
     void reset_gl_state() const;
     void delete_framebuffers();

@@ -71,6 +71,8 @@ struct Frame {
     // frame_cache.cpp: contents that outlive a frame
     bool has_contents(const Pass::Access& access) const;
     bool is_cached(const Pass& pass) const;
+    /// Whether later frames may find all that it writes.
+    bool is_kept(const Pass& pass) const;
     void find_cached_passes();
     void keep_fingerprints(const Pass& pass, std::size_t index);
     /// Of what was made from growable buffers in this attempt: elements may be missing.
@@ -113,6 +115,15 @@ class FrameMemory {
 /// declared again as one that begins anew.
 bool accept_restored(Frame& frame);
 void put_restored(Frame& frame);
+
+// frame_sharing.cpp: contents with a fingerprint that other graphs have, too; nothing without shared contents
+
+/// Before memory is planned: buffers that have grown elsewhere are as large here.
+void learn_shared_capacities(Frame& frame);
+/// Takes what others have made; passes that would make it are cached then.
+void adopt_shared(Frame& frame);
+/// Offers what a complete frame has.
+void share_contents(Frame& frame);
 
 /// frame_report.cpp: what the passes left, with the frame's counts.
 void fill_report(Frame& frame, const std::vector<std::uint64_t>& counts);

@@ -53,6 +53,22 @@ bool Frame::is_cached(const Pass& pass) const {
            counted->second.size() == pass.counters.size();
 }
 
+bool Frame::is_kept(const Pass& pass) const {
+    bool writes = false;
+    for (const auto& access : pass.accesses) {
+        if (!access.write) continue;
+        writes = true;
+        const bool is_image = access.kind == Kind::image, is_buffer = access.kind == Kind::buffer;
+        const auto& fingerprint = is_image    ? builder->images()[access.index].fingerprint
+                                  : is_buffer ? builder->buffers()[access.index].fingerprint
+                                              : builder->objects()[access.index].fingerprint;
+        const bool has_history = (is_image && plan.image_history[access.index]) ||
+                                 (is_buffer && plan.buffer_history[access.index]);
+        if (fingerprint.empty() || has_history) return false;
+    }
+    return writes;
+}
+
 void Frame::find_cached_passes() {
     const auto& passes = builder->passes();
     cached.assign(passes.size(), false);

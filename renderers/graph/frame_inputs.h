@@ -15,7 +15,8 @@ namespace ir::graph {
 struct FrameInputs {
     const scene::Scene* scene = nullptr;
     const scene::World* world = nullptr;
-    std::string world_fingerprint;  ///< equal exactly while the world is (scene hash and time)
+    std::string world_fingerprint;     ///< equal exactly while the world is (scene hash, time and lights)
+    std::string geometry_fingerprint;  ///< likewise of all but the world's lights and environment
     scene::View view, previous_view;
     std::uint64_t seed = 0;
     int frame = 0;                        ///< 0 for the first after an empty history

@@ -5,6 +5,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/graph/frame.h"
+#include "renderers/graph/shared_contents.h"
 
 namespace ir::graph {
 namespace {
@@ -23,8 +24,11 @@ GraphCache::~GraphCache() {
     delete_framebuffers();
 }
 
-Graph::Graph(gl::Device& device, gl::Context* context, gl::ProgramLibrary* programs)
-    : cache_(std::make_unique<GraphCache>(device, context, programs)) {}
+Graph::Graph(gl::Device& device, gl::Context* context, gl::ProgramLibrary* programs,
+             std::shared_ptr<SharedContents> shared)
+    : cache_(std::make_unique<GraphCache>(device, context, programs)) {
+    cache_->shared = std::move(shared);
+}
 
 Graph::~Graph() = default;
 
@@ -92,6 +96,7 @@ void Frame::run_passes() {
     FrameMemory memory(*this);
     memory.allocate();
     put_restored(*this);
+    adopt_shared(*this);
     memory.prepare_counters();
     memory.prepare_parameters();
     find_cached_passes();
@@ -106,6 +111,7 @@ void Frame::run_passes() {
         row.culled = !plan.pass_live[i];
         row.has_two_bodies = pass.has_two_bodies;
         cache.report.passes.push_back(plan.pass_live[i] && !cached[i] ? run_pass(pass, i) : row);
+        cache.report.passes.back().is_kept = is_kept(pass);
     }
     resolve_times();
 }
@@ -125,6 +131,7 @@ void Frame::run_attempts(const std::vector<std::string>& wanted) {
         method->setup(declared, *settings);
         plan = make_plan(declared, wanted);
         if (!accept_restored(*this)) continue;
+        learn_shared_capacities(*this);
         FrameMemory memory(*this);
         const auto needed = memory.plan();
         if (!memory.fits(needed)) {
@@ -141,7 +148,10 @@ void Frame::run_attempts(const std::vector<std::string>& wanted) {
         cache.report.complete = !memory.grow(counts);
         if (!cache.report.complete) drop_unsure_fingerprints();
         fill_report(*this, counts);
-        if (cache.report.complete) remember_committed(wanted);
+        if (cache.report.complete) {
+            remember_committed(wanted);
+            share_contents(*this);
+        }
         if (cache.report.complete || options->growth == Growth::next_frame) return;
         if (++attempt > max_growths_per_frame)
             throw Error("method '" + method->description.id + "': buffers still overflow after " +

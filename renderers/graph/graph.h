@@ -53,13 +53,16 @@ struct History {
 };
 
 struct GraphCache;
+class SharedContents;
 
 /// Owns every image and buffer of one execution, runs its frames and keeps their history. All calls from one
 /// thread, with the device's context current.
 class Graph {
   public:
-    /// `programs` may be null for tests on the null device.
-    Graph(gl::Device& device, gl::Context* context, gl::ProgramLibrary* programs);
+    /// `programs` may be null for tests on the null device. Graphs with the same `shared` contents make what
+    /// has a fingerprint once.
+    Graph(gl::Device& device, gl::Context* context, gl::ProgramLibrary* programs,
+          std::shared_ptr<SharedContents> shared = nullptr);
     ~Graph();
     Graph(const Graph&) = delete;
 

@@ -15,11 +15,29 @@ Pool::~Pool() {
 }
 
 void Pool::release(Physical& physical) {
-    for (auto& copy : physical.copies) {
-        if (copy.name)
-            physical.is_image ? device_.destroy_image(copy.name) : device_.destroy_buffer(copy.name);
-        copy = {};
-    }
+    for (auto& copy : physical.copies) release(physical, copy);
+}
+
+void Pool::release(const Physical& physical, std::shared_ptr<Copy>& copy) {
+    if (copy.use_count() == 1 && copy->name)
+        physical.is_image ? device_.destroy_image(copy->name) : device_.destroy_buffer(copy->name);
+    copy = std::make_shared<Copy>();
+}
+
+Copy& Pool::own(Physical& physical) {
+    auto& copy = physical.copies[physical.current];
+    if (copy.use_count() > 1)
+        release(physical, copy);
+    else
+        copy = std::make_shared<Copy>(std::move(*copy));  // whoever knows it by its old contents loses it
+    return *copy;
+}
+
+void Pool::adopt(Physical& physical, std::shared_ptr<Copy> copy, const std::string& fingerprint) {
+    auto& own = physical.copies[physical.current];
+    release(physical, own);
+    own = std::move(copy);
+    physical.fingerprint = fingerprint;
 }
 
 Physical& Pool::image(const std::string& key, const std::string& label, const gl::ImageShape& shape,
@@ -199,13 +217,13 @@ void Pool::hide_previous() {
 
 void Pool::forget_history() {
     for (auto& [key, physical] : resources_)
-        for (auto& copy : physical.copies) copy.committed = false;
+        for (auto& copy : physical.copies) copy->committed = false;
 }
 
 std::uint64_t Pool::bytes(const Physical& physical) const {
     std::uint64_t sum = 0;
     for (const auto& copy : physical.copies)
-        sum += (copy.name ? physical.copy_bytes() : 0) + copy.host.size();
+        sum += (copy->name ? physical.copy_bytes() : 0) + copy->host.size();
     return sum;
 }
 

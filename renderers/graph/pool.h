@@ -26,15 +26,16 @@ struct Physical {
     gl::ImageShape shape;                                         // images
     std::uint64_t element_bytes = 0, capacity = 0, estimate = 0;  // buffers
     bool history = false;
-    Copy copies[2];
+    /// Graphs that share contents hold the same copy; own() is before writing.
+    std::shared_ptr<Copy> copies[2] = {std::make_shared<Copy>(), std::make_shared<Copy>()};
     int current = 0;
     std::string fingerprint;    ///< of the contents; empty: valid within the frame only
     bool produced = false;      ///< written in this frame
     bool had_previous = false;  ///< the last committed frame found a history
 
-    Copy& now() { return copies[current]; }
-    bool has_contents() const { return copies[current].on_device || copies[current].on_host; }
-    Copy& before() { return copies[1 - current]; }
+    Copy& now() { return *copies[current]; }
+    bool has_contents() const { return copies[current]->on_device || copies[current]->on_host; }
+    Copy& before() { return *copies[1 - current]; }
     std::uint64_t copy_bytes() const { return is_image ? shape.bytes() : element_bytes * capacity; }
     std::uint64_t host_bytes() const;  ///< of level 0 with all layers, or of the whole buffer
 };
@@ -68,6 +69,11 @@ class Pool {
     std::vector<std::byte> read(const Physical& physical, const Copy& copy) const;
     std::vector<std::string> keys() const;
 
+    /// The copy that is written, which no other graph has: a new one in place of one that is shared.
+    Copy& own(Physical& physical);
+    /// Takes the contents of another graph's resource of the same shape in place of its own.
+    void adopt(Physical& physical, std::shared_ptr<Copy> copy, const std::string& fingerprint);
+
     /// Zeros (depth images on the device: 1) on the device or on the host.
     void zero(Physical& physical, Copy& copy, bool device);
 
@@ -85,6 +91,7 @@ class Pool {
 
   private:
     void release(Physical& physical);
+    void release(const Physical& physical, std::shared_ptr<Copy>& copy);
     void grow_with_history(Physical& physical, std::uint64_t capacity);
     gl::Device& device_;
     std::map<std::string, Physical> resources_;

@@ -45,9 +45,9 @@ void Frame::prepare_access(const Pass& pass, const Pass::Access& access) {
     if (access.kind == Kind::object) return;
     const bool on_gl = pass.queue == Queue::gl, is_image = access.kind == Kind::image;
     auto& physical = is_image ? *images[access.index] : *buffers[access.index];
-    auto& copy = access.previous ? physical.before() : physical.now();
-    if (access.previous && !copy.committed) return cache.pool.zero(physical, copy, on_gl);
     const bool fresh = access.write && !physical.produced;
+    auto& copy = access.previous ? physical.before() : fresh ? cache.pool.own(physical) : physical.now();
+    if (access.previous && !copy.committed) return cache.pool.zero(physical, copy, on_gl);
     const bool cleared = fresh && !is_image && builder->buffers()[access.index].cleared;
     if (on_gl) {
         cache.pool.on_device(physical, copy);
@@ -77,7 +77,8 @@ void Frame::drop_contents(const Pass& pass) {
     for (const auto& access : pass.accesses) {
         if (!access.write || access.kind == Kind::object) continue;
         auto& physical = access.kind == Kind::image ? *images[access.index] : *buffers[access.index];
-        physical.now().on_device = physical.now().on_host = false;
+        auto& copy = cache.pool.own(physical);
+        copy.on_device = copy.on_host = false;
     }
 }
 

@@ -36,8 +36,9 @@ class Difference : public OfTwo {
         return all.held < 0 ? std::vector<PaneContent>{{0, true}} : OfTwo::contents(all);
     }
     QString refusal(const ComparedPictures& all) const override {
-        const QString refusal = OfTwo::refusal(all);
-        return refusal.isEmpty() ? all.noise_unknown() : refusal;
+        for (const QString& refusal : {OfTwo::refusal(all), all.waits_for_full()})
+            if (!refusal.isEmpty()) return refusal;
+        return all.noise_unknown();
     }
 };
 

@@ -277,7 +277,8 @@ void CompareView::fill_difference(ImageView& view, int slot) {
     if (!result || !possible) {
         view.set_labels({});
         return view.set_picture(
-            make_note(possible ? tr("Computing the difference …")
+            make_note(possible                                          ? tr("Computing the difference …")
+                      : !left.draft.isEmpty() || !right.draft.isEmpty() ? full_picture_awaited()
                       : left.has_image() && right.has_image()
                           ? tr("Sizes differ: %1 and %2 pixels.").arg(size_text(left), size_text(right))
                           : QString()));

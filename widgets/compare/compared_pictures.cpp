@@ -78,6 +78,12 @@ QString ComparedPictures::missing_picture() const {
     return {};
 }
 
+QString ComparedPictures::waits_for_full() const {
+    for (int i = 0; i < std::min(2, count()); ++i)
+        if (!pictures[i]->draft.isEmpty()) return full_picture_awaited();
+    return {};
+}
+
 QString ComparedPictures::sizes_differ(int pictures_compared) const {
     int first = -1;
     for (int i = 0; i < std::min(pictures_compared, count()); ++i) {

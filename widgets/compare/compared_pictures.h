@@ -64,6 +64,8 @@ struct ComparedPictures {
     /// Parts of it: that A or B is missing, that sizes of the first pictures differ, that nothing is known of
     /// the noise.
     QString missing_picture() const;
+    /// One of the first two is a draft.
+    QString waits_for_full() const;
     QString sizes_differ(int pictures_compared) const;
     QString noise_unknown() const;
 };

@@ -19,7 +19,7 @@ std::shared_ptr<const Image> enlarged(const std::shared_ptr<const Image>& image,
 }  // namespace
 
 bool have_difference(const Picture& a, const Picture& b) {
-    if (!a.has_image() || !b.has_image()) return false;
+    if (!a.has_image() || !b.has_image() || !a.draft.isEmpty() || !b.draft.isEmpty()) return false;
     if (a.size() == b.size()) return true;
     const QSize small = is_smaller(a, b) ? a.size() : b.size(),
                 large = is_smaller(a, b) ? b.size() : a.size();

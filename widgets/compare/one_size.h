@@ -10,7 +10,7 @@
 namespace ir::widgets {
 
 /// Whether there is a difference of them: equal sizes, or of one origin and one of them the other one
-/// reduced.
+/// reduced. Drafts have none.
 bool have_difference(const Picture& a, const Picture& b);
 
 /// The picture, enlarged by the rule above to a size that it is not larger than, with its mask and variance.

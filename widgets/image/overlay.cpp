@@ -141,6 +141,14 @@ void paint_tiles(QPainter& painter, const CanvasState& state, qreal ratio) {
     }
 }
 
+/// The label with what the picture is instead, or that a newer one is on its way.
+QString marked(const QString& label, const Picture* picture, bool stale) {
+    const QString mark = picture && !picture->draft.isEmpty() ? picture->draft
+                         : stale                              ? QStringLiteral("rendering …")
+                                                              : QString();
+    return label.isEmpty() || mark.isEmpty() ? label + mark : label + QStringLiteral("  ·  ") + mark;
+}
+
 /// Labels keep to their side of the divider.
 void paint_labels(QPainter& painter, const CanvasState& state, const QRectF& view, qreal ratio) {
     QRectF left = view, right;
@@ -149,14 +157,13 @@ void paint_labels(QPainter& painter, const CanvasState& state, const QRectF& vie
         left.setRight(x);
         right = QRectF(x, 0, view.width() - x, view.height());
     }
-    const bool old = state.stale && state.has_image();
-    const QString rendering = QStringLiteral("rendering …");
-    QString label = state.label;
-    if (old && !label.isEmpty()) label += QStringLiteral("  ·  ") + rendering;
-    paint_badge(painter, left, label, Qt::AlignLeft | Qt::AlignTop, ratio);
+    const auto side = state.label.isEmpty() ? Qt::AlignRight : Qt::AlignLeft;
+    paint_badge(painter, left,
+                marked(state.label, state.pictures[0].picture.get(), state.stale && state.has_image()),
+                side | Qt::AlignTop, ratio);
     if (state.has_divider())
-        paint_badge(painter, right, state.second_label, Qt::AlignRight | Qt::AlignTop, ratio);
-    if (old && label.isEmpty()) paint_badge(painter, view, rendering, Qt::AlignRight | Qt::AlignTop, ratio);
+        paint_badge(painter, right, marked(state.second_label, state.pictures[1].picture.get(), false),
+                    Qt::AlignRight | Qt::AlignTop, ratio);
 }
 
 /// Of two pictures that are shown differently, one on either side.

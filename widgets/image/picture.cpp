@@ -36,6 +36,10 @@ std::shared_ptr<const Picture> make_note(const QString& note, const QString& lab
     return std::make_shared<const Picture>(std::move(picture));
 }
 
+QString full_picture_awaited() {
+    return translated("Waiting for the full picture …");
+}
+
 PicturePixel locate(const Picture& picture, QPoint pixel) {
     if (!picture.has_image() || !QRect(QPoint(0, 0), picture.size()).contains(pixel)) return {};
     if (picture.atlas.tiles.empty()) return {0, 0, pixel};

@@ -27,7 +27,11 @@ struct Picture {
     std::vector<Category> categories = {};  ///< where numbers, or colours, are names
     Atlas atlas;                            ///< levels and layers in one picture; empty: a plain image
     bool stale = false;                     ///< a newer one is being rendered
-    std::string origin;                     ///< whose computation it is a part of; empty: nobody knows
+    /// What stands for the picture until it is there, "preview" or "coarse ¼": it is seen, and counts for
+    /// nothing. Empty: the picture itself.
+    QString draft;
+    bool is_preview = false;  ///< of other values than the picture's, and shown in a way of its own
+    std::string origin;       ///< whose computation it is a part of; empty: nobody knows
 
     bool operator==(const Picture&) const = default;  ///< of pixels the same object
     bool has_image() const { return image && !image->empty(); }
@@ -36,6 +40,8 @@ struct Picture {
 
 std::shared_ptr<const Picture> make_picture(Image image, Semantic semantic, const QString& label = {},
                                             const QString& unit = {});
+/// What is said in the place of what drafts do not have, such as metrics.
+QString full_picture_awaited();
 std::shared_ptr<const Picture> make_note(const QString& note, const QString& label = {});
 
 /// A pixel in terms of its tile: of a plain image level 0 and layer 0.

@@ -87,6 +87,13 @@ void ViewPane::update_summary() {
         summarised_.reset();
         return;
     }
+    if (!picture->draft.isEmpty()) {
+        values_->set_picture({}, Semantic::generic,
+                             picture->label + QStringLiteral("   ") + full_picture_awaited(), {});
+        summarised_.reset();
+        if (cursor_.x() >= 0) show_pixel();
+        return;
+    }
     // Statistics of the same pixels are known already.
     if (summarised_.lock() != picture->image)
         values_->set_picture(*picture->image, picture->semantic, picture->label, picture->unit,
@@ -99,6 +106,9 @@ void ViewPane::update_summary() {
 void ViewPane::show_pixel() {
     const auto picture = compare_->pointed_picture();
     if (!picture || !picture->has_image()) return;
+    if (!picture->draft.isEmpty())
+        return values_->show_text(place_text(*picture, cursor_) + QStringLiteral("   ") +
+                                  full_picture_awaited());
     const bool difference = compare_->compared().mode == CompareView::Mode::difference;
     const QString more =
         difference ? compare_->compared().difference_text(compare_->difference_picture().get(), cursor_)

@@ -16,7 +16,8 @@ void add_march(ParameterTable<Parameters>& table) {
                     "neither turning nor blur: the benchmark's variant “authors' baseline”.",
              .citation = "Bavoil08",
              .hard = {1, 1024},
-             .soft = {4, 64}})
+             .soft = {4, 64},
+             .coarse = std::int64_t{8}})
         .add(&Parameters::steps,
              {.key = "steps",
               .label = "Steps",
@@ -25,7 +26,8 @@ void add_march(ParameterTable<Parameters>& table) {
                      "of Aalund 2015's baseline.",
               .citation = "Bavoil08",
               .hard = {1, 1024},
-              .soft = {4, 64}});
+              .soft = {4, 64},
+              .coarse = std::int64_t{6}});
 }
 
 void add_shape(ParameterTable<Parameters>& table) {

@@ -24,7 +24,8 @@ ParameterTable<Parameters> parameter_table() {
               .hard = {1, 1e6},
               .soft = {1, 1024},
               .on_change = OnChange::nothing,
-              .accumulates = true})
+              .accumulates = true,
+              .coarse = std::int64_t{4}})
         .add(&Parameters::primary,
              {.key = "primary",
               .label = "First surface",

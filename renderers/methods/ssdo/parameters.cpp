@@ -54,7 +54,8 @@ ParameterTable<Parameters> parameter_table() {
              "max_distance is not that of other methods.",
          .citation = "Ritschel09 §3.1",
          .hard = {1, 4096},
-         .soft = {4, 64}});
+         .soft = {4, 64},
+         .coarse = std::int64_t{8}});
     table.include(
         &Parameters::transport,
         transport_parameters({.paths = {"direct", "indirect", "full"},

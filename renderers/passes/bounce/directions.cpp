@@ -30,7 +30,8 @@ void add_choices(ParameterTable<DirectionParameters>& table, const Condition& ac
               .citation = "Nalbach15 §3.1",
               .hard = {1, max_samples},
               .soft = {1, max_samples},
-              .active_when = active_when})
+              .active_when = active_when,
+              .coarse = std::int64_t{1}})
         .add(&DirectionParameters::spread,
              {.key = "spread",
               .label = "Spread of samples",

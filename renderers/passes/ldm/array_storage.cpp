@@ -20,7 +20,8 @@ ArrayStorage::ArrayStorage(graph::GraphBuilder& builder, const Layout& layout, H
                                      .doc = "Number of the first depth of each row of texels."},
                             .name = "LdmRows",
                             .fields = {{"first", FieldType::u32}},
-                            .elements = batch_rows()});
+                            .elements = batch_rows(),
+                            .fingerprint = layout.fingerprint});
     offsets_ = builder.buffer({.text = {.key = "ldm.offsets",
                                         .label = "Offsets of texels",
                                         .doc = "Number of each texel's first depth, counted from the row's; "
@@ -28,7 +29,8 @@ ArrayStorage::ArrayStorage(graph::GraphBuilder& builder, const Layout& layout, H
                                .name = "LdmOffsets",
                                .fields = {{"pair", FieldType::u32}},
                                .elements = batch_rows() * row_words(),
-                               .growable = true});
+                               .growable = true,
+                               .fingerprint = layout.fingerprint});
     sorted_ = declare_sorted_depths(builder, layout);
     offset_words_requested_ = builder.counter({.key = "ldm.offset_words",
                                                .name = "OffsetsRequested",

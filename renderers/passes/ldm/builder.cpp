@@ -1,6 +1,7 @@
 #include "renderers/passes/ldm/builder.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "renderers/core/record.h"
 #include "renderers/passes/ldm/rasterisers.h"
@@ -21,6 +22,18 @@ struct Prepare {
     IR_FIELDS(fragment_bits)
 };
 
+/// Maps depend on the scene and their directions, and on no camera and no light.
+std::string fingerprint_of(const graph::FrameInputs& inputs, const Options& options) {
+    if (inputs.geometry_fingerprint.empty()) return {};
+    std::ostringstream text;
+    text << std::hexfloat << inputs.geometry_fingerprint << " maps " << options.directions << " x "
+         << options.resolution << ' ' << static_cast<int>(options.storage) << ' '
+         << static_cast<int>(options.builder) << ' ' << options.fixed_layers;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) text << ' ' << options.rotation[column][row];
+    return text.str();
+}
+
 Layout make_layout(graph::GraphBuilder& builder, const Options& options) {
     Layout layout;
     layout.resolution = options.resolution;
@@ -30,6 +43,7 @@ Layout make_layout(graph::GraphBuilder& builder, const Options& options) {
     layout.batch_maps = (options.directions + batches - 1) / batches;
     const auto fitting = static_cast<int>(std::max<std::uint64_t>(1, chunk_texels / layout.map_texels()));
     layout.chunk_maps = std::min({max_chunk_maps, fitting, layout.batch_maps});
+    if (layout.batches() == 1) layout.fingerprint = fingerprint_of(builder.inputs(), options);
     return layout;
 }
 
@@ -40,7 +54,8 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
                                                .doc = "What the steps of building tell each other."},
                                       .name = "LdmState",
                                       .fields = {{"word", FieldType::u32}},
-                                      .elements = state_words});
+                                      .elements = state_words,
+                                      .fingerprint = maps.layout.fingerprint});
     if (maps.inserts_directly()) return;
     maps.list.fragments = builder.buffer(
         {.text = {.key = "ldm.fragment_list",
@@ -50,7 +65,8 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
          .name = "LdmFragments",
          .fields = {{"texel", FieldType::u32}, {"arrival_depth", FieldType::u32}},
          .elements = texels * expected_layers,
-         .growable = true});
+         .growable = true,
+         .fingerprint = maps.layout.fingerprint});
     maps.fragments_requested = builder.counter({.key = "ldm.chunk_fragments",
                                                 .name = "FragmentsRequested",
                                                 .label = "Fragments of the largest chunk",
@@ -64,7 +80,8 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
                                      .semantic = Semantic::count},
                             .name = "LdmCounts",
                             .fields = {{"count", FieldType::u32}},
-                            .elements = texels + 1});
+                            .elements = texels + 1,
+                            .fingerprint = maps.layout.fingerprint});
     if (maps.options.builder != BuilderKind::compute) return;
     maps.large = builder.buffer({.text = {.key = "ldm.large_triangles",
                                           .label = "Strips of large triangles",
@@ -73,7 +90,8 @@ void declare_list(graph::GraphBuilder& builder, Maps& maps) {
                                  .name = "LdmLarge",
                                  .fields = {{"triangle", FieldType::u32}, {"map_strip", FieldType::u32}},
                                  .elements = std::max<std::uint64_t>(1 << 16, texels / 2),
-                                 .growable = true});
+                                 .growable = true,
+                                 .fingerprint = maps.layout.fingerprint});
     maps.large_requested = builder.counter({.key = "ldm.chunk_strips",
                                             .name = "LargeRequested",
                                             .label = "Strips of the largest chunk",
@@ -212,7 +230,8 @@ std::shared_ptr<const Maps> declare_maps(graph::GraphBuilder& builder, const Opt
                                                          "and metres per quantum of depth."},
                                          .name = "LdmFrames",
                                          .fields = record_fields<MapFrame>(),
-                                         .elements = static_cast<std::uint64_t>(options.directions)});
+                                         .elements = static_cast<std::uint64_t>(options.directions),
+                                         .fingerprint = maps->layout.fingerprint});
     builder.pass("map frames").writes(maps->frame_buffer).execute([maps](graph::PassContext& context) {
         context.upload(maps->frame_buffer, std::as_bytes(std::span(maps->frames)));
     });

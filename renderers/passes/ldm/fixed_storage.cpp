@@ -12,7 +12,8 @@ FixedStorage::FixedStorage(graph::GraphBuilder& builder, const Layout& layout, F
                   .semantic = Semantic::depth},
          .name = "LdmFixedDepths",
          .fields = {{"pair", graph::FieldType::u32}},
-         .elements = layout.batch_maps * layout.map_texels() * texel_words()});
+         .elements = layout.batch_maps * layout.map_texels() * texel_words(),
+         .fingerprint = layout.fingerprint});
     chunk_ = builder.buffer(
         {.text =
              {.key = "ldm.fixed_chunk",
@@ -22,7 +23,8 @@ FixedStorage::FixedStorage(graph::GraphBuilder& builder, const Layout& layout, F
          .name = "LdmFixedChunk",
          .fields = {{"nearness", graph::FieldType::u32}},
          .elements =
-             layout.chunk_maps * layout.map_texels() * static_cast<std::uint64_t>(layout.fixed_layers)});
+             layout.chunk_maps * layout.map_texels() * static_cast<std::uint64_t>(layout.fixed_layers),
+         .fingerprint = layout.fingerprint});
 }
 
 std::map<std::string, std::string> FixedStorage::defines(const graph::PassContext&) const {

@@ -23,14 +23,16 @@ HashStorage::HashStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                                      .semantic = Semantic::count},
                             .name = "LdmAges",
                             .fields = {{"age", FieldType::u32}},
-                            .elements = batch_texels()});
+                            .elements = batch_texels(),
+                            .fingerprint = layout.fingerprint});
     cells_ = builder.buffer({.text = {.key = "ldm.cells",
                                       .label = "Hash table",
                                       .doc = "Age << 16 | 65535 - depth in quanta; 0: empty."},
                              .name = "LdmCells",
                              .fields = {{"entry", FieldType::u32}},
                              .elements = batch_texels() * expected_cells,
-                             .growable = true});
+                             .growable = true,
+                             .fingerprint = layout.fingerprint});
     cells_requested_ = builder.counter({.key = "ldm.hash_cells",
                                         .name = "CellsRequested",
                                         .label = "Cells of the hash table",

@@ -10,14 +10,16 @@ ListStorage::ListStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                                       .semantic = Semantic::id},
                              .name = "LdmHeads",
                              .fields = {{"node", graph::FieldType::u32}},
-                             .elements = texels});
+                             .elements = texels,
+                             .fingerprint = layout.fingerprint});
     nodes_ = builder.buffer({.text = {.key = "ldm.list_nodes",
                                       .label = "Nodes of lists",
                                       .doc = "Next node, counted from 1 (0: none), and depth in quanta."},
                              .name = "LdmNodes",
                              .fields = {{"next", graph::FieldType::u32}, {"depth", graph::FieldType::u32}},
                              .elements = texels * expected_layers,
-                             .growable = true});
+                             .growable = true,
+                             .fingerprint = layout.fingerprint});
     nodes_requested_ = builder.counter({.key = "ldm.requested_nodes",
                                         .name = "NodesRequested",
                                         .label = "Nodes of a batch",

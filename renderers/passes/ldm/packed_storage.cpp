@@ -27,7 +27,8 @@ PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
                                      .doc = "Number of the first depth of each row of texels."},
                             .name = "LdmPackedRows",
                             .fields = {{"first", FieldType::u32}},
-                            .elements = batch_rows()});
+                            .elements = batch_rows(),
+                            .fingerprint = layout.fingerprint});
     groups_ = builder.buffer({.text = {.key = "ldm.packed_groups",
                                        .label = "Groups of texels",
                                        .doc = "Per eight texels of a row where their first depth is, counted "
@@ -36,7 +37,8 @@ PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
                               .name = "LdmGroups",
                               .fields = {{"word", FieldType::u32}},
                               .elements = table_words() + table_words() / 64,
-                              .growable = true});
+                              .growable = true,
+                              .fingerprint = layout.fingerprint});
     depths_ = builder.buffer({.text = {.key = "ldm.packed_depths",
                                        .label = "Packed depths",
                                        .doc = "Sorted depths, texel by texel, 11 bits each; 32 of them fill "
@@ -45,14 +47,16 @@ PackedStorage::PackedStorage(graph::GraphBuilder& builder, const Layout& layout)
                               .name = "LdmPackedDepths",
                               .fields = {{"word", FieldType::u32}},
                               .elements = texels * expected_layers * packed_bits / 32,
-                              .growable = true});
+                              .growable = true,
+                              .fingerprint = layout.fingerprint});
     texels_ = builder.buffer({.text = {.key = "ldm.packed_texels",
                                        .label = "Texels of a chunk",
                                        .doc = "Number of the first packed depth of each texel of the chunk "
                                               "that was built last."},
                               .name = "LdmPackedTexels",
                               .fields = {{"first", FieldType::u32}},
-                              .elements = layout.chunk_maps * layout.map_texels() + 1});
+                              .elements = layout.chunk_maps * layout.map_texels() + 1,
+                              .fingerprint = layout.fingerprint});
     depth_words_requested_ = builder.counter({.key = "ldm.packed_depth_words",
                                               .name = "DepthWordsRequested",
                                               .label = "Words of packed depths",

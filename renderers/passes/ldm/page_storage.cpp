@@ -14,7 +14,8 @@ PageStorage::PageStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                                       .semantic = Semantic::id},
                              .name = "LdmPageHeads",
                              .fields = {{"page", FieldType::u32}},
-                             .elements = texels});
+                             .elements = texels,
+                             .fingerprint = layout.fingerprint});
     pages_ = builder.buffer({.text = {.key = "ldm.pages",
                                       .label = "Pages",
                                       .doc = "Next page, counted from 1 (0: none), and sorted depths in "
@@ -22,7 +23,8 @@ PageStorage::PageStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                              .name = "LdmPages",
                              .fields = {{"next", FieldType::u32}, {"pair", FieldType::u32, page_depths / 2}},
                              .elements = texels * (expected_layers + page_depths - 1) / page_depths,
-                             .growable = true});
+                             .growable = true,
+                             .fingerprint = layout.fingerprint});
     deep_texels_ = declare_deep_texels(builder, layout);
     ranks_ = builder.buffer({.text = {.key = "ldm.ranks",
                                       .label = "Ranks of fragments",
@@ -31,7 +33,8 @@ PageStorage::PageStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                              .name = "LdmRanks",
                              .fields = {{"rank", FieldType::u32}},
                              .elements = chunk_texels * expected_layers,
-                             .growable = true});
+                             .growable = true,
+                             .fingerprint = layout.fingerprint});
     pages_requested_ = builder.counter({.key = "ldm.requested_pages",
                                         .name = "PagesRequested",
                                         .label = "Pages of a batch",

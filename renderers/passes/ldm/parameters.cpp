@@ -17,7 +17,8 @@ void add_maps(ParameterTable<MapParameters>& table) {
              .citation = "Aalund15 §3.2",
              .hard = {1, 4096},
              .soft = {16, 1024},
-             .on_change = OnChange::reallocate})
+             .on_change = OnChange::reallocate,
+             .coarse = std::int64_t{16}})
         .add(&MapParameters::resolution, {.key = "resolution",
                                           .label = "Resolution",
                                           .doc = "Texels along each side of a map.",

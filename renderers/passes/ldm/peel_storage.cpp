@@ -30,7 +30,8 @@ PeelStorage::PeelStorage(graph::GraphBuilder& builder, const Layout& layout) : l
                          "and the entry after its last, also beyond capacity."},
          .name = "LdmPeeledChunks",
          .fields = {{"first", FieldType::u32}, {"planes", FieldType::u32}, {"end", FieldType::u32}},
-         .elements = batch_chunks()});
+         .elements = batch_chunks(),
+         .fingerprint = layout.fingerprint});
     planes_ = builder.buffer(
         {.text = {.key = "ldm.planes",
                   .label = "Planes",
@@ -40,7 +41,8 @@ PeelStorage::PeelStorage(graph::GraphBuilder& builder, const Layout& layout) : l
          .name = "LdmPlanes",
          .fields = {{"fragment", FieldType::u32}},
          .elements = batch_chunks() * plane_texels() * expected_layers,
-         .growable = true});
+         .growable = true,
+         .fingerprint = layout.fingerprint});
     layers_ = builder.buffer(
         {.text = {.key = "ldm.peeled_layers",
                   .label = "Peeled layers",
@@ -48,7 +50,8 @@ PeelStorage::PeelStorage(graph::GraphBuilder& builder, const Layout& layout) : l
          .name = "LdmPeeledLayers",
          .fields = {{"groups_x", FieldType::u32}, {"groups_y", FieldType::u32}, {"groups_z", FieldType::u32}},
          .elements = expected_deepest,
-         .growable = true});
+         .growable = true,
+         .fingerprint = layout.fingerprint});
     layers_requested_ = builder.counter({.key = "ldm.max_layers",
                                          .name = "LayersRequested",
                                          .label = "Maximum layers",

@@ -12,7 +12,8 @@ graph::BufferRef declare_deep_texels(graph::GraphBuilder& builder, const Layout&
                   .semantic = Semantic::id},
          .name = "LdmDeepTexels",
          .fields = {{"texel", FieldType::u32}},
-         .elements = layout.chunk_maps * layout.map_texels()});
+         .elements = layout.chunk_maps * layout.map_texels(),
+         .fingerprint = layout.fingerprint});
 }
 
 SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& layout) {
@@ -24,7 +25,8 @@ SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& l
                                     .name = "LdmDepths",
                                     .fields = {{"pair", FieldType::u32}},
                                     .elements = layout.batch_maps * layout.map_texels() * expected_layers / 2,
-                                    .growable = true});
+                                    .growable = true,
+                                    .fingerprint = layout.fingerprint});
     sorted.unsorted =
         builder.buffer({.text = {.key = "ldm.unsorted",
                                  .label = "Depths of a chunk",
@@ -33,7 +35,8 @@ SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& l
                         .name = "LdmUnsorted",
                         .fields = {{"depth", FieldType::u32}},
                         .elements = layout.chunk_maps * layout.map_texels() * expected_layers,
-                        .growable = true});
+                        .growable = true,
+                        .fingerprint = layout.fingerprint});
     sorted.deep_texels = declare_deep_texels(builder, layout);
     sorted.words_requested = builder.counter({.key = "ldm.depth_words",
                                               .name = "DepthsRequested",

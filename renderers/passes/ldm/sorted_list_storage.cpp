@@ -16,7 +16,8 @@ SortedListStorage::SortedListStorage(graph::GraphBuilder& builder, const Layout&
                                   .name = "LdmSuccessors",
                                   .fields = {{"node", graph::FieldType::u32}},
                                   .elements = texels,
-                                  .growable = true});
+                                  .growable = true,
+                                  .fingerprint = layout.fingerprint});
     successors_requested_ = builder.counter({.key = "ldm.requested_successors",
                                              .name = "SuccessorsRequested",
                                              .label = "Successors of the largest chunk",

@@ -21,7 +21,8 @@ SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout)
                          "offsets, those of 32 bits marked by 2^31; and the first depth."},
          .name = "LdmTexelWords",
          .fields = {{"occupied", FieldType::u32}, {"offsets", FieldType::u32}, {"depths", FieldType::u32}},
-         .elements = batch_words()});
+         .elements = batch_words(),
+         .fingerprint = layout.fingerprint});
     offsets_ =
         builder.buffer({.text = {.key = "ldm.sparse_offsets",
                                  .label = "Offsets of texels",
@@ -31,7 +32,8 @@ SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout)
                         .name = "LdmSparseOffsets",
                         .fields = {{"pair", FieldType::u32}},
                         .elements = layout_.batch_maps * layout_.map_texels() / 2 + 1,
-                        .growable = true});
+                        .growable = true,
+                        .fingerprint = layout.fingerprint});
     sums_ = builder.buffer(
         {.text = {.key = "ldm.word_sums",
                   .label = "Sums of a chunk",
@@ -39,7 +41,8 @@ SparseStorage::SparseStorage(graph::GraphBuilder& builder, const Layout& layout)
                          "offsets, and depths."},
          .name = "LdmWordSums",
          .fields = {{"occupied", FieldType::u32}, {"offsets", FieldType::u32}, {"depths", FieldType::u32}},
-         .elements = layout_.chunk_maps * map_words()});
+         .elements = layout_.chunk_maps * map_words(),
+         .fingerprint = layout.fingerprint});
     offset_words_requested_ = builder.counter({.key = "ldm.offset_words",
                                                .name = "OffsetsRequested",
                                                .label = "Words of offsets",

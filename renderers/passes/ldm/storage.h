@@ -33,6 +33,9 @@ struct Layout {
     int batch_maps = 0;    ///< of a batch; the last one may have fewer
     int chunk_maps = 0;    ///< of a chunk, at most 32
     int fixed_layers = 0;  ///< of fixed arrays
+    /// Of all that building writes: while it stays equal, maps are not built again. Empty where the maps of
+    /// one batch replace those of another.
+    std::string fingerprint = {};
 
     int batches() const { return (maps + batch_maps - 1) / batch_maps; }
     std::uint64_t map_texels() const { return static_cast<std::uint64_t>(resolution) * resolution; }

@@ -257,7 +257,7 @@ graph::ObjectRef bvh(graph::GraphBuilder& builder) {
         if (builder.objects()[i].text.key == desc.text.key) return {static_cast<int>(i)};
     desc.text.label = "Bounding volume hierarchy";
     desc.text.doc = "Embree's acceleration structure over the world.";
-    desc.fingerprint = builder.inputs().world_fingerprint;
+    desc.fingerprint = builder.inputs().geometry_fingerprint;
     const auto result = builder.object(desc);
     builder.pass("BVH", graph::Queue::cpu).writes(result).execute([result](graph::PassContext& context) {
         const auto& inputs = context.inputs();

@@ -11,7 +11,7 @@ graph::BufferRef declare(graph::GraphBuilder& builder, graph::ResourceText text,
     return builder.buffer({.text = std::move(text),
                            .fields = std::move(fields),
                            .elements = elements,
-                           .fingerprint = builder.inputs().world_fingerprint});
+                           .fingerprint = builder.inputs().geometry_fingerprint});
 }
 
 graph::BufferRef declare_nodes(graph::GraphBuilder& builder, std::uint64_t triangles) {

@@ -47,7 +47,7 @@ HitSurfaces hit_surfaces(graph::GraphBuilder& builder, const SceneBuffers& scene
     desc.name = "HitVertices";
     desc.fields = record_fields<HitVertex>();
     desc.elements = builder.inputs().world->positions.size();
-    desc.fingerprint = builder.inputs().world_fingerprint;
+    desc.fingerprint = builder.inputs().geometry_fingerprint;
     HitSurfaces result;
     result.vertices = builder.buffer(std::move(desc));
     builder.pass("upload hit vertices")

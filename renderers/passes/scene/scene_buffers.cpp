@@ -35,6 +35,17 @@ BufferRef declare(GraphBuilder& builder, const std::string& part, const std::str
     desc.name = name;
     desc.fields = std::move(fields);
     desc.elements = elements;
+    desc.fingerprint = builder.inputs().geometry_fingerprint;
+    return builder.buffer(std::move(desc));
+}
+
+/// The world's lights change while its geometry stands still.
+BufferRef declare_lights(GraphBuilder& builder) {
+    BufferDesc desc;
+    desc.text = {.key = "scene.lights", .label = "Lights"};
+    desc.name = "Lights";
+    desc.fields = record_fields<LightData>();
+    desc.elements = builder.inputs().world->lights.size();
     desc.fingerprint = builder.inputs().world_fingerprint;
     return builder.buffer(std::move(desc));
 }
@@ -67,8 +78,7 @@ SceneBuffers declare_buffers(GraphBuilder& builder) {
                        {{"matrix", FieldType::f32, 16}}, world.motion.size());
     b.materials = declare(builder, "materials", "Materials", "Materials", record_fields<MaterialData>(),
                           scene.materials.size());
-    b.lights =
-        declare(builder, "lights", "Lights", "Lights", record_fields<LightData>(), world.lights.size());
+    b.lights = declare_lights(builder);
     b.opacity = declare(builder, "opacity", "Opacity", "Alpha mask of each material",
                         record_fields<OpacityData>(), scene.materials.size());
     b.opacity_words = declare(builder, "opacity_words", "OpacityWords", "Alpha masks, one bit a texel",
@@ -90,7 +100,6 @@ void upload_world(const PassContext& p, const SceneBuffers& b) {
     p.upload(b.triangle_materials, bytes_of(world.triangle_materials));
     p.upload(b.motion, bytes_of(world.motion));
     p.upload(b.materials, bytes_of(material_data(scene)));
-    p.upload(b.lights, bytes_of(light_data(world.lights)));
     p.upload(b.opacity, bytes_of(opacity_data(scene, world)));
     p.upload(b.opacity_words, bytes_of(world.opacity_words));
 }
@@ -134,8 +143,11 @@ SceneBuffers upload_scene(GraphBuilder& builder) {
     builder.pass("upload scene")
         .writes(buffers.positions, buffers.normals, buffers.tangents, buffers.uv0, buffers.uv1,
                 buffers.colours, buffers.instances, buffers.indices, buffers.triangle_materials,
-                buffers.motion, buffers.materials, buffers.lights, buffers.opacity, buffers.opacity_words)
+                buffers.motion, buffers.materials, buffers.opacity, buffers.opacity_words)
         .execute([buffers](PassContext& p) { upload_world(p, buffers); });
+    builder.pass("upload lights").writes(buffers.lights).execute([lights = buffers.lights](PassContext& p) {
+        p.upload(lights, bytes_of(light_data(p.inputs().world->lights)));
+    });
     if (buffers.textures.empty()) return buffers;
     auto textures = builder.pass("upload textures");
     for (const auto texture : buffers.textures) textures.writes(texture);

@@ -18,7 +18,8 @@ struct SceneBuffers {
     std::vector<graph::ImageRef> textures;  ///< with mip levels; as many as Scene::textures
 };
 
-/// Declares the passes "upload scene" and, for scenes with textures, "upload textures", and their resources
+/// Declares the passes "upload scene", "upload lights" and, for scenes with textures, "upload textures", and
+/// their resources
 /// ("scene.positions", …, "scene.texture.N").
 SceneBuffers upload_scene(graph::GraphBuilder& builder);
 

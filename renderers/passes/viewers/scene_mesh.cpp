@@ -31,15 +31,15 @@ SceneMesh::Buffers SceneMesh::buffers(graph::Graph& graph, const graph::FrameInp
     const auto positions = graph.device_buffer("scene.positions"),
                indices = graph.device_buffer("scene.indices");
     const auto is_this_world = [&](const auto& buffer, std::size_t elements) {
-        return buffer && buffer->desc.fingerprint == inputs.world_fingerprint &&
+        return buffer && buffer->desc.fingerprint == inputs.geometry_fingerprint &&
                buffer->elements == elements && graph::stride(buffer->desc) == 12;
     };
     if (is_this_world(positions, world.positions.size()) && is_this_world(indices, world.triangles()))
         return {positions->name, indices->name};
-    if (inputs.world_fingerprint.empty() || fingerprint_ != inputs.world_fingerprint) {
+    if (inputs.geometry_fingerprint.empty() || fingerprint_ != inputs.geometry_fingerprint) {
         positions_.write(std::as_bytes(std::span(world.positions)), "3D view, positions");
         indices_.write(std::as_bytes(std::span(world.indices)), "3D view, triangles");
-        fingerprint_ = inputs.world_fingerprint;
+        fingerprint_ = inputs.geometry_fingerprint;
     }
     return {positions_.name(), indices_.name()};
 }

@@ -25,7 +25,7 @@ class SceneMesh {
     Tools tools_;
     GLuint vertex_array_ = 0;
     DeviceStore positions_, indices_;
-    std::string fingerprint_;  ///< of the world in the own buffers
+    std::string fingerprint_;  ///< of the geometry in the own buffers
 };
 
 }  // namespace ir::passes::viewers

@@ -203,7 +203,8 @@ class FakeRenderer final : public Renderer {
     }
     void reload_shaders() override {}
 
-    void answer(const engine::LiveRequest& request, std::uint64_t serial) {
+    void answer(const engine::LiveRequest& request, std::uint64_t serial,
+                engine::Fineness fineness = engine::Fineness::full) {
         auto result = std::make_shared<engine::LiveResult>();
         result->tag = request.tag;
         result->serial = serial;
@@ -226,7 +227,10 @@ class FakeRenderer final : public Renderer {
             result->buffers[key] = {fake_fields(key), fake_elements, fake_bytes(key)};
         }
         if (!shows_surface) result->valid = Image(request.experiment.width, request.experiment.height, 1, 0);
-        result->finished = true;
+        result->fineness = fineness;
+        result->finished = fineness == engine::Fineness::full;
+        if (fineness == engine::Fineness::preview)
+            std::erase_if(result->images, [](const auto& each) { return !each.first.key.empty(); });
         result->report = report(request, computed);
         emit result_arrived(result);
     }

@@ -230,7 +230,7 @@ class Frames {
         graph::FrameInputs inputs;
         inputs.scene = &scene_;
         inputs.world = &world_;
-        inputs.world_fingerprint = "cornell";
+        inputs.world_fingerprint = inputs.geometry_fingerprint = "cornell";
         inputs.view = scene::make_view(camera, 32, 24, world_.bounds);
         inputs.previous_view = frame_ ? view_ : inputs.view;
         inputs.frame = frame_++;

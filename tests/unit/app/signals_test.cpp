@@ -290,7 +290,7 @@ TEST_F(Signals, ProgressIsOneTotalWithTheTimeLeft) {
                 experiment["method"] = "view-normals";
                 experiment["values"] = Json::object();
             }
-    set_truth(endless / 20, 6);
+    set_truth(endless / 4, 6);
     auto child = start({"render", path(), "--out", file("out")});
     const std::regex line(" *([0-9]+) % reference: .* samples/s, .* left");
     std::smatch found;

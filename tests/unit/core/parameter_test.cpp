@@ -119,6 +119,21 @@ TEST(ParameterTable, TypedKeepsDefaultsOfWhatIsNotGivenAndChecksTheRest) {
     EXPECT_THROW(fog_table().typed({{"samples", std::int64_t{65}}}), UsageError);
 }
 
+TEST(Coarse, NumbersAreAtMostTheCoarseValueAndOthersAreIt) {
+    ParameterDescription samples, fast;
+    samples.key = "samples";
+    samples.type = ParameterType::integer;
+    samples.default_value = std::int64_t{64};
+    samples.coarse = std::int64_t{4};
+    fast.key = "fast";
+    fast.default_value = false;
+    fast.coarse = true;
+    const std::vector<ParameterDescription> all = {samples, fast};
+    EXPECT_EQ(coarse(all, defaults(all)), (Settings{{"samples", std::int64_t{4}}, {"fast", true}}));
+    EXPECT_EQ(coarse(all, {{"samples", std::int64_t{2}}, {"fast", true}}),
+              (Settings{{"samples", std::int64_t{2}}, {"fast", true}}));
+}
+
 TEST(ParameterTable, OnlyKeepsTheNamedEntriesAndRestrictsOneChoice) {
     const auto few = fog_table().only({"model", "samples"}, "model", {"solid"}).descriptions();
     ASSERT_EQ(few.size(), 2u);

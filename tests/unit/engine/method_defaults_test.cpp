@@ -46,6 +46,22 @@ TEST(MethodDefaults, MethodsThatComputeTheSameShareTheirTransport) {
     EXPECT_LE(exceptions, 1);
 }
 
+/// And they are allowed, for every value of the others.
+TEST(MethodDefaults, CoarseValuesAreCheaperThanTheDefaults) {
+    int found = 0;
+    for (const auto* method : registry().methods()) {
+        const auto full = defaults(method->parameters), cheap = coarse(method->parameters, full);
+        EXPECT_NO_THROW(completed(method->parameters, cheap)) << method->id;
+        for (const auto& parameter : method->parameters) {
+            if (!parameter.coarse) continue;
+            ++found;
+            EXPECT_NE(cheap.at(parameter.key), full.at(parameter.key)) << method->id << " " << parameter.key;
+            EXPECT_EQ(coarse(method->parameters, cheap), cheap) << method->id;
+        }
+    }
+    EXPECT_GE(found, 8);
+}
+
 TEST(MethodDefaults, AnExperimentThatNobodyChangedIsAsNewUnderAnyMethod) {
     projects::Project project;
     const auto fresh = [&](const MethodDescription* method) {

@@ -160,5 +160,58 @@ TEST_F(RenderQueueTest, WhatFailedRunsAgainButNotWhatWasCancelled) {
     EXPECT_EQ(take().request.tag, "cancelled") << "asked for anew";
 }
 
+/// With drafts: a request for the picture that its text names.
+LiveRequest drafted(const std::string& tag, const std::string& picture) {
+    auto request = request_of(tag);
+    request.drafts = true;
+    request.picture = picture;
+    return request;
+}
+
+TEST_F(RenderQueueTest, ADraftIsLetFinishAndWhatFollowsItMakesWay) {
+    queue.request(drafted("a", "one"));
+    const auto preview = take();
+    queue.request(drafted("a", "two"));
+    EXPECT_FALSE(queue.cancel_token().is_cancelled()) << "it is the first that is seen";
+    queue.finish(preview, Outcome::drafts);
+    queue.finish(take(), Outcome::more);
+    take();
+    queue.request(drafted("a", "two"));
+    EXPECT_FALSE(queue.cancel_token().is_cancelled()) << "the same picture";
+    queue.request(drafted("a", "three"));
+    EXPECT_TRUE(queue.cancel_token().is_cancelled());
+}
+
+TEST_F(RenderQueueTest, DraftsComeBeforeFullFrames) {
+    for (const char* tag : {"a", "b"}) queue.request(drafted(tag, "one"));
+    std::string order;
+    for (int i = 0; i < 6; ++i) {
+        const auto job = take();
+        order += job.request.tag;
+        const auto shown = std::count(order.begin(), order.end(), job.request.tag[0]);
+        queue.finish(job, shown < (job.request.tag == "a" ? 1 : 3) ? Outcome::drafts : Outcome::more);
+    }
+    EXPECT_EQ(order, "abbbab") << "b had a draft more";
+}
+
+TEST_F(RenderQueueTest, WhatMakesWayForAnotherTagIsTriedAgainWithoutAWord) {
+    queue.request(drafted("a", "one"));
+    queue.finish(take(), Outcome::more);
+    const auto full = take();
+    queue.request(drafted("b", "one"));
+    EXPECT_TRUE(queue.cancel_token().is_cancelled());
+    EXPECT_FALSE(queue.finish(full, Outcome::failed));
+    EXPECT_EQ(take().request.tag, "b");
+}
+
+TEST_F(RenderQueueTest, WhatMakesWayAndIsCancelledByHandSaysSo) {
+    queue.request(drafted("a", "one"));
+    queue.finish(take(), Outcome::more);
+    const auto full = take();
+    queue.request(drafted("b", "one"));
+    queue.cancel("a");
+    EXPECT_TRUE(queue.finish(full, Outcome::failed));
+}
+
 }  // namespace
 }  // namespace ir::engine

@@ -37,6 +37,19 @@ TEST_F(RunFrames, OnlyWhatAddsUpHasARateOfSamples) {
     EXPECT_EQ(report.figures.count(rate_figure), 0u);
 }
 
+TEST_F(RunFrames, ProgressTellsTheFrame) {
+    auto experiment = experiment_of("view-normals");
+    experiment.frames = 3;
+    Execution execution(machine, experiment);
+    std::vector<std::string> told;
+    graph::FrameOptions options;
+    options.progress = [&](const std::string& what, double) { told.push_back(what); };
+    run_frames(execution, options);
+    ASSERT_FALSE(told.empty());
+    EXPECT_TRUE(told.front().starts_with("frame 1 of 3, ")) << told.front();
+    EXPECT_TRUE(told.back().starts_with("frame 3 of 3, ")) << told.back();
+}
+
 TEST_F(RunFrames, TheNumbersAreThoseOfAllFramesThatTheSamplesWereDividedInto) {
     const auto* method = registry().reference();
     if (!method) GTEST_SKIP() << "this build has no method that accumulates";

@@ -451,7 +451,7 @@ TEST(BvhPass, IsKeptWhileTheWorldStaysTheSame) {
     inputs.world = &world;
     inputs.view.width = inputs.view.height = 4;
     const auto bvh_runs = [&](const std::string& fingerprint) {
-        inputs.world_fingerprint = fingerprint;
+        inputs.geometry_fingerprint = fingerprint;
         const auto report = graph.run(method, {}, inputs);
         EXPECT_FLOAT_EQ(graph.read_image("hit")->pixels[0], 2);
         for (const auto& pass : report.passes) {

@@ -87,13 +87,13 @@ TEST_F(RobustnessTest, CamerasMayStandAnywhere) {
 TEST_F(RobustnessTest, TheWorldIsUploadedAgainWhenItChanges) {
     add_square({0, 0, 0}, {0, 0, 1}, 1);
     auto in = inputs();
-    in.world_fingerprint = "first";
+    in.geometry_fingerprint = "first";
     Scene3D view{.width = tiny_width, .height = tiny_height};
     const auto first = viewer_->draw(*graph_, in, camera_, view).colour.pixels;
     EXPECT_EQ(viewer_->draw(*graph_, in, camera_, view).colour.pixels, first);
     add_square({1.2, 0, 1}, {0, 0, 1}, 0.4f);
     in = inputs();
-    in.world_fingerprint = "second";
+    in.geometry_fingerprint = "second";
     EXPECT_NE(viewer_->draw(*graph_, in, camera_, view).colour.pixels, first);
 }
 

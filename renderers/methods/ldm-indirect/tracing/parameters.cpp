@@ -13,7 +13,8 @@ void add_tracing_parameters(ParameterTable<Parameters>& table) {
               .citation = "Aalund15 §4.2",
               .hard = {1, 1024},
               .soft = {16, 256},
-              .on_change = OnChange::reallocate})
+              .on_change = OnChange::reallocate,
+              .coarse = std::int64_t{32}})
         .add(&Parameters::footprint,
              {.key = "footprint",
               .label = "Footprint",

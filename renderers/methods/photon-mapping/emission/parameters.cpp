@@ -14,7 +14,8 @@ void add_counts(ParameterTable<Parameters>& table) {
                .citation = "Smal19 §4.2",
                .hard = {1, 8'000'000},
                .soft = {1000, 1'000'000},
-               .on_change = OnChange::reallocate});
+               .on_change = OnChange::reallocate,
+               .coarse = std::int64_t{20'000}});
     table.include(&Parameters::transport,
                   transport_parameters(
                       {.paths = {"direct", "indirect", "full"},
