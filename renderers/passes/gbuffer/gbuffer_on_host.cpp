@@ -43,7 +43,7 @@ graph::ObjectRef declare_surfaces(graph::GraphBuilder& builder, bool normal_maps
     const auto textures = declare_textures(builder);
     graph::ObjectDesc desc{
         .text = {.key = "gbuffer.surfaces", .label = "Surfaces", .doc = "Triangles and materials for rays."},
-        .fingerprint = builder.inputs().world_fingerprint};
+        .fingerprint = builder.inputs().geometry_fingerprint};
     if (!normal_maps && !desc.fingerprint.empty()) desc.fingerprint += " without normal maps";
     const auto result = builder.object(desc);
     builder.pass("surfaces of the G-buffer", graph::Queue::cpu)
