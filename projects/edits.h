@@ -50,9 +50,6 @@ EditPtr set_method(const Project& project, const Registry& registry, const std::
 /// The transport that set_method() cannot take over of what the experiment computes now, one line each.
 std::vector<std::string> lost_by_method(const Project& project, const Registry& registry,
                                         const std::string& experiment, const std::string& method);
-/// Copies the transport group of another experiment as far as the method supports it.
-EditPtr copy_transport(const Project& project, const Registry& registry, const std::string& from,
-                       const std::string& to);
 
 EditPtr set_scene_of(const Project& project, const std::string& experiment, const std::string& scene);
 EditPtr set_camera_of(const Project& project, const std::string& experiment, const std::string& camera);
@@ -65,26 +62,9 @@ EditPtr set_time(const Project& project, const std::string& experiment, double s
 EditPtr set_experiment_notes(const Project& project, const std::string& experiment, const std::string& notes);
 EditPtr set_reference(const Project& project, const std::string& experiment, const std::string& reference);
 EditPtr set_active_preset(const Project& project, const std::string& experiment, const std::string& preset);
-EditPtr set_preset(const Project& project, const Registry& registry, const std::string& experiment,
-                   const std::string& name, const Preset& preset);
-EditPtr remove_preset(const Project& project, const std::string& experiment, const std::string& name);
 
-/// The item replaces the one with its id; same-id calls merge (camera orbits, light drags).
-EditPtr change_camera(const Project& project, const Camera& camera);
-EditPtr change_lights(const Project& project, const LightSet& lights);
-EditPtr change_motion(const Project& project, const Motion& motion);
-EditPtr change_comparison(const Project& project, const Comparison& comparison);
-EditPtr change_sweep(const Project& project, const Sweep& sweep);
-EditPtr change_plot(const Project& project, const ErrorPlot& plot);
-EditPtr change_image(const Project& project, const ForeignImage& image);
-/// Also how Locate… and "accept the changed file" work: see scene_files.h.
-EditPtr change_scene(const Project& project, const Scene& scene);
-
-/// Other files for sources (scenes, maps, images), all in one step: see locate_in. Recorded hashes stay.
+/// Other files for sources (scenes, maps, images) by the old ones, all in one step. Recorded hashes stay.
 EditPtr relocate(const Project& project, const std::map<std::string, std::string>& new_sources);
-/// Records what the files contain now, all in one step: "accept". `contents` by source, see
-/// OpenProject::contents().
-EditPtr accept_files(const Project& project, const std::map<std::string, std::string>& contents);
 
 /// Adding: at `position`, or at the end where it is absent. The item's id must be free (see free_id_in).
 template <class Item>
@@ -98,6 +78,10 @@ EditPtr duplicate(const Project& project, const std::string& id);
 /// The name that people see; names that the program made of an experiment's follow.
 template <class Item>
 EditPtr rename(const Project& project, const std::string& id, const std::string& name);
+/// The item replaces the one with its id; same-id calls merge (camera orbits, light drags). Also how Locate…
+/// and "accept the changed file" work: see scene_files.h.
+template <class Item>
+EditPtr change(const Project& project, const Item& item);
 /// Moves the item to `position` in its list.
 template <class Item>
 EditPtr move(const Project& project, const std::string& id, std::size_t position);

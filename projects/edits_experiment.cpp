@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "projects/edit_kinds.h"
 #include "projects/edits.h"
@@ -52,21 +51,6 @@ std::string label_of(const MethodDescription& method, const Settings& values) {
 std::vector<ParameterDescription> parameters_of(const Registry& registry, const Experiment& experiment) {
     const auto* method = registry.find(experiment.method);
     return method ? method->parameters : std::vector<ParameterDescription>();
-}
-
-/// What of `values` the method knows and allows.
-Settings allowed_values(const MethodDescription& method, const Settings& values) {
-    Settings result;
-    for (const auto& [key, value] : values) {
-        const auto* parameter = find(method.parameters, key);
-        if (!parameter) continue;
-        try {
-            result[key] = parameter->checked(value);
-        } catch (const UsageError&) {
-            // Not allowed there: the method's default stays.
-        }
-    }
-    return result;
 }
 
 /// Whether the experiment, as `after` would have it, has its ground truth as its reference, where no scene's
@@ -137,17 +121,6 @@ std::vector<std::string> lost_by_method(const Project& project, const Registry& 
     return carry_transport(effective(before).values, parameters_of(registry, before),
                            registry.at(method).parameters)
         .lost;
-}
-
-EditPtr copy_transport(const Project& project, const Registry& registry, const std::string& from,
-                       const std::string& to) {
-    Experiment after = experiment_of(project, to);
-    const auto& method = registry.at(after.method);
-    Settings transport;
-    for (const auto& [key, value] : effective(experiment_of(project, from)).values)
-        if (is_transport_key(key)) transport[key] = value;
-    for (const auto& [key, value] : allowed_values(method, transport)) put_value(after, key, value);
-    return changed(project, after, "Copy transport from '" + from + "'", "");
 }
 
 EditPtr set_scene_of(const Project& project, const std::string& experiment, const std::string& scene) {
@@ -224,26 +197,6 @@ EditPtr set_active_preset(const Project& project, const std::string& experiment,
         throw UsageError("experiment '" + experiment + "' has no preset '" + printable(preset) + "'");
     after.active_preset = preset;
     return changed(project, after, preset.empty() ? "Use no preset" : "Use preset '" + preset + "'", "");
-}
-
-EditPtr set_preset(const Project& project, const Registry& registry, const std::string& experiment,
-                   const std::string& name, const Preset& preset) {
-    Experiment after = experiment_of(project, experiment);
-    if (name.empty()) throw UsageError("a preset needs a name");
-    Preset checked = preset;
-    if (const auto* method = registry.find(after.method))
-        for (auto& [key, value] : checked.values) value = parameter_of(*method, key).checked(value);
-    after.presets[name] = std::move(checked);
-    validate(after);
-    return changed(project, after, "Change preset '" + printable(name, 40) + "'", "preset:" + name);
-}
-
-EditPtr remove_preset(const Project& project, const std::string& experiment, const std::string& name) {
-    Experiment after = experiment_of(project, experiment);
-    if (after.presets.erase(name) == 0)
-        throw UsageError("experiment '" + experiment + "' has no preset '" + printable(name) + "'");
-    if (after.active_preset == name) after.active_preset.clear();
-    return changed(project, after, "Remove preset '" + printable(name, 40) + "'", "");
 }
 
 Experiment new_experiment(const Project& project, const Registry& registry, const std::string& method,

@@ -1,6 +1,5 @@
 #include "projects/edit_kinds.h"
 #include "projects/edits.h"
-#include "projects/scene_files.h"
 #include "projects/validate.h"
 
 namespace ir::projects::edits {
@@ -19,14 +18,6 @@ void replace_changed(std::vector<EditPtr>& steps, const Project& before, const P
     }
 }
 
-EditPtr replace_files(const Project& before, const Project& after, const std::string& label) {
-    std::vector<EditPtr> steps;
-    replace_changed<Scene>(steps, before, after, label);
-    replace_changed<LightSet>(steps, before, after, label);
-    replace_changed<ForeignImage>(steps, before, after, label);
-    return group(label, std::move(steps));
-}
-
 }  // namespace
 
 EditPtr relocate(const Project& project, const std::map<std::string, std::string>& new_sources) {
@@ -39,11 +30,12 @@ EditPtr relocate(const Project& project, const std::map<std::string, std::string
     for (auto& set : after.lights)
         if (set.environment.kind == Environment::Kind::map) move(set.environment.source);
     for (auto& image : after.images) move(image.source);
-    return replace_files(project, after, "Locate files");
-}
-
-EditPtr accept_files(const Project& project, const std::map<std::string, std::string>& contents) {
-    return replace_files(project, with_contents(project, contents), "Accept changed files");
+    const std::string label = "Locate files";
+    std::vector<EditPtr> steps;
+    replace_changed<Scene>(steps, project, after, label);
+    replace_changed<LightSet>(steps, project, after, label);
+    replace_changed<ForeignImage>(steps, project, after, label);
+    return group(label, std::move(steps));
 }
 
 }  // namespace ir::projects::edits

@@ -142,11 +142,20 @@ EditPtr move(const Project& project, const std::string& id, std::size_t position
                                         std::min(position, last));
 }
 
+template <class Item>
+EditPtr change(const Project& project, const Item& item) {
+    validate(item);
+    const std::string word = ListOf<Item>::word;
+    return replace(project, item, "Change " + word + " '" + printable(item.name, 40) + "'",
+                   word + ":" + item.id);
+}
+
 #define IR_LIST_EDITS(Item)                                                                \
     template EditPtr add<Item>(const Project&, const Item&, std::optional<std::size_t>);   \
     template EditPtr remove<Item>(const Project&, const std::string&);                     \
     template EditPtr duplicate<Item>(const Project&, const std::string&);                  \
     template EditPtr rename<Item>(const Project&, const std::string&, const std::string&); \
+    template EditPtr change<Item>(const Project&, const Item&);                            \
     template EditPtr move<Item>(const Project&, const std::string&, std::size_t);
 IR_LIST_EDITS(Scene)
 IR_LIST_EDITS(Camera)

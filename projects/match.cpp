@@ -186,14 +186,6 @@ EditPtr match(const Project& project, const std::string& id, const Registry& reg
     return edits::group(label, std::move(steps));
 }
 
-std::string match_id(const Project& project, const std::string& id, const Registry& registry,
-                     const AnimatedScene& is_animated) {
-    const auto& experiment = experiment_of(project, id);
-    const auto truth = matching_reference(project, experiment, registry, is_animated);
-    const auto* found = find_match(project, experiment, truth, registry, is_animated);
-    return found ? found->id : truth.id;
-}
-
 std::vector<std::pair<std::string, std::string>> mismatched_references(const Project& project,
                                                                        const Registry& registry,
                                                                        const AnimatedScene& is_animated) {

@@ -40,10 +40,6 @@ Experiment matching_reference(const Project& project, const Experiment& experime
 EditPtr match(const Project& project, const std::string& experiment, const Registry& registry,
               const AnimatedScene& is_animated);
 
-/// Id of the experiment that match() would take or add.
-std::string match_id(const Project& project, const std::string& experiment, const Registry& registry,
-                     const AnimatedScene& is_animated);
-
 /// Ids of experiments whose reference differs from them in transport, scene, camera, lights, size or, where
 /// something moves, the time of their last frame, each with one line that says in what.
 std::vector<std::pair<std::string, std::string>> mismatched_references(const Project& project,

@@ -62,14 +62,9 @@ FileStatus status(const ForeignImage& image, const std::filesystem::path& projec
                   const ContentHashes* known = nullptr);
 
 /// Locate…: the scene with `part` pointing to `file`; with the recorded hash kept, so that another file than
-/// the old one shows as changed. Apply with edits::change_scene.
+/// the old one shows as changed. Apply with edits::change().
 Scene located(const Scene& scene, std::size_t part, const std::filesystem::path& file,
               const std::filesystem::path& project_folder);
-/// Locate… for all at once: looks below `folder` for every missing source of the document, by name; of
-/// several files the one that shares most of the old path, then the one nearest to `folder`. Returns new
-/// sources by old ones, for edits::relocate. Looks at 100,000 entries at most, and at no content.
-std::map<std::string, std::string> locate_in(const Project& project, const std::filesystem::path& folder,
-                                             const std::filesystem::path& project_folder);
 /// The scene with all hashes as the files are now: "accept". Missing (and unread) files keep the recorded
 /// hash.
 Scene with_current_hashes(const Scene& scene, const std::filesystem::path& project_folder,

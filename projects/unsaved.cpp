@@ -94,10 +94,6 @@ std::vector<UnsavedProject> find_unsaved(const fs::path& place, const Registry& 
     return found;
 }
 
-void discard_unsaved(const fs::path& folder, FileSystem& files) {
-    UnsavedHome::take_over(folder, files).remove(files);
-}
-
 Project with_absolute_sources(const Project& project, const fs::path& project_folder) {
     Project result = project;
     const auto move = [&](std::string& source) {

@@ -36,15 +36,13 @@ class UnsavedHome {
 bool is_unsaved(const std::filesystem::path& folder, FileSystem& files = real_file_system());
 
 struct UnsavedProject {
-    std::filesystem::path folder;  ///< for OpenProject::recover_unsaved and discard_unsaved
+    std::filesystem::path folder;  ///< for OpenProject::recover_unsaved
     std::string name;
     std::int64_t modified = 0;  ///< as FileSystem::modified
 };
 /// What processes that no longer live left in `place`, newest first. Reads only; damaged ones are left out.
 std::vector<UnsavedProject> find_unsaved(const std::filesystem::path& place, const Registry& registry,
                                          FileSystem& files = real_file_system());
-/// Throws Error when a living process edits it.
-void discard_unsaved(const std::filesystem::path& folder, FileSystem& files = real_file_system());
 
 /// The document with absolute paths, so that it means the same wherever it is read.
 Project with_absolute_sources(const Project& project, const std::filesystem::path& project_folder);

@@ -191,8 +191,8 @@ void add_bench(CLI::App& app, Run& run) {
     command->add_option("--repeats", flags->repeats, "Runs of which the median counts")
         ->check(CLI::Range(1, max_repeats));
     command->add_option("--csv", flags->csv, "Write the table to this file");
-    command->add_flag("--json", flags->json, "Print one JSON object");
-    command->add_flag("--quiet", flags->quiet, "No progress on standard error");
+    add_json_flag(*command, flags->json);
+    add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, flags->machine);
     command->callback([flags, command, &run] {
         if (command->count("--repeats") > 0) flags->plots.repeats = flags->repeats;

@@ -34,6 +34,15 @@ struct MachineFlags {
     bool debug = false;
 };
 void add_machine_flags(CLI::App& command, MachineFlags& flags);
+/// Options and words that several commands have.
+inline void add_quiet_flag(CLI::App& command, bool& quiet) {
+    command.add_flag("--quiet", quiet, "No progress on standard error");
+}
+inline void add_json_flag(CLI::App& command, bool& json) {
+    command.add_flag("--json", json, "Print one JSON object");
+}
+inline constexpr const char* method_doc = "Id, as `list` prints it";
+
 /// As CLI::Range, which lets NaN pass.
 inline CLI::Validator within(double min, double max) {
     const CLI::Range range(min, max);
@@ -47,6 +56,9 @@ inline CLI::Validator within(double min, double max) {
 /// The range of a document's number.
 inline CLI::Validator within(const projects::FieldText& text) {
     return within(text.range.min, text.range.max);
+}
+inline CLI::Validator whole_within(const projects::FieldText& text) {
+    return CLI::Range(static_cast<int>(text.range.min), static_cast<int>(text.range.max));
 }
 
 /// "2GB", "500MB", "1.5 GiB" or bytes; 0 when empty. Throws UsageError.

@@ -247,7 +247,7 @@ void add_compare(CLI::App& app, Run& run) {
         "metric=value: exit with status 4 beyond it (psnr, ssim: below it; bias: in either direction)");
     command->add_option("--allow-different", flags->allowed,
                         "Comma-separated: compare although these differ: " + joined(mismatch_kinds()));
-    command->add_flag("--json", flags->json, "Print one JSON object");
+    add_json_flag(*command, flags->json);
     command->callback([flags, &run] { run = [flags] { return compare(*flags); }; });
 }
 

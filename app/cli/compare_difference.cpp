@@ -12,24 +12,11 @@
 namespace ir::cli {
 namespace {
 
-struct Kind {
-    const char* name;
-    DifferenceKind kind;
-    bool has_sign;
-};
-constexpr Kind kinds[] = {{"signed", DifferenceKind::signed_, true},
-                          {"absolute", DifferenceKind::absolute, false},
-                          {"relative", DifferenceKind::relative, false},
-                          {"squared", DifferenceKind::squared, false},
-                          {"flip", DifferenceKind::flip, false},
-                          {"hdr-flip", DifferenceKind::hdr_flip, false},
-                          {"significant", DifferenceKind::significant, true}};
-
-const Kind& kind_named(const std::string& name) {
+const DifferenceText& kind_named(const std::string& name) {
     std::string known;
-    for (const auto& kind : kinds) {
-        if (kind.name == name) return kind;
-        known += (known.empty() ? "" : ", ") + std::string(kind.name);
+    for (const auto& kind : difference_kinds()) {
+        if (kind.key == name) return kind;
+        known += (known.empty() ? "" : ", ") + std::string(kind.key);
     }
     throw UsageError("--diff-kind '" + name + "' is unknown; known are " + known);
 }
@@ -43,7 +30,7 @@ double scalar(const Image& image, std::size_t pixel) {
 
 /// What the colours span: ꟻLIP all that it can be, others what the picture has, symmetric about 0 where
 /// differences have a sign.
-std::pair<double, double> range_of(const Image& image, const Kind& kind) {
+std::pair<double, double> range_of(const Image& image, const DifferenceText& kind) {
     if (kind.kind == DifferenceKind::flip || kind.kind == DifferenceKind::hdr_flip) return {0, 1};
     double largest = 0;
     for (std::size_t i = 0; i < image.pixels.size() / image.channels; ++i)
@@ -130,7 +117,7 @@ std::string extension(const DifferenceRequest& request) {
 const std::vector<std::string>& difference_kind_names() {
     static const auto names = [] {
         std::vector<std::string> result;
-        for (const auto& kind : kinds) result.push_back(kind.name);
+        for (const auto& kind : difference_kinds()) result.push_back(kind.key);
         return result;
     }();
     return names;
@@ -160,7 +147,7 @@ WrittenDifference write_difference(const Side& image, const Side& reference,
     const auto result = difference(image.image, reference.image, kind.kind, noise, image.mask(),
                                    reference.mask(), semantic_of(image, reference));
     const auto range = request.range ? *request.range : range_of(result.image, kind);
-    WrittenDifference shown{kind.name, request.colour_map, range.first, range.second};
+    WrittenDifference shown{kind.key, request.colour_map, range.first, range.second};
     if (shown.colour_map.empty()) shown.colour_map = kind.has_sign ? "coolwarm" : "magma";
     if (kind.kind == DifferenceKind::significant) shown.significant_part = part_that_differs(result.image);
     if (extension(request) == ".png")

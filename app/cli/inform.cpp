@@ -94,7 +94,7 @@ void add_info(CLI::App& app, Run& run) {
     auto flags = std::make_shared<Flags>();
     auto* command = app.add_subcommand("info", "What this build and machine can do");
     command->add_option("--backend", flags->backend, "egl or osmesa");
-    command->add_flag("--json", flags->json, "Print one JSON object");
+    add_json_flag(*command, flags->json);
     command->callback([flags, &run] { run = [flags] { return print_info(flags->backend, flags->json); }; });
 }
 
@@ -112,7 +112,7 @@ void add_describe(CLI::App& app, Run& run) {
     };
     auto flags = std::make_shared<Flags>();
     auto* command = app.add_subcommand("describe", "A method's parameters and outputs");
-    command->add_option("METHOD", flags->method, "Id, as `list` prints it")->required();
+    command->add_option("METHOD", flags->method, method_doc)->required();
     auto* formats = command->add_option_group("format");
     formats->add_flag("--json", flags->json, "As JSON");
     formats->add_flag("--markdown", flags->markdown, "As a page of the manual (default)");
@@ -140,7 +140,7 @@ void add_scene(CLI::App& app, Run& run) {
     auto flags = std::make_shared<Flags>();
     auto* command = app.add_subcommand("scene", "What a scene holds");
     command->add_option("SCENE", flags->scene, "A .gltf or .glb file, or builtin:NAME")->required();
-    command->add_flag("--json", flags->json, "Print one JSON object");
+    add_json_flag(*command, flags->json);
     command->callback([flags, &run] { run = [flags] { return print_scene(flags->scene, flags->json); }; });
 }
 

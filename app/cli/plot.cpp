@@ -23,7 +23,7 @@ void add_plot(CLI::App& app, Run& run) {
         ->default_str("-");
     command->add_option("--csv", job.csv, "File for the numbers of one plot as a table");
     command->add_flag("--no-keep", flags->no_keep, "Do not store the numbers in the project's results");
-    command->add_flag("--quiet", flags->quiet, "No progress on standard error");
+    add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, job.machine);
     command->callback([flags, command, &run] {
         if (command->count("--json") && flags->job.json.empty()) flags->job.json = "-";

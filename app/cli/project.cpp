@@ -280,7 +280,7 @@ void add_project(CLI::App& app, Run& run) {
     actions->add_option("--unpack", flags->unpack,
                         "Unpack into a new folder NAME.interreflect inside this folder");
     actions->require_option(0, 1);
-    command->add_flag("--json", flags->json, "Print one JSON object");
+    add_json_flag(*command, flags->json);
     add_machine_flags(*command, flags->machine);
     command->callback([flags, &run] { run = [flags] { return run_project(*flags); }; });
 }

@@ -205,8 +205,8 @@ void add_reference(CLI::App& app, Run& run) {
         ->check(CLI::Range(std::int64_t{1}, max_samples));
     command->add_option("--out", flags->out, "Folder for the references as ID.exr and ID.json");
     add_checkpoint_flag(*command, flags->checkpoint);
-    command->add_flag("--quiet", flags->quiet, "No progress on standard error");
-    command->add_flag("--json", flags->json, "Print one JSON object");
+    add_quiet_flag(*command, flags->quiet);
+    add_json_flag(*command, flags->json);
     add_machine_flags(*command, flags->machine);
     command->callback([flags, &run] { run = [flags] { return References(*flags).run(); }; });
 }

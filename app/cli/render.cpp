@@ -190,7 +190,7 @@ void add_render(CLI::App& app, Run& run) {
                         "Project folder; or leave out and give --scene and --method");
     command->add_option("--experiment", flags->experiments, "Id of an experiment to render (default: all)");
     command->add_option("--scene", flags->scene, "A .gltf or .glb file, or builtin:NAME");
-    command->add_option("--method", flags->method, "Id, as `list` prints it");
+    command->add_option("--method", flags->method, method_doc);
     const auto camera_text = [](const char* key) {
         return projects::field_of(projects::camera_fields(), key).text;
     };
@@ -211,7 +211,7 @@ void add_render(CLI::App& app, Run& run) {
         "its width, held level (along X where it points straight up or down), and height");
     command->add_option("--env", flags->environment, "Environment: an image file, or radiance r,g,b");
     command->add_option("--seed", flags->seed_text, text("seed").doc);
-    command->add_option("--frames", flags->frames, text("frames").doc)->check(within(text("frames")));
+    command->add_option("--frames", flags->frames, text("frames").doc)->check(whole_within(text("frames")));
     command->add_option("--time", flags->time, text("time").doc)->check(within(text("time")));
     command->add_option("--dump", flags->dumps, "Pattern of buffers to write as layers, such as 'gbuffer.*'");
     command->add_option("--pick", flags->inspection.pick,
@@ -234,7 +234,7 @@ void add_render(CLI::App& app, Run& run) {
     command->add_flag("--keep", flags->keep,
                       "Keep the results in the project; what accumulates goes on from the kept state");
     add_checkpoint_flag(*command, flags->checkpoint);
-    command->add_flag("--quiet", flags->quiet, "No progress on standard error");
+    add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, flags->machine);
     command->callback([flags, command, &run] {
         if (command->count("--json") && flags->json.empty()) flags->json = "-";

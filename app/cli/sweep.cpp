@@ -177,7 +177,7 @@ void add_sweep(CLI::App& app, Run& run) {
     command->add_option("--json", job.json, "File for the list, too; - or nothing: standard output")
         ->expected(0, 1)
         ->default_str("-");
-    command->add_flag("--quiet", flags->quiet, "No progress on standard error");
+    add_quiet_flag(*command, flags->quiet);
     add_machine_flags(*command, job.machine);
     command->callback([flags, command, &run] {
         if (command->count("--json") && flags->job.json.empty()) flags->job.json = "-";

@@ -55,7 +55,7 @@ projects::EditPtr move_cameras(const projects::Project& project, const std::vect
         if (!experiment) continue;
         const auto* camera = projects::find_item(after.cameras, experiment->camera);
         if (is_movable(after, camera)) {
-            auto step = projects::edits::change_camera(after, posed(*camera, pose));
+            auto step = projects::edits::change(after, posed(*camera, pose));
             if (!step->changes_nothing()) add(std::move(step));
             continue;
         }

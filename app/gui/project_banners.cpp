@@ -87,7 +87,7 @@ void ProjectBanners::locate_scene(const std::string& id, std::size_t part) {
     session_.edit([&](const projects::Project& project) {
         const auto* scene = projects::find_item(project.scenes, id);
         if (!scene || part >= scene->parts.size()) return no_edit();
-        return projects::edits::change_scene(
+        return projects::edits::change(
             project, projects::located(*scene, part, file.toStdString(), session_.open_project().folder()));
     });
     session_.files().look_at_files();
@@ -99,7 +99,7 @@ void ProjectBanners::accept_scene(const std::string& id) {
         const auto& open = session_.open_project();
         const auto* scene = projects::find_item(project.scenes, id);
         if (!scene) return no_edit();
-        return projects::edits::change_scene(
+        return projects::edits::change(
             project, projects::with_current_hashes(*scene, open.folder(), &open.contents()));
     });
     update_scene();

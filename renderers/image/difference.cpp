@@ -141,6 +141,23 @@ DifferenceImage difference(const Image& image_a, const Image& image_b, Differenc
     return result;
 }
 
+std::span<const DifferenceText> difference_kinds() {
+    static constexpr DifferenceText kinds[] = {
+        {DifferenceKind::signed_, "signed", "A − B", "Signed: red where A is larger, blue where B is", true},
+        {DifferenceKind::absolute, "absolute", "|A − B|",
+         "Magnitude of the difference, in the pictures' unit", false},
+        {DifferenceKind::relative, "relative", "|A − B| / |B|",
+         "Relative to B; 0.01 is added to |B| so that black stays finite", false},
+        {DifferenceKind::squared, "squared", "(A − B)²", "What the mean squared error is the mean of", false},
+        {DifferenceKind::flip, "flip", "ꟻLIP",
+         "What a person sees when the two alternate on a screen, 0 … 1; B is the reference", false},
+        {DifferenceKind::hdr_flip, "hdr-flip", "HDR-ꟻLIP",
+         "The largest ꟻLIP over all exposures that B may be looked at with", false},
+        {DifferenceKind::significant, "significant", "Significant",
+         "A − B only where the noise of both does not explain it; needs the variance of A or B", true}};
+    return kinds;
+}
+
 Image signed_difference(const Image& image, const Image& reference) {
     return difference(image, reference, DifferenceKind::signed_).image;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "renderers/core/output.h"
 #include "renderers/image/image.h"
 
@@ -14,6 +16,15 @@ enum class DifferenceKind {
     hdr_flip,    ///< HDR-ꟻLIP error, one channel [Andersson21]
     significant  ///< a - b where noise does not explain it, else 0; needs variances
 };
+
+/// What people and files call it.
+struct DifferenceText {
+    DifferenceKind kind;
+    const char *key, *title, *doc;
+    bool has_sign;  ///< values may be below 0
+};
+/// All kinds; the first is the usual one.
+std::span<const DifferenceText> difference_kinds();
 
 /// Keeps the relative difference finite where the reference is black; in the images' unit.
 inline constexpr float relative_difference_floor = 0.01f;

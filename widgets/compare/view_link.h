@@ -20,7 +20,6 @@ class ViewLink : public QObject {
     void clear();
     /// Linking again brings all to the place of the view that was moved last.
     void set_linked(bool linked);
-    bool is_linked() const { return linked_; }
     /// Brings all views to the place of `view`.
     void align_to(ImageView* view);
 

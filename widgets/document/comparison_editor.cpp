@@ -34,18 +34,6 @@ std::vector<Option> outputs(const ShownProject& shown, const Comparison& compari
 }  // namespace
 
 ComparisonEditor::ComparisonEditor(QWidget* parent) : ItemForm(parent) {
-    modes_ = {{QStringLiteral("wipe"), tr("Wipe"), {}},
-              {QStringLiteral("flip"), tr("A and B in turn"), {}},
-              {QStringLiteral("side-by-side"), tr("Side by side"), {}},
-              {QStringLiteral("stages"), tr("Stages"), {}},
-              {QStringLiteral("difference"), tr("Difference"), {}},
-              {QStringLiteral("difference:signed"), tr("Difference A − B"), {}},
-              {QStringLiteral("difference:absolute"), tr("Difference |A − B|"), {}},
-              {QStringLiteral("difference:relative"), tr("Difference |A − B| / |B|"), {}},
-              {QStringLiteral("difference:squared"), tr("Difference (A − B)²"), {}},
-              {QStringLiteral("difference:flip"), tr("ꟻLIP"), {}},
-              {QStringLiteral("difference:hdr-flip"), tr("HDR-ꟻLIP"), {}},
-              {QStringLiteral("difference:significant"), tr("Significant difference"), {}}};
     auto* grid = make_form_section(tr("Comparison"), this);
     name_ = name_row(grid, ItemKind::comparison, tr("What the comparison is called"));
     a_ = choice_row(grid, "a");

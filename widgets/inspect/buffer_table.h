@@ -34,7 +34,6 @@ class BufferTable : public QWidget {
     const QString& reason() const { return reason_; }  ///< of the above; empty: a buffer is shown
     /// Scrolls to an element and chooses it; emits nothing. -1: none.
     void select_element(qint64 element);
-    qint64 selected_element() const { return chosen_; }
     /// As typed into the filter line.
     void set_filter(const QString& text);
     bool busy() const { return busy_; }

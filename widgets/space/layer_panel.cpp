@@ -42,10 +42,8 @@ LayerPanel::LayerPanel(QWidget* parent) : QWidget(parent), model_(new LayersMode
         show_current();
         emit layers_chosen(model_->layers());
     });
-    connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
-        show_current();
-        emit current_layer_changed(current_layer());
-    });
+    connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this] { show_current(); });
     connect(details_, &LayerDetails::layer_chosen, this, [this](const SpaceLayer& layer) {
         model_->change_layer(current_layer(), layer);
         show_current();
@@ -176,12 +174,6 @@ void LayerPanel::remember_ranges(const std::vector<LayerInfo>& infos) {
             ranges[i] = seen;
         }
     }
-}
-
-void LayerPanel::set_field_ranges(const std::string& key,
-                                  const std::vector<std::optional<FieldRange>>& ranges) {
-    ranges_[key] = ranges;
-    show_current();
 }
 
 void LayerPanel::set_selectors(const std::vector<SpaceSelector>& selectors) {

@@ -33,8 +33,6 @@ class LayerPanel : public QWidget {
     const std::vector<SpaceLayer>& layers() const;
     /// What became of the visible layers in the last picture.
     void set_layer_infos(const std::vector<LayerInfo>& infos);
-    /// Range of a field over all elements, where pictures do not tell it.
-    void set_field_ranges(const std::string& key, const std::vector<std::optional<FieldRange>>& ranges);
     void set_selectors(const std::vector<SpaceSelector>& selectors);
 
     int current_layer() const;
@@ -48,7 +46,6 @@ class LayerPanel : public QWidget {
     void layers_chosen(const std::vector<ir::widgets::SpaceLayer>& layers);
     /// An item from 0 on, or SpaceSelector::all.
     void item_chosen(const QString& selector, int item);
-    void current_layer_changed(int row);
 
   private:
     void make_list();

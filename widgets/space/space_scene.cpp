@@ -1,15 +1,9 @@
 #include "widgets/space/space_scene.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstring>
 
 namespace ir::widgets {
 namespace {
-
-constexpr std::size_t scalar_bytes = 4;
 
 /// Whole numbers are names of things or counts; where something was measured it is the better colour.
 bool is_measured(const Field& field) {
@@ -31,27 +25,6 @@ const Field* best_value(const AvailableBuffer& buffer) {
         return field;
     if (const Field* field = first([](const Field& f) { return f.count == 1; })) return field;
     return first([](const Field&) { return true; });
-}
-
-double scalar_at(const std::byte* at, FieldType type) {
-    std::array<std::byte, scalar_bytes> raw;
-    std::memcpy(raw.data(), at, raw.size());
-    switch (type) {
-        case FieldType::u32:
-            return std::bit_cast<std::uint32_t>(raw);
-        case FieldType::i32:
-            return std::bit_cast<std::int32_t>(raw);
-        case FieldType::f32:
-            break;
-    }
-    return std::bit_cast<float>(raw);
-}
-
-void include(std::optional<FieldRange>& range, double value) {
-    if (!std::isfinite(value)) return;
-    if (!range) range = FieldRange{value, value};
-    range->low = std::min(range->low, value);
-    range->high = std::max(range->high, value);
 }
 
 }  // namespace
@@ -104,22 +77,6 @@ bool shows_sphere(const SpaceScene& scene) {
     return std::any_of(scene.layers.begin(), scene.layers.end(), [](const SpaceLayer& layer) {
         return layer.visible && layer.kind == OutputKind::sphere_values;
     });
-}
-
-std::vector<std::optional<FieldRange>> field_ranges(const std::vector<Field>& fields,
-                                                    std::span<const std::byte> elements) {
-    std::vector<std::optional<FieldRange>> ranges(fields.size());
-    std::size_t stride = 0;
-    for (const Field& field : fields) stride += std::size_t(std::max(1, field.count)) * scalar_bytes;
-    if (stride == 0) return ranges;
-    for (std::size_t start = 0; start + stride <= elements.size(); start += stride) {
-        std::size_t offset = start;
-        for (std::size_t i = 0; i < fields.size(); ++i) {
-            include(ranges[i], scalar_at(elements.data() + offset, fields[i].type));
-            offset += std::size_t(std::max(1, fields[i].count)) * scalar_bytes;
-        }
-    }
-    return ranges;
 }
 
 std::vector<int> scene_indices(const std::vector<LayerInfo>& drawn, const std::vector<SpaceLayer>& layers) {

@@ -4,7 +4,6 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -128,10 +127,6 @@ bool is_geometry(OutputKind kind, const Field& field);
 SpaceLayer default_layer(const AvailableBuffer& buffer);
 /// Whether a visible layer is a sphere of values: it is seen from outside, without the scene.
 bool shows_sphere(const SpaceScene& scene);
-/// Least and most of each field's first component over elements as they lie in memory; absent where there is
-/// no finite value.
-std::vector<std::optional<FieldRange>> field_ranges(const std::vector<Field>& fields,
-                                                    std::span<const std::byte> elements);
 /// By picture layer: index in `layers` of the visible layer that it shows, -1 where that is gone.
 std::vector<int> scene_indices(const std::vector<LayerInfo>& drawn, const std::vector<SpaceLayer>& layers);
 /// The element that is drawn nearest to a pixel, at most `reach` pixels away; of layers with a place in

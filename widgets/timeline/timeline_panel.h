@@ -35,7 +35,6 @@ class TimelinePanel : public QWidget {
     void set_time_wanted();
     /// The experiment's own time is to be shown again.
     void return_wanted();
-    void hint_wanted();  ///< what stands in an empty timeline was clicked
 
   private:
     QWidget* make_bar();

@@ -18,31 +18,6 @@ constexpr ModeText modes[] = {
     {ViewMode::stages, "stages", QT_TRANSLATE_NOOP("ViewMode", "Stages")},
 };
 
-struct DifferenceText {
-    DifferenceKind choice;
-    const char *key, *name, *doc;
-};
-constexpr DifferenceText differences[] = {
-    {DifferenceKind::signed_, "signed", QT_TRANSLATE_NOOP("ViewMode", "A − B"),
-     QT_TRANSLATE_NOOP("ViewMode", "Signed: red where A is larger, blue where B is")},
-    {DifferenceKind::absolute, "absolute", QT_TRANSLATE_NOOP("ViewMode", "|A − B|"),
-     QT_TRANSLATE_NOOP("ViewMode", "Magnitude of the difference, in the pictures' unit")},
-    {DifferenceKind::relative, "relative", QT_TRANSLATE_NOOP("ViewMode", "|A − B| / |B|"),
-     QT_TRANSLATE_NOOP("ViewMode", "Relative to B; 0.01 is added to |B| so that black stays finite")},
-    {DifferenceKind::squared, "squared", QT_TRANSLATE_NOOP("ViewMode", "(A − B)²"),
-     QT_TRANSLATE_NOOP("ViewMode", "What the mean squared error is the mean of")},
-    {DifferenceKind::flip, "flip", QT_TRANSLATE_NOOP("ViewMode", "ꟻLIP"),
-     QT_TRANSLATE_NOOP("ViewMode",
-                       "What a person sees when the two alternate on a screen, 0 … 1; B is the "
-                       "reference")},
-    {DifferenceKind::hdr_flip, "hdr-flip", QT_TRANSLATE_NOOP("ViewMode", "HDR-ꟻLIP"),
-     QT_TRANSLATE_NOOP("ViewMode", "The largest ꟻLIP over all exposures that B may be looked at with")},
-    {DifferenceKind::significant, "significant", QT_TRANSLATE_NOOP("ViewMode", "Significant"),
-     QT_TRANSLATE_NOOP("ViewMode",
-                       "A − B only where the noise of both does not explain it; needs the "
-                       "variance of A or B")},
-};
-
 }  // namespace
 
 bool compares(ViewMode mode) {
@@ -60,14 +35,14 @@ QString mode_name(ViewMode mode) {
 }
 
 QString difference_doc(DifferenceKind difference) {
-    for (const auto& each : differences)
-        if (each.choice == difference) return QCoreApplication::translate("ViewMode", each.doc);
+    for (const auto& each : difference_kinds())
+        if (each.kind == difference) return QCoreApplication::translate("ViewMode", each.doc);
     return {};
 }
 
 QString difference_name(DifferenceKind difference) {
-    for (const auto& each : differences)
-        if (each.choice == difference) return QCoreApplication::translate("ViewMode", each.name);
+    for (const auto& each : difference_kinds())
+        if (each.kind == difference) return QCoreApplication::translate("ViewMode", each.title);
     return {};
 }
 
@@ -84,14 +59,14 @@ ViewMode mode_from_key(const std::string& key) {
 }
 
 std::string to_key(DifferenceKind difference) {
-    for (const auto& each : differences)
-        if (each.choice == difference) return each.key;
-    return differences[0].key;
+    for (const auto& each : difference_kinds())
+        if (each.kind == difference) return each.key;
+    return difference_kinds().front().key;
 }
 
 DifferenceKind difference_from_key(const std::string& key) {
-    for (const auto& each : differences)
-        if (key == each.key) return each.choice;
+    for (const auto& each : difference_kinds())
+        if (key == each.key) return each.kind;
     return DifferenceKind::signed_;
 }
 
@@ -107,7 +82,7 @@ const std::vector<ViewMode>& all_modes() {
 const std::vector<DifferenceKind>& all_differences() {
     static const std::vector<DifferenceKind> all = [] {
         std::vector<DifferenceKind> list;
-        for (const auto& each : differences) list.push_back(each.choice);
+        for (const auto& each : difference_kinds()) list.push_back(each.kind);
         return list;
     }();
     return all;

@@ -34,7 +34,7 @@ class MissingTest : public WindowTest {
         window.session().edit([&](const projects::Project& project) {
             auto scene = project.scenes.front();
             scene.parts.front().source = "gone.gltf";
-            return projects::edits::change_scene(project, scene);
+            return projects::edits::change(project, scene);
         });
         ASSERT_TRUE(settle());
     }

@@ -98,7 +98,7 @@ class PlotsWindowTest : public WindowTest {
             auto changed = p.plots.front();
             changed.over = "level";
             changed.values = {0.5, 1.0, 2.0, 11.0};
-            return edits::change_plot(p, changed);
+            return edits::change(p, changed);
         });
     }
     bool wait_for_points(std::size_t count) {
@@ -186,7 +186,7 @@ TEST_F(PlotsWindowTest, PointsOverFramesLoadFrames) {
     window.session().edit([&](const projects::Project& p) {
         auto changed = p.plots.front();
         changed.values = {1, 2, 4};
-        return edits::change_plot(p, changed);
+        return edits::change(p, changed);
     });
     run_to_end();
     plots().load_point(point_id(FakeStudies::measure(first, 4)));
@@ -203,7 +203,7 @@ TEST_F(PlotsWindowTest, NumbersAreKeptShownAtOnceAndMarkedWhenStale) {
     window.session().edit([&](const projects::Project& p) {
         auto changed = p.plots.front();
         changed.values.pop_back();
-        return edits::change_plot(p, changed);
+        return edits::change(p, changed);
     });
     EXPECT_TRUE(stale->isVisible());
     EXPECT_TRUE(stale->toolTip().contains("values")) << stale->toolTip().toStdString();

@@ -58,7 +58,7 @@ TEST(RecentProjects, BeginWithWhatWasNeverSaved) {
     EXPECT_EQ(recent.paths().front().toStdString(), home.string());
     recent.add("/somewhere/else.interreflect");
     EXPECT_EQ(recent.paths().size(), 2) << "the list on disk holds saved ones only";
-    projects::discard_unsaved(home);
+    std::filesystem::remove_all(home);
     EXPECT_EQ(recent.paths(), QStringList{"/somewhere/else.interreflect"});
     EXPECT_TRUE(RecentProjects(false).all().empty());
     recent.remove("/somewhere/else.interreflect");

@@ -37,18 +37,16 @@ class Locate : public ::testing::Test {
     }
     TemporaryFolder temporary;
     fs::path folder = temporary.path() / "a.interreflect", elsewhere = temporary.path() / "archive/2026";
+    std::map<std::string, std::string> moved{{"scenes/church.glb", "../archive/2026/scenes/church.glb"},
+                                             {"scenes/organ.glb", "../archive/2026/scenes/organ.glb"},
+                                             {"sky.exr", "../archive/2026/sky.exr"},
+                                             {"photo.exr", "../archive/2026/photo.exr"}};
 };
 
-TEST_F(Locate, FindsAllFilesFromOneFolderInOneUndoStep) {
+TEST_F(Locate, AllFilesInOneUndoStep) {
     OpenProject open(folder, registry());
     EXPECT_EQ(count_missing(open), 4);
-    const auto found = locate_in(open.project(), temporary.path() / "archive", folder);
-    EXPECT_EQ(found,
-              (std::map<std::string, std::string>{{"scenes/church.glb", "../archive/2026/scenes/church.glb"},
-                                                  {"scenes/organ.glb", "../archive/2026/scenes/organ.glb"},
-                                                  {"sky.exr", "../archive/2026/sky.exr"},
-                                                  {"photo.exr", "../archive/2026/photo.exr"}}));
-    open.edit(edits::relocate(open.project(), found));
+    open.edit(edits::relocate(open.project(), moved));
     open.check_again();
     EXPECT_EQ(count_missing(open), 0);
     open.wait_for_files();
@@ -57,46 +55,25 @@ TEST_F(Locate, FindsAllFilesFromOneFolderInOneUndoStep) {
     EXPECT_EQ(open.undo_stack().position(), 1u);
     open.undo();
     EXPECT_EQ(open.project(), load_project(folder, registry()).project);
-    EXPECT_TRUE(locate_in(open.project(), folder, folder).empty());
-}
-
-TEST_F(Locate, PrefersTheFileThatSharesMostOfThePath) {
-    testing::write_text(elsewhere / "church.glb", "nearer, but of another folder");
-    testing::write_text(elsewhere / "other/deeper/organ.glb", "too deep");
-    const auto project = load_project(folder, registry()).project;
-    auto found = locate_in(project, elsewhere, folder);
-    EXPECT_EQ(found.at("scenes/church.glb"), "../archive/2026/scenes/church.glb");
-    EXPECT_EQ(found.at("scenes/organ.glb"), "../archive/2026/scenes/organ.glb");
-    fs::remove_all(elsewhere / "scenes");
-    testing::write_text(elsewhere / "x/organ.glb", "nearer");
-    found = locate_in(project, elsewhere, folder);
-    EXPECT_EQ(found.at("scenes/church.glb"), "../archive/2026/church.glb");
-    EXPECT_EQ(found.at("scenes/organ.glb"), "../archive/2026/x/organ.glb");
-}
-
-TEST_F(Locate, LeavesWhatIsThereAloneAndReportsNothingFalsely) {
-    testing::write_text(folder / "sky.exr", "another sky");  // changed is not missing
-    const auto project = load_project(folder, registry()).project;
-    EXPECT_EQ(locate_in(project, elsewhere, folder).count("sky.exr"), 0u);
-    EXPECT_TRUE(locate_in(project, temporary.path() / "no such folder", folder).empty());
-    fs::create_directories(elsewhere / "deep/photo.exr");  // a folder of that name is no file
-    fs::remove(elsewhere / "photo.exr");
-    EXPECT_EQ(locate_in(project, elsewhere, folder).count("photo.exr"), 0u);
 }
 
 TEST_F(Locate, AnotherFileShowsAsChangedUntilItIsAccepted) {
     testing::write_text(elsewhere / "scenes/organ.glb", "a newer organ");
     OpenProject open(folder, registry());
-    open.edit(edits::relocate(open.project(), locate_in(open.project(), elsewhere, folder)));
+    open.edit(edits::relocate(open.project(), moved));
     open.wait_for_files();
     const auto state = [&] {
         return status(open.project().scenes[0].parts[1], folder, &open.contents()).state;
     };
     EXPECT_EQ(state(), FileState::changed);
-    open.edit(edits::accept_files(open.project(), open.contents()));
+    const auto accept = [&] {
+        return edits::change(open.project(),
+                             with_current_hashes(open.project().scenes[0], folder, &open.contents()));
+    };
+    EXPECT_TRUE(open.edit(accept()));
     EXPECT_EQ(state(), FileState::ok);
     EXPECT_EQ(open.project().scenes[0].parts[1].content_hash, hash_bytes("a newer organ"));
-    EXPECT_FALSE(open.edit(edits::accept_files(open.project(), open.contents()))) << "nothing left to accept";
+    EXPECT_FALSE(open.edit(accept())) << "nothing left to accept";
     open.undo();
     EXPECT_EQ(state(), FileState::changed);
     open.save();

@@ -64,6 +64,12 @@ const Experiment& reference_of(const Project& project, std::size_t i = 0) {
 }
 
 /// Applies it as one step and returns the stack to undo it by.
+/// Of the experiment that match() takes or adds.
+std::string match_id(Project project, const std::string& id, const AnimatedScene& is_animated) {
+    if (const auto edit = match(project, id, foggy_methods(), is_animated)) edit->apply(project);
+    return find_item(project.experiments, id)->reference;
+}
+
 UndoStack matched(Project& project, const std::string& id) {
     UndoStack stack;
     EXPECT_TRUE(stack.push(project, match(project, id, foggy_methods(), still)));
@@ -123,13 +129,13 @@ TEST(Match, SharesATruthAtAnyNumberOfSamplesAndSeed) {
     auto& first = project.experiments[1];
     first = with_sample_count(first, 4096, foggy_methods());
     first.seed = 99;
-    EXPECT_EQ(match_id(project, "copy", foggy_methods(), still), first.id);
+    EXPECT_EQ(match_id(project, "copy", still), first.id);
     matched(project, "copy");
     EXPECT_EQ(project.experiments.size(), 4u);
     EXPECT_EQ(find_item(project.experiments, "copy")->reference, first.id);
     // What tells truths apart tells references apart.
     first.values["antialias"] = true;
-    EXPECT_NE(match_id(project, "copy", foggy_methods(), still), first.id);
+    EXPECT_NE(match_id(project, "copy", still), first.id);
     find_item(project.experiments, "copy")->values["max_distance"] = 1.0;
     matched(project, "copy");
     EXPECT_EQ(project.experiments.size(), 5u);
@@ -181,7 +187,7 @@ TEST(Match, WhereSomethingMovesTheTruthIsOfTheLastFrame) {
     const auto wrong = mismatched_references(project, foggy_methods(), animated);
     ASSERT_EQ(wrong.size(), 1u);
     EXPECT_NE(wrong[0].second.find("time"), std::string::npos) << wrong[0].second;
-    EXPECT_NE(match_id(project, id, foggy_methods(), animated), found.id) << "another moment, another truth";
+    EXPECT_NE(match_id(project, id, animated), found.id) << "another moment, another truth";
 }
 
 TEST(Match, WhereNothingMovesAllNumbersOfFramesShareOneTruth) {
@@ -195,7 +201,7 @@ TEST(Match, WhereNothingMovesAllNumbersOfFramesShareOneTruth) {
     const auto truth = find_item(project.experiments, "plain-nave")->reference;
     EXPECT_EQ(find_item(project.experiments, truth)->time, 2) << "its own time";
     const auto count = project.experiments.size();
-    EXPECT_EQ(match_id(project, "once", foggy_methods(), still), truth);
+    EXPECT_EQ(match_id(project, "once", still), truth);
     matched(project, "once");
     EXPECT_EQ(project.experiments.size(), count);
     EXPECT_EQ(find_item(project.experiments, "once")->reference, truth);

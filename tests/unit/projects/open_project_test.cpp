@@ -244,8 +244,8 @@ TEST_F(OpenProjectTest, MissingAndChangedScenesOpenWithMessages) {
 
     const auto found = located(open.project().scenes[0], 0, folder / "moved.glb", folder);
     EXPECT_EQ(found.parts[0].source, "moved.glb");
-    open.edit(edits::change_scene(open.project(), found));
-    open.edit(edits::change_scene(open.project(), with_current_hashes(found, folder)));
+    open.edit(edits::change(open.project(), found));
+    open.edit(edits::change(open.project(), with_current_hashes(found, folder)));
     open.check_again();
     EXPECT_FALSE(mentions(open.messages(), "missing"));
     EXPECT_FALSE(mentions(open.messages(), "not the file"));

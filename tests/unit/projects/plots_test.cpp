@@ -54,7 +54,7 @@ TEST(ErrorPlots, EditsRefuseWhatCannotBeDrawn) {
     const auto changed = [&](auto change) {
         auto plot = p.plots[0];
         change(plot);
-        return refusal_of([&] { edits::change_plot(p, plot); });
+        return refusal_of([&] { edits::change(p, plot); });
     };
     EXPECT_NE(changed([](auto& plot) { plot.over.clear(); }).find("over is missing or empty"),
               std::string::npos);

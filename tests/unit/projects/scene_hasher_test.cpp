@@ -206,7 +206,7 @@ TEST_F(HashedProject, OpeningDoesNotReadScenesAndTellsLaterWhatChanged) {
     EXPECT_FALSE(open.poll_files());
 
     const auto accepted = with_current_hashes(open.project().scenes[0], folder, &open.contents());
-    open.edit(edits::change_scene(open.project(), accepted));
+    open.edit(edits::change(open.project(), accepted));
     open.check_again();
     EXPECT_FALSE(mentions(open.messages(), "is not the file"));
     open.undo();
@@ -224,7 +224,7 @@ TEST_F(HashedProject, AnEditThatNamesANewFileIsLookedAt) {
     OpenProject open(folder, registry());
     open.wait_for_files();
     const auto found = located(open.project().scenes[0], 0, folder / "moved.glb", folder);
-    open.edit(edits::change_scene(open.project(), found));
+    open.edit(edits::change(open.project(), found));
     EXPECT_EQ(status(found.parts[0], folder, &open.contents()).state, FileState::unread);
     open.wait_for_files();
     EXPECT_EQ(status(found.parts[0], folder, &open.contents()).state, FileState::ok);
@@ -262,8 +262,8 @@ TEST_F(HashedProject, ResultsAreStaleWhenInputsOrFilesChanged) {
     EXPECT_FALSE(is_stale(open.project(), open.project().experiments[0], registry()));
     EXPECT_TRUE(is_stale(open.project(), open.project().experiments[0], registry(), open.contents()));
     EXPECT_TRUE(mentions(open.messages(), "stale"));
-    open.edit(edits::change_scene(open.project(),
-                                  with_current_hashes(open.project().scenes[0], folder, &open.contents())));
+    open.edit(edits::change(open.project(),
+                            with_current_hashes(open.project().scenes[0], folder, &open.contents())));
     EXPECT_EQ(open.stale_experiments(), std::vector<std::string>{"fog-nave"});
 }
 

@@ -39,7 +39,7 @@ TEST(UndoStack, CameraOrbitsMerge) {
     for (int i = 1; i < 20; ++i) {
         Camera camera = project.cameras[0];
         camera.eye.x += 0.1;
-        stack.push(project, edits::change_camera(project, camera));
+        stack.push(project, edits::change(project, camera));
     }
     EXPECT_EQ(stack.position(), 1u);
     stack.undo(project);

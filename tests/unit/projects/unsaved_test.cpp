@@ -66,7 +66,6 @@ TEST_F(Unsaved, AKilledProcessLeavesItsProject) {
     EXPECT_FALSE(open->is_read_only());
     EXPECT_TRUE(find_unsaved(place, registry()).empty()) << "offered although somebody has it";
     EXPECT_THROW(OpenProject::recover_unsaved(found.front().folder, registry()), Error);
-    EXPECT_THROW(discard_unsaved(found.front().folder), Error);
 }
 
 TEST_F(Unsaved, ARecoveredProjectSurvivesTheNextCrashToo) {
@@ -132,20 +131,6 @@ TEST_F(Unsaved, PathsMeanTheSameFromElsewhere) {
     const auto& parts = recovered->project().scenes.at(0).parts;
     EXPECT_EQ(parts[0].source, (fs::current_path() / "scenes/a.glb").string());
     EXPECT_EQ(parts[1].source, "builtin:room@1");
-}
-
-TEST_F(Unsaved, DiscardingRemovesOnlyWhatIsTheirs) {
-    autosaved(1).reset();
-    const auto home = only_home();
-    const auto project = temporary.path() / "p.interreflect";
-    save_project(testing::sample_project(), project, "");
-    write_autosave(testing::numbered(2), project, "");
-    EXPECT_FALSE(is_unsaved(project));
-    EXPECT_THROW(discard_unsaved(project), InputError);
-    EXPECT_TRUE(fs::exists(project / autosave_file_name));
-    discard_unsaved(home);
-    EXPECT_TRUE(place_is_empty());
-    EXPECT_THROW(OpenProject::recover_unsaved(home, registry()), InputError);
 }
 
 TEST_F(Unsaved, DamagedOnesAreNotOfferedAndNotRemoved) {

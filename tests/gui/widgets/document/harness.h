@@ -39,6 +39,7 @@ class DocumentTest : public testing::Test {
         QObject::connect(editor, &ItemEditor::edit_wanted, editor, apply);
         QObject::connect(editor, &ItemEditor::gesture_finished, editor, end);
         QObject::connect(panel, &ProjectPanel::item_selected, editor, &ItemEditor::show_item);
+        editor->set_comparison_modes({{"wipe", "Wipe", {}}, {"difference", "Difference", {}}});
         show();
         window.addWidget(panel);
         window.addWidget(editor);

@@ -264,7 +264,9 @@ TEST_F(Panel, AnyFieldGetsAScrubberOnRequest) {
     FilterRow* row = panel_.details().filter_row("depth");
     ASSERT_NE(row, nullptr);
     EXPECT_FALSE(row->slider().isEnabled());  // no picture told the range yet
-    panel_.set_field_ranges("depths", {{}, {}, FieldRange{0.5, 4}, FieldRange{0, 2}, {}});
+    auto infos = drawn();
+    infos[0].ranges = {{}, {}, FieldRange{0.5, 4}, FieldRange{0, 2}, {}};
+    panel_.set_layer_infos(infos);
     EXPECT_TRUE(row->slider().isEnabled());
     EXPECT_EQ(range_of(row->slider()), Range(0.5, 4));
     QTest::keyClick(&row->slider(), Qt::Key_Home);

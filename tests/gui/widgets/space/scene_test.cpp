@@ -67,25 +67,6 @@ TEST(SpaceOf, IsToldByKindAndFields) {
     EXPECT_EQ(colour_of(OutputKind::point_set, {place}), "") << "a place is no value";
 }
 
-TEST(FieldRanges, ReadEachTypeAndSkipWhatIsNoNumber) {
-    const std::vector<Field> fields{
-        {"position", FieldType::f32, 3}, {"layer", FieldType::u32, 1}, {"change", FieldType::i32, 1}};
-    struct Element {
-        float position[3];
-        std::uint32_t layer;
-        std::int32_t change;
-    };
-    const Element elements[]{{{1, 9, 9}, 4'000'000'000u, -3},
-                             {{std::numeric_limits<float>::quiet_NaN(), 0, 0}, 2, 5},
-                             {{-2, 0, 0}, 7, 0}};
-    const auto ranges = field_ranges(fields, std::as_bytes(std::span(elements)));
-    ASSERT_EQ(ranges.size(), 3u);
-    EXPECT_EQ(ranges[0], (FieldRange{-2, 1}));
-    EXPECT_EQ(ranges[1], (FieldRange{2, 4e9}));
-    EXPECT_EQ(ranges[2], (FieldRange{-3, 5}));
-    EXPECT_FALSE(field_ranges(fields, {})[0].has_value());
-}
-
 TEST(SceneIndices, FollowKeysPastHiddenAndRemovedLayers) {
     SpaceLayer a, b, hidden;
     a.key = "a";
