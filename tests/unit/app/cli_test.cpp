@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "projects/document_fields.h"
 #include "renderers/image/exr.h"
@@ -115,8 +116,8 @@ TEST_F(Cli, RunsTheBodiesOfTheProcessorThatIsAskedFor) {
     std::map<std::string, std::vector<ImageLayer>> pictures;
     for (const std::string processor : {"gl", "host"}) {
         const auto name = processor + ".exr";
-        const auto outcome = run(small("ldm-ao", name) + "--set directions=8 --set resolution=32 --json - --processor " +
-                                 processor);
+        const auto outcome = run(small("ldm-ao", name) +
+                                 "--set directions=8 --set resolution=32 --json - --processor " + processor);
         ASSERT_EQ(outcome.status, 0) << outcome.err;
         const auto statistics = nlohmann::json::parse(outcome.out);
         EXPECT_EQ(statistics["processor"], processor);
@@ -144,7 +145,8 @@ TEST_F(Cli, RendersLayersAndStatistics) {
             "--set directions=8 --set resolution=32 --dump 'gbuffer.*' --dump ldm.directions --json -");
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     const auto statistics = nlohmann::json::parse(outcome.out);
-    for (const auto* key : {"backend", "device", "processor", "wall_ms", "passes", "counters", "memory_bytes"})
+    for (const auto* key :
+         {"backend", "device", "processor", "wall_ms", "passes", "counters", "memory_bytes"})
         EXPECT_TRUE(statistics.contains(key)) << key;
     for (const auto& pass : statistics["passes"])
         for (const auto* key : {"name", "gpu_ms", "cpu_ms"}) EXPECT_TRUE(pass.contains(key)) << key;
@@ -211,8 +213,20 @@ TEST_F(Cli, WorksInBatchesWithinABudgetOrSaysWhatToLower) {
 }
 
 TEST_F(Cli, RendersEverySampleOfTheProject) {
-    for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_ROOT) / "projects" / "samples"))
+    const auto folder = fs::path(SOURCE_ROOT) / "projects" / "samples";
+    std::set<std::string> there, listed;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (!entry.is_directory()) continue;
+        there.insert(entry.path().stem().string());
         EXPECT_EQ(run("project " + entry.path().string() + " --check").status, 0) << entry.path();
+        const auto card = entry.path() / "thumbnails" / "view.png";
+        if (fs::exists(card)) {
+            EXPECT_LE(fs::file_size(card), 60'000u) << card << ": ./dev thumbnails";
+        }
+    }
+    for (const auto& group : nlohmann::json::parse(read(folder / "index.json"))["groups"])
+        for (const auto& sample : group["samples"]) EXPECT_TRUE(listed.insert(sample).second) << sample;
+    EXPECT_EQ(listed, there) << "the start page shows what index.json lists";
     const auto sample =
         (fs::path(SOURCE_ROOT) / "projects" / "samples" / "corner-closed-form.interreflect").string();
     const auto outcome = run("render " + sample + " --experiment ldm --quiet --out " + file("out"));
