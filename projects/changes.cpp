@@ -88,6 +88,8 @@ Changes changes(const ResultVersion& before, const ResultVersion& now) {
     add("build", before.provenance->build, now.provenance->build);
     add("device", before.provenance->driver, now.provenance->driver);
     add("backend", before.provenance->backend, now.provenance->backend);
+    if (!before.provenance->processor.empty() && !now.provenance->processor.empty())
+        add("processor", before.provenance->processor, now.provenance->processor);
     add("date", before.provenance->date, now.provenance->date);
     if (before.samples > 0 && now.samples > 0)
         add("samples", std::to_string(before.samples), std::to_string(now.samples));

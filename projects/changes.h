@@ -30,7 +30,7 @@ ResultVersion find_version(const std::string& text, const Project& project, cons
 struct Changes {
     std::vector<std::string> inputs;  ///< differences(): "values.samples: 16 → 64"
     std::vector<std::string>
-        provenance;  ///< of two kept results: "build: 0.1 → 0.2", device, backend, date, …
+        provenance;  ///< of two kept results: "build: 0.1 → 0.2", device, backend, processor, date, …
     bool empty() const { return inputs.empty() && provenance.empty(); }
 };
 Changes changes(const ResultVersion& before, const ResultVersion& now);

@@ -57,6 +57,7 @@ KeptResult read_result(const Json& json, const std::string& index, const std::st
         result.provenance.build = inner.text("build");
         result.provenance.driver = inner.text("driver");
         result.provenance.backend = inner.text("backend");
+        result.provenance.processor = inner.text("processor");
         result.provenance.date = inner.text("date");
         result.provenance.extra = inner.rest();
     }
@@ -85,6 +86,7 @@ Json to_json(const KeptResult& result, const Json& last_of) {
     const auto& p = result.provenance;
     json["provenance"] =
         Json::object({{"build", p.build}, {"driver", p.driver}, {"backend", p.backend}, {"date", p.date}});
+    if (!p.processor.empty()) json["provenance"]["processor"] = p.processor;
     append(json["provenance"], p.extra);
     json["inputs"] = result.inputs;
     append(json, result.extra);

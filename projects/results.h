@@ -49,6 +49,7 @@ std::vector<std::string> differences(const Json& inputs_before, const Json& inpu
 struct Provenance {
     std::string build, driver, backend, date;  ///< date: "2024-05-01T12:00:00Z"
     Json extra = Json::object();
+    std::string processor = {};  ///< "gl" or "host"; empty in results that older versions kept
     bool operator==(const Provenance&) const = default;
 };
 

@@ -27,7 +27,7 @@ void add_bench(CLI::App& app, Run& run);
 
 /// Options that choose the machine, shared by commands that render.
 struct MachineFlags {
-    std::string backend, device, memory;
+    std::string backend, device, memory, processor;
     int threads = 0;
     bool debug = false;
 };

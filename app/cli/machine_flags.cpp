@@ -13,6 +13,9 @@ void add_machine_flags(CLI::App& command, MachineFlags& flags) {
     command.add_option("--memory", flags.memory, "Budget for buffers, such as 2GB (default: none)");
     command.add_option("--threads", flags.threads, "Threads of passes on the CPU (default: all)")
         ->check(CLI::Range(0, 1024));
+    command.add_option("--processor", flags.processor,
+                       "What runs passes with two bodies: auto, gl or host (default: auto, the host where "
+                       "the device is software)");
     command.add_flag("--gl-debug", flags.debug, "Report the driver's debug messages");
 }
 

@@ -120,6 +120,8 @@ void verify(Json& row, engine::Machine& machine, const projects::LoadedProject& 
     const auto report = engine::run_frames(execution, options);
     if (report.backend != kept->provenance.backend || report.device != kept->provenance.driver)
         row["changed"].push_back("device: " + kept->provenance.driver + " → " + report.device);
+    if (!kept->provenance.processor.empty() && report.processor != kept->provenance.processor)
+        row["changed"].push_back("processor: " + kept->provenance.processor + " → " + report.processor);
     for (const auto& file : kept->files)
         if (file.role == "main")
             compare_pictures(row, main_result(execution), loaded.folder / "results" / file.path);

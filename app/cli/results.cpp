@@ -61,6 +61,7 @@ int list_results(const projects::LoadedProject& loaded, bool json) {
                         {"build", from.build},
                         {"device", from.driver},
                         {"backend", from.backend},
+                        {"processor", from.processor},
                         {"state", current.count(entry.key) ? "current" : "stale"},
                         {"can_continue", projects::file_of(entry, projects::state_role) != nullptr}});
     }

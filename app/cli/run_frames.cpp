@@ -10,7 +10,7 @@
 namespace ir::cli {
 
 engine::MachineOptions machine_options(const MachineFlags& flags) {
-    return {flags.backend, flags.device, flags.debug, flags.threads};
+    return {flags.backend, flags.device, flags.debug, flags.threads, parse_processor(flags.processor)};
 }
 
 graph::FrameOptions frame_options(const MachineFlags& flags, const std::vector<std::string>& wanted,

@@ -93,6 +93,7 @@ class BenchmarkRun {
     BenchmarkRun(Machine& machine, const NamedBenchmark& named, const BenchmarkOptions& options,
                  const BenchmarkCallbacks& callbacks)
         : machine_(machine),
+          processor_(machine.options().processor),
           benchmark_(named.benchmark),
           callbacks_(callbacks),
           experiment_(experiment_of(named, options)),
@@ -117,6 +118,9 @@ class BenchmarkRun {
         options_.memory_budget = callbacks.memory_budget;
         options_.progress = [this](const std::string& what, double fraction) { tell(what, fraction); };
     }
+
+    ~BenchmarkRun() { machine_.set_processor(processor_); }
+    BenchmarkRun(const BenchmarkRun&) = delete;
 
     BenchmarkReport carry_out() {
         machine_.scenes().load(experiment_.composition());  // what all variants need fails once
@@ -179,6 +183,7 @@ class BenchmarkRun {
     }
 
     std::unique_ptr<Execution> execution_for(const Variant& variant) {
+        machine_.set_processor(variant.processor ? variant.processor : processor_);
         auto experiment = experiment_;
         experiment.settings = variant.settings;
         experiment.width = scaled(experiment_.width, variant.scale);
@@ -272,6 +277,7 @@ class BenchmarkRun {
     }
 
     Machine& machine_;
+    std::optional<Processor> processor_;  ///< the machine's own
     const graph::Benchmark& benchmark_;
     const BenchmarkCallbacks& callbacks_;
     Experiment experiment_;

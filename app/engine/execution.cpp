@@ -189,6 +189,7 @@ FrameReport Execution::run_frame(const graph::FrameOptions& options, std::uint64
     inputs.frame = frame_ - first_frame_;
     inputs.time = time_;
     inputs.threads = machine_.options().threads;
+    inputs.processor = machine_.processor();
     inputs.inspection = inspection_;
     inputs.sample_limit = sample_limit(max_samples);
     auto report = graph_->run(*method_, settings_, inputs, options);

@@ -41,6 +41,8 @@ struct MachineOptions {
     std::string device;
     bool debug = false;
     int threads = 0;  ///< for cpu passes; 0 = all
+    /// Of passes with two bodies; none: the host where the device is software, else gl.
+    std::optional<Processor> processor = {};
 };
 
 /// A context, its device and its programs: made once per render thread.
@@ -54,6 +56,9 @@ class Machine {
     gl::ProgramLibrary& programs() { return *programs_; }
     SceneCache& scenes() { return scenes_; }
     const Options& options() const { return options_; }
+    Processor processor() const;
+    /// For frames from now on, as MachineOptions has it.
+    void set_processor(std::optional<Processor> processor) { options_.processor = processor; }
 
   private:
     Options options_;

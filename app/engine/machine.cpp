@@ -49,6 +49,10 @@ Machine::Machine(const Options& options) : options_(options) {
     programs_ = std::make_unique<gl::ProgramLibrary>(*context_, shader_directory());
 }
 
+Processor Machine::processor() const {
+    return options_.processor.value_or(device_->software() ? Processor::host : Processor::gl);
+}
+
 Machine::~Machine() {
     context_->make_current();
     programs_.reset();

@@ -130,6 +130,7 @@ ImageAttributes attributes(const Execution& execution) {
     result["interreflect.moves"] = to_string(Value{execution.is_moving()});
     result["interreflect.backend"] = report.backend;
     result["interreflect.device"] = report.device;
+    result["interreflect.processor"] = report.processor;
     const auto from = execution.camera();
     result["interreflect.camera.eye"] = vector(from.eye);
     result["interreflect.camera.target"] = vector(from.target);

@@ -17,6 +17,7 @@ std::string statistics_json(const FrameReport& report, int indent) {
     Json json;
     json["backend"] = report.backend;
     json["device"] = report.device;
+    json["processor"] = report.processor;
     json["frame"] = report.frame;
     json["complete"] = report.complete;
     json["wall_ms"] = report.wall_ms;

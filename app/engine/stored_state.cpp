@@ -20,7 +20,7 @@ std::vector<StateOrigin> origins_of(const std::string& text) {
     for (const auto& json : Json::parse(text))
         origins.push_back({json.at("build").get<std::string>(), json.at("driver").get<std::string>(),
                            json.at("backend").get<std::string>(), json.at("date").get<std::string>(),
-                           json.at("samples").get<std::uint64_t>()});
+                           json.at("samples").get<std::uint64_t>(), json.value("processor", std::string())});
     return origins;
 }
 
@@ -32,6 +32,7 @@ std::string to_json_text(const std::vector<StateOrigin>& origins) {
         list.push_back({{"build", origin.build},
                         {"driver", origin.driver},
                         {"backend", origin.backend},
+                        {"processor", origin.processor},
                         {"date", origin.date},
                         {"samples", origin.samples}});
     return list.dump(-1, ' ', false, Json::error_handler_t::replace);

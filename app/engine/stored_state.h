@@ -13,7 +13,8 @@ namespace ir::engine {
 /// A run that added samples to a state.
 struct StateOrigin {
     std::string build, driver, backend, date;
-    std::uint64_t samples = 0;  ///< in the state at the end of that run
+    std::uint64_t samples = 0;   ///< in the state at the end of that run
+    std::string processor = {};  ///< as Provenance has it
     bool operator==(const StateOrigin&) const = default;
 };
 

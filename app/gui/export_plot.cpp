@@ -30,13 +30,11 @@ const projects::ErrorPlot& plot_of(const projects::Project& project, const std::
 }
 
 engine::ErrorStudy numbers_of(const projects::LoadedProject& loaded, const projects::ErrorPlot& plot,
-                              const std::string& backend) {
+                              const engine::MachineOptions& options) {
     const auto& [project, folder] = std::tie(loaded.project, loaded.folder);
     const auto kept = engine::load_study(folder, plot.id);
     if (kept && !engine::is_stale(*kept, project, plot, projects::read_contents(project, folder)))
         return kept->study;
-    engine::MachineOptions options;
-    options.backend = backend;
     engine::Machine machine(options);
     engine::StudyCallbacks callbacks;
     callbacks.cancel = &engine::interruption();
@@ -60,7 +58,7 @@ void check_plot_file(const std::string& file) {
 void export_plot(const PlotExport& job) {
     const auto loaded = projects::load_project(job.project, engine::registry());
     const auto& plot = plot_of(loaded.project, job.plot);
-    auto study = numbers_of(loaded, plot, job.backend);
+    auto study = numbers_of(loaded, plot, job.machine);
     engine::mark_front(study.points, plot.metric);
     if (ends_with(job.file, ".csv")) return write_file(job.file, engine::study_csv(study));
     const auto drawn = draw_study(loaded.project, engine::registry(), plot, study, {plot.over, true, true});

@@ -3,12 +3,14 @@
 #include <QSize>
 #include <string>
 
+#include "app/engine/execution.h"
+
 namespace ir::gui {
 
 /// A plot of a project, to be written without a window.
 struct PlotExport {
     std::string project, plot, file;  ///< .png or .csv
-    std::string backend;
+    engine::MachineOptions machine;   ///< that carries it out where its numbers are not kept
     QSize size{800, 500};
     int scale = 1;  ///< pixels of the picture for one of `size`
     bool dark = false;

@@ -28,7 +28,7 @@ constexpr int settle_ms = 400, look_ms = 50;
 constexpr int failed = 1, bad_input = 3;
 
 struct Arguments {
-    std::string project, layout, screenshot, size, backend, plot, plot_file;
+    std::string project, layout, screenshot, size, backend, processor, plot, plot_file;
     int scale = 1;
     bool dark = false;
 
@@ -58,6 +58,9 @@ void describe(CLI::App& command, Arguments& arguments) {
         ->needs(file);
     command.add_option("--backend", arguments.backend,
                        "OpenGL through egl or osmesa (default: the best that works)");
+    command.add_option("--processor", arguments.processor,
+                       "What runs passes with two bodies: auto, gl or host (default: auto, the host where "
+                       "the device is software)");
 }
 
 std::string in_one_line(const std::string& text) {
@@ -120,9 +123,15 @@ void end_by_signal(MainWindow& window, bool puts_away) {
     QApplication::exit(engine::interruption_status());
 }
 
-int run_window(const Arguments& arguments) {
-    engine::Machine::Options machine;
+engine::MachineOptions machine_of(const Arguments& arguments) {
+    engine::MachineOptions machine;
     machine.backend = arguments.backend;
+    machine.processor = parse_processor(arguments.processor);
+    return machine;
+}
+
+int run_window(const Arguments& arguments) {
+    const auto machine = machine_of(arguments);
     const auto renderer = make_thread_renderer(machine);
     const bool screenshot = !arguments.screenshot.empty();
     MainWindow window(*renderer, engine::registry(), {.remember = !screenshot, .machine = machine});
@@ -155,7 +164,7 @@ int run_window(const Arguments& arguments) {
 }
 
 int run_export(const Arguments& arguments) {
-    PlotExport job{arguments.project, arguments.plot, arguments.plot_file, arguments.backend};
+    PlotExport job{arguments.project, arguments.plot, arguments.plot_file, machine_of(arguments)};
     job.scale = arguments.scale;
     job.dark = arguments.dark;
     if (!arguments.size.empty()) {
@@ -180,6 +189,7 @@ int run(int argc, char** argv) {
     try {
         command.parse(argc, argv);
         if (!arguments.backend.empty()) gl::parse_backend(arguments.backend);
+        parse_processor(arguments.processor);
         if (!arguments.size.empty()) projects::parse_size(arguments.size, "--size");
         if (!arguments.layout.empty() &&
             !DockLayout::names().contains(QString::fromStdString(arguments.layout)))

@@ -23,7 +23,8 @@ struct Message {
 
 struct PassReport {
     std::string name;
-    std::string queue;  ///< "gl" or "cpu"
+    std::string queue;            ///< "gl" or "cpu"
+    bool has_two_bodies = false;  ///< one for each processor; `queue` says which one ran
     double gpu_ms = 0;  ///< on software drivers measured with glFinish and a steady clock, like cpu_ms
     double cpu_ms = 0;
     int slices = 1;
@@ -64,7 +65,7 @@ struct ResourceReport {
 
 /// What one frame did; the statistics JSON and the panels are made of it.
 struct FrameReport {
-    std::string backend, device;
+    std::string backend, device, processor;
     double wall_ms = 0;  ///< of the whole frame, with attempts that overflowed
     int frame = 0;
     bool complete = true;     ///< false: a buffer overflowed and the next frame mends it

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "renderers/core/processor.h"
 #include "renderers/core/progress.h"
 #include "renderers/core/value.h"
 #include "renderers/graph/frame_inputs.h"
@@ -71,6 +72,8 @@ struct Benchmark {
         std::string label;
         Settings settings;
         float scale = 1;  ///< of both sides of the benchmark's picture
+        /// Of passes with two bodies; none: as the machine's.
+        std::optional<Processor> processor = {};
     };
     struct Peer {
         std::string label;

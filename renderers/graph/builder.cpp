@@ -55,6 +55,11 @@ PassBuilder& PassBuilder::bind(std::string name, BufferRef ref, bool write, bool
     return *this;
 }
 
+PassBuilder& PassBuilder::has_two_bodies() {
+    pass_->has_two_bodies = true;
+    return *this;
+}
+
 void PassBuilder::execute(std::function<void(PassContext&)> run) {
     pass_->execute = [run = std::move(run)](PassContext& context, Slice) { run(context); };
 }

@@ -53,6 +53,7 @@ struct Pass {
     };
     std::vector<std::pair<std::string, Binding>> bindings;
     std::int64_t items = 1, first_slice = 0;
+    bool has_two_bodies = false;
     std::function<void(PassContext&, Slice)> execute;
 };
 
@@ -122,6 +123,8 @@ class PassBuilder {
     PassBuilder& counts(CounterRef counter);
     /// GLSL: buffer NAME { uint … };
     PassBuilder& counts(std::string name, CounterRef counter);
+    /// The method has another pass in its place for the other processor (FrameInputs::processor).
+    PassBuilder& has_two_bodies();
     void execute(std::function<void(PassContext&)> run);
     /// Divisible work: `run` is called for consecutive ranges of [0, items), sized so that each takes about
     /// 30 ms; `first_slice` is the size of the first one (0: items / 1024).

@@ -210,6 +210,7 @@ void Explanation::run_passes_again(const Again& again) {
         if (old != rows_before.end()) row = *old;
         row.name = passes[i].name;
         row.queue = passes[i].queue == Queue::gl ? "gl" : "cpu";
+        row.has_two_bodies = passes[i].has_two_bodies;
         row.culled = !frame_.plan.pass_live[i];
         row.reads.clear();
         row.writes.clear();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "renderers/core/inspection.h"
+#include "renderers/core/processor.h"
 #include "renderers/scene/view.h"
 #include "renderers/scene/world.h"
 
@@ -17,9 +18,10 @@ struct FrameInputs {
     std::string world_fingerprint;  ///< equal exactly while the world is (scene hash and time)
     scene::View view, previous_view;
     std::uint64_t seed = 0;
-    int frame = 0;    ///< 0 for the first after an empty history
-    double time = 0;  ///< seconds
-    int threads = 0;  ///< for cpu passes; 0 = all
+    int frame = 0;                        ///< 0 for the first after an empty history
+    double time = 0;                      ///< seconds
+    int threads = 0;                      ///< for cpu passes; 0 = all
+    Processor processor = Processor::gl;  ///< of passes with two bodies
     /// What the frame may add at most to its history, where a parameter accumulates (core/parameter.h): less
     /// than that parameter asks for when a stored history is continued or a frame should not take long, 0
     /// when the history is only shown. At least 1 where there is none.

@@ -61,6 +61,7 @@ void Frame::begin() {
     cache.report = {};
     cache.report.backend = cache.device.backend();
     cache.report.device = cache.device.device();
+    cache.report.processor = to_string(inputs->processor);
     cache.report.frame = inputs->frame;
     cache.growths = 0;
     cache.figures.clear();
@@ -103,6 +104,7 @@ void Frame::run_passes() {
         row.queue = pass.queue == Queue::gl ? "gl" : "cpu";
         row.slices = 0;
         row.culled = !plan.pass_live[i];
+        row.has_two_bodies = pass.has_two_bodies;
         cache.report.passes.push_back(plan.pass_live[i] && !cached[i] ? run_pass(pass, i) : row);
     }
     resolve_times();

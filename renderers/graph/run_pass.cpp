@@ -120,16 +120,17 @@ PassReport Frame::run_pass(const Pass& pass, std::size_t index) {
     const bool on_gl = pass.queue == Queue::gl;
     ran[index] = true;
     cache.counts_of_passes.erase(pass.name);
+    const auto start = Clock::now();  // copies between device and host are part of the pass that needs them
     for (const auto& access : pass.accesses) prepare_access(pass, access);
     PassReport result;
     result.name = pass.name;
+    result.has_two_bodies = pass.has_two_bodies;
     result.queue = on_gl ? "gl" : "cpu";
     PassContext pass_context(*this, pass);
     if (on_gl) {
         cache.reset_gl_state();
         cache.device.begin_pass(pass.name);
     }
-    const auto start = Clock::now();
     const auto clean_up = [&] {
         drop_contents(pass);  // half written
         if (!on_gl) return;

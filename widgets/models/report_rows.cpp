@@ -102,6 +102,16 @@ std::size_t add_nodes(const SceneListing& scene, int parent, std::vector<Row>& r
     return sum;
 }
 
+/// Where the pass ran, and where else it could.
+Cell queue_cell(const PassReport& pass) {
+    if (pass.culled) return {report_text("skipped"), report_text("Nobody looks at what this pass writes.")};
+    if (!pass.has_two_bodies) return {text_of(pass.queue)};
+    return {
+        report_text(pass.queue == "cpu" ? "host" : "gl"),
+        report_text("This pass has a body for the host's threads (host) and one for the OpenGL device (gl). "
+                    "--processor chooses; by default it is the host where the device is software.")};
+}
+
 }  // namespace
 
 QString bytes_text(std::uint64_t bytes) {
@@ -174,8 +184,7 @@ std::vector<Row> timing_rows(const FrameReport& report) {
         row.dim = pass.culled;
         row.cells = {
             {text_of(pass.name)},
-            {pass.culled ? report_text("skipped") : text_of(pass.queue),
-             pass.culled ? report_text("Nobody looks at what this pass writes.") : QString()},
+            queue_cell(pass),
             number_cell(pass.culled || pass.queue == "cpu" ? QString() : milliseconds_text(pass.gpu_ms)),
             number_cell(pass.culled ? QString() : milliseconds_text(pass.cpu_ms)),
             number_cell(pass.culled ? QString() : QString::number(pass.slices)),

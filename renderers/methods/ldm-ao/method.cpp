@@ -70,11 +70,16 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto layers = passes::ldm::declare_layers(builder, *maps);
     const auto points = passes::ldm::declare_points(builder, *maps, chosen);
     const auto explanation = declare_explanation(builder, *maps, chosen);
+    const bool on_host = inputs.processor == Processor::host && has_host_body(parameters);
+    if (on_host) trace_on_host(builder, gbuffer, maps, images, parameters);
+    // Beside the host's passes whole maps are built only while something looks at them.
     for (int batch = 0; batch < maps->layout.batches(); ++batch) {
         passes::ldm::build_maps(builder, scene, maps, batch);
         if (exact) trace_exact(builder, gbuffer, maps, batch, *exact, parameters.transport);
-        trace(builder, gbuffer, maps, batch, images, exact ? &*exact : nullptr);
-        trace_views(builder, gbuffer, maps, batch, images);
+        if (!on_host) {
+            trace(builder, gbuffer, maps, batch, images, exact ? &*exact : nullptr);
+            trace_views(builder, gbuffer, maps, batch, images);
+        }
         passes::ldm::show_layers(builder, maps, batch, chosen, layers);
         passes::ldm::find_points(builder, scene, maps, batch, points);
         explain(builder, gbuffer, maps, batch, directions, chosen, explanation);

@@ -2,6 +2,7 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ldm-ao/exact.h"
+#include "renderers/passes/ldm/host/trace_on_host.h"
 #include "renderers/passes/scene/stands_still.h"
 
 namespace ir::methods::ldm_ao {
@@ -59,6 +60,15 @@ void declare_trace(graph::GraphBuilder& builder, const std::string& name, const 
     pass.execute_sliced(dispatches, run, 1);
 }
 
+/// What the maps' rule and the transport say, for the host.
+ldm::SelfHitRule rule_of(const passes::ldm::MapParameters& maps) {
+    return {.tangent_plane = maps.self_hit == ldm::SelfHit::tangent_plane,
+            .quanta = maps.self_hit_tolerance,
+            .slope = maps.slope_tolerance,
+            .offset = maps.normal_offset,
+            .max_dip = maps.max_dip};
+}
+
 }  // namespace
 
 OutputDescription overlay_output() {
@@ -70,6 +80,22 @@ OutputDescription overlay_output() {
                 "found in all directions. Blue: it was missing in some, because its surface ends before "
                 "the texel's centre. Orange-red: another's may have been taken for it, where light may "
                 "leak. Colours grow with the part of the directions, and are full from one half on."};
+}
+
+bool has_host_body(const Parameters& parameters) {
+    return parameters.exact == Exact::none && ldm::has_host_body(ldm::options_of(parameters.maps));
+}
+
+void trace_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const MapsPointer& maps,
+                   const Images& images, const Parameters& parameters) {
+    const auto meshlets = ldm::declare_meshlets(builder);
+    const auto rule = rule_of(parameters.maps);
+    const auto& transport = parameters.transport;
+    ldm::trace_on_host(
+        builder, gbuffer, meshlets, maps, rule,
+        {.max_distance = transport.max_distance, .smooth = transport.falloff == Transport::Falloff::smooth},
+        images.sums);
+    ldm::count_self_hits_on_host(builder, gbuffer, meshlets, maps, rule, images.view_counts);
 }
 
 Images declare_images(graph::GraphBuilder& builder, const Parameters& parameters) {

@@ -33,6 +33,12 @@ void trace(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPoi
 /// Pass "trace self-hits": the same for the views of self-hits.
 void trace_views(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
                  const Images& images);
+/// Whether the host can do with these parameters what trace() and trace_views() do.
+bool has_host_body(const Parameters& parameters);
+/// On the host in their place, for all maps: passes "build and trace maps" and "build and trace maps for
+/// self-hits".
+void trace_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const MapsPointer& maps,
+                   const Images& images, const Parameters& parameters);
 /// Pass "accessibility".
 void resolve(graph::GraphBuilder& builder, const Images& images, const Parameters& parameters);
 /// Passes "self-hit views" and "self-hit overlay".

@@ -17,7 +17,7 @@
 namespace ir::passes {
 namespace {
 
-constexpr std::size_t lanes = 16;
+constexpr std::size_t packet_rays = 16;
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -32,7 +32,7 @@ class Group {
   public:
     Group(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, float max_distance)
         : normals_(normals) {
-        for (std::size_t i = 0; i < lanes; ++i) {
+        for (std::size_t i = 0; i < packet_rays; ++i) {
             packet_.active[i] = 0;
             const auto origin = i < positions.size() ? offset_origin(positions[i], normals[i]) : glm::vec3(0);
             packet_.ox[i] = origin.x, packet_.oy[i] = origin.y, packet_.oz[i] = origin.z;
@@ -49,7 +49,7 @@ class Group {
             count.rays += above;
         }
         if (count.rays == 0) return count;
-        for (std::size_t i = 0; i < lanes; ++i) {
+        for (std::size_t i = 0; i < packet_rays; ++i) {
             packet_.dx[i] = direction.x, packet_.dy[i] = direction.y, packet_.dz[i] = direction.z;
         }
         count.blocked = std::isinf(packet_.far[0])
@@ -60,7 +60,7 @@ class Group {
 
   private:
     std::uint64_t closest(const Bvh& bvh) const {
-        float distances[lanes];
+        float distances[packet_rays];
         bvh.closest16(packet_, true, distances);
         return static_cast<std::uint64_t>(std::count_if(std::begin(distances), std::end(distances),
                                                         [](float d) { return !std::isinf(d); }));
@@ -73,12 +73,12 @@ class Group {
 Count trace_all(const Bvh& bvh, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                 std::span<const glm::vec3> directions, float max_distance, const CancelToken& cancel) {
     tbb::enumerable_thread_specific<Count> counts;
-    const auto groups = (positions.size() + lanes - 1) / lanes;
+    const auto groups = (positions.size() + packet_rays - 1) / packet_rays;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups), [&](const auto& range) {
         auto& count = counts.local();
         for (auto g = range.begin(); g != range.end(); ++g) {
             if (cancel.is_cancelled()) return;
-            const auto first = g * lanes, size = std::min(lanes, positions.size() - first);
+            const auto first = g * packet_rays, size = std::min(packet_rays, positions.size() - first);
             Group group(positions.subspan(first, size), normals.subspan(first, size), max_distance);
             for (const auto& direction : directions) {
                 const auto traced = group.trace(bvh, direction);

@@ -8,94 +8,20 @@
 #include <numbers>
 #include <random>
 
-#include "renderers/core/resources_path.h"
-#include "renderers/graph/graph.h"
-#include "renderers/methods/all_methods.h"
+#include "ldm_ao_fixture.h"
 
-namespace ir {
+namespace ir::ldm_ao_test {
 namespace {
 
-class LdmAo : public testing::Test {
+/// On either processor.
+class LdmAoOnBoth : public LdmAo, public testing::WithParamInterface<Processor> {
   protected:
-    void SetUp() override {
-        gl::ContextOptions options;
-        options.debug = true;
-        context_ = gl::Context::create_best(options);
-        device_ = gl::make_gl_device(*context_);
-        programs_ = std::make_unique<gl::ProgramLibrary>(*context_, shader_directory());
-        reset();
-        for (const auto* method : methods::all_methods())
-            if (method->description.id == "ldm-ao") method_ = method;
-        ASSERT_NE(method_, nullptr);
-    }
-    void TearDown() override {
-        graph_.reset();
-        for (const auto& message : context_->take_messages())
-            EXPECT_NE(message.severity, Severity::error) << message.text;
-    }
-    void reset() { graph_ = std::make_unique<graph::Graph>(*device_, context_.get(), programs_.get()); }
-
-    void load(const std::string& name) {
-        scene_ = scene::load_scene(name);
-        world_ = scene::flatten(scene_, 0, 0);
-    }
-    scene::Camera camera(const std::string& name) const {
-        const auto* found = scene_.find_camera(name);
-        if (!found) throw std::runtime_error("no camera " + name);
-        return *found;
-    }
-    Image render(const scene::Camera& camera, int width, int height, const Settings& settings,
-                 graph::FrameOptions options = {}, int frame = 0, const std::string& key = "accessibility") {
-        graph::FrameInputs inputs;
-        inputs.scene = &scene_;
-        inputs.world = &world_;
-        inputs.view = inputs.previous_view = scene::make_view(camera, width, height, world_.bounds);
-        inputs.frame = frame;
-        inputs.seed = 5;
-        options.wanted.push_back(key);
-        report = graph_->run(*method_, settings, inputs, options);
-        return graph_->read_image(key).value();
-    }
-
-    const graph::Method& method() const { return *method_; }
-
-    FrameReport report;
-    scene::World world_;
-
-  private:
-    std::unique_ptr<gl::Context> context_;
-    std::unique_ptr<gl::Device> device_;
-    std::unique_ptr<gl::ProgramLibrary> programs_;
-    std::unique_ptr<graph::Graph> graph_;
-    const graph::Method* method_ = nullptr;
-    scene::Scene scene_;
+    LdmAoOnBoth() { processor = GetParam(); }
 };
+INSTANTIATE_TEST_SUITE_P(Processors, LdmAoOnBoth, testing::Values(Processor::gl, Processor::host),
+                         [](const auto& info) { return to_string(info.param); });
 
-Settings ao_maps(int directions, int resolution) {
-    return {{"directions", std::int64_t(directions)},
-            {"resolution", std::int64_t(resolution)},
-            {"max_distance", 0.0}};
-}
-
-Settings with(Settings settings, const std::string& key, Value value) {
-    settings[key] = std::move(value);
-    return settings;
-}
-
-float max_different(const Image& a, const Image& b) {
-    float most = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        most = std::max(most, std::abs(a.pixels[i] - b.pixels[i]));
-    return most;
-}
-
-double mean(const Image& image) {
-    double sum = 0;
-    for (const float value : image.pixels) sum += value;
-    return sum / static_cast<double>(image.pixels.size());
-}
-
-TEST_F(LdmAo, OfAnOpenPlaneIsExactlyOne) {
+TEST_P(LdmAoOnBoth, OfAnOpenPlaneIsExactlyOne) {
     load("builtin:plane");
     for (const int directions : {1, 2, 16, 128})
         for (const double reach : {0.0, 0.5})
@@ -122,7 +48,7 @@ double corner_accessibility(double t) {
     return 1 - (std::acos(t) - t * std::sqrt(1 - t * t)) / std::numbers::pi;
 }
 
-TEST_F(LdmAo, NearACornerMatchesTheClosedForm) {
+TEST_P(LdmAoOnBoth, NearACornerMatchesTheClosedForm) {
     EXPECT_NEAR(corner_accessibility(0.25), 0.657, 5e-4);
     EXPECT_NEAR(corner_accessibility(0.5), 0.804, 5e-4);
     EXPECT_NEAR(corner_accessibility(0.75), 0.928, 5e-4);
@@ -158,7 +84,7 @@ TEST_F(LdmAo, NearACornerMatchesTheClosedForm) {
     EXPECT_LE(fine, 0.006);
 }
 
-TEST_F(LdmAo, DoesNotLeakThroughWallsOfTwoTexels) {
+TEST_P(LdmAoOnBoth, DoesNotLeakThroughWallsOfTwoTexels) {
     // Everything inside a chamber is closed. Through thinner walls the leaked fraction is only reported.
     load("builtin:crevice");
     for (const auto* name : {"wall-4", "wall-2", "wall-1", "wall-half"}) {
@@ -170,7 +96,7 @@ TEST_F(LdmAo, DoesNotLeakThroughWallsOfTwoTexels) {
     }
 }
 
-TEST_F(LdmAo, LeaksWhereRaysMayDipFarBelowTheSurface) {
+TEST_P(LdmAoOnBoth, LeaksWhereRaysMayDipFarBelowTheSurface) {
     load("builtin:crevice");
     const auto settings = with(ao_maps(128, 200), "max_dip", 64.0);
     EXPECT_GT(mean(render(camera("wall-2"), 64, 64, settings)), 0);
@@ -287,7 +213,7 @@ TEST_F(LdmAo, BatchesGiveTheSamePicture) {
     }
 }
 
-TEST_F(LdmAo, ProgressiveFramesConverge) {
+TEST_P(LdmAoOnBoth, ProgressiveFramesConverge) {
     load("builtin:corner?size=4&yaw=20&pitch=33");
     const auto error_after = [&](int frames) {
         reset();
@@ -310,7 +236,7 @@ TEST_F(LdmAo, ProgressiveFramesConverge) {
     EXPECT_LT(error_after(24), 0.02);
 }
 
-TEST_F(LdmAo, ViewsShowWhatTheyPromise) {
+TEST_P(LdmAoOnBoth, ViewsShowWhatTheyPromise) {
     load("builtin:corner");
     const auto view = camera("view");
     const auto settings = ao_maps(32, 100);
@@ -333,4 +259,4 @@ TEST_F(LdmAo, ViewsShowWhatTheyPromise) {
 }
 
 }  // namespace
-}  // namespace ir
+}  // namespace ir::ldm_ao_test

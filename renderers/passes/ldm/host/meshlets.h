@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "renderers/scene/world.h"
+
+namespace ir::passes::ldm {
+
+/// Triangles that lie together and share few vertices, so that a map transforms each vertex once and holds
+/// all of them in the first-level cache.
+struct Meshlet {
+    static constexpr int max_vertices = 64, max_triangles = 128;
+    alignas(64) float x[max_vertices], y[max_vertices], z[max_vertices];  ///< m; padded with the last one
+    std::uint8_t corners[3][max_triangles];  ///< places of vertices; of no area beyond the last triangle
+    int triangles = 0;
+};
+
+/// A world in meshlets, in the order of a space-filling curve; those without alpha masks first.
+struct Meshlets {
+    std::vector<Meshlet> meshlets;
+    std::size_t opaque = 0;  ///< meshlets before this one have no alpha mask
+    /// Of each masked meshlet: its triangles' numbers among the masked ones, as AlphaMasks counts.
+    std::vector<std::array<std::uint32_t, Meshlet::max_triangles>> masked_triangles;
+    /// Centre and half extent of each meshlet's box by axis, padded to a whole number of vectors.
+    std::vector<float> centre[3], half[3];
+
+    std::uint64_t bytes() const;
+};
+
+/// `threads` 0 = all. The result does not depend on it.
+Meshlets make_meshlets(const scene::World& world, int threads);
+
+}  // namespace ir::passes::ldm

@@ -1,0 +1,69 @@
+#include "renderers/passes/ldm/host/pixel_tiles.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <glm/gtc/packing.hpp>
+#include <limits>
+
+namespace ir::passes::ldm {
+namespace {
+
+struct Images {
+    std::span<const glm::vec4> position;
+    std::span<const std::uint64_t> normal;
+    std::span<const glm::vec4> geometric_normal;
+};
+
+void fill_tile(PixelTiles& tiles, std::size_t tile, const Images& images) {
+    const int left = static_cast<int>(tile % tiles.columns) * PixelTiles::side;
+    const int top = static_cast<int>(tile / tiles.columns) * PixelTiles::side;
+    glm::vec3 least(std::numeric_limits<float>::max()), most(-std::numeric_limits<float>::max());
+    for (int pixel = 0; pixel < PixelTiles::pixels; ++pixel) {
+        const int x = left + pixel % PixelTiles::side, y = top + pixel / PixelTiles::side;
+        if (x >= tiles.width || y >= tiles.height) continue;
+        const auto from = static_cast<std::size_t>(y) * tiles.width + x;
+        const glm::vec3 geometric_normal(images.geometric_normal[from]);
+        if (geometric_normal == glm::vec3(0)) continue;
+        const glm::vec3 position(images.position[from]);
+        const auto normal = glm::normalize(glm::vec3(glm::unpackHalf4x16(images.normal[from])));
+        least = glm::min(least, position);
+        most = glm::max(most, position);
+        tiles.valid[tile] |= std::uint64_t{1} << pixel;
+        const auto to = tile * PixelTiles::pixels + static_cast<std::size_t>(pixel);
+        for (int axis = 0; axis < 3; ++axis) {
+            tiles.position[axis][to] = position[axis];
+            tiles.geometric_normal[axis][to] = geometric_normal[axis];
+            tiles.normal[axis][to] = normal[axis];
+        }
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        tiles.least[axis][tile] = least[axis];
+        tiles.most[axis][tile] = most[axis];
+    }
+}
+
+}  // namespace
+
+PixelTiles make_pixel_tiles(int width, int height, std::span<const glm::vec4> position,
+                            std::span<const std::uint64_t> normal,
+                            std::span<const glm::vec4> geometric_normal) {
+    PixelTiles tiles;
+    tiles.width = width;
+    tiles.height = height;
+    tiles.columns = (width + PixelTiles::side - 1) / PixelTiles::side;
+    const auto rows = (height + PixelTiles::side - 1) / PixelTiles::side;
+    const auto count = static_cast<std::size_t>(tiles.columns) * rows;
+    tiles.valid.assign(count, 0);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (auto* values : {&tiles.position[axis], &tiles.geometric_normal[axis], &tiles.normal[axis]})
+            values->assign(count * PixelTiles::pixels, 0.0f);
+        tiles.least[axis].assign(count, 0.0f);
+        tiles.most[axis].assign(count, 0.0f);
+    }
+    const Images images{position, normal, geometric_normal};
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t tile) { fill_tile(tiles, tile, images); });
+    return tiles;
+}
+
+}  // namespace ir::passes::ldm

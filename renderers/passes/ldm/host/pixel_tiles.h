@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+namespace ir::passes::ldm {
+
+/// What the maps are asked for: the visible surfaces in tiles of 8x8 pixels, whose values stand together.
+struct PixelTiles {
+    static constexpr int side = 8, pixels = side * side;
+    int width = 0, height = 0, columns = 0;
+    std::vector<std::uint64_t> valid;  ///< by tile: bit 8·y + x is set where the pixel shows a surface
+    /// By axis, 64 values a tile: world-space position (m), unit geometric normal, unit shading normal. 0
+    /// where there is no surface.
+    std::vector<float> position[3], geometric_normal[3], normal[3];
+    /// By axis and tile: the box of its positions.
+    std::vector<float> least[3], most[3];
+
+    std::size_t count() const { return valid.size(); }
+    /// Where pixel (x, y) stands among all of the tiles.
+    std::size_t place(int x, int y) const {
+        const auto tile = static_cast<std::size_t>(y / side) * columns + x / side;
+        return tile * pixels + static_cast<std::size_t>(y % side * side + x % side);
+    }
+    std::uint64_t bytes() const { return count() * (pixels * 9 * sizeof(float) + 6 * sizeof(float) + 8); }
+};
+
+/// From the G-buffer's images: rows of xyzw, the shading normal in half floats; a geometric normal of 0 is
+/// background. Call within the arena whose threads it may use.
+PixelTiles make_pixel_tiles(int width, int height, std::span<const glm::vec4> position,
+                            std::span<const std::uint64_t> normal,
+                            std::span<const glm::vec4> geometric_normal);
+
+}  // namespace ir::passes::ldm

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderers/passes/ldm/host/meshlets.h"
+#include "renderers/passes/ldm/host/pixel_tiles.h"
+#include "renderers/passes/ldm/maps.h"
+
+namespace ir::passes {
+class AlphaMasks;
+}  // namespace ir::passes
+
+namespace ir::passes::ldm {
+
+/// What a map that lives for a moment holds of each texel.
+enum class Holds {
+    outermost,  ///< its outermost two depths: enough where hits at any distance count
+    lists       ///< all depths, in no order
+};
+
+/// As struct LdmRule of shaders/passes/ldm/trace.glsl.
+struct SelfHitRule {
+    bool tangent_plane = true;  ///< else normal-offset
+    float quanta = 0, slope = 0, offset = 0, max_dip = 0;
+};
+
+/// Which hits count, and how much.
+struct Visibility {
+    float max_distance = 0;  ///< m; 0: hits at any distance close a direction
+    bool smooth = false;     ///< V = (d/d_max)² below it, else 0
+};
+
+/// A band of rows of one map, small enough for a cache: its texels are numbered with 16 bits.
+class StreamedMap {
+  public:
+    static constexpr int max_texels = 65536;
+    /// Rows of a band, so that it has at most that many texels.
+    static int band_rows(int resolution) {
+        return std::max(1, std::min(resolution, max_texels / resolution));
+    }
+
+    StreamedMap(int resolution, Holds holds) : resolution(resolution), holds(holds) {}
+
+    const int resolution;
+    const Holds holds;
+    MapFrame frame{};
+    int first_row = 0, rows = 0;
+    /// Largest depth << 16 | largest of 65535 - depth; 0: no surface. One vector more than there are texels.
+    std::vector<std::uint32_t> outermost;
+    /// Where the depths of each texel begin, and where the last one's end.
+    std::vector<std::uint32_t> begins;
+    std::vector<std::uint16_t> depths;
+
+    std::uint64_t bytes() const {
+        return 4 * (outermost.capacity() + begins.capacity()) + 2 * depths.capacity();
+    }
+};
+
+/// What building a map needs for a moment: one for each thread.
+struct BuildScratch {
+    static constexpr int queue_size = 512, lanes = 16;
+    /// Triangles that may cover a texel's centre: corners in subtexels and depths in quanta; for those with
+    /// alpha masks the number.
+    struct Queue {
+        alignas(64) float x[3][queue_size + lanes], y[3][queue_size + lanes], z[3][queue_size + lanes];
+        alignas(64) std::uint32_t number[queue_size + lanes];
+        int size = 0;
+    } queue;
+    std::vector<std::uint32_t> fragments;  ///< texel of the band << 16 | depth
+    std::size_t fragment_count = 0;
+    std::uint64_t fragments_made = 0;  ///< since this was made
+    std::uint64_t bytes() const { return sizeof(*this) + 4 * fragments.capacity(); }
+};
+
+/// Numbers of directions for each pixel, as PixelTiles counts them.
+struct SelfHitCounts {
+    std::vector<std::uint16_t> own;       ///< own entry found
+    std::vector<std::uint16_t> asked;     ///< directions in which the pixel is inside of the map
+    std::vector<std::uint16_t> rejected;  ///< something else may have been taken for the own entry
+    void resize(std::size_t pixels);
+    void add(const SelfHitCounts& other);
+};
+
+/// Sums are whole numbers, this often for V cosθ = 1: the order in which maps are added does not matter then,
+/// and no sum of as many maps overflows.
+float sum_scale(int maps);
+
+/// Rasterises `rows` rows of the map of `frame`, from `first_row` on. Triangles cover the texels that the
+/// compute builder has them cover; the arithmetic before snapping may be rounded differently.
+void build_map(const Meshlets& meshlets, const AlphaMasks& masks, const MapFrame& frame, int first_row,
+               int rows, StreamedMap& map, BuildScratch& scratch);
+
+/// Adds Σ V cosθ of tiles first … end - 1 over the maps, which are bands of the same rows, to `sums`.
+void add_visibility(const PixelTiles& tiles, std::size_t first, std::size_t end,
+                    std::span<const StreamedMap> maps, const SelfHitRule& rule, const Visibility& visibility,
+                    float scale, std::span<std::uint32_t> sums);
+
+/// Counts what the self-hit rule did. The maps hold lists.
+void count_self_hits(const PixelTiles& tiles, std::span<const StreamedMap> maps, const SelfHitRule& rule,
+                     SelfHitCounts& counts);
+
+/// Σ cosθ over all directions (unit length) of tiles first … end - 1.
+void sum_cosines(const PixelTiles& tiles, std::size_t first, std::size_t end,
+                 std::span<const MapFrame> frames, float scale, std::span<std::uint32_t> sums);
+
+/// The instruction set that runs, "AVX3", "AVX2", "SSE4" or "SCALAR", and those that this machine has, as
+/// bits.
+std::string instruction_set();
+std::vector<std::int64_t> instruction_sets();
+/// For tests: from now on the functions above use only this set; 0: the best again.
+void force_instruction_set(std::int64_t set);
+
+}  // namespace ir::passes::ldm

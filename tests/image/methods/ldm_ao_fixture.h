@@ -1,0 +1,99 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderers/core/resources_path.h"
+#include "renderers/graph/graph.h"
+#include "renderers/methods/all_methods.h"
+
+namespace ir::ldm_ao_test {
+
+/// Renders the method on one machine, without what an experiment brings along.
+class LdmAo : public testing::Test {
+  protected:
+    void SetUp() override {
+        gl::ContextOptions options;
+        options.debug = true;
+        context_ = gl::Context::create_best(options);
+        device_ = gl::make_gl_device(*context_);
+        programs_ = std::make_unique<gl::ProgramLibrary>(*context_, shader_directory());
+        reset();
+        for (const auto* method : methods::all_methods())
+            if (method->description.id == "ldm-ao") method_ = method;
+        ASSERT_NE(method_, nullptr);
+    }
+    void TearDown() override {
+        graph_.reset();
+        for (const auto& message : context_->take_messages())
+            EXPECT_NE(message.severity, Severity::error) << message.text;
+    }
+    void reset() { graph_ = std::make_unique<graph::Graph>(*device_, context_.get(), programs_.get()); }
+
+    void load(const std::string& name) {
+        scene_ = scene::load_scene(name);
+        world_ = scene::flatten(scene_, 0, 0);
+    }
+    scene::Camera camera(const std::string& name) const {
+        const auto* found = scene_.find_camera(name);
+        if (!found) throw std::runtime_error("no camera " + name);
+        return *found;
+    }
+    Image render(const scene::Camera& camera, int width, int height, const Settings& settings,
+                 graph::FrameOptions options = {}, int frame = 0, const std::string& key = "accessibility") {
+        graph::FrameInputs inputs;
+        inputs.scene = &scene_;
+        inputs.world = &world_;
+        inputs.view = inputs.previous_view = scene::make_view(camera, width, height, world_.bounds);
+        inputs.frame = frame;
+        inputs.seed = 5;
+        inputs.threads = threads;
+        inputs.processor = processor;
+        options.wanted.push_back(key);
+        report = graph_->run(*method_, settings, inputs, options);
+        return graph_->read_image(key).value();
+    }
+
+    const graph::Method& method() const { return *method_; }
+
+    FrameReport report;
+    scene::World world_;
+    Processor processor = Processor::gl;
+    int threads = 0;
+
+  private:
+    std::unique_ptr<gl::Context> context_;
+    std::unique_ptr<gl::Device> device_;
+    std::unique_ptr<gl::ProgramLibrary> programs_;
+    std::unique_ptr<graph::Graph> graph_;
+    const graph::Method* method_ = nullptr;
+    scene::Scene scene_;
+};
+
+inline Settings ao_maps(int directions, int resolution) {
+    return {{"directions", std::int64_t(directions)},
+            {"resolution", std::int64_t(resolution)},
+            {"max_distance", 0.0}};
+}
+
+inline Settings with(Settings settings, const std::string& key, Value value) {
+    settings[key] = std::move(value);
+    return settings;
+}
+
+inline float max_different(const Image& a, const Image& b) {
+    float most = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        most = std::max(most, std::abs(a.pixels[i] - b.pixels[i]));
+    return most;
+}
+
+inline double mean(const Image& image) {
+    double sum = 0;
+    for (const float value : image.pixels) sum += value;
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+}  // namespace ir::ldm_ao_test
