@@ -55,7 +55,9 @@ Settings settings(int directions, int resolution, const std::string& storage, co
             {"builder", builder}};
 }
 
-const std::vector<std::string> all_passes{"map frames*", "build maps*", "trace*", "accessibility"};
+/// Of both processors.
+const std::vector<std::string> all_passes{"map frames*",          "meshlets",     "build maps*", "trace*",
+                                          "build and trace maps", "accessibility"};
 
 /// Choices of parameter "storage".
 std::vector<Choice> storages() {
@@ -67,9 +69,9 @@ using Column = graph::BenchmarkColumn;
 
 std::vector<Column> columns() {
     return {{"Build", "ms", "Views of the maps, and all passes that build them.",
-             Column::PassTime{{"map frames*", "build maps*"}}},
-            {"Trace", "ms", "All passes that ask the maps, and accessibility.",
-             Column::PassTime{{"trace*", "accessibility"}}},
+             Column::PassTime{{"map frames*", "meshlets", "build maps*"}}},
+            {"Trace", "ms", "All passes that ask the maps, and accessibility; on the host with building.",
+             Column::PassTime{{"trace*", "build and trace maps", "accessibility"}}},
             {"Total", "ms", "Building and tracing.", Column::PassTime{}},
             {"Fragments", "", "Made by rasterising the scene into all maps.",
              Column::Counter{"ldm.fragments"}, Column::Best::none},
@@ -83,7 +85,9 @@ std::vector<Column> columns() {
 std::vector<graph::Benchmark::Variant> by_storage(int directions, int resolution) {
     std::vector<graph::Benchmark::Variant> variants;
     for (const auto& storage : storages())
-        variants.push_back({storage.key, settings(directions, resolution, storage.key, "compute")});
+        variants.push_back({.label = storage.key,
+                            .settings = settings(directions, resolution, storage.key, "compute"),
+                            .processor = Processor::gl});
     return variants;
 }
 
@@ -93,10 +97,17 @@ graph::Benchmark against_rays() {
     benchmark.doc =
         "Layered depth maps, 128 of 200x200, built and traced by each builder and storage at 800x800 without "
         "a limit of distance, against Embree (medium BVH, coherent occluded16) on the same lines";
+    auto set = settings(128, 200, "arrays", "compute");
+    set["max_distance"] = 0.0;
+    benchmark.variants.push_back({.label = "host", .settings = set, .processor = Processor::host});
     for (const auto* builder : {"compute", "raster"})
-        for (const auto* storage : {"arrays", "linked-lists"})
-            benchmark.variants.push_back(
-                {std::string(builder) + ", " + storage, settings(128, 200, storage, builder)});
+        for (const auto* storage : {"arrays", "linked-lists"}) {
+            set["builder"] = std::string(builder);
+            set["storage"] = std::string(storage);
+            benchmark.variants.push_back({.label = std::string(builder) + ", " + storage,
+                                          .settings = set,
+                                          .processor = Processor::gl});
+        }
     benchmark.total_of = all_passes;
     benchmark.peers = {embree(128, std::numeric_limits<float>::infinity())};
     return benchmark;
@@ -114,7 +125,9 @@ graph::Benchmark figure8() {
         auto set = settings(512, 200, storage, "compute");
         set["max_distance"] = double{max_distance};
         set["falloff"] = std::string("smooth");  // else any hit up to there would do, also for Embree
-        benchmark.variants.push_back({storage, set});
+        if (benchmark.variants.empty())
+            benchmark.variants.push_back({.label = "host", .settings = set, .processor = Processor::host});
+        benchmark.variants.push_back({.label = storage, .settings = set, .processor = Processor::gl});
     }
     benchmark.total_of = all_passes;
     benchmark.peers = {embree(512, max_distance)};
@@ -131,7 +144,9 @@ graph::Benchmark memory() {
         "Memory and time at the published setting, 512 maps of 200x200 at 800x800 (805.5 MB there), by "
         "storage";
     for (const auto* storage : {"arrays", "packed-arrays", "linked-lists", "lists-then-sort", "pages"})
-        benchmark.variants.push_back({storage, settings(512, 200, storage, "compute")});
+        benchmark.variants.push_back({.label = storage,
+                                      .settings = settings(512, 200, storage, "compute"),
+                                      .processor = Processor::gl});
     benchmark.total_of = all_passes;
     benchmark.columns = columns();
     return benchmark;
@@ -171,11 +186,13 @@ graph::Benchmark growth() {
     benchmark.width = 400;
     benchmark.height = 300;
     for (int directions = 32; directions <= 512; directions *= 2)
-        benchmark.variants.push_back(
-            {std::to_string(directions) + " maps", settings(directions, 200, "arrays", "compute")});
+        benchmark.variants.push_back({.label = std::to_string(directions) + " maps",
+                                      .settings = settings(directions, 200, "arrays", "compute"),
+                                      .processor = Processor::gl});
     for (int resolution = 50; resolution <= 400; resolution *= 2)
-        benchmark.variants.push_back(
-            {std::to_string(resolution) + " texels a side", settings(128, resolution, "arrays", "compute")});
+        benchmark.variants.push_back({.label = std::to_string(resolution) + " texels a side",
+                                      .settings = settings(128, resolution, "arrays", "compute"),
+                                      .processor = Processor::gl});
     benchmark.total_of = all_passes;
     benchmark.columns = columns();
     return benchmark;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "renderers/image/exr.h"
@@ -109,13 +110,40 @@ TEST_F(Cli, RefusesBadFilesWithStatusThree) {
     expect_refused("project " + file("missing.interreflect"), 3, "missing.interreflect");
 }
 
+TEST_F(Cli, RunsTheBodiesOfTheProcessorThatIsAskedFor) {
+    std::map<std::string, std::vector<ImageLayer>> pictures;
+    for (const std::string processor : {"gl", "host"}) {
+        const auto name = processor + ".exr";
+        const auto outcome = run(small("ldm-ao", name) + "--set directions=8 --set resolution=32 --json - --processor " +
+                                 processor);
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        const auto statistics = nlohmann::json::parse(outcome.out);
+        EXPECT_EQ(statistics["processor"], processor);
+        bool streamed = false;
+        for (const auto& pass : statistics["passes"]) streamed |= pass["name"] == "build and trace maps";
+        EXPECT_EQ(streamed, processor == "host");
+        ImageAttributes attributes;
+        pictures[processor] = read_exr(file(name), &attributes);
+        EXPECT_EQ(attributes.at("interreflect.processor"), processor);
+    }
+    const auto &gl = pictures["gl"].front().image, &host = pictures["host"].front().image;
+    ASSERT_EQ(gl.pixels.size(), host.pixels.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < gl.pixels.size(); ++i) sum += std::abs(gl.pixels[i] - host.pixels[i]);
+    EXPECT_LT(sum / static_cast<double>(gl.pixels.size()), 1e-3);
+    const auto software = nlohmann::json::parse(run("info --json").out)["software"].get<bool>();
+    const auto chosen = run(small("ldm-ao", "auto.exr") + "--set directions=8 --set resolution=32 --json -");
+    EXPECT_EQ(nlohmann::json::parse(chosen.out)["processor"], software ? "host" : "gl");
+    expect_refused(small("ldm-ao", "a.exr") + "--processor gpu", 2, "auto, gl and host");
+}
+
 TEST_F(Cli, RendersLayersAndStatistics) {
     const auto outcome =
         run(small("ldm-ao", "a.exr") +
             "--set directions=8 --set resolution=32 --dump 'gbuffer.*' --dump ldm.directions --json -");
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     const auto statistics = nlohmann::json::parse(outcome.out);
-    for (const auto* key : {"backend", "device", "wall_ms", "passes", "counters", "memory_bytes"})
+    for (const auto* key : {"backend", "device", "processor", "wall_ms", "passes", "counters", "memory_bytes"})
         EXPECT_TRUE(statistics.contains(key)) << key;
     for (const auto& pass : statistics["passes"])
         for (const auto* key : {"name", "gpu_ms", "cpu_ms"}) EXPECT_TRUE(pass.contains(key)) << key;

@@ -294,12 +294,15 @@ TEST(Changes, BetweenTwoResultsNameInputsAndProvenance) {
     b.inputs = {{"frames", 4}, {"seed", 7}};
     a.provenance = {"0.1", "driver", "egl", "2024-05-01T12:00:00Z", Json::object()};
     b.provenance = {"0.2", "driver", "osmesa", "2024-05-01T12:00:00Z", Json::object()};
+    a.provenance.processor = "gl";
+    b.provenance.processor = "host";
     b.provenance.extra["resumed_from"] = Json::array(
         {{{"build", "0.1"}, {"driver", "driver"}, {"backend", "egl"}, {"date", ""}, {"samples", 16}}});
     const auto found = changes(version_of(a), version_of(b));
     EXPECT_EQ(found.inputs, std::vector<std::string>{"frames: 1 → 4"});
     EXPECT_EQ(found.provenance,
-              (std::vector<std::string>{"build: 0.1 → 0.2", "backend: egl → osmesa", "samples: 16 → 64",
+              (std::vector<std::string>{"build: 0.1 → 0.2", "backend: egl → osmesa", "processor: gl → host",
+                                        "samples: 16 → 64",
                                         "resumed from: none → 16 samples by 0.1 on driver (egl)"}));
     EXPECT_TRUE(changes(version_of(a), version_of(a)).empty());
 }

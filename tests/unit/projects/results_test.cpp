@@ -182,6 +182,7 @@ KeptResult kept(const std::string& key, const std::string& file) {
     result.experiment = "fog-nave";
     result.files = {{"main", file, hash_bytes("pixels")}};
     result.provenance = {"0.1", "driver 1", "egl", "2024-05-01T12:00:00Z"};
+    result.provenance.processor = "host";
     result.inputs = {{"seed", 7}};
     return result;
 }

@@ -37,6 +37,8 @@ constexpr int least_depth = 1, most_depth = 65534;
 constexpr int medium_side = 64, float_side = 8;
 /// Of the block of texels that the lanes look at together.
 constexpr int block_columns = std::min(lanes, 8), block_rows = lanes / block_columns;
+/// Side of the blocks of texels that hidden meshlets are found by.
+constexpr int cull_side = 4;
 /// The maps of outermost depths take fragments while these are still in the first-level cache.
 constexpr std::size_t flushed_at = 4096;
 
@@ -134,18 +136,17 @@ class MapBuild {
 
     void run() {
         begin();
-        for (std::size_t i = 0; i < meshlets_.opaque; ++i) {
-            if (is_outside(i)) continue;
-            transform(meshlets_.meshlets[i]);
-            queue_triangles<false>(meshlets_.meshlets[i], nullptr);
+        const auto all = meshlets_.meshlets.size();
+        std::size_t first = 0;
+        for (const auto end : meshlets_.stage_ends) {
+            rasterise(first, end);
+            rasterise_queue();
+            first = end;
+            if (!keeps_outermost_) continue;
+            flush();
+            find_hidden(first, all);
         }
-        rasterise_queue();
-        for (std::size_t i = meshlets_.opaque; i < meshlets_.meshlets.size(); ++i) {
-            if (is_outside(i)) continue;
-            transform(meshlets_.meshlets[i]);
-            queue_triangles<true>(meshlets_.meshlets[i],
-                                  meshlets_.masked_triangles[i - meshlets_.opaque].data());
-        }
+        rasterise(first, all);
         if (keeps_outermost_)
             flush();
         else
@@ -158,8 +159,124 @@ class MapBuild {
     void begin() {
         scratch_.fragment_count = 0;
         scratch_.fragments.resize(std::max<std::size_t>(scratch_.fragments.size(), 4 * flushed_at));
+        scratch_.hidden.assign(meshlets_.meshlets.size() + BuildScratch::lanes, 0);
         queue_.size = 0;
         if (keeps_outermost_) map_.outermost.assign(texels() + lanes, 0);
+    }
+
+    /// Meshlets first … end - 1: the queue holds what is not rasterised yet.
+    void rasterise(std::size_t first, std::size_t end) {
+        for (auto i = first; i < end; ++i) {
+            if (scratch_.hidden[i] || is_outside(i)) continue;
+            const auto& meshlet = meshlets_.meshlets[i];
+            transform(meshlet);
+            if (i < meshlets_.opaque())
+                queue_triangles<false>(meshlet, nullptr);
+            else
+                queue_triangles<true>(meshlet, meshlets_.masked_triangles[i - meshlets_.opaque()].data());
+        }
+    }
+
+    int block_side() const { return (map_.resolution + cull_side - 1) / cull_side; }
+
+    /// The least of a block's outermost depths on either side, of all blocks: packed as texels are.
+    void find_blocks() {
+        const int side = block_side(), block_rows = (map_.rows + cull_side - 1) / cull_side;
+        auto &far = scratch_.row_far, &near = scratch_.row_near;
+        scratch_.blocks.resize(static_cast<std::size_t>(side) * block_rows);
+        for (int row = 0; row < block_rows; ++row) {
+            far.assign(static_cast<std::size_t>(side) * cull_side, 65535);
+            near.assign(static_cast<std::size_t>(side) * cull_side, 65535);
+            for (int y = row * cull_side; y < std::min((row + 1) * cull_side, map_.rows); ++y) {
+                const auto* const texel =
+                    map_.outermost.data() + static_cast<std::size_t>(y) * map_.resolution;
+                for (int x = 0; x < map_.resolution; ++x) {
+                    far[x] = std::min(far[x], static_cast<std::int32_t>(texel[x] >> 16));
+                    near[x] = std::min(near[x], static_cast<std::int32_t>(texel[x] & 0xffffu));
+                }
+            }
+            for (int block = 0; block < side; ++block) {
+                std::int32_t block_far = 65535, block_near = 65535;
+                for (int x = cull_side * block; x < cull_side * (block + 1); ++x) {
+                    block_far = std::min(block_far, far[x]);
+                    block_near = std::min(block_near, near[x]);
+                }
+                scratch_.blocks[static_cast<std::size_t>(row) * side + block] = static_cast<std::int32_t>(
+                    static_cast<std::uint32_t>(block_far) << 16 | static_cast<std::uint32_t>(block_near));
+            }
+        }
+        knows_blocks_ = true;
+    }
+
+    /// Which things lie wholly between outermost depths that are there already: texels `left` … `right` and
+    /// `top` … `bottom` of the band, depths `least` … `most`. Larger ones than so many blocks are not looked
+    /// at.
+    Mask hidden(Floats left, Floats right, Floats top, Floats bottom, Floats least, Floats most, Mask which,
+                int most_blocks) const {
+        const auto per_block = hn::Set(f, 1.0f / cull_side);
+        left = hn::Floor(hn::Mul(left, per_block)), right = hn::Floor(hn::Mul(right, per_block));
+        top = hn::Floor(hn::Mul(top, per_block)), bottom = hn::Floor(hn::Mul(bottom, per_block));
+        const auto columns = hn::Sub(right, left), rows = hn::Sub(bottom, top);
+        const auto known =
+            hn::And(which, hn::Lt(hn::Max(columns, rows), hn::Set(f, static_cast<float>(most_blocks))));
+        if (hn::AllFalse(f, known)) return known;
+        const int side = block_side();
+        const auto base = hn::ConvertTo(
+            n, hn::IfThenElseZero(known, hn::MulAdd(top, hn::Set(f, static_cast<float>(side)), left)));
+        const auto low_half = hn::Set(n, 0xffff);
+        const hn::RebindToUnsigned<IntTag> unsigned_tag;
+        auto far = low_half, near = low_half;
+        for (int y = 0; y < most_blocks; ++y) {
+            const auto in_rows = hn::And(known, hn::Ge(rows, hn::Set(f, static_cast<float>(y))));
+            if (hn::AllFalse(f, in_rows)) break;
+            for (int x = 0; x < most_blocks; ++x) {
+                const auto in_both = hn::And(in_rows, hn::Ge(columns, hn::Set(f, static_cast<float>(x))));
+                if (hn::AllFalse(f, in_both)) break;
+                const auto place =
+                    hn::Add(base, hn::IfThenElseZero(hn::RebindMask(n, in_both), hn::Set(n, y * side + x)));
+                const auto block = hn::GatherIndex(n, scratch_.blocks.data(), place);
+                far = hn::Min(far, hn::BitCast(n, hn::ShiftRight<16>(hn::BitCast(unsigned_tag, block))));
+                near = hn::Min(near, hn::And(block, low_half));
+            }
+        }
+        // By more than what rounding to quanta may add.
+        return hn::And(known, hn::And(hn::Lt(hn::Add(most, hn::Set(f, 1)), hn::ConvertTo(f, far)),
+                                      hn::Lt(hn::Sub(hn::Set(f, 65536), least), hn::ConvertTo(f, near))));
+    }
+
+    struct Range {
+        Floats least, most;
+    };
+    /// Of the boxes of meshlets first … first + lanes - 1 along a row of the frame.
+    Range range_of(std::size_t first, const glm::vec4& row) const {
+        auto middle = hn::Set(f, row.w), reach = hn::Set(f, 0.01f);  // for rounding
+        for (int axis = 0; axis < 3; ++axis) {
+            middle = hn::MulAdd(hn::LoadU(f, meshlets_.centre[axis].data() + first), hn::Set(f, row[axis]),
+                                middle);
+            reach = hn::MulAdd(hn::LoadU(f, meshlets_.half[axis].data() + first),
+                               hn::Set(f, std::abs(row[axis])), reach);
+        }
+        return {hn::Sub(middle, reach), hn::Add(middle, reach)};
+    }
+
+    /// Finds meshlets that need not be rasterised.
+    void find_hidden(std::size_t first, std::size_t end) {
+        find_blocks();
+        const auto zero = hn::Zero(f), first_row = hn::Set(f, static_cast<float>(map_.first_row));
+        const auto last_column = hn::Set(f, static_cast<float>(map_.resolution - 1)),
+                   last_row = hn::Set(f, static_cast<float>(map_.rows - 1));
+        const auto all = hn::FirstN(f, static_cast<std::size_t>(lanes));
+        for (auto i = first; i < end; i += lanes) {
+            const auto u = range_of(i, map_.frame.u), v = range_of(i, map_.frame.v),
+                       depth = range_of(i, map_.frame.depth);
+            const auto left = hn::Min(hn::Max(u.least, zero), last_column),
+                       right = hn::Min(hn::Max(u.most, zero), last_column),
+                       top = hn::Min(hn::Max(hn::Sub(v.least, first_row), zero), last_row),
+                       bottom = hn::Min(hn::Max(hn::Sub(v.most, first_row), zero), last_row);
+            auto bits = bits_of(hidden(left, right, top, bottom, depth.least, depth.most, all, 4));
+            for (; bits != 0; bits &= bits - 1)
+                scratch_.hidden[i + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)] = 1;
+        }
     }
 
     bool is_outside(std::size_t meshlet) const {
@@ -274,8 +391,15 @@ class MapBuild {
                     hn::And(hn::Ge(row, top), hn::Le(hn::Add(row, height), bottom)));
         const auto is_there = hn::FirstN(f, static_cast<std::size_t>(count));
         const auto most = hn::Max(width, height);
-        const auto is_medium = hn::And(hn::And(is_there, fits), hn::Le(most, hn::Set(f, medium_side)));
+        auto is_medium = hn::And(hn::And(is_there, fits), hn::Le(most, hn::Set(f, medium_side)));
         rasterise_large(at, hn::AndNot(is_medium, is_there));
+        if (knows_blocks_) {
+            const auto first = hn::Sub(row, top), one = hn::Set(f, 1);
+            is_medium =
+                hn::AndNot(hidden(column, hn::Sub(hn::Add(column, width), one), first,
+                                  hn::Sub(hn::Add(first, height), one), min3(z), max3(z), is_medium, 2),
+                           is_medium);
+        }
         if (hn::AllFalse(f, is_medium)) return;
 
         // cross(b - a, p - a) at the box's first centre, for the edges from corner k to the next.
@@ -548,6 +672,7 @@ class MapBuild {
     BuildScratch& scratch_;
     BuildScratch::Queue& queue_;
     const bool keeps_outermost_;
+    bool knows_blocks_ = false;
     alignas(64) float x_[Meshlet::max_vertices], y_[Meshlet::max_vertices], z_[Meshlet::max_vertices];
 };
 

@@ -141,6 +141,45 @@ void cut_into(Meshlets& result, const scene::World& world, std::uint32_t first, 
     for (auto& cutter : cutters) cutter.append_to(result);
 }
 
+float area_of(const Meshlet& meshlet) {
+    const auto corner = [&](int k, int triangle) {
+        const int place = meshlet.corners[k][triangle];
+        return glm::vec3(meshlet.x[place], meshlet.y[place], meshlet.z[place]);
+    };
+    float sum = 0;
+    for (int t = 0; t < meshlet.triangles; ++t)
+        sum += glm::length(glm::cross(corner(1, t) - corner(0, t), corner(2, t) - corner(0, t)));
+    return sum;
+}
+
+/// Part of the area that each stage and those before it have.
+constexpr double stage_parts[Meshlets::stages] = {0.2, 0.45, 0.75, 2};
+
+void order_by_stages(Meshlets& result) {
+    std::vector<std::pair<float, std::size_t>> areas(result.meshlets.size());
+    tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
+        areas[i] = {-area_of(result.meshlets[i]), i};
+    });
+    double all = 0, sum = 0;
+    for (const auto& [area, i] : areas) all -= double{area};
+    std::sort(areas.begin(), areas.end());
+    std::vector<int> stages(areas.size());
+    int stage = 0;
+    for (const auto& [area, i] : areas) {
+        while (sum > stage_parts[stage] * all) ++stage;
+        sum -= double{area};
+        stages[i] = stage;
+    }
+    std::vector<Meshlet> ordered;
+    ordered.reserve(result.meshlets.size());
+    for (stage = 0; stage < Meshlets::stages; ++stage) {
+        for (std::size_t i = 0; i < areas.size(); ++i)
+            if (stages[i] == stage) ordered.push_back(result.meshlets[i]);
+        result.stage_ends[stage] = ordered.size();
+    }
+    result.meshlets = std::move(ordered);
+}
+
 void find_boxes(Meshlets& result) {
     const auto count = result.meshlets.size();
     for (int axis = 0; axis < 3; ++axis) {
@@ -170,7 +209,7 @@ Meshlets make_meshlets(const scene::World& world, int threads) {
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
     arena.execute([&] {
         cut_into(result, world, 0, world.opaque_triangles, false);
-        result.opaque = result.meshlets.size();
+        order_by_stages(result);
         cut_into(result, world, world.opaque_triangles, static_cast<std::uint32_t>(world.triangles()), true);
         find_boxes(result);
     });

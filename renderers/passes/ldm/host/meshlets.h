@@ -17,10 +17,14 @@ struct Meshlet {
     int triangles = 0;
 };
 
-/// A world in meshlets, in the order of a space-filling curve; those without alpha masks first.
+/// A world in meshlets. Those without alpha masks stand first, in stages: what has most area first, each
+/// stage in the order of a space-filling curve.
 struct Meshlets {
+    static constexpr int stages = 4;
     std::vector<Meshlet> meshlets;
-    std::size_t opaque = 0;  ///< meshlets before this one have no alpha mask
+    /// Where stages end; what earlier ones hide need not be rasterised. Behind the last one masks begin.
+    std::size_t stage_ends[stages] = {};
+    std::size_t opaque() const { return stage_ends[stages - 1]; }
     /// Of each masked meshlet: its triangles' numbers among the masked ones, as AlphaMasks counts.
     std::vector<std::array<std::uint32_t, Meshlet::max_triangles>> masked_triangles;
     /// Centre and half extent of each meshlet's box by axis, padded to a whole number of vectors.

@@ -15,10 +15,24 @@ struct Images {
     std::span<const glm::vec4> geometric_normal;
 };
 
+struct Extent {
+    glm::vec3 least{std::numeric_limits<float>::max()}, most{-std::numeric_limits<float>::max()};
+    void add(const glm::vec3& value) {
+        least = glm::min(least, value);
+        most = glm::max(most, value);
+    }
+    void store(PixelTiles::Boxes& boxes, std::size_t tile) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            boxes.centre[axis][tile] = 0.5f * (least[axis] + most[axis]);
+            boxes.half[axis][tile] = 0.5f * (most[axis] - least[axis]);
+        }
+    }
+};
+
 void fill_tile(PixelTiles& tiles, std::size_t tile, const Images& images) {
     const int left = static_cast<int>(tile % tiles.columns) * PixelTiles::side;
     const int top = static_cast<int>(tile / tiles.columns) * PixelTiles::side;
-    glm::vec3 least(std::numeric_limits<float>::max()), most(-std::numeric_limits<float>::max());
+    Extent positions, geometric_normals, normals;
     for (int pixel = 0; pixel < PixelTiles::pixels; ++pixel) {
         const int x = left + pixel % PixelTiles::side, y = top + pixel / PixelTiles::side;
         if (x >= tiles.width || y >= tiles.height) continue;
@@ -27,8 +41,9 @@ void fill_tile(PixelTiles& tiles, std::size_t tile, const Images& images) {
         if (geometric_normal == glm::vec3(0)) continue;
         const glm::vec3 position(images.position[from]);
         const auto normal = glm::normalize(glm::vec3(glm::unpackHalf4x16(images.normal[from])));
-        least = glm::min(least, position);
-        most = glm::max(most, position);
+        positions.add(position);
+        geometric_normals.add(geometric_normal);
+        normals.add(normal);
         tiles.valid[tile] |= std::uint64_t{1} << pixel;
         const auto to = tile * PixelTiles::pixels + static_cast<std::size_t>(pixel);
         for (int axis = 0; axis < 3; ++axis) {
@@ -37,10 +52,10 @@ void fill_tile(PixelTiles& tiles, std::size_t tile, const Images& images) {
             tiles.normal[axis][to] = normal[axis];
         }
     }
-    for (int axis = 0; axis < 3; ++axis) {
-        tiles.least[axis][tile] = least[axis];
-        tiles.most[axis][tile] = most[axis];
-    }
+    if (tiles.valid[tile] == 0) return;
+    positions.store(tiles.position_boxes, tile);
+    geometric_normals.store(tiles.geometric_normal_boxes, tile);
+    normals.store(tiles.normal_boxes, tile);
 }
 
 }  // namespace
@@ -54,12 +69,15 @@ PixelTiles make_pixel_tiles(int width, int height, std::span<const glm::vec4> po
     tiles.columns = (width + PixelTiles::side - 1) / PixelTiles::side;
     const auto rows = (height + PixelTiles::side - 1) / PixelTiles::side;
     const auto count = static_cast<std::size_t>(tiles.columns) * rows;
+    constexpr std::size_t padding = 16;  // at least the lanes of a vector of floats
     tiles.valid.assign(count, 0);
     for (int axis = 0; axis < 3; ++axis) {
         for (auto* values : {&tiles.position[axis], &tiles.geometric_normal[axis], &tiles.normal[axis]})
             values->assign(count * PixelTiles::pixels, 0.0f);
-        tiles.least[axis].assign(count, 0.0f);
-        tiles.most[axis].assign(count, 0.0f);
+        for (auto* boxes : {&tiles.position_boxes, &tiles.geometric_normal_boxes, &tiles.normal_boxes}) {
+            boxes->centre[axis].assign(count + padding, 0.0f);
+            boxes->half[axis].assign(count + padding, 0.0f);
+        }
     }
     const Images images{position, normal, geometric_normal};
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t tile) { fill_tile(tiles, tile, images); });

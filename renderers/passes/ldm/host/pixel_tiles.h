@@ -15,8 +15,12 @@ struct PixelTiles {
     /// By axis, 64 values a tile: world-space position (m), unit geometric normal, unit shading normal. 0
     /// where there is no surface.
     std::vector<float> position[3], geometric_normal[3], normal[3];
-    /// By axis and tile: the box of its positions.
-    std::vector<float> least[3], most[3];
+    /// Boxes of what a tile's pixels hold: centre and half extent by axis, padded to a whole number of
+    /// vectors.
+    struct Boxes {
+        std::vector<float> centre[3], half[3];
+    };
+    Boxes position_boxes, geometric_normal_boxes, normal_boxes;
 
     std::size_t count() const { return valid.size(); }
     /// Where pixel (x, y) stands among all of the tiles.
@@ -24,7 +28,7 @@ struct PixelTiles {
         const auto tile = static_cast<std::size_t>(y / side) * columns + x / side;
         return tile * pixels + static_cast<std::size_t>(y % side * side + x % side);
     }
-    std::uint64_t bytes() const { return count() * (pixels * 9 * sizeof(float) + 6 * sizeof(float) + 8); }
+    std::uint64_t bytes() const { return count() * (pixels * 9 * sizeof(float) + 18 * sizeof(float) + 8); }
 };
 
 /// From the G-buffer's images: rows of xyzw, the shading normal in half floats; a geometric normal of 0 is

@@ -70,6 +70,10 @@ struct BuildScratch {
         alignas(64) std::uint32_t number[queue_size + lanes];
         int size = 0;
     } queue;
+    std::vector<std::uint8_t> hidden;  ///< meshlets that change no outermost depth
+    /// Of each block of texels the least of its outermost depths on either side, and of columns of four
+    /// texels.
+    std::vector<std::int32_t> blocks, row_far, row_near;
     std::vector<std::uint32_t> fragments;  ///< texel of the band << 16 | depth
     std::size_t fragment_count = 0;
     std::uint64_t fragments_made = 0;  ///< since this was made
