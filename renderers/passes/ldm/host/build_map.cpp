@@ -182,13 +182,16 @@ class MapBuild {
     /// The least of a block's outermost depths on either side, of all blocks: packed as texels are.
     void find_blocks() {
         const int side = block_side(), block_rows = (map_.rows + cull_side - 1) / cull_side;
-        auto &far = scratch_.row_far, &near = scratch_.row_near;
+        const auto width = static_cast<std::size_t>(side) * cull_side;
+        scratch_.row_far.resize(width);
+        scratch_.row_near.resize(width);
+        auto *HWY_RESTRICT far = scratch_.row_far.data(), *HWY_RESTRICT near = scratch_.row_near.data();
         scratch_.blocks.resize(static_cast<std::size_t>(side) * block_rows);
         for (int row = 0; row < block_rows; ++row) {
-            far.assign(static_cast<std::size_t>(side) * cull_side, 65535);
-            near.assign(static_cast<std::size_t>(side) * cull_side, 65535);
+            std::fill(far, far + width, 65535);
+            std::fill(near, near + width, 65535);
             for (int y = row * cull_side; y < std::min((row + 1) * cull_side, map_.rows); ++y) {
-                const auto* const texel =
+                const auto* HWY_RESTRICT texel =
                     map_.outermost.data() + static_cast<std::size_t>(y) * map_.resolution;
                 for (int x = 0; x < map_.resolution; ++x) {
                     far[x] = std::min(far[x], static_cast<std::int32_t>(texel[x] >> 16));

@@ -103,7 +103,9 @@ class Stream {
     void run(const graph::PassContext& context, std::int64_t begin, std::int64_t end, const Ask& ask) {
         const auto scene = context.object<HostScene>(scene_);
         const auto count = static_cast<std::int64_t>(workers_.size());
-        const auto group = std::clamp<std::int64_t>((end - begin + count - 1) / count, 1, together_);
+        // Groups of one size, as many for each thread, so that none waits for long.
+        const auto rounds = (end - begin + count * together_ - 1) / (count * together_);
+        const auto group = (end - begin + rounds * count - 1) / (rounds * count);
         std::atomic<std::int64_t> next{begin};
         arena_.execute([&] {
             tbb::parallel_for(
