@@ -7,6 +7,9 @@ namespace {
 
 class LiveExplanationTest : public RenderThreadTest {
   protected:
+    /// Beside the host's body whole maps are built for each explanation; the device has them already.
+    LiveExplanationTest() { processor = Processor::gl; }
+
     const std::vector<std::string> explanations{"ldm.explain.hits", "ldm.explain.rays", "ldm.explain.walk"};
 
     LiveRequest picked(int x, int y) const {

@@ -28,6 +28,7 @@ class RenderThreadTest : public testing::Test {
     struct Export {
         std::string tag, file, error;
     };
+    std::optional<Processor> processor;
     /// Everything that came back so far.
     struct Answers {
         std::vector<LiveResult> results;
@@ -61,7 +62,7 @@ class RenderThreadTest : public testing::Test {
             const std::lock_guard lock(mutex_);
             answers_.no_device = error;
         };
-        thread = std::make_unique<RenderThread>(MachineOptions{"egl", {}, false, workers}, std::move(c));
+        thread = std::make_unique<RenderThread>(MachineOptions{"egl", {}, false, workers, processor}, std::move(c));
     }
     void TearDown() override {
         thread.reset();

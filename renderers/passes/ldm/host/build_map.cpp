@@ -124,92 +124,21 @@ struct MediumTriangle {
     int width, height;
 };
 
-class MapBuild {
+std::uint32_t bits_of(Mask mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(f, mask, bytes);
+    const auto bits = static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8);
+    return lanes < 16 ? bits & ((1u << lanes) - 1) : bits;
+}
+
+/// What outermost depths that are there already hide.
+class Culling {
   public:
-    MapBuild(const Meshlets& meshlets, const AlphaMasks& masks, StreamedMap& map, BuildScratch& scratch)
-        : meshlets_(meshlets),
-          masks_(masks),
-          map_(map),
-          scratch_(scratch),
-          queue_(scratch.queue),
-          keeps_outermost_(map.holds == Holds::outermost) {}
+    Culling(const Meshlets& meshlets, const StreamedMap& map, BuildScratch& scratch)
+        : meshlets_(meshlets), map_(map), scratch_(scratch) {}
 
-    void run() {
-        begin();
-        const auto all = meshlets_.meshlets.size();
-        std::size_t first = 0;
-        for (const auto end : meshlets_.stage_ends) {
-            rasterise(first, end);
-            rasterise_queue();
-            first = end;
-            if (!keeps_outermost_) continue;
-            flush();
-            find_hidden(first, all);
-        }
-        rasterise(first, all);
-        if (keeps_outermost_)
-            flush();
-        else
-            sort_into_lists();
-    }
-
-  private:
-    std::size_t texels() const { return static_cast<std::size_t>(map_.rows) * map_.resolution; }
-
-    void begin() {
-        scratch_.fragment_count = 0;
-        scratch_.fragments.resize(std::max<std::size_t>(scratch_.fragments.size(), 4 * flushed_at));
-        scratch_.hidden.assign(meshlets_.meshlets.size() + BuildScratch::lanes, 0);
-        queue_.size = 0;
-        if (keeps_outermost_) map_.outermost.assign(texels() + lanes, 0);
-    }
-
-    /// Meshlets first … end - 1: the queue holds what is not rasterised yet.
-    void rasterise(std::size_t first, std::size_t end) {
-        for (auto i = first; i < end; ++i) {
-            if (scratch_.hidden[i] || is_outside(i)) continue;
-            const auto& meshlet = meshlets_.meshlets[i];
-            transform(meshlet);
-            if (i < meshlets_.opaque())
-                queue_triangles<false>(meshlet, nullptr);
-            else
-                queue_triangles<true>(meshlet, meshlets_.masked_triangles[i - meshlets_.opaque()].data());
-        }
-    }
-
-    int block_side() const { return (map_.resolution + cull_side - 1) / cull_side; }
-
-    /// The least of a block's outermost depths on either side, of all blocks: packed as texels are.
-    void find_blocks() {
-        const int side = block_side(), block_rows = (map_.rows + cull_side - 1) / cull_side;
-        const auto width = static_cast<std::size_t>(side) * cull_side;
-        scratch_.row_far.resize(width);
-        scratch_.row_near.resize(width);
-        auto *HWY_RESTRICT far = scratch_.row_far.data(), *HWY_RESTRICT near = scratch_.row_near.data();
-        scratch_.blocks.resize(static_cast<std::size_t>(side) * block_rows);
-        for (int row = 0; row < block_rows; ++row) {
-            std::fill(far, far + width, 65535);
-            std::fill(near, near + width, 65535);
-            for (int y = row * cull_side; y < std::min((row + 1) * cull_side, map_.rows); ++y) {
-                const auto* HWY_RESTRICT texel =
-                    map_.outermost.data() + static_cast<std::size_t>(y) * map_.resolution;
-                for (int x = 0; x < map_.resolution; ++x) {
-                    far[x] = std::min(far[x], static_cast<std::int32_t>(texel[x] >> 16));
-                    near[x] = std::min(near[x], static_cast<std::int32_t>(texel[x] & 0xffffu));
-                }
-            }
-            for (int block = 0; block < side; ++block) {
-                std::int32_t block_far = 65535, block_near = 65535;
-                for (int x = cull_side * block; x < cull_side * (block + 1); ++x) {
-                    block_far = std::min(block_far, far[x]);
-                    block_near = std::min(block_near, near[x]);
-                }
-                scratch_.blocks[static_cast<std::size_t>(row) * side + block] = static_cast<std::int32_t>(
-                    static_cast<std::uint32_t>(block_far) << 16 | static_cast<std::uint32_t>(block_near));
-            }
-        }
-        knows_blocks_ = true;
-    }
+    /// Whether find_hidden was called.
+    bool knows_blocks() const { return knows_blocks_; }
 
     /// Which things lie wholly between outermost depths that are there already: texels `left` … `right` and
     /// `top` … `bottom` of the band, depths `least` … `most`. Larger ones than so many blocks are not looked
@@ -247,21 +176,6 @@ class MapBuild {
                                       hn::Lt(hn::Sub(hn::Set(f, 65536), least), hn::ConvertTo(f, near))));
     }
 
-    struct Range {
-        Floats least, most;
-    };
-    /// Of the boxes of meshlets first … first + lanes - 1 along a row of the frame.
-    Range range_of(std::size_t first, const glm::vec4& row) const {
-        auto middle = hn::Set(f, row.w), reach = hn::Set(f, 0.01f);  // for rounding
-        for (int axis = 0; axis < 3; ++axis) {
-            middle = hn::MulAdd(hn::LoadU(f, meshlets_.centre[axis].data() + first), hn::Set(f, row[axis]),
-                                middle);
-            reach = hn::MulAdd(hn::LoadU(f, meshlets_.half[axis].data() + first),
-                               hn::Set(f, std::abs(row[axis])), reach);
-        }
-        return {hn::Sub(middle, reach), hn::Add(middle, reach)};
-    }
-
     /// Finds meshlets that need not be rasterised.
     void find_hidden(std::size_t first, std::size_t end) {
         find_blocks();
@@ -279,6 +193,116 @@ class MapBuild {
             auto bits = bits_of(hidden(left, right, top, bottom, depth.least, depth.most, all, 4));
             for (; bits != 0; bits &= bits - 1)
                 scratch_.hidden[i + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)] = 1;
+        }
+    }
+
+  private:
+    int block_side() const { return (map_.resolution + cull_side - 1) / cull_side; }
+
+    /// The least of a block's outermost depths on either side, of all blocks: packed as texels are.
+    void find_blocks() {
+        const int side = block_side(), block_rows = (map_.rows + cull_side - 1) / cull_side;
+        const auto width = static_cast<std::size_t>(side) * cull_side;
+        scratch_.row_far.resize(width);
+        scratch_.row_near.resize(width);
+        auto *HWY_RESTRICT far = scratch_.row_far.data(), *HWY_RESTRICT near = scratch_.row_near.data();
+        scratch_.blocks.resize(static_cast<std::size_t>(side) * block_rows);
+        for (int row = 0; row < block_rows; ++row) {
+            std::fill(far, far + width, 65535);
+            std::fill(near, near + width, 65535);
+            for (int y = row * cull_side; y < std::min((row + 1) * cull_side, map_.rows); ++y) {
+                const auto* HWY_RESTRICT texel =
+                    map_.outermost.data() + static_cast<std::size_t>(y) * map_.resolution;
+                for (int x = 0; x < map_.resolution; ++x) {
+                    far[x] = std::min(far[x], static_cast<std::int32_t>(texel[x] >> 16));
+                    near[x] = std::min(near[x], static_cast<std::int32_t>(texel[x] & 0xffffu));
+                }
+            }
+            for (int block = 0; block < side; ++block) {
+                std::int32_t block_far = 65535, block_near = 65535;
+                for (int x = cull_side * block; x < cull_side * (block + 1); ++x) {
+                    block_far = std::min(block_far, far[x]);
+                    block_near = std::min(block_near, near[x]);
+                }
+                scratch_.blocks[static_cast<std::size_t>(row) * side + block] = static_cast<std::int32_t>(
+                    static_cast<std::uint32_t>(block_far) << 16 | static_cast<std::uint32_t>(block_near));
+            }
+        }
+        knows_blocks_ = true;
+    }
+
+    struct Range {
+        Floats least, most;
+    };
+    /// Of the boxes of meshlets first … first + lanes - 1 along a row of the frame.
+    Range range_of(std::size_t first, const glm::vec4& row) const {
+        auto middle = hn::Set(f, row.w), reach = hn::Set(f, 0.01f);  // for rounding
+        for (int axis = 0; axis < 3; ++axis) {
+            middle = hn::MulAdd(hn::LoadU(f, meshlets_.centre[axis].data() + first), hn::Set(f, row[axis]),
+                                middle);
+            reach = hn::MulAdd(hn::LoadU(f, meshlets_.half[axis].data() + first),
+                               hn::Set(f, std::abs(row[axis])), reach);
+        }
+        return {hn::Sub(middle, reach), hn::Add(middle, reach)};
+    }
+
+    const Meshlets& meshlets_;
+    const StreamedMap& map_;
+    BuildScratch& scratch_;
+    bool knows_blocks_ = false;
+};
+
+class MapBuild {
+  public:
+    MapBuild(const Meshlets& meshlets, const AlphaMasks& masks, StreamedMap& map, BuildScratch& scratch)
+        : meshlets_(meshlets),
+          masks_(masks),
+          map_(map),
+          scratch_(scratch),
+          queue_(scratch.queue),
+          keeps_outermost_(map.holds == Holds::outermost),
+          culling_(meshlets, map, scratch) {}
+
+    void run() {
+        begin();
+        const auto all = meshlets_.meshlets.size();
+        std::size_t first = 0;
+        for (const auto end : meshlets_.stage_ends) {
+            rasterise(first, end);
+            rasterise_queue();
+            first = end;
+            if (!keeps_outermost_) continue;
+            flush();
+            culling_.find_hidden(first, all);
+        }
+        rasterise(first, all);
+        if (keeps_outermost_)
+            flush();
+        else
+            sort_into_lists();
+    }
+
+  private:
+    std::size_t texels() const { return static_cast<std::size_t>(map_.rows) * map_.resolution; }
+
+    void begin() {
+        scratch_.fragment_count = 0;
+        scratch_.fragments.resize(std::max<std::size_t>(scratch_.fragments.size(), 4 * flushed_at));
+        scratch_.hidden.assign(meshlets_.meshlets.size() + BuildScratch::lanes, 0);
+        queue_.size = 0;
+        if (keeps_outermost_) map_.outermost.assign(texels() + lanes, 0);
+    }
+
+    /// Meshlets first … end - 1: the queue holds what is not rasterised yet.
+    void rasterise(std::size_t first, std::size_t end) {
+        for (auto i = first; i < end; ++i) {
+            if (scratch_.hidden[i] || is_outside(i)) continue;
+            const auto& meshlet = meshlets_.meshlets[i];
+            transform(meshlet);
+            if (i < meshlets_.opaque())
+                queue_triangles<false>(meshlet, nullptr);
+            else
+                queue_triangles<true>(meshlet, meshlets_.masked_triangles[i - meshlets_.opaque()].data());
         }
     }
 
@@ -396,12 +420,12 @@ class MapBuild {
         const auto most = hn::Max(width, height);
         auto is_medium = hn::And(hn::And(is_there, fits), hn::Le(most, hn::Set(f, medium_side)));
         rasterise_large(at, hn::AndNot(is_medium, is_there));
-        if (knows_blocks_) {
+        if (culling_.knows_blocks()) {
             const auto first = hn::Sub(row, top), one = hn::Set(f, 1);
-            is_medium =
-                hn::AndNot(hidden(column, hn::Sub(hn::Add(column, width), one), first,
-                                  hn::Sub(hn::Add(first, height), one), min3(z), max3(z), is_medium, 2),
-                           is_medium);
+            is_medium = hn::AndNot(
+                culling_.hidden(column, hn::Sub(hn::Add(column, width), one), first,
+                                hn::Sub(hn::Add(first, height), one), min3(z), max3(z), is_medium, 2),
+                is_medium);
         }
         if (hn::AllFalse(f, is_medium)) return;
 
@@ -503,13 +527,6 @@ class MapBuild {
         if (rows > 0) edge = hn::Add(edge, gained_per_row);
         if (columns > 0) edge = hn::Sub(edge, lost_per_column);
         return edge;
-    }
-
-    static std::uint32_t bits_of(Mask mask) {
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(f, mask, bytes);
-        const auto bits = static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8);
-        return lanes < 16 ? bits & ((1u << lanes) - 1) : bits;
     }
 
     /// One triangle, block by block of its box; values at the box's first centre.
@@ -675,7 +692,7 @@ class MapBuild {
     BuildScratch& scratch_;
     BuildScratch::Queue& queue_;
     const bool keeps_outermost_;
-    bool knows_blocks_ = false;
+    Culling culling_;
     alignas(64) float x_[Meshlet::max_vertices], y_[Meshlet::max_vertices], z_[Meshlet::max_vertices];
 };
 
