@@ -114,11 +114,12 @@ void add_records(const Api& api, GLuint program, GLuint block, ProgramResource& 
         const auto name = name_at(api, program, GL_BUFFER_VARIABLE, index);
         const auto dot = name.find("[0].");
         if (dot == std::string::npos) continue;
-        const auto values = properties(GL_BUFFER_VARIABLE, index, {GL_OFFSET, GL_TOP_LEVEL_ARRAY_STRIDE}, 2);
+        const auto values = properties(GL_BUFFER_VARIABLE, index,
+                                       {GL_OFFSET, GL_TOP_LEVEL_ARRAY_STRIDE, GL_TYPE, GL_ARRAY_SIZE}, 4);
         auto member = name.substr(dot + 4);
         const bool is_array = member.ends_with("[0]");
         if (is_array) member.resize(member.size() - 3);
-        resource.members.push_back({member, values[0], is_array});
+        resource.members.push_back({member, values[0], static_cast<GLenum>(values[2]), values[3], is_array});
         resource.stride = values[1];
     }
 }

@@ -22,7 +22,9 @@ struct ProgramResource {
     /// Of a block with an array of structs: its records, as linked.
     struct Member {
         std::string name;
-        int offset = 0;  ///< bytes from the record's begin
+        int offset = 0;          ///< bytes from the record's begin
+        GLenum type = GL_FLOAT;  ///< of an array: of its elements
+        int count = 1;           ///< elements of an array
         bool is_array = false;
     };
     std::vector<Member> members = {};  ///< those that the program uses; empty: the array is of plain values

@@ -1,27 +1,29 @@
 #!/usr/bin/env python3
 """Writes C++ headers of the records that shaders and host share, so that their fields stand once: in GLSL.
 
-A struct whose comment has the line "C++: ir::some::Name" becomes that struct, with IR_FIELDS, in the header
+A struct or block whose comment has the line "C++: ir::some::Name" becomes a struct with IR_FIELDS in the header
 OUT/shaders/PATH.glsl.h of its file shaders/PATH.glsl; a record may hold records of the same file. A name that is a
-word of GLSL ends in "_" there, and not in C++. Usage:
+word of GLSL ends in "_" there, and not in C++. A record that std430 lays out with gaps is refused. Usage:
 records.py ROOT OUT, or records.py --list ROOT for the files that have records.
 """
 import re
 import sys
 from pathlib import Path
 
-TYPES = {"float": "float", "int": "std::int32_t", "uint": "std::uint32_t", "vec2": "glm::vec2", "vec3": "glm::vec3",
-         "vec4": "glm::vec4", "ivec2": "glm::ivec2", "uvec2": "glm::uvec2", "mat4": "glm::mat4"}
+# In C++, bytes, and bytes that std430 aligns it to.
+TYPES = {"float": ("float", 4, 4), "int": ("std::int32_t", 4, 4), "uint": ("std::uint32_t", 4, 4),
+         "vec2": ("glm::vec2", 8, 8), "vec3": ("glm::vec3", 12, 16), "vec4": ("glm::vec4", 16, 16),
+         "ivec2": ("glm::ivec2", 8, 8), "uvec2": ("glm::uvec2", 8, 8), "mat4": ("glm::mat4", 64, 16)}
 MARK = "// C++: "
-RECORD = re.compile(r"((?:^//[^\n]*\n)*)^struct (\w+) \{\n(.*?)^\};", re.M | re.S)
+RECORD = re.compile(r"((?:^//[^\n]*\n)*)^(?:struct|layout\(std430\)[a-z ]* buffer) (\w+) \{\n(.*?)^\}", re.M | re.S)
 MEMBERS = re.compile(r"\s*(\w+) ([^;]+);\s*(?://\s?(.*))?$")
 
 
 def members_of(body, types, path):
-    """(type, name, comment) of each member, in order; without a type: a comment that goes on."""
+    """(type, name, comment, bytes, alignment) of each member, in order; without a type: a comment that goes on."""
     for line in body.splitlines():
         if line.strip().startswith("//"):
-            yield None, None, line.strip()[2:].strip()
+            yield None, None, line.strip()[2:].strip(), 0, 1
             continue
         match = MEMBERS.match(line)
         if not match or match[1] not in types:
@@ -29,22 +31,30 @@ def members_of(body, types, path):
                      f"{', '.join(types)}")
         names = [name.strip() for name in match[2].split(",")]
         for name in names:
-            kind = types[match[1]]
+            kind, size, alignment = types[match[1]]
             if array := re.fullmatch(r"(\w+)\[(\d+)\]", name):
-                kind, name = f"std::array<{kind}, {array[2]}>", array[1]
+                if size % alignment:
+                    sys.exit(f"{path}: std430 leaves gaps in '{name}', which C++ does not; declare floats")
+                kind, size, name = f"std::array<{kind}, {array[2]}>", size * int(array[2]), array[1]
             is_last = re.match(r"\w+", names[-1])[0] == name
-            yield kind, name.removesuffix("_"), match[3] if is_last else None
+            yield kind, name.removesuffix("_"), match[3] if is_last else None, size, alignment
 
 
 def record_of(comment, name, body, types, path):
+    """The C++ struct, and what TYPES has of it."""
     lines = [f"/// {line.lstrip('/').strip()}" for line in comment.splitlines() if not line.startswith(MARK)]
     lines.append(f"struct {name} {{")
-    names = []
-    for kind, member, note in members_of(body, types, path):
+    names, end, widest = [], 0, 4
+    for kind, member, note, size, alignment in members_of(body, types, path):
         code = f"{kind} {member}{{}};" if kind else ""
         lines.append(f"    {code}  ///< {note}" if note else f"    {code}")
         names += [member] if kind else []
-    return "\n".join(lines + [f"    IR_FIELDS({', '.join(names)})", "};"])
+        if end % alignment:
+            sys.exit(f"{path}: std430 leaves a gap before '{name}.{member}', which C++ does not; declare floats there")
+        end, widest = end + size, max(widest, alignment)
+    if end % widest:
+        sys.exit(f"{path}: std430 leaves a gap behind '{name}', which C++ does not; name it or declare floats")
+    return "\n".join(lines + [f"    IR_FIELDS({', '.join(names)})", "};"]), (name, end, widest)
 
 
 def header_of(path, text):
@@ -54,11 +64,10 @@ def header_of(path, text):
         for line in comment.splitlines():
             if line.startswith(MARK):
                 space, name = line[len(MARK):].strip().rsplit("::", 1)
-                record = record_of(comment, name, body, types, path)
+                record, types[glsl_name] = record_of(comment, name, body, types, path)
                 records.append(f"namespace {space} {{\n\n{record}\n\n}}  // namespace {space}\n")
-                types[glsl_name] = name
     if len(records) != text.count("\n" + MARK) + text.startswith(MARK):
-        sys.exit(f"{path}: '{MARK}' stands in the comment right above a struct, once")
+        sys.exit(f"{path}: '{MARK}' stands in the comment right above a struct or block, once")
     return "\n".join([f"// Made from {path}: edit that.\n#pragma once\n\n#include <array>\n#include <cstdint>\n"
                       '#include <glm/glm.hpp>\n\n#include "renderers/core/fields.h"\n'] + records) if records else None
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "renderers/gl/dispatch_items.h"
 #include "renderers/graph/pass_context.h"
 
 namespace ir::graph {
@@ -94,6 +95,18 @@ void PassBuilder::compute(const gl::ProgramSource& source, std::int64_t invocati
         constants.give(context, program);
         program.dispatch(invocations);
     });
+}
+
+void PassBuilder::compute_sliced(const gl::ProgramSource& source, std::int64_t items, Constants constants,
+                                 std::int64_t first_slice) {
+    execute_sliced(
+        items,
+        [source, constants = std::move(constants)](PassContext& context, Slice slice) {
+            const auto& program = context.use(source);
+            constants.give(context, program);
+            gl::dispatch_items(program, slice.begin, slice.end);
+        },
+        first_slice);
 }
 
 void PassBuilder::draw(const gl::ProgramSource& source, ImageRef target, Constants constants) {

@@ -133,6 +133,9 @@ class PassBuilder {
     /// One dispatch, with an invocation for each texel of all layers of an image.
     void compute(const gl::ProgramSource& source, ImageRef over, Constants constants = {});
     void compute(const gl::ProgramSource& source, std::int64_t invocations, Constants constants = {});
+    /// Sliced: an invocation for each item; the program sees the uniforms `first_item` and `end_item`.
+    void compute_sliced(const gl::ProgramSource& source, std::int64_t items, Constants constants = {},
+                        std::int64_t first_slice = 0);
     /// Writes all of an image by a fragment shader behind shaders/lib/full_screen.vert.
     void draw(const gl::ProgramSource& source, ImageRef target, Constants constants = {});
 

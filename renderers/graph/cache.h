@@ -65,8 +65,9 @@ struct GraphCache {
     /// Of the method and of the values that its programs are compiled with; kept until these change.
     std::string parameter_glsl;
     std::map<gl::ProgramSource, const gl::Program*> programs_with_parameters;
-    /// By program, block and buffer: the fields that its records were found to agree with.
-    std::map<std::tuple<GLuint, std::string, std::string>, std::vector<Field>> compared_records;
+    /// By program, block and buffer: the program as linked, and the fields that its records agree with.
+    std::map<std::tuple<const gl::Program*, std::string, std::string>, std::pair<GLuint, std::vector<Field>>>
+        compared_records;
     std::vector<GLuint> framebuffers;  ///< of the running pass
 
     // Of the last frame.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "renderers/core/error.h"
 #include "renderers/core/record.h"
@@ -49,6 +50,72 @@ std::string without_index(const std::string& name) {
 std::vector<std::string> names_of(const Resource& resource, int element) {
     if (resource.count > 1) return {resource.element(element)};
     return {resource.name, resource.name + "[0]"};
+}
+
+/// What a member of a record holds, as a field would say it; count 0: no numbers of four bytes.
+Field numbers_of(const Resource::Member& member) {
+    static const std::map<GLenum, Field> known{{GL_FLOAT, {"", FieldType::f32}},
+                                               {GL_FLOAT_VEC2, {"", FieldType::f32, 2}},
+                                               {GL_FLOAT_VEC3, {"", FieldType::f32, 3}},
+                                               {GL_FLOAT_VEC4, {"", FieldType::f32, 4}},
+                                               {GL_FLOAT_MAT4, {"", FieldType::f32, 16}},
+                                               {GL_INT, {"", FieldType::i32}},
+                                               {GL_INT_VEC2, {"", FieldType::i32, 2}},
+                                               {GL_INT_VEC3, {"", FieldType::i32, 3}},
+                                               {GL_INT_VEC4, {"", FieldType::i32, 4}},
+                                               {GL_UNSIGNED_INT, {"", FieldType::u32}},
+                                               {GL_UNSIGNED_INT_VEC2, {"", FieldType::u32, 2}},
+                                               {GL_UNSIGNED_INT_VEC3, {"", FieldType::u32, 3}},
+                                               {GL_UNSIGNED_INT_VEC4, {"", FieldType::u32, 4}}};
+    const auto found = known.find(member.type);
+    if (found == known.end()) return {plain_name(member.name), FieldType::f32, 0};
+    return {plain_name(member.name), found->second.type, found->second.count * member.count};
+}
+
+/// How a program's records differ from the buffer's; empty where they agree. A member is a field of its name,
+/// its type and as many numbers. Or several members together are one field of several numbers, or an array
+/// stands for several whole fields; these have names of their own.
+std::string compare(const Resource& resource, const BufferDesc& desc) {
+    if (resource.stride != stride(desc))
+        return "a record has " + std::to_string(resource.stride) + " bytes in the program and " +
+               std::to_string(stride(desc)) + " in the buffer";
+    const auto is_field = [&](const std::string& name) {
+        return std::any_of(desc.fields.begin(), desc.fields.end(),
+                           [&](const Field& field) { return field.name == name; });
+    };
+    std::map<const Field*, int> shared;  // numbers of the members that are one field together
+    for (const auto& member : resource.members) {
+        const auto numbers = numbers_of(member);
+        int begin = 0;
+        auto field = desc.fields.begin();
+        while (field + 1 != desc.fields.end() && member.offset >= begin + 4 * field->count)
+            begin += 4 * field++->count;
+        const auto differs = [&](const std::string& what) {
+            return "the program has '" + member.name + "' at byte " + std::to_string(member.offset) +
+                   ", where the buffer has '" + field->name + "'" + what;
+        };
+        const bool is_named_so = member.offset == begin && numbers.name == field->name;
+        if (!is_named_so && is_field(numbers.name)) return differs("");
+        if (numbers.type != field->type) return differs(" of another type");
+        if (is_named_so) {
+            if (numbers.count == field->count) continue;
+            return differs(" of " + std::to_string(field->count) + " numbers");
+        }
+        if (member.offset + 4 * numbers.count <= begin + 4 * field->count && numbers.count < field->count) {
+            shared[&*field] += numbers.count;
+            continue;
+        }
+        if (!member.is_array || member.offset != begin) return differs("");
+        int left = numbers.count;
+        for (; left > 0 && field != desc.fields.end() && field->type == numbers.type; ++field)
+            left -= field->count;
+        if (left != 0) return "the program's array '" + member.name + "' ends within a field of the buffer";
+    }
+    for (const auto& [field, count] : shared)
+        if (count != field->count)
+            return "the program has " + std::to_string(count) + " of the " + std::to_string(field->count) +
+                   " numbers of '" + field->name + "'";
+    return {};
 }
 
 bool sees_parameters(const gl::ProgramSource& source) {
@@ -160,30 +227,12 @@ void PassContext::compare_records(const gl::ProgramResource& resource, BufferRef
     if (resource.members.empty()) return;
     auto& s = frame_;
     const auto& desc = s.builder->buffers().at(static_cast<std::size_t>(ref.index));
-    auto& compared = s.cache.compared_records[{programs_.back()->name(), resource.name, desc.text.key}];
-    if (compared == desc.fields) return;
-    const auto differs = [&](const std::string& what) {
-        refuse(resource, "and buffer '" + desc.text.key + "' differ: " + what);
-    };
-    if (resource.stride != stride(desc))
-        differs("a record has " + std::to_string(resource.stride) + " bytes in the program and " +
-                std::to_string(stride(desc)) + " in the buffer");
-    for (const auto& member : resource.members) {
-        int begin = 0;
-        auto field = desc.fields.begin();
-        while (field + 1 != desc.fields.end() && member.offset >= begin + 4 * field->count)
-            begin += 4 * field++->count;
-        const bool is_named_so = member.offset == begin && plain_name(member.name) == field->name;
-        const bool has_name = std::any_of(desc.fields.begin(), desc.fields.end(), [&](const Field& each) {
-            return each.name == plain_name(member.name);
-        });
-        // An array may stand for several fields, and several members for a field of several numbers.
-        const bool groups = !has_name && (field->count > 1 || (member.is_array && member.offset == begin));
-        if (!is_named_so && !groups)
-            differs("the program has '" + member.name + "' at byte " + std::to_string(member.offset) +
-                    ", where the buffer has '" + field->name + "'");
-    }
-    compared = desc.fields;
+    auto& [linked, agreed] = s.cache.compared_records[{programs_.back(), resource.name, desc.text.key}];
+    if (linked == programs_.back()->name() && agreed == desc.fields) return;
+    if (const auto difference = compare(resource, desc); !difference.empty())
+        refuse(resource, "and buffer '" + desc.text.key + "' differ: " + difference);
+    linked = programs_.back()->name();
+    agreed = desc.fields;
 }
 
 void PassContext::bind_image(const gl::ProgramResource& resource, GLuint unit,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "renderers/image/luminance.h"
 #include "renderers/image/vector_math.h"
 
 /// The colour spaces of ꟻLIP [Andersson20 §4.1], of linear sRGB whose white is D65.
@@ -102,7 +103,7 @@ inline float hyab(Opponent a, Opponent b) {
 
 /// Luminance with the rounded weights of Rec. 709, as [Andersson21] takes it.
 inline float luminance(Rgb c) {
-    return 0.2126f * c.red + 0.7152f * c.green + 0.0722f * c.blue;
+    return ir::luminance(c.red, c.green, c.blue);
 }
 
 }  // namespace ir::flip

@@ -1,12 +1,10 @@
 // Reflection models as functions of unit vectors: n normal, l to the light, v to the viewer, h halfway. They
 // return the BRDF in 1/sr without the cosine; inputs are linear.
 
-#ifndef PI
-#define PI 3.14159265358979323846
-#endif
+#include "lib/constants.glsl"
 
-/// A perfectly smooth surface reflects no punctual light; below this roughness² the highlight stays this wide.
-const float MIN_ALPHA = 1e-3;
+/// Below this roughness² a surface is a mirror to rays. It reflects no punctual light; its highlight stays this wide.
+const float MIRROR_ALPHA = 1e-3;
 
 /// Microfacet distribution.  [Walter07 eq. 33]
 float ggx_distribution(float n_dot_h, float alpha) {
@@ -63,7 +61,7 @@ vec3 gltf_brdf(Surface surface, vec3 n, vec3 l, vec3 v) {
     if (n_dot_l <= 0.0) return vec3(0);
     vec3 h = normalize(l + v);
     float n_dot_h = clamp(dot(n, h), 0.0, 1.0), v_dot_h = clamp(dot(v, h), 0.0, 1.0);
-    float alpha = max(surface.roughness * surface.roughness, MIN_ALPHA);
+    float alpha = max(surface.roughness * surface.roughness, MIRROR_ALPHA);
     vec3 f0 = mix(vec3(dielectric_f0(surface.ior)), surface.base_colour, surface.metallic);
     vec3 fresnel = schlick_fresnel(f0, v_dot_h);
     vec3 diffuse = (1.0 - fresnel) * (1.0 - surface.metallic) * surface.base_colour / PI;
@@ -89,7 +87,7 @@ vec3 metalness_blend_brdf(Surface surface, vec3 n, vec3 l, vec3 v) {
     if (n_dot_l <= 0.0) return vec3(0);
     vec3 h = normalize(l + v);
     float n_dot_h = clamp(dot(n, h), 0.0, 1.0), v_dot_h = clamp(dot(v, h), 0.0, 1.0);
-    float alpha = max(surface.roughness * surface.roughness, MIN_ALPHA);
+    float alpha = max(surface.roughness * surface.roughness, MIRROR_ALPHA);
     float specular = ggx_distribution(n_dot_h, alpha) * smith_masking_over_2_cosine(n_dot_l, alpha) *
                      smith_masking_over_2_cosine(n_dot_v, alpha);
     return (1.0 - surface.metallic) * lambert_brdf(surface) +

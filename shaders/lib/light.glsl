@@ -1,4 +1,4 @@
-// One element of the buffer "scene.lights" (renderers/passes/scene/light_data.h writes it), and what a light
+// One element of the buffer "scene.lights" (renderers/passes/scene/scene_buffers.cpp writes it), and what a light
 // without extent sends to a point. Declare the buffer where it is used:
 //
 //   layout(std430) readonly buffer Lights { Light lights[]; };
@@ -50,19 +50,18 @@ float range_window(float range, float distance) {
 }
 
 /// What arrives of a point, spot or directional light, nothing in between.
-struct Arrival {
+struct PunctualArrival {
     vec3 direction_ws;  // to the light, unit length
-    float distance;     // m; infinite lights: 0
     vec3 irradiance;    // W/m² on a surface that faces the light
 };
-Arrival arrival(Light light, vec3 position_ws) {
-    if (light.type == LIGHT_DIRECTIONAL) return Arrival(-light.direction_ws, 0.0, light.intensity);
+PunctualArrival punctual_arrival(Light light, vec3 position_ws) {
+    if (light.type == LIGHT_DIRECTIONAL) return PunctualArrival(-light.direction_ws, light.intensity);
     vec3 offset = light.position_ws - position_ws;
     float squared = dot(offset, offset);
     float distance = sqrt(squared);
-    if (distance == 0.0) return Arrival(vec3(0, 1, 0), 0.0, vec3(0));
+    if (distance == 0.0) return PunctualArrival(vec3(0, 1, 0), vec3(0));
     vec3 direction_ws = offset / distance;
     float profile = spot_fraction(light, -dot(direction_ws, light.direction_ws));
     float part = profile * range_window(light.range, distance) / squared;
-    return Arrival(direction_ws, distance, part * light.intensity);
+    return PunctualArrival(direction_ws, part * light.intensity);
 }

@@ -38,3 +38,6 @@ vec2 uv_of_slot(TextureSlot slot, vec2 uv0, vec2 uv1) {
     precise vec2 moved = slot.offset + rotated;
     return moved;
 }
+
+/// The same of both sets together; 0 without a texture.
+vec2 slot_uv(TextureSlot slot, vec4 uv01) { return slot.texture < 0 ? vec2(0) : uv_of_slot(slot, uv01.xy, uv01.zw); }

@@ -12,3 +12,5 @@ vec3 pixel_ray_origin(vec2 position_px) {
 vec3 pixel_ray_direction(vec2 position_px) {
     return ray_direction_ws + position_px.x * ray_direction_dx + position_px.y * ray_direction_dy;
 }
+
+bool is_perspective() { return ray_origin_dx == vec3(0.0); }

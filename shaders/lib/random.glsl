@@ -49,22 +49,3 @@ float unit_float(uint bits) { return float(bits >> 8u) * (1.0 / 16777216.0); }
 vec2 unit_float(uvec2 bits) { return vec2(bits >> 8u) * (1.0 / 16777216.0); }
 vec3 unit_float(uvec3 bits) { return vec3(bits >> 8u) * (1.0 / 16777216.0); }
 vec4 unit_float(uvec4 bits) { return vec4(bits >> 8u) * (1.0 / 16777216.0); }
-
-// A sequence of random numbers: RandomState r = random_state(pixel, seed); then next_float(r) and so on.
-struct RandomState {
-    uvec4 key;  // pixel, seed, number of draws
-};
-
-RandomState random_state(uvec2 pixel, uint seed) { return RandomState(uvec4(pixel, seed, 0u)); }
-
-// Four independent words; each call is one draw.
-uvec4 next_words(inout RandomState r) {
-    uvec4 words = pcg4d(r.key);
-    ++r.key.w;
-    return words;
-}
-
-float next_float(inout RandomState r) { return unit_float(next_words(r).x); }
-vec2 next_vec2(inout RandomState r) { return unit_float(next_words(r).xy); }
-vec3 next_vec3(inout RandomState r) { return unit_float(next_words(r).xyz); }
-vec4 next_vec4(inout RandomState r) { return unit_float(next_words(r)); }

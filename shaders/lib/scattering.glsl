@@ -3,6 +3,7 @@
 // normal; directions above one of the two normals and below the other do not count.
 
 #include "lib/brdf.glsl"
+#include "lib/luminance.glsl"
 #include "lib/spaces.glsl"
 
 // Models, in the order of Transport::Materials.
@@ -15,8 +16,6 @@ const int MICROFACETS_VISIBLE_NORMALS = 0;  // [Heitz18]
 const int MICROFACETS_GGX = 1;              // [Walter07 eq. 35]; weights may exceed 1
 const int MICROFACETS_GGX_PRINTED = 2;      // the directions of the second with the weights of the first: wrong
 
-/// Below it a surface is a mirror.
-const float MIRROR_ALPHA = 1e-3;
 /// Least cosine to the viewer: shading normals may turn away from it.
 const float MIN_VIEW_COSINE = 1e-4;
 
@@ -49,11 +48,9 @@ struct Scattered {
 };
 const Scattered NOT_SCATTERED = Scattered(vec3(0, 0, 1), vec3(0), false);
 
-float scattering_luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
-
 /// From the squared sine between normal and half vector: near the peak its cosine has lost the digits that
 /// count.  [Walter07 eq. 33]
-float ggx_by_sine(float squared_sine, float alpha) {
+float ggx_distribution_of_sine(float squared_sine, float alpha) {
     float squared = alpha * alpha;
     float denominator = squared + (1.0 - squared) * squared_sine;
     return squared / (PI * denominator * denominator);
@@ -82,14 +79,14 @@ float joint_masking(Scatterer s, float n_dot_l, float n_dot_v, float m_dot_v) {
 }
 
 /// Cosine-distributed about z.  [Malley88]
-vec3 cosine_direction_ts(vec2 u) {
+vec3 sample_cosine_ts(vec2 u) {
     float radius = sqrt(u.x), phi = 2.0 * PI * u.y;
     return vec3(radius * cos(phi), radius * sin(phi), sqrt(max(0.0, 1.0 - u.x)));
 }
 
 /// A GGX normal as often as `v` (above the surface) sees it, with density G1(v) D(h) max(0, v·h) / v.z.
 /// [Heitz18 listing 1]
-vec3 visible_normal_ts(vec3 v, float alpha, vec2 u) {
+vec3 sample_visible_normal_ts(vec3 v, float alpha, vec2 u) {
     vec3 stretched = normalize(vec3(alpha * v.xy, v.z));
     float squared = dot(stretched.xy, stretched.xy);
     vec3 first = squared > 0.0 ? vec3(-stretched.y, stretched.x, 0.0) / sqrt(squared) : vec3(1, 0, 0);
@@ -129,17 +126,17 @@ SeenScatterer seen_from(Scatterer s, vec3 v) {
     }
     seen.raised_cosine = dot(s.n, seen.raised);
     vec3 fresnel = schlick_fresnel(s.f0, seen.raised_cosine);
-    float specular = s.specular * scattering_luminance(fresnel);
-    float diffuse = scattering_luminance(below_interface(s, fresnel));
+    float specular = s.specular * luminance(fresnel);
+    float diffuse = luminance(below_interface(s, fresnel));
     if (specular > 0.0) seen.specular_probability = specular / (specular + diffuse);
     return seen;
 }
 
 /// D at a half vector.
 float distribution_at(Scatterer s, vec3 h) {
-    if (dot(s.n, h) <= 0.0) return ggx_by_sine(1.0, s.alpha);
+    if (dot(s.n, h) <= 0.0) return ggx_distribution_of_sine(1.0, s.alpha);
     vec3 sine = cross(s.n, h);
-    return ggx_by_sine(dot(sine, sine), s.alpha);
+    return ggx_distribution_of_sine(dot(sine, sine), s.alpha);
 }
 
 /// Density per solid angle with which the microfacet lobe chooses `l`.
@@ -205,15 +202,15 @@ Scattered scatter(Scatterer s, vec3 v, float lobe, vec2 u, int sampling) {
     SeenScatterer seen = seen_from(s, v);
     bool is_microfacet = lobe < seen.specular_probability;
     if (is_microfacet && s.alpha < MIRROR_ALPHA) return scattered_by_mirror(s, seen);
-    mat3 frame = frame_of(s.n);
+    mat3 frame = frame_around(s.n);
     vec3 l;
     if (is_microfacet) {
-        vec3 h = sampling == MICROFACETS_VISIBLE_NORMALS ? visible_normal_ts(seen.raised * frame, s.alpha, u)
+        vec3 h = sampling == MICROFACETS_VISIBLE_NORMALS ? sample_visible_normal_ts(seen.raised * frame, s.alpha, u)
                                                          : ggx_normal_ts(s.alpha, u);
         h = frame * h;
         l = normalize(2.0 * dot(seen.raised, h) * h - seen.raised);
     } else {
-        l = normalize(frame * cosine_direction_ts(u));
+        l = normalize(frame * sample_cosine_ts(u));
     }
     if (!is_above(s, l)) return NOT_SCATTERED;
     float n_dot_l = dot(s.n, l);

@@ -1,7 +1,7 @@
 // Frames about a direction and packings of unit vectors. Vectors named `n` are of unit length.
 
 // Columns: tangent, bitangent, n; right-handed. Discontinuous only across n.z = 0. [Duff17 listing 3]
-mat3 frame_of(vec3 n) {
+mat3 frame_around(vec3 n) {
     float s = n.z >= 0.0 ? 1.0 : -1.0;
     float a = -1.0 / (s + n.z);
     float b = n.x * n.y * a;
@@ -40,11 +40,4 @@ vec2 stereographic_from_direction(vec3 n) { return n.xy / (1.0 + n.z); }
 vec3 direction_from_stereographic(vec2 p) {
     float d = dot(p, p);
     return vec3(2.0 * p, 1.0 - d) / (1.0 + d);
-}
-
-// Position in view or world space of a pixel: `inverse_projection` maps normalised device coordinates (y up,
-// depth 0…1) there. `uv` has its origin at the upper left, as gl_FragCoord has.
-vec3 position_from_depth(vec2 uv, float depth, mat4 inverse_projection) {
-    vec4 p = inverse_projection * vec4(uv.x * 2.0 - 1.0, 1.0 - uv.y * 2.0, depth, 1.0);
-    return p.xyz / p.w;
 }

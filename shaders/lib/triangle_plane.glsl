@@ -11,7 +11,7 @@ TrianglePlane triangle_plane(vec3 a, vec3 b, vec3 c) {
     vec3 ab = b - a, bc = c - b, ca = a - c;
     float ab2 = dot(ab, ab), bc2 = dot(bc, bc), ca2 = dot(ca, ca);
     float longest = sqrt(max(ab2, max(bc2, ca2)));
-    if (longest == 0.0) return TrianglePlane(vec3(0), a);
+    if (!(longest > 1e-30)) return TrianglePlane(vec3(0), a);  // the squares underflow
     vec3 anchor = a, first = -ca, second = ab;  // the longest edge is the one left out
     if (ab2 >= bc2 && ab2 >= ca2) {
         anchor = c;

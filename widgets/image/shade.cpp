@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "renderers/image/colour_map.h"
+#include "renderers/image/luminance.h"
 #include "widgets/image/display.h"
 
 namespace ir::widgets {
@@ -80,8 +81,8 @@ Rgb light_colour(const Display& display, std::array<double, 3> light) {
     const double scale = std::exp2(display.exposure);
     for (auto& v : light) v = v > 0 ? std::min(v * scale, brightest) : 0;  // NaN, unmarked, is black
     if (display.tone_map == Display::ToneMap::reinhard) {
-        const double luminance = 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2];
-        for (auto& v : light) v /= 1 + luminance;
+        const double brightness = luminance(light[0], light[1], light[2]);
+        for (auto& v : light) v /= 1 + brightness;
     } else if (display.tone_map == Display::ToneMap::filmic) {
         for (auto& v : light) v = filmic(v);
     }

@@ -5,20 +5,10 @@
 
 #include "renderers/core/record.h"
 #include "renderers/passes/scan/scan.h"
+#include "shaders/methods/ambient-occlusion-volumes/explain.comp.h"
 
 namespace ir::methods::ambient_occlusion_volumes {
 namespace {
-
-/// As explain.comp writes it.
-struct TriangleNear {
-    glm::vec3 centre, normal;
-    float radius;
-    std::uint32_t triangle;
-    float form_factor, weight, occlusion;
-    std::uint32_t hits, won;
-    float distance;
-    IR_FIELDS(centre, normal, radius, triangle, form_factor, weight, occlusion, hits, won, distance)
-};
 
 /// Constants of explain.comp.
 struct Explain {

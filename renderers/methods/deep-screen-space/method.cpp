@@ -8,9 +8,9 @@
 #include "renderers/graph/method.h"
 
 #include "renderers/methods/deep-screen-space/benchmark.h"
-#include "renderers/methods/deep-screen-space/reach.h"
+#include "renderers/methods/deep-screen-space/parameters.h"
 #include "renderers/methods/deep-screen-space/splatting.h"
-#include "renderers/methods/deep-screen-space/splatting/explain.h"
+#include "renderers/methods/deep-screen-space/splatting/steps.h"
 #include "renderers/passes/direct/compose.h"
 #include "renderers/passes/direct/lit.h"
 

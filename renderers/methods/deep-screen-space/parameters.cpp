@@ -1,5 +1,8 @@
 #include "renderers/methods/deep-screen-space/parameters.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "renderers/passes/direct/lit.h"
 
 namespace ir::methods::deep_screen_space {
@@ -26,6 +29,15 @@ ParameterTable<Parameters> parameter_table() {
     table.include(&Parameters::reprojection, passes::reprojection_parameters());
     table.add(&Parameters::ambient, passes::ambient_parameter());
     return table;
+}
+
+Reach reach_of(const Parameters& parameters, const scene::World& world) {
+    const float shells = std::ldexp(1.0f, parameters.levels - 1);
+    if (parameters.transport.max_distance > 0)
+        return {parameters.transport.max_distance / shells, parameters.transport.max_distance};
+    const float automatic = std::max(2 * world.bounds.radius(), 1e-6f) / 64;
+    const float d = parameters.shell_radius > 0 ? parameters.shell_radius : automatic;
+    return {d, d * shells};
 }
 
 }  // namespace ir::methods::deep_screen_space

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstdint>
+
 #include "renderers/core/default_transport.h"
+#include "renderers/graph/frame_inputs.h"
 #include "renderers/passes/bounce/directions.h"
 #include "renderers/passes/bounce/reconstruction.h"
 #include "renderers/passes/bounce/reprojection.h"
+#include "renderers/scene/world.h"
 
 namespace ir::methods::deep_screen_space {
 
@@ -50,5 +54,22 @@ ParameterTable<Parameters> parameter_table();
 
 void add_surfel_parameters(ParameterTable<Parameters>& table);
 void add_splatting_parameters(ParameterTable<Parameters>& table);
+
+/// How far the shells reach. d · 2^(levels − 1) is the transport's maximum distance, where it has one.
+struct Reach {
+    float shell_radius;  ///< m: d
+    float whole;         ///< m: d · 2^(levels − 1)
+};
+Reach reach_of(const Parameters& parameters, const scene::World& world);
+
+/// What random choices of a frame are made of: where surfels lie, which pixels form a sub-image, which
+/// sub-image a surfel is splatted into. The run's seed in one word; frames that are averaged each have
+/// another.
+inline unsigned random_seed(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    const auto seed =
+        static_cast<unsigned>(inputs.seed) + 0x85ebca6bu * static_cast<unsigned>(inputs.seed >> 32);
+    const auto frame = parameters.reprojection.reprojection ? static_cast<unsigned>(inputs.frame) : 0u;
+    return seed + frame * 0x9e3779b9u;
+}
 
 }  // namespace ir::methods::deep_screen_space

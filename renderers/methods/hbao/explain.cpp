@@ -2,6 +2,7 @@
 
 #include "renderers/core/record.h"
 #include "renderers/methods/hbao/passes.h"
+#include "shaders/methods/hbao/explain.comp.h"
 
 namespace ir::methods::hbao {
 namespace {
@@ -26,32 +27,6 @@ Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputK
                                .growth_of = e.elements});
     return e;
 }
-
-/// As explain.comp writes it.
-struct Horizon {
-    glm::vec3 centre;
-    float horizon, tangent, contribution, distance;
-    std::uint32_t direction;
-    IR_FIELDS(centre, horizon, tangent, contribution, distance, direction)
-};
-
-/// The same.
-struct LineToHorizon {
-    glm::vec3 start, end;
-    std::uint32_t found;
-    float distance, contribution;
-    std::uint32_t direction;
-    IR_FIELDS(start, end, found, distance, contribution, direction)
-};
-
-/// The same.
-struct SampleMarched {
-    glm::vec3 position;
-    std::uint32_t role;
-    float distance, elevation, taken;
-    std::uint32_t direction, step;
-    IR_FIELDS(position, role, distance, elevation, taken, direction, step)
-};
 
 /// Constants of explain.comp.
 struct Explain {

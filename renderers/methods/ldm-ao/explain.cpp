@@ -1,13 +1,15 @@
 #include "renderers/methods/ldm-ao/explain.h"
 
+#include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/ldm/map_views.h"
+#include "shaders/methods/ldm-ao/explain_entries.comp.h"
+#include "shaders/methods/ldm-ao/explain_hits.comp.h"
 
 namespace ir::methods::ldm_ao {
 namespace {
 
 namespace ldm = passes::ldm;
-using graph::Field;
 using graph::FieldType;
 
 /// Entries that are reserved for each map chosen, and lines of the walk.
@@ -176,7 +178,6 @@ std::vector<OutputDescription> explanation_outputs() {
 }
 
 Explanation declare_explanation(graph::GraphBuilder& builder, const ldm::Maps& maps, ldm::MapRange chosen) {
-    const Field map{"map", FieldType::u32}, start{"start", FieldType::f32, 3}, end{"end", FieldType::f32, 3};
     const auto maps_chosen = static_cast<std::uint64_t>(chosen.count);
     // Growable, so that counters tell how many elements are in use.
     Explanation e;
@@ -185,37 +186,17 @@ Explanation declare_explanation(graph::GraphBuilder& builder, const ldm::Maps& m
     hit_fields.push_back({"own_found", FieldType::u32});
     e.hits = builder.output("ldm.explain.hits",
                             {.fields = hit_fields, .elements = 2 * maps.directions.size(), .growable = true});
-    e.rays = builder.output("ldm.explain.rays", {.fields = {start,
-                                                            end,
-                                                            {"hit", FieldType::i32},
-                                                            {"distance", FieldType::f32},
-                                                            {"contribution", FieldType::f32},
-                                                            map,
-                                                            {"side", FieldType::i32}},
-                                                 .elements = maps.directions.size(),
-                                                 .growable = true});
-    e.entries = builder.output("ldm.explain.entries", {.fields = {{"position", FieldType::f32, 3},
-                                                                  {"depth", FieldType::f32},
-                                                                  {"layer", FieldType::u32},
-                                                                  {"role", FieldType::u32},
-                                                                  map},
-                                                       .elements = maps_chosen * expected_entries,
-                                                       .growable = true});
-    e.walk = builder.output("ldm.explain.walk", {.fields = {start,
-                                                            end,
-                                                            {"role", FieldType::u32},
-                                                            {"step", FieldType::u32},
-                                                            {"hit", FieldType::u32},
-                                                            {"above", FieldType::u32},
-                                                            map},
-                                                 .elements = maps_chosen * expected_entries,
-                                                 .growable = true});
-    e.texel = builder.output("ldm.explain.texel", {.fields = {{"centre", FieldType::f32, 3},
-                                                              {"axis_u", FieldType::f32, 3},
-                                                              {"axis_v", FieldType::f32, 3},
-                                                              map},
-                                                   .elements = maps_chosen,
-                                                   .growable = true});
+    e.rays = builder.output(
+        "ldm.explain.rays",
+        {.fields = record_fields<AskedRay>(), .elements = maps.directions.size(), .growable = true});
+    e.entries = builder.output(
+        "ldm.explain.entries",
+        {.fields = record_fields<Entry>(), .elements = maps_chosen * expected_entries, .growable = true});
+    e.walk = builder.output(
+        "ldm.explain.walk",
+        {.fields = record_fields<WalkLine>(), .elements = maps_chosen * expected_entries, .growable = true});
+    e.texel = builder.output("ldm.explain.texel",
+                             {.fields = record_fields<Texel>(), .elements = maps_chosen, .growable = true});
     e.hit_count = count_of(builder, "hit", "Directions explained", e.hits);
     e.ray_count = count_of(builder, "ray", "Rays explained", e.rays);
     e.entry_count = count_of(builder, "entry", "Entries under the pixel", e.entries);

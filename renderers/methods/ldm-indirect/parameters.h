@@ -1,7 +1,11 @@
 #pragma once
 
+#include <algorithm>
+
 #include "renderers/core/default_transport.h"
 #include "renderers/passes/ldm/parameters.h"
+#include "renderers/scene/view.h"
+#include "renderers/scene/world.h"
 
 namespace ir::methods::ldm_indirect {
 
@@ -35,5 +39,15 @@ ParameterTable<Parameters> parameter_table();
 
 void add_tracing_parameters(ParameterTable<Parameters>& table);
 void add_splatting_parameters(ParameterTable<Parameters>& table);
+
+/// m across the view that a pixel spans at 1 m, or everywhere in a parallel view.
+inline float pixel_size(const scene::View& view) {
+    return 2 / (view.clip_from_view[1][1] * static_cast<float>(view.height));
+}
+
+/// m: what longer semi-axes are cut to.
+inline float longest_axis(const Parameters& parameters, const scene::World& world) {
+    return parameters.max_axis * std::max(world.bounds.radius(), 1e-6f);
+}
 
 }  // namespace ir::methods::ldm_indirect

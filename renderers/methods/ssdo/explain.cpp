@@ -1,6 +1,7 @@
 #include "renderers/methods/ssdo/explain.h"
 
 #include "renderers/core/record.h"
+#include "shaders/methods/ssdo/explain.comp.h"
 
 namespace ir::methods::ssdo {
 namespace {
@@ -40,27 +41,6 @@ Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputK
                                .growth_of = e.elements});
     return e;
 }
-
-/// As explain.comp writes it.
-struct SampleEnd {
-    glm::vec3 position;
-    std::uint32_t role;
-    float step;
-    glm::vec3 sent, sky;
-    std::uint32_t sample;
-    IR_FIELDS(position, role, step, sent, sky, sample)
-};
-
-/// The same.
-struct LineToOccluder {
-    glm::vec3 start, end;
-    std::uint32_t role;
-    float distance;
-    glm::vec3 sent;
-    glm::ivec2 pixel;
-    std::uint32_t sample;
-    IR_FIELDS(start, end, role, distance, sent, pixel, sample)
-};
 
 /// Constants of explain.comp.
 struct Explain {

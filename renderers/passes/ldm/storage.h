@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <string>
@@ -8,6 +9,7 @@
 #include "renderers/core/fields.h"
 #include "renderers/graph/builder.h"
 #include "renderers/graph/pass_context.h"
+#include "shaders/passes/ldm/state.glsl.h"
 
 namespace ir::passes::ldm {
 
@@ -100,8 +102,10 @@ inline constexpr int expected_layers = 10;
 
 /// Dispatches over a list whose group counts stand at word `word` of the state.
 void dispatch_indirect(const graph::PassContext& context, graph::BufferRef state, int word);
-/// Words of state.glsl.
-inline constexpr int state_words = 28, fragment_groups_word = 8, large_groups_word = 12,
-                     deep_groups_word = 16, deepest_groups_word = 20;
+inline constexpr int state_words = sizeof(LdmState) / 4,
+                     fragment_groups_word = offsetof(LdmState, fragment_groups) / 4,
+                     large_groups_word = offsetof(LdmState, large_groups) / 4,
+                     deep_groups_word = offsetof(LdmState, deep_groups) / 4,
+                     deepest_groups_word = offsetof(LdmState, deepest_groups) / 4;
 
 }  // namespace ir::passes::ldm

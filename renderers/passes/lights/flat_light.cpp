@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "renderers/passes/lights/spherical_rectangle.h"
-#include "renderers/scene/light_frame.h"
+#include "renderers/scene/frame.h"
 
 namespace ir::passes {
 namespace {

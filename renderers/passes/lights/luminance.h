@@ -2,11 +2,13 @@
 
 #include <glm/glm.hpp>
 
+#include "renderers/image/luminance.h"
+
 namespace ir::passes {
 
 /// Of linear RGB with sRGB's primaries (Rec. 709).
 inline float luminance(glm::vec3 rgb) {
-    return glm::dot(rgb, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+    return ir::luminance(rgb.r, rgb.g, rgb.b);
 }
 
 }  // namespace ir::passes

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderers/gl/dispatch_items.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/raytracing/device_bvh.h"
@@ -90,11 +89,7 @@ void trace_on_device(graph::GraphBuilder& builder, const std::string& name, cons
         .reads(scene.opacity, scene.opacity_words)
         .writes("Hits", buffers.hits)
         .counts("Unfinished", unfinished)
-        .execute_sliced(static_cast<std::int64_t>(buffers.capacity),
-                        [=](graph::PassContext& context, graph::Slice slice) {
-                            const auto& program = context.use({{"passes/raytracing/trace.comp"}});
-                            gl::dispatch_items(program, slice.begin, slice.end);
-                        });
+        .compute_sliced({{"passes/raytracing/trace.comp"}}, static_cast<std::int64_t>(buffers.capacity));
 }
 
 }  // namespace

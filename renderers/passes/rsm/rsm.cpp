@@ -158,7 +158,6 @@ graph::ImageRef draw_depth_first(graph::GraphBuilder& builder, const Drawing& dr
 }  // namespace
 
 Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmOptions& options) {
-    static_assert(sizeof(ShadowViewData) == 128, "equals its std430 twin");
     Rsm rsm;
     rsm.resolution = options.resolution;
     rsm.views_drawn = static_cast<int>(options.views.size());

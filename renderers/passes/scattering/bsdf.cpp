@@ -41,12 +41,13 @@ struct BsdfLobes {
         }
         seen_cosine = glm::dot(b.n_, seen_from);
         const auto fresnel = schlick_fresnel(b.f0_, seen_cosine);
-        const float specular = b.specular_ * luminance(fresnel), diffuse = luminance(below(fresnel));
+        const float specular = b.specular_ * luminance(fresnel),
+                    diffuse = luminance(below_interface(fresnel));
         if (specular > 0) specular_probability = specular / (specular + diffuse);
     }
 
     /// What the interface leaves of the Lambert part.
-    glm::vec3 below(glm::vec3 fresnel) const {
+    glm::vec3 below_interface(glm::vec3 fresnel) const {
         return b.is_layered_ ? (1.0f - fresnel) * b.diffuse_ : b.diffuse_;
     }
 
@@ -57,7 +58,8 @@ struct BsdfLobes {
     }
 
     float distribution(glm::vec3 h) const {
-        if (glm::dot(b.n_, h) <= 0) return ggx_distribution_of_sine(1, b.alpha_);  // as rasterisation clamps n·h
+        if (glm::dot(b.n_, h) <= 0)
+            return ggx_distribution_of_sine(1, b.alpha_);  // as rasterisation clamps n·h
         return ggx_distribution_of_sine(squared_length(glm::cross(b.n_, h)), b.alpha_);
     }
 
@@ -74,7 +76,7 @@ struct BsdfLobes {
         const float size = glm::length(sum);
         const auto h = size > 0 ? sum / size : b.n_;
         const auto fresnel = schlick_fresnel(b.f0_, std::clamp(glm::dot(v, h), 0.0f, 1.0f));
-        auto f = inverse_pi * below(fresnel);
+        auto f = inverse_pi * below_interface(fresnel);
         if (b.specular_ > 0 && !is_mirror)
             f += b.specular_ * fresnel * (distribution(h) * visibility(n_dot_l));
         return f * n_dot_l;

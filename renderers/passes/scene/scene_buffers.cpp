@@ -20,7 +20,6 @@ using graph::PassContext;
 
 static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::mat4) == 64,
               "world arrays are uploaded as they lie in memory");
-static_assert(sizeof(MaterialData) == 240 && sizeof(LightData) == 80, "structs equal their std430 twins");
 
 template <class T>
 std::span<const std::byte> bytes_of(const std::vector<T>& data) {

@@ -51,7 +51,6 @@ void draw_layers(const PassContext& p, const ShadowMaps& shadow, Slice slice) {
 }  // namespace
 
 ShadowMaps shadow_maps(GraphBuilder& builder, const SceneBuffers& scene, int resolution) {
-    static_assert(sizeof(ShadowViewData) == 128, "equals its std430 twin");
     int layers = 0;
     for (const auto& light : builder.inputs().world->lights) layers += shadow_layers(light);
     const auto& world = builder.inputs().world_fingerprint;

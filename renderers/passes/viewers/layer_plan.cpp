@@ -10,9 +10,6 @@
 namespace ir::passes::viewers {
 namespace {
 
-static_assert(sizeof(FilterBlock) == 16 && sizeof(LayerBlock) == 4 * 22 + 16 * LayerBlock::max_filters,
-              "scalars of four bytes, as std430 packs them");
-
 /// A number of vertices that one draw takes on every device, at six for an element.
 constexpr std::uint64_t most_drawn = 200'000'000;
 /// Software drivers end loops silently after 65,535 iterations, and one texel may have to look at all.
@@ -130,13 +127,13 @@ void choose_colour(LayerPlan& plan, const std::vector<Field>& fields, std::size_
     if (wanted.colour_by.empty()) return;
     const auto place = find(fields, wanted.colour_by);
     if (place.field) {
-        plan.block.colour_mode = ColourMode::field;
+        plan.block.colour_mode = static_cast<std::int32_t>(ColourMode::field);
         plan.block.colour_offset =
             place.offset + std::clamp(wanted.component, 0, std::max(0, place.field->count - 1));
         plan.colour_type = place.field->type;
         plan.block.colour_type = static_cast<std::int32_t>(place.field->type);
     } else if (wanted.colour_by == "facing" && plan.block.normal >= 0) {
-        plan.block.colour_mode = ColourMode::facing;
+        plan.block.colour_mode = static_cast<std::int32_t>(ColourMode::facing);
     } else {
         add_note(plan,
                  wanted.colour_by == "facing"
@@ -180,8 +177,8 @@ void choose_filters(LayerPlan& plan, const std::vector<Field>& fields) {
         const auto place = find(fields, filter.field);
         if (!place.field) {
             add_note(plan, "not filtered: no field '" + filter.field + "'; there are " + names(fields));
-        } else if (static_cast<std::size_t>(block.filter_count) == LayerBlock::max_filters) {
-            add_note(plan, "only the first " + std::to_string(LayerBlock::max_filters) + " filters are used");
+        } else if (static_cast<std::size_t>(block.filter_count) == block.filters.size()) {
+            add_note(plan, "only the first " + std::to_string(block.filters.size()) + " filters are used");
             return;
         } else {
             block.filters[static_cast<std::size_t>(block.filter_count++)] = filter_block(filter, place);

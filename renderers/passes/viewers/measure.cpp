@@ -42,7 +42,8 @@ void set_range(LayerPlan& plan, const Measure& measure) {
     };
     plan.drawn.low = usable(plan.wanted.low, plan.drawn.min);
     plan.drawn.high = usable(plan.wanted.high, plan.drawn.max);
-    if (plan.block.colour_mode == ColourMode::facing) {  // both sides keep their colours, also alone
+    if (plan.block.colour_mode ==
+        static_cast<std::int32_t>(ColourMode::facing)) {  // both sides keep their colours, also alone
         plan.drawn.low = usable(plan.wanted.low, -1);
         plan.drawn.high = usable(plan.wanted.high, 1);
     }

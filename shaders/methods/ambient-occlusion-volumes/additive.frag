@@ -12,7 +12,7 @@ layout(location = 0) out float occlusion;
 void main() {
     Receiver receiver = receiver_at(ivec2(gl_FragCoord.xy));
     if (!receiver.exists) discard;
-    vec3 x = origin_over(receiver.position, receiver.geometric_normal);
+    vec3 x = offset_origin(receiver.position, receiver.geometric_normal);
     mat3 corners = corners_ws(occluder);
     Volume v = volume_of(corners[0], corners[1], corners[2]);
     if (!is_within(v, x, reach, params.sides == SIDES_BOTH)) discard;

@@ -18,7 +18,7 @@ void main() {
     vec4 direction = texelFetch(directions, ivec3(pixel, layer), 0);
     if (direction.w == 0.0) discard;
     Receiver receiver = receiver_at(pixel);
-    float t = hit_distance(occluder, corners_ws(occluder), origin_over(receiver.position, receiver.geometric_normal),
+    float t = hit_distance(occluder, corners_ws(occluder), offset_origin(receiver.position, receiver.geometric_normal),
                            direction.xyz, reach);
     if (t < 0.0) discard;
     winner = occluder + 1u;

@@ -18,6 +18,6 @@ void main() {
     Receiver receiver = receiver_at(ivec2(gl_FragCoord.xy));
     if (!receiver.exists) return;
     mat3 corners = corners_ws(occluder);
-    vec3 x = origin_over(receiver.position, receiver.geometric_normal);
+    vec3 x = offset_origin(receiver.position, receiver.geometric_normal);
     if (is_within(volume_of(corners[0], corners[1], corners[2]), x, reach, both_sides != 0)) within = 1.0;
 }

@@ -1,6 +1,8 @@
 // The triangles in whose volumes the picked pixel's point lies: first which, then what each of them does.
 layout(local_size_x = 64) in;
 #define LIGHT 0
+#include "lib/constants.glsl"
+#include "lib/floats.glsl"
 #include "methods/ambient-occlusion-volumes/triangle.glsl"
 #include "methods/ambient-occlusion-volumes/occlusion.glsl"
 #include "methods/ambient-occlusion-volumes/ray.glsl"
@@ -17,8 +19,15 @@ layout(std430) writeonly buffer Found { uint concerned[]; };
 #else
 layout(std430) readonly buffer Concerned { uint concerned[]; };
 layout(std430) readonly buffer Places { uint places[]; };
-layout(std430) writeonly buffer Explained { uint explained[]; };
-const uint WORDS = 14u;
+// C++: ir::methods::ambient_occlusion_volumes::TriangleNear
+struct TriangleNear {
+    float centre[3], normal[3], radius;
+    uint triangle;
+    float form_factor, weight, occlusion;
+    uint hits, won;
+    float distance;
+};
+layout(std430) writeonly buffer Explained { TriangleNear explained[]; };
 
 #if BOUNCED
 uniform sampler2DArray directions;
@@ -47,25 +56,15 @@ Rays rays_against(uint triangle, mat3 corners, vec3 origin) {
 }
 
 void write(uint triangle, Volume v, Receiver receiver, vec3 x) {
-    uint word = WORDS * places[triangle];
-    if (word + WORDS > uint(explained.length())) return;
+    if (places[triangle] >= uint(explained.length())) return;
     vec3 centre = (v.corners[0] + v.corners[1] + v.corners[2]) / 3.0;
     float area = 0.5 * length(cross(v.corners[1] - v.corners[0], v.corners[2] - v.corners[0]));
     float factor = form_factor_of(v, x, receiver.normal);
     float weight = occluders[triangle].coverage * falloff_weight(v, x);
     Rays rays = rays_against(triangle, mat3(v.corners[0], v.corners[1], v.corners[2]), x);
-    for (int i = 0; i < 3; ++i) {
-        explained[word + uint(i)] = floatBitsToUint(centre[i]);
-        explained[word + 3u + uint(i)] = floatBitsToUint(v.normal[i]);
-    }
-    explained[word + 6u] = floatBitsToUint(sqrt(area / 3.14159265358979));
-    explained[word + 7u] = triangle;
-    explained[word + 8u] = floatBitsToUint(factor);
-    explained[word + 9u] = floatBitsToUint(weight);
-    explained[word + 10u] = floatBitsToUint(weight * factor);
-    explained[word + 11u] = rays.hits;
-    explained[word + 12u] = rays.won;
-    explained[word + 13u] = floatBitsToUint(rays.distance);
+    explained[places[triangle]] =
+        TriangleNear(floats(centre), floats(v.normal), sqrt(area / PI), triangle, factor, weight, weight * factor,
+                     rays.hits, rays.won, rays.distance);
 }
 #endif
 
@@ -80,7 +79,7 @@ void main() {
     if (!receiver.exists || occluders[triangle].drawn == 0u) return;
     mat3 corners = corners_ws(triangle);
     Volume v = volume_of(corners[0], corners[1], corners[2]);
-    vec3 x = origin_over(receiver.position, receiver.geometric_normal);
+    vec3 x = offset_origin(receiver.position, receiver.geometric_normal);
 #if WRITE
     if (concerned[triangle] != 0u) write(triangle, v, receiver, x);
 #else

@@ -1,5 +1,7 @@
 // Form factor from a point with a normal to a polygon. [Baum89]
 
+#include "lib/constants.glsl"
+
 /// θ n·Γ of an edge, as seen from the origin; twice pi times its part. `q - p` in place of q loses less where both
 /// are far away.
 float edge_term(vec3 p, vec3 q, vec3 n) {
@@ -22,5 +24,5 @@ float form_factor(vec3 p[3], vec3 n) {
     }
     float sum = 0.0;
     for (int i = 0; i < count; ++i) sum += edge_term(polygon[i], polygon[i + 1 < count ? i + 1 : 0], n);
-    return -sum / (2.0 * 3.14159265358979);
+    return -sum / (2.0 * PI);
 }

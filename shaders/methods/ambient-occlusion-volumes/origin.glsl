@@ -8,6 +8,6 @@ float ray_offset(vec3 position_ws) {
 }
 
 /// Away from the surface, so that it and its neighbours in one plane lie below. [Waechter19]
-vec3 origin_over(vec3 position_ws, vec3 geometric_normal) {
+vec3 offset_origin(vec3 position_ws, vec3 geometric_normal) {
     return position_ws + ray_offset(position_ws) * geometric_normal;
 }

@@ -1,29 +1,41 @@
 // Marches the pixel that a person points at once more, and writes each direction's horizon and all samples. One
 // work group; elements come in the order of directions and steps.
 layout(local_size_x = 64) in;
+#include "lib/floats.glsl"
 #include "methods/hbao/march.glsl"
 
-/// centre 3, horizon, tangent, contribution, distance, direction
-layout(std430) writeonly buffer Horizons { uint horizons[]; };
-/// start 3, end 3, found, distance, contribution, direction
-layout(std430) writeonly buffer Lines { uint lines[]; };
-/// position 3, role, distance, elevation, taken, direction, step
-layout(std430) writeonly buffer Samples { uint samples[]; };
+// C++: ir::methods::hbao::Horizon
+struct Horizon {
+    float centre[3], horizon, tangent, contribution, distance;
+    uint direction;
+};
+layout(std430) writeonly buffer Horizons { Horizon horizons[]; };
+// C++: ir::methods::hbao::LineToHorizon
+struct LineToHorizon {
+    float start[3], end[3];
+    uint found;
+    float distance, contribution;
+    uint direction;
+};
+layout(std430) writeonly buffer Lines { LineToHorizon lines[]; };
+// C++: ir::methods::hbao::SampleMarched
+struct SampleMarched {
+    float position[3];
+    uint role;
+    float distance, elevation, taken;
+    uint direction, step;
+};
+layout(std430) writeonly buffer Samples { SampleMarched samples[]; };
 layout(std430) buffer HorizonCount { uint horizon_count; };
 layout(std430) buffer LineCount { uint line_count; };
 layout(std430) buffer SampleCount { uint sample_count; };
 
 uniform ivec2 picked;  // negative: none
 
-const uint HORIZON_WORDS = 8u, LINE_WORDS = 10u, SAMPLE_WORDS = 9u;
 const uint NO_SURFACE = 0u, OUT_OF_RANGE = 1u, BELOW = 2u, RAISES = 3u;
 
 shared float partial_sums[64];
 shared uint first_samples[1024];  // by direction: the most that the parameter allows
-
-uint word_of(float value) {
-    return floatBitsToUint(value);
-}
 
 /// Σ of all directions' weight, and where each direction's samples start.
 float lay_out(Point x, uint me, uint all) {
@@ -61,41 +73,23 @@ vec3 shown_at(Point x, Sample s, bool surface) {
 }
 
 void write_sample(uint index, Point x, Sample s, uint role, float taken, uint direction, uint step) {
-    uint word = SAMPLE_WORDS * index;
-    if (word + SAMPLE_WORDS > uint(samples.length())) return;
+    if (index >= uint(samples.length())) return;
     vec3 place = shown_at(x, s, role != NO_SURFACE);
-    for (uint i = 0u; i < 3u; ++i) samples[word + i] = word_of(place[i]);
-    samples[word + 3u] = role;
-    samples[word + 4u] = word_of(distance(place, x.position));
-    samples[word + 5u] = word_of(role == NO_SURFACE ? 0.0 : 90.0 - degrees(s.angle));
-    samples[word + 6u] = word_of(taken);
-    samples[word + 7u] = direction;
-    samples[word + 8u] = step;
+    samples[index] = SampleMarched(floats(place), role, distance(place, x.position),
+                                   role == NO_SURFACE ? 0.0 : 90.0 - degrees(s.angle), taken, direction, step);
 }
 
 void write_horizon(uint direction, vec3 centre, float horizon, float tangent, float contribution,
                    float distance_ws) {
-    uint word = HORIZON_WORDS * direction;
-    if (word + HORIZON_WORDS > uint(horizons.length())) return;
-    for (uint i = 0u; i < 3u; ++i) horizons[word + i] = word_of(centre[i]);
-    horizons[word + 3u] = word_of(90.0 - degrees(horizon));
-    horizons[word + 4u] = word_of(90.0 - degrees(tangent));
-    horizons[word + 5u] = word_of(contribution);
-    horizons[word + 6u] = word_of(distance_ws);
-    horizons[word + 7u] = direction;
+    if (direction < uint(horizons.length()))
+        horizons[direction] = Horizon(floats(centre), 90.0 - degrees(horizon), 90.0 - degrees(tangent), contribution,
+                                      distance_ws, direction);
 }
 
 void write_line(uint direction, vec3 start, vec3 end, bool found, float contribution) {
-    uint word = LINE_WORDS * direction;
-    if (word + LINE_WORDS > uint(lines.length())) return;
-    for (uint i = 0u; i < 3u; ++i) {
-        lines[word + i] = word_of(start[i]);
-        lines[word + 3u + i] = word_of(end[i]);
-    }
-    lines[word + 6u] = found ? 1u : 0u;
-    lines[word + 7u] = word_of(distance(start, end));
-    lines[word + 8u] = word_of(contribution);
-    lines[word + 9u] = direction;
+    if (direction < uint(lines.length()))
+        lines[direction] = LineToHorizon(floats(start), floats(end), found ? 1u : 0u, distance(start, end),
+                                         contribution, direction);
 }
 
 void explain(Point x, uint direction, float all_weight) {

@@ -7,6 +7,8 @@
 //
 // DEVIATION [Bavoil08]: there the zenith is the view's axis and positions are taken to advance along it, which is
 // only right in the middle of a perspective picture. With the axis through the pixel slices are exact everywhere.
+#include "lib/constants.glsl"
+#include "lib/pattern_shift.glsl"
 #include "lib/pixel_rays.glsl"
 #include "lib/random.glsl"
 
@@ -16,7 +18,6 @@ uniform sampler2D gbuffer_geometric_normal;
 
 uniform mat4 pixel_from_world;  // homogeneous; pixels from the upper left corner
 
-const float PI = 3.14159265358979;
 
 struct Point {
     bool exists;
@@ -39,22 +40,10 @@ struct Slice {
     bool cut;            // by the picture's edge
 };
 
-/// Turns and shifts in a pattern of 4×4 pixels whose rows, columns and 2×2 blocks are evenly spread (Bayer's
-/// matrix), the shift from the same matrix read by columns.
-vec2 pattern_shift(ivec2 pixel) {
-    const int bayer[16] = int[](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);
-    ivec2 p = pixel & 3;
-    return (vec2(bayer[4 * p.y + p.x], bayer[4 * ((p.x + 1) & 3) + p.y]) + 0.5) / 16.0;
-}
-
 vec2 shift_of(ivec2 pixel) {
     if (params.turning == TURNING_NONE) return vec2(0.0, 1.0);
-    if (params.turning == TURNING_PATTERN) return pattern_shift(pixel);
+    if (params.turning == TURNING_PATTERN) return pattern_shift(pixel).xy;
     return unit_float(pcg2d(uvec2(pixel)));
-}
-
-bool is_perspective() {
-    return ray_origin_dx == vec3(0.0);
 }
 
 Point point_at(ivec2 pixel) {

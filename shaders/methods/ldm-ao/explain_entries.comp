@@ -4,12 +4,24 @@ layout(local_size_x = 1) in;
 #include "methods/ldm-ao/explained.glsl"
 #include "passes/ldm/band.glsl"
 
-/// position 3, depth, layer, role, map
-layout(std430) writeonly buffer Entries { uint entries[]; };
-/// start 3, end 3, role, step, hit, above, map
-layout(std430) writeonly buffer Walk { uint walk[]; };
-/// centre 3, axis_u 3, axis_v 3, map
-layout(std430) writeonly buffer Texels { uint texels[]; };
+// C++: ir::methods::ldm_ao::Entry
+struct Entry {
+    float position[3], depth;
+    uint layer, role, map;
+};
+layout(std430) writeonly buffer Entries { Entry entries[]; };
+// C++: ir::methods::ldm_ao::WalkLine
+struct WalkLine {
+    float start[3], end[3];
+    uint role, step, hit, above, map;
+};
+layout(std430) writeonly buffer Walk { WalkLine walk[]; };
+// C++: ir::methods::ldm_ao::Texel
+struct Texel {
+    float centre[3], axis_u[3], axis_v[3];
+    uint map;
+};
+layout(std430) writeonly buffer Texels { Texel texels[]; };
 layout(std430) buffer EntryCount { uint entry_count; };
 layout(std430) buffer WalkCount { uint walk_count; };
 layout(std430) buffer TexelCount { uint texel_count; };
@@ -20,39 +32,22 @@ const uint OTHER = 0u, OWN = 1u, HIT_ALONG_V = 2u, HIT_AGAINST_V = 3u;
 const uint ALONG_V = 0u, AGAINST_V = 1u, SEARCH = 2u;
 
 void write_entry(vec3 position, float depth_ws, uint layer, uint role) {
-    uint word = 7u * entry_count++;
-    if (word + 7u > uint(entries.length())) return;
-    for (int i = 0; i < 3; ++i) entries[word + uint(i)] = floatBitsToUint(position[i]);
-    entries[word + 3u] = floatBitsToUint(depth_ws);
-    entries[word + 4u] = layer;
-    entries[word + 5u] = role;
-    entries[word + 6u] = frame_index;
+    uint place = entry_count++;
+    if (place < uint(entries.length())) entries[place] = Entry(floats(position), depth_ws, layer, role, frame_index);
 }
 
 void write_walk(vec3 start, vec3 end, uint role, uint step_number, bool hit, bool above) {
-    uint word = 11u * walk_count++;
-    if (word + 11u > uint(walk.length())) return;
-    for (int i = 0; i < 3; ++i) {
-        walk[word + uint(i)] = floatBitsToUint(start[i]);
-        walk[word + 3u + uint(i)] = floatBitsToUint(end[i]);
-    }
-    walk[word + 6u] = role;
-    walk[word + 7u] = step_number;
-    walk[word + 8u] = hit ? 1u : 0u;
-    walk[word + 9u] = above ? 1u : 0u;
-    walk[word + 10u] = frame_index;
+    uint place = walk_count++;
+    if (place < uint(walk.length()))
+        walk[place] =
+            WalkLine(floats(start), floats(end), role, step_number, hit ? 1u : 0u, above ? 1u : 0u, frame_index);
 }
 
 void write_texel(MapFrame frame, LdmBand band) {
-    uint word = 10u * texel_count++;
-    if (word + 10u > uint(texels.length())) return;
-    vec3 centre = ldm_texel_centre_ws(frame, band.texel, band.plane);
-    for (int i = 0; i < 3; ++i) {
-        texels[word + uint(i)] = floatBitsToUint(centre[i]);
-        texels[word + 3u + uint(i)] = floatBitsToUint(0.5 * frame.step_u[i]);
-        texels[word + 6u + uint(i)] = floatBitsToUint(0.5 * frame.step_v[i]);
-    }
-    texels[word + 9u] = frame_index;
+    uint place = texel_count++;
+    if (place < uint(texels.length()))
+        texels[place] = Texel(floats(ldm_texel_centre_ws(frame, band.texel, band.plane)),
+                              floats(0.5 * frame.step_u.xyz), floats(0.5 * frame.step_v.xyz), frame_index);
 }
 
 /// What the sequence holds around the point.

@@ -8,8 +8,15 @@ layout(local_size_x = 64) in;
 layout(std430) readonly buffer Regions { uint regions[]; };
 /// The same, each with hit, distance, contribution and own_found behind.
 layout(std430) writeonly buffer Hits { uint hits[]; };
-/// start 3, end 3, hit, distance, contribution, map, side
-layout(std430) writeonly buffer Rays { uint rays[]; };
+// C++: ir::methods::ldm_ao::AskedRay
+struct AskedRay {
+    float start[3], end[3];
+    int hit;
+    float distance, contribution;
+    uint map;
+    int side;
+};
+layout(std430) writeonly buffer Rays { AskedRay rays[]; };
 layout(std430) buffer HitCount { uint hit_count; };
 layout(std430) buffer RayCount { uint ray_count; };
 
@@ -43,18 +50,8 @@ void write_region(uint region, int hit, float distance_ws, float contribution, b
     hits[word + REGION_WORDS + 3u] = own ? 1u : 0u;
 }
 
-void write_ray(uint map, vec3 start, vec3 end, int hit, float distance_ws, float contribution, int side) {
-    uint word = 11u * map;
-    if (word + 11u > uint(rays.length())) return;
-    for (int i = 0; i < 3; ++i) {
-        rays[word + uint(i)] = floatBitsToUint(start[i]);
-        rays[word + 3u + uint(i)] = floatBitsToUint(end[i]);
-    }
-    rays[word + 6u] = uint(hit);
-    rays[word + 7u] = floatBitsToUint(distance_ws);
-    rays[word + 8u] = floatBitsToUint(contribution);
-    rays[word + 9u] = map;
-    rays[word + 10u] = uint(side);
+void write_ray(AskedRay ray) {
+    if (ray.map < uint(rays.length())) rays[ray.map] = ray;
 }
 
 void main() {
@@ -83,7 +80,8 @@ void main() {
     }
     write_region(2u * map + (forward ? 0u : 1u), hit, distance_ws, contribution, own);
     write_region(2u * map + (forward ? 1u : 0u), BELOW, 0.0, 0.0, false);
-    write_ray(map, x.position, x.position + distance_ws * direction, hit, distance_ws, contribution, side);
+    write_ray(AskedRay(floats(x.position), floats(x.position + distance_ws * direction), hit, distance_ws, contribution,
+                       map, side));
     atomicAdd(hit_count, 2u);
     atomicAdd(ray_count, 1u);
 }

@@ -1,4 +1,5 @@
 // What the programs that explain one pixel share.
+#include "lib/floats.glsl"
 #include "passes/ldm/frames.glsl"
 #include "passes/ldm/storage.glsl"
 #define LDM_VIEWS

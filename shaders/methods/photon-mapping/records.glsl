@@ -42,7 +42,6 @@ struct Source {
 };
 
 uint source_of(SamplePoint point) { return point.origin >> 20u & 63u; }
-uvec2 texel_of(SamplePoint point) { return uvec2(point.origin & 1023u, point.origin >> 10u & 1023u); }
 float metalness_of(SamplePoint point) { return float(point.origin >> 26u) / 63.0; }
 
 uint bounce_of(Photon photon) { return photon.bits >> 2u & 15u; }

@@ -7,6 +7,7 @@
 // DEVIATION [Ritschel09 §3.1]: behind is decided by the plane of the pixel's triangle, not by the pixel's depth, which
 // lets floors seen at grazing angles occlude themselves by the steps between pixels.
 #define LIGHT 1
+#include "lib/pattern_shift.glsl"
 #include "lib/pixel_rays.glsl"
 #include "lib/random.glsl"
 #include "passes/bounce/receiver.glsl"
@@ -43,21 +44,11 @@ struct Sample {
     float sending;     // cosine at it
 };
 
-/// The three numbers of the 4×4 pattern come from Bayer's matrix, read in three ways.
-vec3 pattern_shift(ivec2 pixel) {
-    const int bayer[16] = int[](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);
-    ivec2 p = pixel & 3;
-    ivec3 place = ivec3(4 * p.y + p.x, 4 * ((p.x + 1) & 3) + p.y, 4 * ((p.y + p.x + 2) & 3) + ((p.x + 3) & 3));
-    return (vec3(bayer[place.x], bayer[place.y], bayer[place.z]) + 0.5) / 16.0;
-}
-
 vec3 shift_of(ivec2 pixel) {
     if (params.turning == TURNING_NONE) return vec3(0.5);
     if (params.turning == TURNING_PATTERN) return pattern_shift(pixel);
     return unit_float(pcg3d(uvec3(pixel, seed)));
 }
-
-bool is_perspective() { return ray_origin_dx == vec3(0.0); }
 
 Point point_at(ivec2 pixel) {
     Receiver receiver = receiver_at(pixel);
@@ -67,7 +58,7 @@ Point point_at(ivec2 pixel) {
     if (!x.exists) return x;
     x.position = receiver.position;
     x.geometric_normal = receiver.geometric_normal;
-    x.frame = frame_of(x.geometric_normal);
+    x.frame = frame_around(x.geometric_normal);
     x.shift = shift_of(pixel);
     vec4 material = texelFetch(gbuffer_material, pixel, 0);
     x.is_lit = !is_unlit(material);

@@ -2,6 +2,7 @@
 // the same way. See renderers/passes/blur/blur.h.
 layout(local_size_x = 8, local_size_y = 8) in;
 
+#include "lib/finite.glsl"
 #include "passes/blur/weights.glsl"
 
 uniform sampler2D image;
@@ -22,10 +23,6 @@ Surface surface_at(ivec2 pixel) {
     return Surface(geometric_normal != vec3(0.0),
                    BlurSurface(texelFetch(gbuffer_position, pixel, 0).xyz,
                                texelFetch(gbuffer_normal, pixel, 0).xyz, geometric_normal));
-}
-
-bool is_finite(vec4 v) {
-    return !any(isnan(v)) && !any(isinf(v));
 }
 
 void main() {

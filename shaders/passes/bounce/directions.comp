@@ -1,12 +1,9 @@
 // A direction for each sample of each pixel, with its density per solid angle. [Nalbach15 §3.1]
+#include "lib/constants.glsl"
 #include "lib/random.glsl"
 #include "lib/spaces.glsl"
 #include "passes/bounce/receiver.glsl"
 #include "passes/bounce/tiles.glsl"
-
-#ifndef PI
-#define PI 3.14159265358979323846
-#endif
 
 layout(rgba32f) uniform writeonly image2DArray directions;
 
@@ -61,7 +58,7 @@ vec4 chosen(Receiver receiver, ivec2 pixel, uvec3 words) {
     float z = u.x, density = 0.5 / PI;
 #endif
     float radius = sqrt(max(0.0, 1.0 - z * z));
-    vec3 l = frame_of(receiver.normal) * vec3(radius * cos(phi), radius * sin(phi), z);
+    vec3 l = frame_around(receiver.normal) * vec3(radius * cos(phi), radius * sin(phi), z);
     return vec4(normalize(l), density);
 }
 

@@ -1,11 +1,9 @@
 // What a sample of a neighbour adds to a pixel: its weight, and what the pixel's own surface makes of it.
 // [Nalbach15 §3.3]
+#include "lib/finite.glsl"
+#include "lib/constants.glsl"
 #include "passes/blur/weights.glsl"
 #include "passes/bounce/receiver.glsl"
-
-#ifndef PI
-#define PI 3.14159265358979323846
-#endif
 
 uniform sampler2DArray directions;
 uniform sampler2DArray incoming;
@@ -120,14 +118,6 @@ float neighbour_weight(Target target, ivec2 pixel) {
     BlurSurface there = surface_at(pixel);
     if (there.geometric_normal == vec3(0.0)) return 0.0;
     return blur_weight(target.surface, there, vec2(pixel - target.pixel)) * material_weight(target, pixel);
-}
-
-bool is_finite(Value v) {
-#if LIGHT
-    return !any(isnan(v)) && !any(isinf(v));
-#else
-    return !isnan(v) && !isinf(v);
-#endif
 }
 
 /// Of the sample at a place of the stacks; not finite values count for nothing.

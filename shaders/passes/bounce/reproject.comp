@@ -1,4 +1,5 @@
 // The average of a pixel over frames, followed along its motion. [Scherzer12]
+#include "lib/finite.glsl"
 #include "lib/pixel_rays.glsl"  // of the previous view
 #include "lib/spaces.glsl"
 #include "passes/bounce/tiles.glsl"
@@ -30,7 +31,6 @@ struct History {
     float frames;  // 0: there is none
 };
 
-bool is_finite(vec4 v) { return !any(isnan(v)) && !any(isinf(v)); }
 
 /// In the previous view, of a place in its picture.
 vec3 point_at(vec2 position_px, float depth) {

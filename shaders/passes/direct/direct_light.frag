@@ -34,7 +34,7 @@ vec3 brdf(Surface surface, vec3 n, vec3 l, vec3 v) {
 }
 
 vec3 reflected(Light light, Surface surface, vec3 position_ws, vec3 n, vec3 geometric_n, vec3 v) {
-    Arrival light_in = arrival(light, position_ws);
+    PunctualArrival light_in = punctual_arrival(light, position_ws);
     float cosine = dot(n, light_in.direction_ws);
     if (cosine <= 0.0 || dot(geometric_n, light_in.direction_ws) <= 0.0 || light_in.irradiance == vec3(0))
         return vec3(0);

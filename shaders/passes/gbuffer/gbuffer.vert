@@ -34,10 +34,6 @@ layout(location = 10) out vec2 normal_uv;
 layout(location = 11) out vec2 emission_uv;
 layout(location = 12) out vec2 transmission_uv;
 
-vec2 slot_uv(TextureSlot slot) {
-    return slot.texture < 0 ? vec2(0) : uv_of_slot(slot, uv01.xy, uv01.zw);
-}
-
 void main() {
     uvec3 corners = scene_triangle(uint(gl_VertexID) / 3u);
     vec3 a = scene_position_ws(corners.x), b = scene_position_ws(corners.y), c = scene_position_ws(corners.z);
@@ -53,11 +49,11 @@ void main() {
     tangent_ws = scene_tangents[vertex];
     uv01 = vec4(scene_uv0[vertex], scene_uv1[vertex]);
     Material material = materials[material_index];
-    base_colour_uv = slot_uv(material.base_colour_slot);
-    metallic_roughness_uv = slot_uv(material.metallic_roughness_slot);
-    normal_uv = slot_uv(material.normal_slot);
-    emission_uv = slot_uv(material.emission_slot);
-    transmission_uv = slot_uv(material.transmission_slot);
+    base_colour_uv = slot_uv(material.base_colour_slot, uv01);
+    metallic_roughness_uv = slot_uv(material.metallic_roughness_slot, uv01);
+    normal_uv = slot_uv(material.normal_slot, uv01);
+    emission_uv = slot_uv(material.emission_slot, uv01);
+    transmission_uv = slot_uv(material.transmission_slot, uv01);
     colour = scene_colour(vertex);
     instance = scene_instances[vertex];
     gl_Position = clip_from_world * vec4(corner == 0u ? a : corner == 1u ? b : c, 1);

@@ -17,10 +17,10 @@ const uint MAX_INSERTED = 192u;
 
 /// Depths of the batch before the chunk's, and what it would hold then if every buffer were large enough.
 #ifdef ONE_CHUNK
-const uint stored_before = 0u, asked_before = 0u;
+const uint stored_before = 0u, requested_before = 0u;
 #else
 #define stored_before stored
-#define asked_before asked
+#define requested_before requested
 #endif
 
 /// Writes one half of a word that another invocation may write the other half of.

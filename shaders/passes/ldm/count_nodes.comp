@@ -5,5 +5,5 @@ layout(local_size_x = 1) in;
 layout(std430) buffer NodesRequested { uint nodes_requested; };
 
 void main() {
-    atomicMax(nodes_requested, asked + fragment_count);
+    atomicMax(nodes_requested, requested + fragment_count);
 }

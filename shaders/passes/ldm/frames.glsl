@@ -10,7 +10,6 @@ struct MapFrame {
 };
 layout(std430) readonly buffer LdmFrames { MapFrame ldm_frames[]; };
 
-const int LDM_MAX_DEPTH = 65535;
 const float LDM_DEPTH_MARGIN = 64.0;
 
 /// Metres from the scene's near end to a depth in quanta.

@@ -7,6 +7,6 @@ layout(std430) buffer CellsRequested { uint cells_requested; };
 uniform uint min_cells;
 
 void main() {
-    uint entries = asked + fragment_count;
+    uint entries = requested + fragment_count;
     atomicMax(cells_requested, max(min_cells, entries + entries / 9u + 1u));
 }

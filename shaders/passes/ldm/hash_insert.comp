@@ -36,7 +36,7 @@ bool insert(uint texel, uint nearness) {
 void main() {
     uint index = list_index();
     if (index >= min(fragment_count, uint(fragments.length()))) return;
-    if (asked + index >= uint(cells.length()) - uint(cells.length()) / 10u) return;  // the table will grow
+    if (requested + index >= uint(cells.length()) - uint(cells.length()) / 10u) return;  // the table will grow
     uvec2 fragment = fragments[index];
     if (insert(batch_texel + fragment.x, 65535u - (fragment.y & 0xffffu))) return;
     atomicAdd(dropped, 1u);

@@ -10,5 +10,5 @@ void main() {
     deep_groups[0] = groups.x;
     deep_groups[1] = groups.y;
     deep_groups[2] = 1u;
-    atomicMax(nodes_requested, asked + fragment_count);
+    atomicMax(nodes_requested, requested + fragment_count);
 }

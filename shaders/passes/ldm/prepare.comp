@@ -30,7 +30,7 @@ void main() {
     atomicAdd(all_dropped, dropped);
     atomicAdd(kept, chunk_total);
     atomicAdd(bytes, chunk_total / 8u * fragment_bits + chunk_total % 8u * fragment_bits / 8u + chunk_bytes);
-    asked += fragment_count;
+    requested += fragment_count;
     stored += chunk_total;
     dropped = 0u;
     chunk_bytes = 0u;

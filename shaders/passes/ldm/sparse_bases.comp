@@ -39,7 +39,7 @@ void main() {
     deep_groups[0] = groups.x;
     deep_groups[1] = groups.y;
     deep_groups[2] = 1u;
-    atomicMax(depth_words_requested, (asked + fragment_count + 1u) / 2u);
+    atomicMax(depth_words_requested, (requested + fragment_count + 1u) / 2u);
     atomicMax(offset_words_requested, (chunk_offsets + total.x + 1u) / 2u);
     atomicMax(unsorted_requested, fragment_count);
     atomicMax(all_max_layers, max_layers);

@@ -1,11 +1,12 @@
 // What the steps of building one chunk of maps tell each other.
+// C++: ir::passes::ldm::LdmState
 layout(std430) coherent buffer LdmState {
     uint fragment_count;      // fragments of the chunk, also those beyond the list's capacity
     uint large_count;         // strips of large triangles, also those beyond capacity
     uint stored;              // fragments that the batch's earlier chunks keep
-    uint asked;               // fragments that they would keep if every buffer were large enough
+    uint requested;           // fragments that they would keep if every buffer were large enough
     uint chunk_total;         // fragments of the chunk that are kept
-    uint max_layers;         // of any texel so far
+    uint max_layers;          // of any texel so far
     uint dropped;             // fragments left out because their texel is deeper than MAX_LAYERS
     uint chunk_bytes;         // that the chunk's maps take besides those per fragment and per texel
     uint fragment_groups[4];  // for indirect dispatches over fragments,

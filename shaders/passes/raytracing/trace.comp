@@ -1,5 +1,6 @@
 // The first hits of the rays of a buffer. One invocation: one ray.
 layout(local_size_x = 64) in;
+#include "lib/finite.glsl"
 #include "passes/raytracing/bvh.glsl"
 
 layout(std430) readonly buffer Rays { Ray rays[]; };
@@ -7,8 +8,6 @@ layout(std430) writeonly buffer Hits { RayHit hits[]; };
 layout(std430) buffer Unfinished { uint unfinished; };
 
 uniform uint first_item, end_item;
-
-bool is_finite(vec3 v) { return !any(isnan(v)) && !any(isinf(v)); }
 
 void main() {
     uint i = first_item + gl_GlobalInvocationID.x;

@@ -36,9 +36,9 @@ bool silhouette(vec4 row, vec4 w_row, out vec2 range) {
 void main() {
     element = uint(gl_VertexID / 6) * layer.step;
     uint base = element_base(element);
-    centre_ws = vector_at(base, layer.place_0);
-    vec3 u = vector_at(base, layer.place_1), v = vector_at(base, layer.place_2),
-         w = vector_at(base, layer.place_3);
+    centre_ws = vector_at(base, layer.place[0]);
+    vec3 u = vector_at(base, layer.place[1]), v = vector_at(base, layer.place[2]),
+         w = vector_at(base, layer.place[3]);
     colour = row_0 = row_1 = row_2 = vec3(0);
     gl_Position = outside;
     if (!is_finite(centre_ws) || !is_finite(u) || !is_finite(v) || !is_finite(w) || !passes_filters(base)) return;

@@ -13,15 +13,15 @@ layout(location = 4) out vec3 position_ws;
 // The half-sides; false where a number is missing.
 bool half_sides(uint base, out vec3 u, out vec3 v) {
     if (layer.primitive == PRIMITIVE_PARALLELOGRAMS) {
-        u = vector_at(base, layer.place_1);
-        v = vector_at(base, layer.place_2);
+        u = vector_at(base, layer.place[1]);
+        v = vector_at(base, layer.place[2]);
         return is_finite(u) && is_finite(v);
     }
-    vec3 n = vector_at(base, layer.place_1);
-    float radius = float_at(base, layer.place_2), size = length(n);
+    vec3 n = vector_at(base, layer.place[1]);
+    float radius = float_at(base, layer.place[2]), size = length(n);
     u = v = vec3(0);
     if (!is_finite(n) || !is_finite(radius) || size == 0.0) return false;
-    mat3 frame = frame_of(n / size);
+    mat3 frame = frame_around(n / size);
     u = radius * frame[0];
     v = radius * frame[1];
     return true;
@@ -30,7 +30,7 @@ bool half_sides(uint base, out vec3 u, out vec3 v) {
 void main() {
     element = uint(gl_VertexID / 6) * layer.step;
     uint base = element_base(element);
-    vec3 centre_ws = vector_at(base, layer.place_0), u, v;
+    vec3 centre_ws = vector_at(base, layer.place[0]), u, v;
     colour = normal_ws = position_ws = vec3(0);
     place = vec2(0);
     gl_Position = outside;

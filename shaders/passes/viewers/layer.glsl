@@ -1,20 +1,31 @@
 // One layer of a 3D view: its elements where the method left them, and what is to be done with them.
-// renderers/passes/viewers/layer_plan.h has the twin of LayerBlock.
 
-struct Filter { int offset, type; uint low, high; };
+#include "lib/finite.glsl"
+
+/// The range is in the bits of the field's own type.
+// C++: ir::passes::viewers::FilterBlock
+struct FilterBlock {
+    int offset, type;
+    uint low, high;
+};
 
 layout(std430) readonly buffer Elements { uint element_words[]; };
+/// Offsets are in words of four bytes within an element; -1: absent.
+// C++: ir::passes::viewers::LayerBlock
 layout(std430) readonly buffer LayerBlock {
-    uint words, step, drawn, number;
-    int place_0, place_1, place_2, place_3;
+    uint words;     // of an element
+    uint step;      // every n-th element is drawn
+    uint drawn;     // so many then
+    uint number;    // index of the layer plus 1, as in the picture of ids
+    int place[4];   // what it needs, in the order of scene_3d.h
     int normal, colatitude, longitude;
     int colour_offset, colour_type, colour_mode;
-    float low, high;
-    float size_px;  // of a point or line
-    float red, green, blue;
+    float low, high;         // of the colour map
+    float size_px;           // of a point or line
+    float red, green, blue;  // linear; of a layer in one colour
     int primitive;
     int filter_count;
-    Filter filters[8];
+    FilterBlock filters[8];
 } layer;
 
 const int PRIMITIVE_POINTS = 0, PRIMITIVE_LINES = 1, PRIMITIVE_DISCS = 2, PRIMITIVE_PARALLELOGRAMS = 3,
@@ -33,10 +44,6 @@ float float_at(uint base, int offset) { return uintBitsToFloat(element_words[bas
 vec3 vector_at(uint base, int offset) {
     return vec3(float_at(base, offset), float_at(base, offset + 1), float_at(base, offset + 2));
 }
-
-// By bits: compilers may assume that there are no others.
-bool is_finite(float x) { return (floatBitsToUint(x) & 0x7f800000u) != 0x7f800000u; }
-bool is_finite(vec3 v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
 
 float number_at(uint base, int offset, int type) {
     uint bits = element_words[base + uint(offset)];

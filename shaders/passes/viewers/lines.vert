@@ -12,7 +12,7 @@ layout(location = 2) noperspective out float across;  // -1…1
 void main() {
     element = uint(gl_VertexID / 6) * layer.step;
     uint base = element_base(element);
-    vec3 start_ws = vector_at(base, layer.place_0), end_ws = vector_at(base, layer.place_1);
+    vec3 start_ws = vector_at(base, layer.place[0]), end_ws = vector_at(base, layer.place[1]);
     colour = vec3(0);
     across = 0.0;
     gl_Position = outside;

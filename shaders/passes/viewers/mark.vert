@@ -23,31 +23,31 @@ bool unit_sphere_silhouette(mat3 axes, vec3 centre_ws, float angle, out vec3 pla
     vec3 n = to_eye / far;
     // the points at which rays touch the sphere lie on a circle around n, 1 / far from the middle
     float height = orthographic ? 0.0 : 1.0 / far, radius = sqrt(1.0 - height * height);
-    mat3 frame = frame_of(n);
+    mat3 frame = frame_around(n);
     place_ws += axes * (height * n + radius * (cos(angle) * frame[0] + sin(angle) * frame[1]));
     return is_finite(place_ws);
 }
 
 bool outline_place(uint base, int k, out vec3 place_ws) {
-    vec3 first = vector_at(base, layer.place_0);
+    vec3 first = vector_at(base, layer.place[0]);
     place_ws = first;
     if (layer.primitive == PRIMITIVE_LINES) {
-        place_ws = k == 0 ? first : vector_at(base, layer.place_1);
+        place_ws = k == 0 ? first : vector_at(base, layer.place[1]);
         return is_finite(place_ws);
     }
     if (layer.primitive == PRIMITIVE_POINTS) return is_finite(first);
-    vec3 second = vector_at(base, layer.place_1);
+    vec3 second = vector_at(base, layer.place[1]);
     float angle = 6.28318530717959 * float(k) / float(segments);
     if (layer.primitive == PRIMITIVE_DISCS) {
         if (length(second) == 0.0) return false;
-        mat3 frame = frame_of(normalize(second));
-        place_ws += float_at(base, layer.place_2) * (cos(angle) * frame[0] + sin(angle) * frame[1]);
+        mat3 frame = frame_around(normalize(second));
+        place_ws += float_at(base, layer.place[2]) * (cos(angle) * frame[0] + sin(angle) * frame[1]);
     } else if (layer.primitive == PRIMITIVE_PARALLELOGRAMS) {
         int corner = k & 3;
         place_ws += (corner == 0 || corner == 3 ? -1.0 : 1.0) * second +
-                    (corner < 2 ? -1.0 : 1.0) * vector_at(base, layer.place_2);
+                    (corner < 2 ? -1.0 : 1.0) * vector_at(base, layer.place[2]);
     } else {
-        return unit_sphere_silhouette(mat3(second, vector_at(base, layer.place_2), vector_at(base, layer.place_3)),
+        return unit_sphere_silhouette(mat3(second, vector_at(base, layer.place[2]), vector_at(base, layer.place[3])),
                                       first, angle, place_ws);
     }
     return is_finite(place_ws);

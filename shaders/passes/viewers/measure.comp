@@ -32,17 +32,17 @@ uint colour_key(uint base, vec3 position_ws, out bool counts) {
 
 // Where the element is, and how far it reaches from there along each axis.
 bool extent(uint base, out vec3 centre_ws, out vec3 half_size) {
-    centre_ws = vector_at(base, layer.place_0);
+    centre_ws = vector_at(base, layer.place[0]);
     half_size = vec3(0);
     if (layer.primitive == PRIMITIVE_LINES) {
-        vec3 end_ws = vector_at(base, layer.place_1);
+        vec3 end_ws = vector_at(base, layer.place[1]);
         half_size = 0.5 * abs(end_ws - centre_ws);
         centre_ws = 0.5 * (centre_ws + end_ws);
     } else if (layer.primitive == PRIMITIVE_DISCS) {
-        half_size = vec3(abs(float_at(base, layer.place_2)));
+        half_size = vec3(abs(float_at(base, layer.place[2])));
     } else if (layer.primitive == PRIMITIVE_PARALLELOGRAMS || layer.primitive == PRIMITIVE_ELLIPSOIDS) {
-        half_size = abs(vector_at(base, layer.place_1)) + abs(vector_at(base, layer.place_2));
-        if (layer.primitive == PRIMITIVE_ELLIPSOIDS) half_size += abs(vector_at(base, layer.place_3));
+        half_size = abs(vector_at(base, layer.place[1])) + abs(vector_at(base, layer.place[2]));
+        if (layer.primitive == PRIMITIVE_ELLIPSOIDS) half_size += abs(vector_at(base, layer.place[3]));
     }
     return is_finite(centre_ws) && is_finite(half_size);
 }

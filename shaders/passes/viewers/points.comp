@@ -25,7 +25,7 @@ void main() {
         uint i = first + k * gl_WorkGroupSize.x;
         if (i >= layer.drawn) break;
         uint element = i * layer.step, base = element_base(element);
-        vec3 position_ws = vector_at(base, layer.place_0);
+        vec3 position_ws = vector_at(base, layer.place[0]);
         vec2 centre_px;
         float depth;
         if (!is_finite(position_ws) || !passes_filters(base) || !point_place(position_ws, centre_px, depth)) continue;

@@ -16,7 +16,7 @@ void main() {
     if (element == 0u) discard;
     --element;
     uint base = element_base(element);
-    vec3 position_ws = vector_at(base, layer.place_0);
+    vec3 position_ws = vector_at(base, layer.place[0]);
     vec2 centre_px;
     float depth;
     point_place(position_ws, centre_px, depth);

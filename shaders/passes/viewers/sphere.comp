@@ -1,5 +1,6 @@
 // The region of the sphere at each pixel: the first whose bounds contain the direction, or, without bounds,
 // that of the nearest centre. A tile of pixels first sorts out the elements that none of it can see.
+#include "lib/constants.glsl"
 #include "lib/pixel_rays.glsl"
 #include "passes/viewers/layer.glsl"
 #include "passes/viewers/sphere.glsl"
@@ -9,7 +10,6 @@ layout(r32ui) writeonly uniform uimage2D regions;
 
 uniform ivec2 picture_size;
 
-const float pi = 3.14159265358979;
 const uint chunk = 256u;
 
 shared uint nearest_to_middle;    // distance² in the upper bits, invocation in the lower eight
@@ -25,12 +25,12 @@ float longitude_of(vec3 d) { return atan(d.z, d.x); }
 // Drivers' acos may be off by 1e-4, their atan is not.
 float colatitude_of(vec3 d) { return atan(length(d.xz), d.y); }
 // In [0, 2 pi).
-float wrapped(float angle) { return angle - 2.0 * pi * floor(angle / (2.0 * pi)); }
+float wrapped(float angle) { return angle - 2.0 * PI * floor(angle / (2.0 * PI)); }
 
 bool has_bounds() { return layer.colatitude >= 0; }
 
 bool usable(uint base) {
-    return is_finite(vector_at(base, layer.place_0)) && (!has_bounds() || passes_filters(base));
+    return is_finite(vector_at(base, layer.place[0])) && (!has_bounds() || passes_filters(base));
 }
 
 bool contains(uint base, vec3 d) {
@@ -43,18 +43,18 @@ bool contains(uint base, vec3 d) {
 
 bool may_reach_tile(uint base) {
     if (!has_bounds())
-        return distance(vector_at(base, layer.place_0), axis) <=
+        return distance(vector_at(base, layer.place[0]), axis) <=
                uintBitsToFloat(bound_bits) + 2.0 * uintBitsToFloat(reach_bits) + 1e-5;
     float margin = 1e-5;
     if (float_at(base, layer.colatitude) > uintBitsToFloat(colatitude_high) + margin ||
         float_at(base, layer.colatitude + 1) < uintBitsToFloat(colatitude_low) - margin)
         return false;
-    float a = longitude_of(axis) - pi + uintBitsToFloat(longitude_low) - margin,
-          b = longitude_of(axis) - pi + uintBitsToFloat(longitude_high) + margin;
+    float a = longitude_of(axis) - PI + uintBitsToFloat(longitude_low) - margin,
+          b = longitude_of(axis) - PI + uintBitsToFloat(longitude_high) + margin;
     float from = float_at(base, layer.longitude), to = float_at(base, layer.longitude + 1);
     // brings the region's beginning to within a turn after a, and to within a turn before it
     float begin = a + wrapped(from - a);
-    return begin <= b || begin - 2.0 * pi + (to - from) >= a;
+    return begin <= b || begin - 2.0 * PI + (to - from) >= a;
 }
 
 void begin_tile(bool on_sphere, vec3 d) {
@@ -72,7 +72,7 @@ void begin_tile(bool on_sphere, vec3 d) {
     barrier();
     if (!on_sphere) return;
     atomicMax(reach_bits, floatBitsToUint(distance(d, axis)));
-    float colatitude = colatitude_of(d), longitude = wrapped(longitude_of(d) - longitude_of(axis) + pi);
+    float colatitude = colatitude_of(d), longitude = wrapped(longitude_of(d) - longitude_of(axis) + PI);
     atomicMin(colatitude_low, floatBitsToUint(colatitude));
     atomicMax(colatitude_high, floatBitsToUint(colatitude));
     atomicMin(longitude_low, floatBitsToUint(longitude));
@@ -84,7 +84,7 @@ void find_bound() {
     float bound = uintBitsToFloat(0x7f7fffffu);
     for (uint i = gl_LocalInvocationIndex; i < layer.drawn; i += chunk) {
         uint base = element_base(i * layer.step);
-        if (usable(base)) bound = min(bound, distance(vector_at(base, layer.place_0), axis));
+        if (usable(base)) bound = min(bound, distance(vector_at(base, layer.place[0]), axis));
     }
     atomicMin(bound_bits, floatBitsToUint(bound));
 }
@@ -97,7 +97,7 @@ void look_through(uint count, vec3 d, inout uint best, inout float best_distance
         if (has_bounds()) {
             if (i < best && contains(base, d)) best = i;
         } else {
-            float from_centre = distance(vector_at(base, layer.place_0), d);
+            float from_centre = distance(vector_at(base, layer.place[0]), d);
             if (from_centre < best_distance || (from_centre == best_distance && i < best)) {
                 best = i;
                 best_distance = from_centre;

@@ -47,7 +47,7 @@ int selection_edge(ivec2 pixel, uint own) {
 }
 
 float centre_dot(uint element) {
-    vec4 clip = clip_position(normalize(vector_at(element_base(element), layer.place_0)));
+    vec4 clip = clip_position(normalize(vector_at(element_base(element), layer.place[0])));
     vec2 ndc = clip.xy / clip.w;
     vec2 centre_px = (vec2(ndc.x, -ndc.y) * 0.5 + 0.5) * size_px;
     return 1.0 - smoothstep(dot_px - 0.5, dot_px + 0.5, distance(centre_px, gl_FragCoord.xy) / float(pixel_samples));

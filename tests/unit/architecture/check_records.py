@@ -23,13 +23,23 @@ class Records(unittest.TestCase):
     def test_fields_keep_order_type_and_comment(self):
         status, messages, header = self.run_on(
             "/// Seen by both.\n// C++: ir::here::Thing\nstruct T {\n    vec3 place_ws;  // m\n"
-            "    uint sample_, words[2];  // last\n};\n")
+            "    uint sample_, words[4];  // last\n};\n")
         self.assertEqual((status, messages), (0, ""))
         self.assertIn("namespace ir::here {", header)
         self.assertIn("/// Seen by both.\nstruct Thing {", header)
         self.assertIn("    glm::vec3 place_ws{};  ///< m\n    std::uint32_t sample{};\n"
-                      "    std::array<std::uint32_t, 2> words{};  ///< last\n"
+                      "    std::array<std::uint32_t, 4> words{};  ///< last\n"
                       "    IR_FIELDS(place_ws, sample, words)\n", header)
+
+    def test_gaps_of_std430_are_refused(self):
+        for members in ["float x;\n    vec3 place;\n    float y", "vec3 place", "vec3 places[2]"]:
+            status, messages, _ = self.run_on(f"// C++: ir::A\nstruct T {{\n    {members};\n}};\n")
+            self.assertEqual(status, 1, members)
+            self.assertIn("std430 leaves", messages)
+
+    def test_blocks_are_records_too(self):
+        header = self.run_on("// C++: ir::A\nlayout(std430) readonly buffer Things {\n    uint x;\n} things;\n")[2]
+        self.assertIn("struct A {\n    std::uint32_t x{};\n", header)
 
     def test_records_hold_records(self):
         header = self.run_on("// C++: ir::A\nstruct InA {\n    float x;\n};\n\n"

@@ -213,6 +213,32 @@ TEST_P(GlNamesTest, ComparesRecordsOfProgramAndBuffer) {
     EXPECT_EQ(refusal(moving({position, id})),
               differ + "a record has 24 bytes in the program and 16 in the buffer");
     run(moving({position, id, {"first"}, {"second"}}));
+    EXPECT_EQ(refusal(moving({position, {"id", FieldType::f32}, {"first"}, {"second"}})),
+              differ + "the program has 'id' at byte 12, where the buffer has 'id' of another type");
+    EXPECT_EQ(refusal(moving({position, id, {"first"}, {"second", FieldType::u32}})),
+              differ + "the program's array 'spare' ends within a field of the buffer");
+    EXPECT_EQ(refusal(moving({{"place", FieldType::f32, 4}, {"first"}, {"second"}})),
+              differ + "the program has 'id' at byte 12, where the buffer has 'place' of another type");
+}
+
+TEST_P(GlNamesTest, ComparesMembersThatAreOneFieldTogether) {
+    folder.write("move.comp", R"(
+layout(local_size_x = 1) in;
+struct Body { float x, y; uint id; };
+layout(std430) buffer Bodies { Body bodies[]; };
+uniform float amount;
+void main() { bodies[0] = Body(amount, amount, 1u); }
+)");
+    const Field id{"id", FieldType::u32};
+    EXPECT_EQ(refusal(moving({{"position", FieldType::f32, 2}, id})), "");
+    EXPECT_EQ(
+        refusal(moving({{"position", FieldType::f32, 3}})),
+        "pass 'move', move.comp: 'Bodies' and buffer 'bodies' differ: the program has 'id' at byte 8, where "
+        "the buffer has 'position' of another type");
+    EXPECT_EQ(
+        refusal(moving({{"x"}, {"height"}, id})),
+        "pass 'move', move.comp: 'Bodies' and buffer 'bodies' differ: the program has 'y' at byte 4, where "
+        "the buffer has 'height'");
 }
 
 TEST_P(GlNamesTest, RefusesAUniformThatNobodyGivesAValue) {

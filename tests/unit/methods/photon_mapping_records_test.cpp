@@ -1,4 +1,6 @@
-#include "renderers/methods/photon-mapping/records.h"
+#include "renderers/core/record.h"
+#include "shaders/methods/photon-mapping/records.glsl.h"
+#include "tests/unit/methods/photon_mapping_packing.h"
 
 #include <cmath>
 #include <cstring>
@@ -43,8 +45,8 @@ struct Trip {
     std::uint32_t below;
     glm::vec3 direction_out;
     std::uint32_t unused;
+    IR_FIELDS(power, power_bits, direction, direction_bits, power_out, below, direction_out, unused)
 };
-static_assert(sizeof(Trip) == 64);
 
 Trip trip(glm::vec3 power, glm::vec3 direction) {
     Trip result{};
@@ -74,7 +76,7 @@ class PhotonRecords : public PassTest {
         run(shot, [&](graph::GraphBuilder& builder) {
             graph::BufferDesc desc;
             desc.text.key = "test.trips";
-            desc.fields = {{"word", FieldType::u32, sizeof(Trip) / sizeof(std::uint32_t)}};
+            desc.fields = record_fields<Trip>();
             desc.elements = trips.size();
             const auto buffer = builder.buffer(desc);
             builder.pass("upload").writes(buffer).execute([&trips, buffer](graph::PassContext& context) {

@@ -4,10 +4,12 @@
 #include <cstring>
 #include <random>
 
+#include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/photon-mapping/records.h"
 #include "renderers/methods/photon-mapping/splatting.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
+#include "shaders/methods/photon-mapping/records.glsl.h"
+#include "tests/unit/methods/photon_mapping_packing.h"
 #include "tests/unit/passes/pass_fixture.h"
 #include "tests/unit/passes/small_world.h"
 

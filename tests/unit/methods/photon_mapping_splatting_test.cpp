@@ -1,7 +1,7 @@
 // A photon's power arrives, whatever the resolution, the inside test, the precision and the view.
 #include "renderers/methods/photon-mapping/splatting/draw_kernels.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
-#include "renderers/methods/photon-mapping/splatting/tiles.h"
+#include "renderers/methods/photon-mapping/splatting/stages.h"
 #include "tests/unit/methods/photon_mapping_splatting_fixture.h"
 
 namespace ir::test {

@@ -3,10 +3,12 @@
 #include <cstring>
 #include <random>
 
+#include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/photon-mapping/records.h"
 #include "renderers/methods/photon-mapping/tracing.h"
 #include "renderers/passes/surface/triangle_plane.h"
+#include "shaders/methods/photon-mapping/records.glsl.h"
+#include "tests/unit/methods/photon_mapping_packing.h"
 #include "tests/unit/passes/pass_fixture.h"
 #include "tests/unit/passes/small_world.h"
 
@@ -170,7 +172,7 @@ class TracingTest : public PassTest {
                                          .fields = record_fields<SamplePoint>(),
                                          .elements = points.size()});
         samples.sources = builder.buffer({.text = {.key = "photons.sources", .label = "Sources"},
-                                          .fields = {{"word", graph::FieldType::u32, 16}},
+                                          .fields = record_fields<methods::photon_mapping::SourceData>(),
                                           .elements = 1});
         samples.count = builder.counter({.key = "photons.sample_count", .label = "Sample points"});
         samples.photons_per_point = parameters.photons_per_point;

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "renderers/core/record.h"
 #include "renderers/gl/dispatch_items.h"
 #include "renderers/graph/pass_context.h"
 #include "tests/unit/passes/bsdf_fixture.h"
@@ -15,8 +16,8 @@ enum Sampling { visible_normals, ggx, ggx_printed };
 struct Draw {
     glm::vec3 direction, weight;
     std::uint32_t is_specular, unused;
+    IR_FIELDS(direction, weight, is_specular, unused)
 };
-static_assert(sizeof(Draw) == 32);
 
 /// Constants of scatter.comp.
 struct ScatterDraws {
@@ -59,7 +60,7 @@ class ScatteringOnDevice : public PassTest {
         run(shot, [&](graph::GraphBuilder& builder) {
             graph::BufferDesc desc;
             desc.text = {.key = "test.draws", .label = "Draws"};
-            desc.fields = {{"word", graph::FieldType::u32, 8}};
+            desc.fields = record_fields<Draw>();
             desc.elements = draws;
             const auto buffer = builder.buffer(std::move(desc));
             builder.pass("scatter").writes("Draws", buffer).execute([=](graph::PassContext& context) {

@@ -1,5 +1,5 @@
 // What emits nothing, and places where a formula could divide by 0.
-#include "renderers/scene/light_frame.h"
+#include "renderers/scene/frame.h"
 #include "tests/unit/passes/light_fixture.h"
 
 namespace ir::test {

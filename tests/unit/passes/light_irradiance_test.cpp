@@ -1,5 +1,5 @@
 // Irradiance by sampling against closed forms; z-tests with α = 1e-4.
-#include "renderers/scene/light_frame.h"
+#include "renderers/scene/frame.h"
 #include "tests/unit/passes/light_fixture.h"
 
 namespace ir::test {

@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/scene/hit_surfaces.h"
 #include "renderers/passes/surface/surface.h"
@@ -69,11 +70,14 @@ struct Question {
     std::uint32_t triangle;
     float u, v;
     glm::vec3 direction;
+    IR_FIELDS(triangle, u, v, direction)
 };
 struct Answer {
     glm::vec3 position, geometric, shading, base_colour;
     float metallic, roughness, transmission, ior;
     std::uint32_t material, is_front, is_unlit;
+    IR_FIELDS(position, geometric, shading, base_colour, metallic, roughness, transmission, ior, material,
+              is_front, is_unlit)
 };
 
 /// Constants of hit_surface.comp.
@@ -89,10 +93,10 @@ class HitSurfaceTest : public PassTest {
         run(shot, [&](graph::GraphBuilder& builder) {
             const auto surfaces = passes::hit_surfaces(builder, passes::upload_scene(builder));
             const auto given = builder.buffer({.text = {.key = "test.questions", .label = "Questions"},
-                                               .fields = {{"word", graph::FieldType::u32, 6}},
+                                               .fields = record_fields<Question>(),
                                                .elements = questions.size()});
             const auto found = builder.buffer({.text = {.key = "test.answers", .label = "Answers"},
-                                               .fields = {{"word", graph::FieldType::u32, 19}},
+                                               .fields = record_fields<Answer>(),
                                                .elements = questions.size()});
             builder.pass("upload questions").writes(given).execute([=](graph::PassContext& context) {
                 context.upload(given, std::as_bytes(std::span(questions)));

@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/splatting/additive.h"
+#include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
 #include "renderers/passes/bounce/receiver.h"

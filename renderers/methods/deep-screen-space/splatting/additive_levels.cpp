@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "renderers/methods/deep-screen-space/splatting/additive.h"
+#include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/splatting/bounds.h"
+#include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 #include <bit>
 

@@ -1,9 +1,9 @@
-#include "renderers/methods/deep-screen-space/splatting/explain.h"
+#include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 #include <algorithm>
 
 #include "renderers/gl/dispatch_items.h"
-#include "renderers/methods/deep-screen-space/random_seed.h"
+#include "renderers/methods/deep-screen-space/parameters.h"
 #include "renderers/methods/deep-screen-space/splatting/explain_records.h"
 #include "renderers/passes/bounce/tiles.h"
 

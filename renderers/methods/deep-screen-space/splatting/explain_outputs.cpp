@@ -1,4 +1,4 @@
-#include "renderers/methods/deep-screen-space/splatting/explain.h"
+#include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {

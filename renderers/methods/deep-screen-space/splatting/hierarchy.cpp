@@ -1,7 +1,7 @@
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/deep-screen-space/random_seed.h"
+#include "renderers/methods/deep-screen-space/parameters.h"
 #include "renderers/methods/deep-screen-space/splatting.h"
-#include "renderers/methods/deep-screen-space/splatting/bounds.h"
+#include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {

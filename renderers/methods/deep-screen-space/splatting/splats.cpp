@@ -1,5 +1,5 @@
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
-#include "renderers/methods/deep-screen-space/random_seed.h"
+#include "renderers/methods/deep-screen-space/parameters.h"
 #include "shaders/methods/deep-screen-space/surfels/commands.comp.h"
 
 #include <algorithm>

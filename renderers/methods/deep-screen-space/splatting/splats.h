@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/deep-screen-space/reach.h"
+#include "renderers/methods/deep-screen-space/parameters.h"
 #include "renderers/methods/deep-screen-space/splatting.h"
 
 namespace ir::methods::deep_screen_space {

@@ -1,6 +1,6 @@
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 
-#include "renderers/methods/deep-screen-space/splatting/explain.h"
+#include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {

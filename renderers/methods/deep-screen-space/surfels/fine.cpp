@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "renderers/core/error.h"
-#include "renderers/methods/deep-screen-space/random_seed.h"
+#include "renderers/methods/deep-screen-space/parameters.h"
 #include "renderers/methods/deep-screen-space/surfels/capture.h"
 #include "renderers/methods/deep-screen-space/surfels/view.h"
 #include "shaders/methods/deep-screen-space/surfels/commands.comp.h"

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <optional>
 
+#include "renderers/image/luminance.h"
 #include "renderers/passes/ldm/directions.h"
 
 namespace ir::methods::ldm_indirect {
@@ -94,8 +95,7 @@ std::vector<DirectionLight> light_by_direction(std::span<const FoundPhoton> phot
     }
     for (std::size_t i = 0; i < sums.size(); ++i) {
         result[i].contribution = components(sums[i]);
-        result[i].luminance =  // [ITU-R BT.709-6 item 3.2]
-            static_cast<float>(glm::dot(sums[i], glm::dvec3(0.2126, 0.7152, 0.0722)));
+        result[i].luminance = static_cast<float>(luminance(sums[i].r, sums[i].g, sums[i].b));
     }
     return result;
 }

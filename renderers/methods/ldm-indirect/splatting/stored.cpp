@@ -1,7 +1,7 @@
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
 
 #include "renderers/gl/dispatch_items.h"
-#include "renderers/methods/ldm-indirect/limits.h"
+#include "renderers/methods/ldm-indirect/parameters.h"
 #include "renderers/passes/ldm/directions.h"
 
 namespace ir::methods::ldm_indirect {

@@ -1,7 +1,5 @@
 #include "renderers/methods/ldm-indirect/tracing/emission.h"
 
-#include "renderers/gl/dispatch_items.h"
-
 namespace ir::methods::ldm_indirect {
 namespace {
 
@@ -42,15 +40,9 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
     pass.reads(images.geometric_normal, maps.frame_buffer)
         .writes("Primaries", primaries.records)
         .writes(primaries.shares)
-        .execute_sliced(
-            static_cast<std::int64_t>(primaries.count),
-            [=, map_count = maps.layout.maps](graph::PassContext& context, graph::Slice slice) {
-                const auto& program = context.use({{"methods/ldm-indirect/tracing/emit.comp"}});
-                program.set(
-                    Emit{static_cast<unsigned>(images.views_drawn), static_cast<unsigned>(map_count)});
-                gl::dispatch_items(program, slice.begin, slice.end);
-            },
-            4096);
+        .compute_sliced(
+            {{"methods/ldm-indirect/tracing/emit.comp"}}, static_cast<std::int64_t>(primaries.count),
+            Emit{static_cast<unsigned>(images.views_drawn), static_cast<unsigned>(maps.layout.maps)}, 4096);
     return primaries;
 }
 

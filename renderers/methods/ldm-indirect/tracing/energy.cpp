@@ -1,7 +1,5 @@
 #include "renderers/methods/ldm-indirect/tracing/energy.h"
 
-#include "renderers/gl/dispatch_items.h"
-
 namespace ir::methods::ldm_indirect {
 namespace {
 
@@ -55,16 +53,11 @@ void sum_energy(graph::GraphBuilder& builder, const Primaries& primaries, bool s
     auto sum = builder.pass("sum energy");
     sum.reads("Primaries", primaries.records).reads("AllShares", primaries.shares).writes("Blocks", blocks);
     if (direct_fates) sum.reads("Fates", *direct_fates);
-    sum.execute_sliced(
-        static_cast<std::int64_t>(block_count * energy_rows),
-        [=, count = primaries.count](PassContext& context, graph::Slice slice) {
-            gl::ProgramSource source{{"methods/ldm-indirect/tracing/energy.comp"}};
-            if (direct_fates) source.defines["DIRECT"] = "1";
-            const auto& program = context.use(source);
-            program.set(
-                SumEnergy{static_cast<unsigned>(count), static_cast<unsigned>(block_photons), splits});
-            gl::dispatch_items(program, slice.begin, slice.end);
-        },
+    gl::ProgramSource source{{"methods/ldm-indirect/tracing/energy.comp"}};
+    if (direct_fates) source.defines["DIRECT"] = "1";
+    sum.compute_sliced(
+        source, static_cast<std::int64_t>(block_count * energy_rows),
+        SumEnergy{static_cast<unsigned>(primaries.count), static_cast<unsigned>(block_photons), splits},
         4096);
     auto pass = builder.pass("energy table");
     pass.reads("Blocks", blocks).writes("Table", table);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "renderers/gl/dispatch_items.h"
-#include "renderers/methods/ldm-indirect/limits.h"
+#include "renderers/methods/ldm-indirect/parameters.h"
 #include "renderers/passes/scan/scan.h"
 
 namespace ir::methods::ldm_indirect {
@@ -161,20 +161,18 @@ void Splitter::store(GraphBuilder& builder, const Part& part, graph::BufferRef p
         .reads("Places", places)
         .reads("Bases", bases_)
         .writes("Photons", photons_.records)
-        .execute_sliced((part.end - part.first) * part.groups,
-                        [self = *this, part](PassContext& context, Slice slice) {
-                            const auto& program = context.use({{"methods/ldm-indirect/tracing/store.comp"}});
-                            program.set(Store{
-                                .first_primary = static_cast<unsigned>(part.first),
-                                .first_frame = static_cast<unsigned>(self.maps_->first_map(part.batch)),
-                                .batch_maps = static_cast<unsigned>(part.batch_maps),
-                                .map_groups = static_cast<unsigned>(part.groups),
-                                .maps_of_group = static_cast<unsigned>(group_maps),
-                                .chunk = static_cast<unsigned>(part.chunk),
-                                .capacity = static_cast<unsigned>(context.capacity(self.photons_.records))});
-                            gl::dispatch_items(program, slice.begin, slice.end);
-                        },
-                        4096);
+        .compute_sliced(
+            {{"methods/ldm-indirect/tracing/store.comp"}}, (part.end - part.first) * part.groups,
+            [self = *this, part](const PassContext& context) {
+                return Store{.first_primary = static_cast<unsigned>(part.first),
+                             .first_frame = static_cast<unsigned>(self.maps_->first_map(part.batch)),
+                             .batch_maps = static_cast<unsigned>(part.batch_maps),
+                             .map_groups = static_cast<unsigned>(part.groups),
+                             .maps_of_group = static_cast<unsigned>(group_maps),
+                             .chunk = static_cast<unsigned>(part.chunk),
+                             .capacity = static_cast<unsigned>(context.capacity(self.photons_.records))};
+            },
+            4096);
 }
 
 graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gbuffer,
@@ -193,14 +191,8 @@ graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gb
         .writes("Hits", hits)
         .writes("Counts", counts)
         .writes("Fates", fates)
-        .execute_sliced(
-            count,
-            [constants = landing(builder.inputs(), parameters)](PassContext& context, Slice slice) {
-                const auto& program = context.use({{"methods/ldm-indirect/tracing/direct.comp"}});
-                program.set(constants);
-                gl::dispatch_items(program, slice.begin, slice.end);
-            },
-            4096);
+        .compute_sliced({{"methods/ldm-indirect/tracing/direct.comp"}}, count,
+                        landing(builder.inputs(), parameters), 4096);
     const auto places =
         passes::exclusive_scan(builder, "indirect.direct", counts, primaries.count, photons.count);
     builder.pass("store primary photons")
@@ -209,12 +201,10 @@ graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gb
         .reads("Counts", counts)
         .reads("Places", places)
         .writes("Photons", photons.records)
-        .execute_sliced(
-            count,
-            [=](PassContext& context, Slice slice) {
-                const auto& program = context.use({{"methods/ldm-indirect/tracing/store_direct.comp"}});
-                program.set(StoreDirect{static_cast<unsigned>(context.capacity(photons.records))});
-                gl::dispatch_items(program, slice.begin, slice.end);
+        .compute_sliced(
+            {{"methods/ldm-indirect/tracing/store_direct.comp"}}, count,
+            [records = photons.records](const PassContext& context) {
+                return StoreDirect{static_cast<unsigned>(context.capacity(records))};
             },
             4096);
     return fates;

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "renderers/core/error.h"
-#include "renderers/methods/photon-mapping/compute_items.h"
-#include "renderers/methods/photon-mapping/records.h"
+#include "renderers/core/record.h"
 #include "renderers/passes/scan/scan.h"
+#include "shaders/methods/photon-mapping/records.glsl.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -136,19 +136,21 @@ void find_points(graph::GraphBuilder& builder, const passes::SceneBuffers& scene
     auto warp = builder.pass("emission points");
     reads(warp);
     warp.writes("Candidates", points.candidates).writes("Survivors", points.survivors);
-    compute_items(warp, source_over_maps("methods/photon-mapping/emission/points.comp", parameters), items,
-                  first_points_slice, warped);
+    warp.compute_sliced(source_over_maps("methods/photon-mapping/emission/points.comp", parameters), items,
+                        warped, first_points_slice);
     find_places(builder, points);
     auto pack = builder.pass("sample points");
     reads(pack);
     pack.reads("Candidates", points.candidates)
         .reads("Places", points.places)
         .writes("Samples", points.samples.points);
-    compute_items(pack, source_over_maps("methods/photon-mapping/emission/samples.comp", parameters), items,
-                  first_points_slice, [=, samples = points.samples](const PassContext& p) {
-                      return PackPoints{warped, static_cast<unsigned>(p.capacity(samples.points)),
-                                        samples.power_unit, static_cast<float>(samples.photons_per_point)};
-                  });
+    pack.compute_sliced(
+        source_over_maps("methods/photon-mapping/emission/samples.comp", parameters), items,
+        [=, samples = points.samples](const PassContext& p) {
+            return PackPoints{warped, static_cast<unsigned>(p.capacity(samples.points)), samples.power_unit,
+                              static_cast<float>(samples.photons_per_point)};
+        },
+        first_points_slice);
 }
 
 EmissionSets emission_sets(const graph::FrameInputs& inputs, const Sources& sources,

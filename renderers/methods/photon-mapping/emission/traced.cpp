@@ -1,6 +1,5 @@
 #include "renderers/methods/photon-mapping/emission/traced.h"
 
-#include "renderers/methods/photon-mapping/compute_items.h"
 #include "renderers/methods/photon-mapping/emission/points.h"
 #include "renderers/passes/raytracing/trace_rays.h"
 #include "renderers/passes/scene/hit_surfaces.h"
@@ -46,8 +45,8 @@ SamplePoints emit_traced(graph::GraphBuilder& builder, const passes::SceneBuffer
                                inputs.world->bounds.radius()};
     auto emission = builder.pass("emission rays");
     emission.reads("Sources", samples.sources).reads(scene.lights).writes("Rays", rays.rays);
-    compute_items(emission, {{"methods/photon-mapping/emission/rays.comp"}}, items, first_points_slice,
-                  light_rays);
+    emission.compute_sliced({{"methods/photon-mapping/emission/rays.comp"}}, items, light_rays,
+                            first_points_slice);
     passes::trace_rays(builder, "trace emission", scene, parameters.tracer, rays);
     const auto surfaces = passes::hit_surfaces(builder, scene);
 
@@ -67,17 +66,19 @@ SamplePoints emit_traced(graph::GraphBuilder& builder, const passes::SceneBuffer
     auto survive = builder.pass("emission points");
     reads(survive);
     survive.writes("Survivors", points.survivors);
-    compute_items(survive, source_of_hits(false), items, first_points_slice, hits);
+    survive.compute_sliced(source_of_hits(false), items, hits, first_points_slice);
     find_places(builder, points);
     auto pack = builder.pass("sample points");
     reads(pack);
     pack.reads("Places", points.places).writes("Samples", samples.points);
-    compute_items(pack, source_of_hits(true), items, first_points_slice,
-                  [hits, packed = samples.points](const graph::PassContext& p) {
-                      auto constants = hits;
-                      constants.capacity = static_cast<unsigned>(p.capacity(packed));
-                      return constants;
-                  });
+    pack.compute_sliced(
+        source_of_hits(true), items,
+        [hits, packed = samples.points](const graph::PassContext& p) {
+            auto constants = hits;
+            constants.capacity = static_cast<unsigned>(p.capacity(packed));
+            return constants;
+        },
+        first_points_slice);
     return samples;
 }
 

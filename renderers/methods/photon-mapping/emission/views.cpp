@@ -4,11 +4,11 @@
 
 #include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/photon-mapping/emission/histogram.h"
+#include "shaders/methods/photon-mapping/emission/show_samples.comp.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
 
-using graph::FieldType;
 using graph::PassContext;
 
 /// Elements of "emission.samples"; beyond, every n-th point is shown.
@@ -71,14 +71,8 @@ void show_samples(graph::GraphBuilder& builder, const Sources& sources, const Em
     const auto shown = shown_points(builder.inputs().inspection, sources, maps, points, false);
     const auto steps = static_cast<std::uint64_t>(shown.steps);
     const auto elements = (shown.points + shown.stride - 1) / shown.stride * steps;
-    const auto buffer = builder.output("emission.samples", {.fields = {{"place", FieldType::f32, 3},
-                                                                       {source_selector, FieldType::u32},
-                                                                       {warp_selector, FieldType::u32},
-                                                                       {"point", FieldType::u32},
-                                                                       {"survives", FieldType::u32},
-                                                                       {"probability", FieldType::f32}},
-                                                            .elements = elements,
-                                                            .growable = true});
+    const auto buffer = builder.output(
+        "emission.samples", {.fields = record_fields<ShownSample>(), .elements = elements, .growable = true});
     const auto count = builder.counter(
         {.key = "emission.samples_shown", .label = "Emission points shown", .growth_of = buffer});
     const auto source = source_of_view("methods/photon-mapping/emission/show_samples.comp", parameters);

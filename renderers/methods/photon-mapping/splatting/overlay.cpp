@@ -1,4 +1,4 @@
-#include "renderers/methods/photon-mapping/splatting/overlay.h"
+#include "renderers/methods/photon-mapping/splatting/stages.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,7 @@
 #include "renderers/methods/photon-mapping/splatting.h"
 
-#include "renderers/methods/photon-mapping/splatting/explain.h"
-#include "renderers/methods/photon-mapping/splatting/overlay.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
-#include "renderers/methods/photon-mapping/splatting/tiles.h"
+#include "renderers/methods/photon-mapping/splatting/stages.h"
 
 namespace ir::methods::photon_mapping {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "renderers/core/record.h"
 #include "renderers/methods/photon-mapping/bounces.h"
-#include "renderers/methods/photon-mapping/compute_items.h"
-#include "renderers/methods/photon-mapping/records.h"
 #include "renderers/methods/photon-mapping/tracing/wavefront.h"
+#include "shaders/methods/photon-mapping/records.glsl.h"
 #include "shaders/methods/photon-mapping/tracing/locations.comp.h"
 #include "shaders/methods/photon-mapping/tracing/tally.comp.h"
 
@@ -83,12 +83,13 @@ void declare_locations(GraphBuilder& builder, const Photons& photons, std::uint6
         .writes("Locations", locations)
         .counts("RecordCount", photons.count)
         .counts("LocationCount", located);
-    compute_items(pass, {{"methods/photon-mapping/tracing/locations.comp"}}, static_cast<std::int64_t>(most),
-                  4096, [=](const PassContext& context) {
-                      const auto capacity =
-                          std::min(context.capacity(locations), context.capacity(photons.records));
-                      return LocatePhotons{static_cast<unsigned>(capacity), photons.power_unit};
-                  });
+    pass.compute_sliced(
+        {{"methods/photon-mapping/tracing/locations.comp"}}, static_cast<std::int64_t>(most),
+        [=](const PassContext& context) {
+            const auto capacity = std::min(context.capacity(locations), context.capacity(photons.records));
+            return LocatePhotons{static_cast<unsigned>(capacity), photons.power_unit};
+        },
+        4096);
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderers/methods/photon-mapping/compute_items.h"
-#include "renderers/methods/photon-mapping/records.h"
+#include "renderers/core/record.h"
 #include "renderers/passes/scan/scan.h"
 #include "renderers/passes/scattering/microfacets.h"
+#include "shaders/methods/photon-mapping/records.glsl.h"
 #include "shaders/methods/photon-mapping/tracing/path.glsl.h"
 
 namespace ir::methods::photon_mapping {
@@ -167,12 +167,13 @@ void Wavefront::leave(GraphBuilder& builder, const Photons& photons) const {
         .writes(photons.records)
         .counts("SampleCount", samples_.count);
     const auto rules = path_rules(builder.inputs(), parameters_);
-    compute_items(pass, {{"methods/photon-mapping/tracing/leave.comp"}},
-                  static_cast<std::int64_t>(samples_.paths), first_slice,
-                  [rules, samples = samples_](const PassContext& context) {
-                      return LeavePoints{rules, static_cast<unsigned>(samples.photons_per_point),
-                                         static_cast<unsigned>(context.capacity(samples.points))};
-                  });
+    pass.compute_sliced(
+        {{"methods/photon-mapping/tracing/leave.comp"}}, static_cast<std::int64_t>(samples_.paths),
+        [rules, samples = samples_](const PassContext& context) {
+            return LeavePoints{rules, static_cast<unsigned>(samples.photons_per_point),
+                               static_cast<unsigned>(context.capacity(samples.points))};
+        },
+        first_slice);
 }
 
 void Wavefront::advance(GraphBuilder& builder, int number, const Photons& photons) const {
@@ -198,17 +199,18 @@ void Wavefront::land(GraphBuilder& builder, int number, const Photons& photons) 
         .counts("StoredCount", photons.count);
     const auto& inputs = builder.inputs();
     const auto& transport = parameters_.transport;
-    compute_items(pass, {{"methods/photon-mapping/tracing/land.comp"}},
-                  static_cast<std::int64_t>(samples_.paths), first_slice,
-                  LandPhotons{.rules = path_rules(inputs, parameters_),
-                              .surface_number = static_cast<unsigned>(number),
-                              .last_surface = static_cast<unsigned>(surfaces()),
-                              .min_bounces = static_cast<unsigned>(transport.min_bounces),
-                              .max_bounces = static_cast<unsigned>(bounces_),
-                              .max_mirrors = static_cast<unsigned>(mirrors_),
-                              .normal_maps = transport.normal_maps,
-                              .culling = parameters_.culling,
-                              .view = culling_by(inputs.view, parameters_, inputs.world->bounds.radius())});
+    pass.compute_sliced(
+        {{"methods/photon-mapping/tracing/land.comp"}}, static_cast<std::int64_t>(samples_.paths),
+        LandPhotons{.rules = path_rules(inputs, parameters_),
+                    .surface_number = static_cast<unsigned>(number),
+                    .last_surface = static_cast<unsigned>(surfaces()),
+                    .min_bounces = static_cast<unsigned>(transport.min_bounces),
+                    .max_bounces = static_cast<unsigned>(bounces_),
+                    .max_mirrors = static_cast<unsigned>(mirrors_),
+                    .normal_maps = transport.normal_maps,
+                    .culling = parameters_.culling,
+                    .view = culling_by(inputs.view, parameters_, inputs.world->bounds.radius())},
+        first_slice);
 }
 
 void Wavefront::store(GraphBuilder& builder, int number, graph::BufferRef places,
@@ -219,12 +221,13 @@ void Wavefront::store(GraphBuilder& builder, int number, graph::BufferRef places
         .reads("Places", places)
         .reads("Bases", bases_)
         .writes("Records", photons.records);
-    compute_items(pass, {{"methods/photon-mapping/tracing/store.comp"}},
-                  static_cast<std::int64_t>(samples_.paths), first_slice,
-                  [number, records = photons.records](const PassContext& context) {
-                      return StorePhotons{static_cast<unsigned>(number),
-                                          static_cast<unsigned>(context.capacity(records))};
-                  });
+    pass.compute_sliced(
+        {{"methods/photon-mapping/tracing/store.comp"}}, static_cast<std::int64_t>(samples_.paths),
+        [number, records = photons.records](const PassContext& context) {
+            return StorePhotons{static_cast<unsigned>(number),
+                                static_cast<unsigned>(context.capacity(records))};
+        },
+        first_slice);
 }
 
 }  // namespace ir::methods::photon_mapping

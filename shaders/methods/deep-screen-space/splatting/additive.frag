@@ -1,10 +1,10 @@
 // Adds what a surfel does to the surface at a place: its form factor, or the light that it sends there, if the
 // surface lies in the surfel's shell of this level.  [Nalbach15 §4.1; Nalbach14]
+#include "lib/constants.glsl"
 #include "methods/deep-screen-space/splatting/splat_common.glsl"
 #if LIGHT
 #include "passes/bounce/receiver.glsl"
 #else
-#define PI 3.14159265358979323846
 #endif
 
 #if LIGHT

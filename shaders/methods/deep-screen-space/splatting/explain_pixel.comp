@@ -1,6 +1,7 @@
 // All splats onto one pixel, found over all surfels.
 layout(local_size_x = 64) in;
 
+#include "lib/floats.glsl"
 #include "methods/deep-screen-space/splatting/explain_splat.glsl"
 
 /// As fields of "splats.explain.candidates".
@@ -32,8 +33,8 @@ void write_candidate(Surfel s, uint index, int sample_index, int level, Explaine
     uint at = atomicAdd(candidate_count, 1u);
     if (at >= uint(candidates.length())) return;
     candidates[at] =
-        Candidate(float[3](s.centre_ws.x, s.centre_ws.y, s.centre_ws.z),
-                  float[3](s.normal_ws.x, s.normal_ws.y, s.normal_ws.z), e.hit.disc_radius, index + 1u,
+        Candidate(floats(s.centre_ws),
+                  floats(s.normal_ws), e.hit.disc_radius, index + 1u,
                   uint(sample_index), uint(level), uint(e.shell), uint(e.hit.outcome),
                   isinf(e.hit.distance_m) || isnan(e.hit.distance_m) ? 0.0 : e.hit.distance_m, e.hit.z);
 }

@@ -1,4 +1,5 @@
 // The splats of one surfel on each level: which pixels they covered, and what became of them there.
+#include "lib/floats.glsl"
 #include "methods/deep-screen-space/splatting/explain_splat.glsl"
 #include "passes/bounce/tiles.glsl"
 
@@ -49,8 +50,8 @@ int cover_of_level(Surfel s, uint index, int level, ivec2 pixel) {
 
 void begin_sums(Surfel s, uint index) {
     for (int level = 0; level < levels && level < sums.length(); ++level) {
-        sums[level].centre = float[3](s.centre_ws.x, s.centre_ws.y, s.centre_ws.z);
-        sums[level].normal = float[3](s.normal_ws.x, s.normal_ws.y, s.normal_ws.z);
+        sums[level].centre = floats(s.centre_ws);
+        sums[level].normal = floats(s.normal_ws);
         sums[level].radius = splat_disc_radius(splat_level(level, s), level, s.radius);
         sums[level].surfel = index + 1u;
         sums[level].level = uint(level);

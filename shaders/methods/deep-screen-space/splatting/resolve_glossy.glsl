@@ -30,7 +30,7 @@ vec3 sent_to_one_side(Surfel surfel, vec3 direction_ws) {
     vec3 stored = diffuse_albedo(s) / PI;
     for (int i = 0; i < light_count; ++i) {
         if (!is_punctual(lights[i])) continue;
-        Arrival light = arrival(lights[i], surfel.centre_ws);
+        PunctualArrival light = punctual_arrival(lights[i], surfel.centre_ws);
         vec3 l = light.direction_ws;
         float cosine = dot(s.shading_normal_ws, l);
         if (cosine <= 0.0 || dot(s.geometric_normal_ws, l) <= 0.0 || light.irradiance == vec3(0)) continue;

@@ -1,5 +1,7 @@
 // A fine surfel, as transform feedback leaves it: 12 words (renderers/methods/deep-screen-space/surfels/fine.h).
 
+#include "lib/constants.glsl"
+
 layout(std430) readonly buffer FineSurfels { uvec4 fine_words[]; };
 
 /// A surfel before thinning: 48 bytes, as transform feedback writes it.
@@ -20,4 +22,4 @@ FineSurfel fine_surfel(uint index) {
                       uintBitsToFloat(c.w));
 }
 
-float fine_area_of(FineSurfel s) { return 3.14159265 * s.radius * s.radius; }
+float fine_area_of(FineSurfel s) { return PI * s.radius * s.radius; }

@@ -1,5 +1,6 @@
 // A fine surfel for each point of the tessellated patch. [Nalbach15 §4.3, fig. 6 b]
 layout(triangles, equal_spacing, point_mode) in;
+#include "lib/constants.glsl"
 #include "lib/random.glsl"
 #include "methods/deep-screen-space/surfels/ideal.glsl"
 #include "methods/deep-screen-space/surfels/patch.glsl"
@@ -39,7 +40,7 @@ void main() {
     fine_centre = from[0].a + weights.x * from[0].ab + weights.y * from[0].ac;
     fine_triangle = words.x;
     fine_normal = from[0].normal_ws;
-    fine_radius = sqrt(from[0].surfel_area / 3.14159265);
+    fine_radius = sqrt(from[0].surfel_area / PI);
     fine_barycentrics = packUnorm2x16(weights);
     fine_identity = random.z ^ pcg(random.w);
     fine_patch = words.w;

@@ -1,6 +1,8 @@
 // The size that surfels should have: that of a disc which, seen face on, covers the same number of pixels
 // everywhere. [Nalbach15 §4.1]
 
+#include "lib/constants.glsl"
+
 uniform vec3 ideal_eye_ws;
 uniform vec3 ideal_axis_ws;         // of view, unit length; 0 for parallel rays
 uniform float ideal_radius;         // m at 1 m along the axis of view; for parallel rays everywhere
@@ -17,7 +19,7 @@ float ideal_distance(vec3 position_ws) {
 
 float ideal_area_at(float distance) {
     float radius = ideal_radius * (ideal_axis_ws == vec3(0) ? 1.0 : distance);
-    return 3.14159265 * radius * radius;
+    return PI * radius * radius;
 }
 
 /// A* in m²

@@ -20,7 +20,7 @@ vec3 reflected(HitSurface s, vec3 position_ws) {
     if (albedo == vec3(0)) return sum;
     for (int i = 0; i < light_count; ++i) {
         if (!is_punctual(lights[i])) continue;
-        Arrival light = arrival(lights[i], position_ws);
+        PunctualArrival light = punctual_arrival(lights[i], position_ws);
         float cosine = dot(s.shading_normal_ws, light.direction_ws);
         if (cosine <= 0.0 || dot(s.geometric_normal_ws, light.direction_ws) <= 0.0 || light.irradiance == vec3(0))
             continue;

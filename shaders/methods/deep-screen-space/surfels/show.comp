@@ -1,5 +1,6 @@
 // Surfels as people look at them.
 layout(local_size_x = 64) in;
+#include "lib/constants.glsl"
 #include "methods/deep-screen-space/records.glsl"
 #include "methods/deep-screen-space/surfels/ideal.glsl"
 #include "methods/deep-screen-space/surfels/parts.glsl"
@@ -27,7 +28,7 @@ void main() {
     if (item == 0u) shown_count = surfel_count;
     if (item >= min(surfel_count, capacity)) return;
     Surfel s = surfels[item];
-    float part = 3.14159265 * s.radius * s.radius / ideal_area(s.centre_ws);
+    float part = PI * s.radius * s.radius / ideal_area(s.centre_ws);
     shown[item] = ShownSurfel(s.centre_ws, item, s.normal_ws, s.radius, s.radiance_front, s.triangle,
                               s.radiance_back, part);
 }

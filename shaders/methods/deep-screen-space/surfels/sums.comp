@@ -1,6 +1,7 @@
 // Sums over fine surfels (FINE) or those that are kept: of areas and of parts of the ideal area. Each work group
 // adds the surfels of its share, one group the sums of all: in the same order in every run.
 layout(local_size_x = 256) in;
+#include "lib/constants.glsl"
 #include "methods/deep-screen-space/surfels/ideal.glsl"
 #if FINE
 #include "methods/deep-screen-space/surfels/fine.glsl"
@@ -20,7 +21,7 @@ vec2 at(uint item) {
     FineSurfel s = fine_surfel(item);
     return vec2(fine_area_of(s), s.part);
 #else
-    float area = 3.14159265 * surfels[item].radius * surfels[item].radius;
+    float area = PI * surfels[item].radius * surfels[item].radius;
     return vec2(area, area / ideal_area(surfels[item].centre_ws));
 #endif
 }

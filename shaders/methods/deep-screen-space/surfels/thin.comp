@@ -1,6 +1,7 @@
 // Packs the surfels that are kept, unlit.
 // DEVIATION [Nalbach15 §4.3]: by a prefix sum instead of a geometry shader; the same surfels in the same order.
 layout(local_size_x = 64) in;
+#include "lib/constants.glsl"
 #include "methods/deep-screen-space/surfels/thinning.glsl"
 #include "methods/deep-screen-space/records.glsl"
 
@@ -17,7 +18,7 @@ void main() {
         FineSurfel s = fine_surfel(item);
         float area = kept_area(s);
         if (!(area > 0.0)) continue;
-        surfels[place] = Surfel(s.centre_ws, s.triangle, s.normal_ws, sqrt(area / 3.14159265), vec3(0),
+        surfels[place] = Surfel(s.centre_ws, s.triangle, s.normal_ws, sqrt(area / PI), vec3(0),
                                 s.barycentrics, vec3(0), s.identity);
         ++place;
     }

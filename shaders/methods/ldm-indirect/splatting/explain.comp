@@ -1,4 +1,5 @@
 // Gathers one pixel over all photons: what splatting adds up, found the other way round and by M as printed.
+#include "lib/floats.glsl"
 #include "methods/ldm-indirect/splatting/footprint.glsl"
 
 layout(local_size_x = 256) in;
@@ -31,8 +32,6 @@ uniform sampler2D irradiance_image;
 uniform uint first_item, end_item;
 uniform ivec2 picked_pixel;  // negative: none
 
-float[3] components(vec3 v) { return float[3](v.x, v.y, v.z); }
-
 /// ‖M (x - x_p)‖ with M as printed, and a = a' √|D_u x × D_v x|.  [Aalund15 eq. 7]
 float filter_length(Footprint f, vec3 x) {
     vec3 d_u = 2.0 * f.p_ws, d_v = 2.0 * f.q_ws, n = f.n_ws, d = x - f.centre_ws;
@@ -50,11 +49,11 @@ vec3 contribution_of(Photon photon, Footprint f, vec3 x) {
 
 void write(uint place, uint i, Photon photon, Footprint f, vec3 x) {
     bool is_direct = (photon.leg & LEG_DIRECT) != 0u;
-    found[place].centre = components(f.centre_ws);
-    found[place].axis_u = components(f.p_ws);
-    found[place].axis_v = components(f.q_ws);
-    found[place].contribution = components(contribution_of(photon, f, x));
-    found[place].flux = components(photon.flux);
+    found[place].centre = floats(f.centre_ws);
+    found[place].axis_u = floats(f.p_ws);
+    found[place].axis_v = floats(f.q_ws);
+    found[place].contribution = floats(contribution_of(photon, f, x));
+    found[place].flux = floats(photon.flux);
     found[place].map = is_direct ? LEG_MAP : photon.leg & LEG_MAP;
     found[place].side = is_direct ? 0 : (photon.leg & LEG_ALONG) != 0u ? 1 : -1;
     found[place].light = photon.leg >> LEG_LIGHT_SHIFT;
@@ -73,7 +72,7 @@ void main() {
         atomicAdd(sum_count, 1u);
         pixel_x = uint(picked_pixel.x);
         pixel_y = uint(picked_pixel.y);
-        pixel_value = components(texelFetch(irradiance_image, picked_pixel, 0).rgb);
+        pixel_value = floats(texelFetch(irradiance_image, picked_pixel, 0).rgb);
     }
     if (i >= min(end_item, stored)) return;
     Photon photon = photons[i];

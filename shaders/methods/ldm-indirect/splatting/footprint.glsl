@@ -1,11 +1,8 @@
 // What a photon lights: an ellipsoid around the ellipse that its differential spans.  [Aalund15 eqs. 4-7]
 // renderers/methods/ldm-indirect/splatting/stored.h has the constants.
+#include "lib/constants.glsl"
 #include "lib/spaces.glsl"
 #include "methods/ldm-indirect/records.glsl"
-
-#ifndef PI
-#define PI 3.14159265358979323846
-#endif
 
 layout(std430) readonly buffer Stored { uint stored; };
 /// Directions of the maps (w 0), then places (w 1) or directions of travel (w 0) of the lights.
@@ -78,7 +75,7 @@ Footprint footprint_of(Photon photon) {
     if (!f.counts) return f;
     f.centre_ws = photon.centre_ws;
     f.n_ws = unpacked_direction(photon.normal);
-    mat3 frame = frame_of(f.n_ws);
+    mat3 frame = frame_around(f.n_ws);
     bool broken = any(isnan(photon.axis_u)) || any(isnan(photon.axis_v));
     // squares of larger numbers would not be finite
     vec3 u = broken ? vec3(0) : clamp(splat_size * photon.axis_u, vec3(-1e9), vec3(1e9));

@@ -1,5 +1,6 @@
 // Sums each row of the table over blocks of photons, in a fixed order.
 layout(local_size_x = 64) in;
+#include "lib/floats.glsl"
 #include "methods/ldm-indirect/tracing/primary.glsl"
 #include "methods/ldm-indirect/tracing/energy.glsl"
 
@@ -55,5 +56,5 @@ void main() {
         sum.photons += one.photons;
     }
     blocks[item] = Row(row, row >= ROW_DIRECT ? 2u : row >= ROW_INDIRECT ? 1u : 0u, sum.photons,
-                       float[3](sum.flux.r, sum.flux.g, sum.flux.b));
+                       floats(sum.flux));
 }

@@ -1,5 +1,6 @@
 // Adds the blocks up, and the numbers of photons to counters.
 layout(local_size_x = 32) in;
+#include "lib/floats.glsl"
 #include "methods/ldm-indirect/tracing/energy.glsl"
 
 layout(std430) readonly buffer Blocks { Row blocks[]; };
@@ -28,7 +29,7 @@ void main() {
         photons += one.photons;
     }
     Row first = blocks[row];
-    table[row] = Row(first.cause, first.leg, photons, float[3](sum.r, sum.g, sum.b));
+    table[row] = Row(first.cause, first.leg, photons, floats(sum));
     uint cause = row - ROW_INDIRECT;
     if (row == ROW_EMITTED) atomicAdd(emitted_counter, photons);
     if (row == ROW_DEGENERATE) atomicAdd(degenerate_counter, photons);

@@ -6,9 +6,3 @@ vec4 haar_step(vec4 quad) {
     return 0.25 * vec4(quad.x + quad.y + quad.z + quad.w, quad.x - quad.y + quad.z - quad.w,
                        quad.x + quad.y - quad.z - quad.w, quad.x - quad.y - quad.z + quad.w);
 }
-
-vec4 haar_quad(vec4 coefficients) {
-    vec2 left_right = vec2(coefficients.x + coefficients.y, coefficients.x - coefficients.y);
-    vec2 detail = vec2(coefficients.z + coefficients.w, coefficients.z - coefficients.w);
-    return vec4(left_right + detail, left_right - detail);
-}

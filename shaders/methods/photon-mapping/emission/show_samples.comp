@@ -1,24 +1,24 @@
 // Writes the points of emission sets at the steps of warping that are shown.  [Smal19 fig. 5.6]
 layout(local_size_x = 64) in;
+#include "lib/floats.glsl"
 #include "methods/photon-mapping/emission/steps.glsl"
 
-/// position 3, source, warp, point, survives, probability
-layout(std430) writeonly buffer Shown { uint shown[]; };
+// C++: ir::methods::photon_mapping::ShownSample
+struct ShownSample {
+    float place[3];
+    uint source, warp, point, survives;
+    float probability;
+};
+layout(std430) writeonly buffer Shown { ShownSample shown[]; };
 layout(std430) buffer ShownCount { uint shown_count; };
 
 uniform uint stride, capacity;
 
 const float GAP = 1.125;  // from square to square, where several are shown
 
-void write(uint element, vec3 position, ShownPoint s, int step, float probability) {
-    if (element >= capacity) return;
-    uint word = 8u * element;
-    for (int i = 0; i < 3; ++i) shown[word + uint(i)] = floatBitsToUint(position[i]);
-    shown[word + 3u] = s.source;
-    shown[word + 4u] = uint(step);
-    shown[word + 5u] = s.index;
-    shown[word + 6u] = s.survives ? 1u : 0u;
-    shown[word + 7u] = floatBitsToUint(probability);
+void write(uint element, vec3 place, ShownPoint s, int step, float probability) {
+    if (element < capacity)
+        shown[element] = ShownSample(floats(place), s.source, uint(step), s.index, s.survives ? 1u : 0u, probability);
 }
 
 /// Levels side by side, vertical steps below horizontal ones, maps below each other.

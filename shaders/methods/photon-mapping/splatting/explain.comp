@@ -1,4 +1,5 @@
 // Gathers one texel over all photons: what a splat adds up, found the other way round.
+#include "lib/floats.glsl"
 #include "methods/photon-mapping/splatting/photon_kernel.glsl"
 #include "methods/photon-mapping/splatting/inside.glsl"
 
@@ -26,8 +27,6 @@ uniform sampler2D irradiance;
 uniform uint first_item, end_item;
 uniform ivec2 picked_texel;  // negative: none
 
-float[3] components(vec3 v) { return float[3](v.x, v.y, v.z); }
-
 /// As distance to the texel's surface, the farthest of them at lower resolutions.
 float distance_of(Kernel k) {
     vec2 middle_px = (vec2(picked_texel) + 0.5) * float(divisor), depths = texelFetch(surfaces, picked_texel, 0).xy;
@@ -40,12 +39,12 @@ float distance_of(Kernel k) {
 }
 
 void write(uint place, uint i, Photon photon, Kernel k) {
-    found[place].centre = components(k.centre_ws);
-    found[place].axis_u = components(k.axes.x * k.u_ws);
-    found[place].axis_v = components(k.axes.y * k.t_ws);
-    found[place].axis_w = components(k.axes.z * k.n_ws);
-    found[place].contribution = components(k.irradiance);
-    found[place].power = components(unpacked_power(photon.power) * power_unit);
+    found[place].centre = floats(k.centre_ws);
+    found[place].axis_u = floats(k.axes.x * k.u_ws);
+    found[place].axis_v = floats(k.axes.y * k.t_ws);
+    found[place].axis_w = floats(k.axes.z * k.n_ws);
+    found[place].contribution = floats(k.irradiance);
+    found[place].power = floats(unpacked_power(photon.power) * power_unit);
     found[place].bounce = bounce_of(photon);
     found[place].light = light_of(photon);
     found[place].distance = distance_of(k);
@@ -58,7 +57,7 @@ void main() {
     uint i = first_item + gl_GlobalInvocationID.x;
     if (i == 0u) {
         atomicAdd(sum_count, 1u);
-        texel_value = components(texelFetch(irradiance, picked_texel, 0).rgb);
+        texel_value = floats(texelFetch(irradiance, picked_texel, 0).rgb);
     }
     if (i >= min(end_item, stored)) return;
     Photon photon = photons[i];

@@ -1,9 +1,7 @@
 // The kernel that a photon is spread over, one function a formula; u, t and n are its half-axes.
 // Lengths in m, areas in m², power in W.
 
-#ifndef PI
-#define PI 3.14159265358979323846
-#endif
+#include "lib/constants.glsl"
 
 /// s_l. DEVIATION [Smal19 eq. 6.1]: the print has no lower bound, so that E grows without limit as l falls to
 /// 0; the listing of appendix C has this one, 0.1.

@@ -3,15 +3,17 @@ uniform usampler2D dots;
 uniform sampler2D gbuffer_albedo;
 uniform sampler2D gbuffer_normal;
 
+#include "lib/luminance.glsl"
+
 uniform vec3 view_axis_ws;
 uniform vec4 bounce_colours[8];
 
 layout(location = 0) out vec4 out_colour;
 
 float grey(ivec2 pixel) {
-    float luminance = dot(texelFetch(gbuffer_albedo, pixel, 0).rgb, vec3(0.2126, 0.7152, 0.0722));
+    float light = luminance(texelFetch(gbuffer_albedo, pixel, 0).rgb);
     float facing = abs(dot(texelFetch(gbuffer_normal, pixel, 0).xyz, view_axis_ws));
-    return 0.12 * luminance * (0.3 + 0.7 * facing);
+    return 0.12 * light * (0.3 + 0.7 * facing);
 }
 
 void main() {

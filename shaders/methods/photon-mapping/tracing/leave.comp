@@ -19,7 +19,7 @@ vec3 arrived_from(SamplePoint point, Source source) {
 
 Path path_from(SamplePoint point, Source source, uint repeat) {
     vec3 power = unpacked_power(point.power);
-    return Path(float[3](power.r, power.g, power.b), 0.0, (source.light & 63u) << 8u | repeat << 16u, point.seed);
+    return Path(floats(power), 0.0, (source.light & 63u) << 8u | repeat << 16u, point.seed);
 }
 
 Ray leave(uint index) {

@@ -1,6 +1,7 @@
 // Photons with all that they have, unpacked for views.
 layout(local_size_x = 64) in;
 
+#include "lib/floats.glsl"
 #include "methods/photon-mapping/records.glsl"
 
 // C++: ir::methods::photon_mapping::PhotonLocation
@@ -17,7 +18,6 @@ layout(std430) buffer LocationCount { uint location_count; };
 uniform uint first_item, end_item, capacity;
 uniform float power_unit;
 
-float[3] floats(vec3 v) { return float[3](v.x, v.y, v.z); }
 
 void main() {
     uint index = first_item + gl_GlobalInvocationID.x;

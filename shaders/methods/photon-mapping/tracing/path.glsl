@@ -1,5 +1,6 @@
 // What the passes of tracing share: the state of a path, its random numbers and Russian roulette.
 
+#include "lib/floats.glsl"
 #include "lib/random.glsl"
 #include "lib/scattering.glsl"
 #include "methods/photon-mapping/records.glsl"
@@ -28,7 +29,7 @@ uniform float max_distance;       // m between scatterings; 0: unlimited
 uint scatterings_of(Path path) { return path.bits & 15u; }
 uint mirrors_of(Path path) { return path.bits >> 4u & 15u; }
 vec3 power_of(Path path) { return vec3(path.power[0], path.power[1], path.power[2]); }
-void set_power(inout Path path, vec3 power) { path.power = float[3](power.r, power.g, power.b); }
+void set_power(inout Path path, vec3 power) { path.power = floats(power); }
 
 // Purposes of random words.
 const uint DIRECTION = 0u, CHANNELS = 1u;

@@ -2,9 +2,16 @@
 
 #include <map>
 
+#include "renderers/core/method.h"
+#include "renderers/methods/deep-screen-space/splatting.h"
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
+#include "renderers/methods/deep-screen-space/splatting/visible.h"
 
 namespace ir::methods::deep_screen_space {
+
+/// Declares the pass "bounds of positions" and `hierarchy.min` and `max`, down to one texel. A pixel
+/// (x, y) lies on mip level m below the texel (min(x >> m, width_m - 1), …). [Nalbach15 §4.3]
+void bound_positions(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, Hierarchy& hierarchy);
 
 /// A sum over surfels on its way from the sub-images to the picture.
 struct LevelSums {
@@ -19,5 +26,14 @@ LevelSums blur_levels(graph::GraphBuilder& builder, const passes::GBuffer& gbuff
 
 /// Declares "additive.levels", the levels unshuffled, for people to look at.
 void show_unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, graph::ImageRef stack);
+
+/// Declares what explains splats with visibility: all that were splatted onto the picked pixel, found by a
+/// search over all surfels, and what became of one surfel's splats on each level. Called by splat_visible.
+void explain_splats(graph::GraphBuilder& builder, const VisibleSplats& visible);
+
+std::vector<OutputDescription> explanation_outputs();  ///< only with visibility
+
+/// "surfel": 0 is the one under the cursor, others are 1 + index, as winners are numbered.
+SelectorDescription surfel_selector();
 
 }  // namespace ir::methods::deep_screen_space

@@ -1,30 +1,32 @@
-#include "renderers/methods/photon-mapping/records.h"
+#pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
 #include <glm/gtc/packing.hpp>
 
+/// How photons are packed (shaders/methods/photon-mapping/records.glsl), on the host.
 namespace ir::methods::photon_mapping {
-namespace {
 
 /// Of RGB9E5.  [OpenGL 4.5 §8.25]
-constexpr int mantissa_bits = 9, exponent_bias = 15;
-constexpr float largest_power = 65408;
-constexpr std::uint32_t mantissa_mask = (1u << mantissa_bits) - 1;
+inline constexpr int mantissa_bits = 9, exponent_bias = 15;
+inline constexpr float largest_power = 65408;
+inline constexpr std::uint32_t mantissa_mask = (1u << mantissa_bits) - 1;
 
-float representable(float power) {
+inline float representable(float power) {
     return power > 0 ? std::min(power, largest_power) : 0.0f;  // NaN is not above 0
 }
 
 /// In units of 2^(shared_exponent - 24).
-std::uint32_t mantissa(float power, int shared_exponent) {
+inline std::uint32_t mantissa(float power, int shared_exponent) {
     const float scaled = std::ldexp(power, mantissa_bits + exponent_bias - shared_exponent);
     return static_cast<std::uint32_t>(std::nearbyint(scaled));
 }
 
-}  // namespace
-
-std::uint32_t packed_power(glm::vec3 power) {
+/// RGB9E5: shared 5-bit exponent, three 9-bit mantissas, rounded to nearest; negative and NaN give 0, larger
+/// than 65408 that.  [OpenGL 4.5 §8.25, EXT_texture_shared_exponent]
+inline std::uint32_t packed_power(glm::vec3 power) {
     const glm::vec3 c(representable(power.r), representable(power.g), representable(power.b));
     const float largest = std::max({c.r, c.g, c.b});
     if (largest <= 0) return 0;
@@ -37,18 +39,23 @@ std::uint32_t packed_power(glm::vec3 power) {
            static_cast<std::uint32_t>(shared_exponent) << 3 * mantissa_bits;
 }
 
-glm::vec3 unpacked_power(std::uint32_t bits) {
+inline glm::vec3 unpacked_power(std::uint32_t bits) {
     const auto channel = [&](int i) { return static_cast<float>(bits >> i * mantissa_bits & mantissa_mask); };
     const int shared_exponent = static_cast<int>(bits >> 3 * mantissa_bits);
     const float unit = std::ldexp(1.0f, shared_exponent - mantissa_bits - exponent_bias);
     return unit * glm::vec3(channel(0), channel(1), channel(2));
 }
 
-StereographicDirection packed_stereographic(glm::vec3 unit) {
+/// The two words and the sign bit of a photon's directions.
+struct StereographicDirection {
+    std::uint32_t xy;
+    bool below;  ///< z < 0
+};
+inline StereographicDirection packed_stereographic(glm::vec3 unit) {
     return {glm::packHalf2x16(glm::vec2(unit) / (1 + std::abs(unit.z))), unit.z < 0};
 }
 
-glm::vec3 unpacked_stereographic(std::uint32_t xy, bool below) {
+inline glm::vec3 unpacked_stereographic(std::uint32_t xy, bool below) {
     const auto p = glm::unpackHalf2x16(xy);
     const float d = glm::dot(p, p);
     return glm::vec3(2.0f * p, below ? d - 1 : 1 - d) / (1 + d);

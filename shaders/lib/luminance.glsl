@@ -1,0 +1,2 @@
+/// Of linear sRGB: renderers/image/luminance.h.  [BT.709]
+float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
