@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <nlohmann/json.hpp>
 
 #include "renderers/image/exr.h"
@@ -182,8 +183,21 @@ TEST_F(Cli, WorksInBatchesWithinABudgetOrSaysWhatToLower) {
 }
 
 TEST_F(Cli, RendersEverySampleOfTheProject) {
-    for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_ROOT) / "projects" / "samples"))
+    const auto folder = fs::path(SOURCE_ROOT) / "projects" / "samples";
+    std::set<std::string> there, listed;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (!entry.is_directory()) continue;
+        there.insert(entry.path().stem().string());
         EXPECT_EQ(run("project " + entry.path().string() + " --check").status, 0) << entry.path();
+        const auto card = entry.path() / "thumbnails" / "view.png";
+        if (fs::exists(card)) {
+            EXPECT_LE(fs::file_size(card), 60'000u) << card << ": ./dev thumbnails";
+        }
+    }
+    const auto index = nlohmann::json::parse(read(folder / "index.json"));
+    for (const auto& group : index["groups"])
+        for (const auto& sample : group["samples"]) EXPECT_TRUE(listed.insert(sample).second) << sample;
+    EXPECT_EQ(listed, there) << "the start page shows what index.json lists";
     const auto sample =
         (fs::path(SOURCE_ROOT) / "projects" / "samples" / "corner-closed-form.interreflect").string();
     const auto outcome = run("render " + sample + " --experiment ldm --quiet --out " + file("out"));
