@@ -12,7 +12,7 @@ namespace {
 
 constexpr int card_margin = 6, note_lines = 3;
 
-int picture_height(int width) {
+int height_of_picture(int width) {
     return (width - 2 * card_margin) * 9 / 16;
 }
 
@@ -69,7 +69,7 @@ SampleCard::SampleCard(const Content& content, QWidget* parent) : QAbstractButto
 }
 
 int SampleCard::heightForWidth(int width) const {
-    return picture_height(width) + (2 + note_lines) * fontMetrics().lineSpacing() + 3 * card_margin;
+    return height_of_picture(width) + (2 + note_lines) * fontMetrics().lineSpacing() + 3 * card_margin;
 }
 
 void SampleCard::paintEvent(QPaintEvent*) {
@@ -79,7 +79,7 @@ void SampleCard::paintEvent(QPaintEvent*) {
     painter.setPen(hasFocus() ? QPen(palette().color(QPalette::Highlight), 2) : QPen(Qt::NoPen));
     painter.setBrush(palette().color(isDown() ? QPalette::Mid : lit ? QPalette::Midlight : QPalette::Window));
     painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
-    const QRect picture(card_margin, card_margin, width() - 2 * card_margin, picture_height(width()));
+    const QRect picture(card_margin, card_margin, width() - 2 * card_margin, height_of_picture(width()));
     draw_project_picture(painter, picture, content_.picture, isEnabled());
     QRect text(card_margin + 2, picture.bottom() + card_margin, width() - 2 * card_margin - 4, height());
     QFont bold = font();

@@ -7,7 +7,7 @@
 namespace ir::widgets {
 namespace {
 
-constexpr double margin = 0.05;  ///< of the range, beside the outermost points
+constexpr double range_margin = 0.05;  ///< of the range, beside the outermost points
 constexpr double min_decades = 0.1;
 
 QString superscript(int exponent) {
@@ -97,7 +97,7 @@ void PlotScale::fit(const std::vector<double>& values) {
     // A single value stands in the middle; what has no place stands apart from all that have one.
     const double least = log_ ? min_decades : std::max(1e-12, 0.1 * std::abs(high_));
     const double range = std::max(high_ - low_, least);
-    const double middle = (low_ + high_) / 2, half = range * (0.5 + (displaced ? 3 : 1) * margin);
+    const double middle = (low_ + high_) / 2, half = range * (0.5 + (displaced ? 3 : 1) * range_margin);
     const bool from_zero = !log_ && low_ >= 0 && low_ < 0.35 * high_;
     low_ = from_zero ? 0 : middle - half;
     high_ = middle + half;

@@ -250,7 +250,7 @@ LayerPlan plan_layer(const Layer& layer, const std::optional<graph::DeviceBuffer
     block.size_px = std::isfinite(layer.size_px) ? std::clamp(layer.size_px, 1.0f, 64.0f) : 3.0f;
     choose_step(plan, max_elements);
     choose_colour(plan, fields, index);
-    if (plan.block.colour_mode == ColourMode::field)
+    if (plan.block.colour_mode == static_cast<std::int32_t>(ColourMode::field))
         plan.categories = categories_of(buffer->desc.text.categories, layer.colour_by);
     choose_filters(plan, fields);
     choose_map(plan);

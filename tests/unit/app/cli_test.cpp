@@ -224,7 +224,8 @@ TEST_F(Cli, RendersEverySampleOfTheProject) {
             EXPECT_LE(fs::file_size(card), 60'000u) << card << ": ./dev thumbnails";
         }
     }
-    for (const auto& group : nlohmann::json::parse(read(folder / "index.json"))["groups"])
+    const auto index = nlohmann::json::parse(read(folder / "index.json"));
+    for (const auto& group : index["groups"])
         for (const auto& sample : group["samples"]) EXPECT_TRUE(listed.insert(sample).second) << sample;
     EXPECT_EQ(listed, there) << "the start page shows what index.json lists";
     const auto sample =

@@ -147,7 +147,7 @@ TEST(Document, LimitsThemselvesAreAllowed) {
     e.frames = max_frames;
     e.time = -max_seconds;
     e.seed = std::numeric_limits<std::uint64_t>::max();
-    e.presets["most"] = {.size = glm::ivec2(1, max_image_side), .frames = max_frames};
+    e.presets["most"] = {.size = glm::ivec2(1, max_image_side), .frames = max_frames, .values = {}};
     project.cameras[0].fov_y_degrees = max_fov_degrees;
     const auto back = read(write_project(project));
     EXPECT_EQ(back.project, project);
