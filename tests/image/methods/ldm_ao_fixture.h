@@ -41,6 +41,9 @@ class LdmAo : public testing::Test {
         if (!found) throw std::runtime_error("no camera " + name);
         return *found;
     }
+    /// Of the last render(), which wanted it.
+    Image image(const std::string& key) const { return graph_->read_image(key).value(); }
+
     Image render(const scene::Camera& camera, int width, int height, const Settings& settings,
                  graph::FrameOptions options = {}, int frame = 0, const std::string& key = "accessibility") {
         graph::FrameInputs inputs;

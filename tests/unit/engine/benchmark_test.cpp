@@ -15,7 +15,8 @@ namespace {
 using Column = graph::BenchmarkColumn;
 
 Machine& benchmark_machine() {
-    static Machine instance;
+    static Machine instance{
+        {.backend = {}, .device = {}, .processor = Processor::gl}};  // one that uploads the scene
     return instance;
 }
 
