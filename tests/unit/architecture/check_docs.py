@@ -1,13 +1,17 @@
 #!/usr/bin/env python3
-"""Checks the Markdown files: columns, relative links with their anchors, and that README.md has each method's page.
+"""Checks the Markdown files: columns, tables, relative links with their anchors, and that README.md has each
+method's page.
 
-Lines have at most 100 columns outside tables and code blocks. Usage: check_docs.py ROOT
+Lines have at most 100 columns outside tables and code blocks. Cells of tables hold numbers and names: at most 12
+words, and no sentence. Usage: check_docs.py ROOT
 """
 import re
 import sys
 from pathlib import Path
 
 COLUMNS = 100
+WORDS = 12  # of a cell
+SENTENCES = re.compile(r"\w\.$|[a-z]\w\. [A-Z]")
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 
 
@@ -30,11 +34,26 @@ def anchors_of(text):
             yield f"{name}-{seen[name]}" if seen[name] else name
 
 
+def cells_of(line):
+    """Of a row of a table; a bar in a formula is escaped."""
+    return [cell.strip() for cell in re.split(r"(?<!\\)\|", line.strip().strip("|"))]
+
+
+def problems_of_table(line):
+    for cell in cells_of(line):
+        if (words := len(cell.split())) > WORDS:
+            yield f"a cell of {words} words, {WORDS} are allowed; put it above or below: {cell}"
+        elif SENTENCES.search(cell):
+            yield f"a sentence in a cell; put it above or below: {cell}"
+
+
 def problems_of(page):
     text = page.read_text(encoding="utf-8")
     for number, line in prose_of(text):
         if len(line) > COLUMNS and not line.lstrip().startswith("|"):
             yield f"{number}: {len(line)} columns, {COLUMNS} are allowed"
+        if line.startswith("|"):
+            yield from (f"{number}: {each}" for each in problems_of_table(line))
     # Links may be broken over lines; code in backticks is none.
     for target in LINK.findall(re.sub(r"`[^`]*`", "", "\n".join(line for _, line in prose_of(text)))):
         if "://" in target or target.startswith("mailto:"):
