@@ -5,7 +5,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <bit>
 #include <glm/glm.hpp>
 #include <span>
 
@@ -45,106 +44,35 @@ std::vector<std::uint32_t> along_curve(const scene::World& world, std::uint32_t 
     return order;
 }
 
-/// Cuts a range of triangles, in the order of the curve, into meshlets.
-class Cutter {
-  public:
-    Cutter(const scene::World& world, bool masked) : world_(world), masked_(masked) {}
-
-    void cut(std::span<const std::uint32_t> triangles) {
-        for (const auto triangle : triangles) add(triangle);
-        finish();
-    }
-    void append_to(Meshlets& result) {
-        result.meshlets.insert(result.meshlets.end(), meshlets_.begin(), meshlets_.end());
-        result.masked_triangles.insert(result.masked_triangles.end(), numbers_.begin(), numbers_.end());
-    }
-
-  private:
-    /// The vertex's place in the open meshlet; -1: it has no room. Equal positions are one vertex.
-    int place_of(const glm::vec3& position) {
-        const auto x = position.x + 0.0f, y = position.y + 0.0f, z = position.z + 0.0f;  // no -0
-        auto slot =
-            (std::bit_cast<std::uint32_t>(x) * 0x9e3779b1u ^ std::bit_cast<std::uint32_t>(y) * 0x85ebca77u ^
-             std::bit_cast<std::uint32_t>(z) * 0xc2b2ae3du) >>
-            24;
-        for (;; slot = (slot + 1) % slots_.size()) {
-            const int place = slots_[slot];
-            if (place < 0) break;
-            if (open_.x[place] == x && open_.y[place] == y && open_.z[place] == z) return place;
-        }
-        if (vertices_ == Meshlet::max_vertices) return -1;
-        open_.x[vertices_] = x, open_.y[vertices_] = y, open_.z[vertices_] = z;
-        slots_[slot] = static_cast<std::int8_t>(vertices_);
-        return vertices_++;
-    }
-
-    void add(std::uint32_t triangle) {
-        if (open_.triangles == Meshlet::max_triangles) finish();
-        if (put(triangle)) return;
-        finish();
-        put(triangle);
-    }
-
-    bool put(std::uint32_t triangle) {
-        int places[3];
-        for (int corner = 0; corner < 3; ++corner) {
-            places[corner] = place_of(world_.positions[world_.indices[3 * std::size_t{triangle} + corner]]);
-            if (places[corner] < 0) return false;
-        }
-        for (int corner = 0; corner < 3; ++corner)
-            open_.corners[corner][open_.triangles] = static_cast<std::uint8_t>(places[corner]);
-        if (masked_) open_numbers_[open_.triangles] = triangle - world_.opaque_triangles;
-        ++open_.triangles;
-        return true;
-    }
-
-    void finish() {
-        if (open_.triangles > 0) {
-            for (auto* axis : {open_.x, open_.y, open_.z})
-                std::fill(axis + vertices_, axis + Meshlet::max_vertices, axis[vertices_ - 1]);
-            meshlets_.push_back(open_);
-            if (masked_) numbers_.push_back(open_numbers_);
-        }
-        open_ = {};
-        open_numbers_ = {};
-        vertices_ = 0;
-        slots_.fill(-1);
-    }
-
-    const scene::World& world_;
-    bool masked_;
-    Meshlet open_ = {};
-    std::array<std::uint32_t, Meshlet::max_triangles> open_numbers_ = {};
-    int vertices_ = 0;
-    std::array<std::int8_t, 256> slots_ = filled();
-    std::vector<Meshlet> meshlets_;
-    std::vector<std::array<std::uint32_t, Meshlet::max_triangles>> numbers_;
-
-    static std::array<std::int8_t, 256> filled() {
-        std::array<std::int8_t, 256> slots;
-        slots.fill(-1);
-        return slots;
-    }
-};
-
-/// Of so many consecutive triangles meshlets are cut at once.
-constexpr std::uint32_t cutter_part = 8192;
-
+/// Cuts triangles first … end - 1, in the order of the curve, into meshlets.
 void cut_into(Meshlets& result, const scene::World& world, std::uint32_t first, std::uint32_t end,
               bool masked) {
     const auto order = along_curve(world, first, end);
-    std::vector<Cutter> cutters((order.size() + cutter_part - 1) / cutter_part, Cutter(world, masked));
-    tbb::parallel_for(std::size_t{0}, cutters.size(), [&](std::size_t i) {
-        cutters[i].cut(std::span(order).subspan(
-            i * cutter_part, std::min<std::size_t>(cutter_part, order.size() - i * cutter_part)));
+    constexpr std::size_t size = Meshlet::max_triangles;
+    const auto count = (order.size() + size - 1) / size, before = result.meshlets.size();
+    result.meshlets.resize(before + count, Meshlet{});
+    if (masked) result.masked_triangles.resize(count);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+        auto& meshlet = result.meshlets[before + i];
+        meshlet.triangles = static_cast<int>(std::min(size, order.size() - i * size));
+        for (int t = 0; t < meshlet.triangles; ++t) {
+            const auto triangle = order[i * size + static_cast<std::size_t>(t)];
+            for (int corner = 0; corner < 3; ++corner) {
+                const auto& position = world.positions[world.indices[3 * std::size_t{triangle} +
+                                                                     static_cast<std::size_t>(corner)]];
+                meshlet.x[corner][t] = position.x;
+                meshlet.y[corner][t] = position.y;
+                meshlet.z[corner][t] = position.z;
+            }
+            if (masked)
+                result.masked_triangles[i][static_cast<std::size_t>(t)] = triangle - world.opaque_triangles;
+        }
     });
-    for (auto& cutter : cutters) cutter.append_to(result);
 }
 
 float area_of(const Meshlet& meshlet) {
     const auto corner = [&](int k, int triangle) {
-        const int place = meshlet.corners[k][triangle];
-        return glm::vec3(meshlet.x[place], meshlet.y[place], meshlet.z[place]);
+        return glm::vec3(meshlet.x[k][triangle], meshlet.y[k][triangle], meshlet.z[k][triangle]);
     };
     float sum = 0;
     for (int t = 0; t < meshlet.triangles; ++t)
@@ -188,11 +116,16 @@ void find_boxes(Meshlets& result) {
     }
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
         const auto& meshlet = result.meshlets[i];
-        const float* axes[3] = {meshlet.x, meshlet.y, meshlet.z};
+        const float(*axes[3])[Meshlet::max_triangles] = {meshlet.x, meshlet.y, meshlet.z};
         for (int axis = 0; axis < 3; ++axis) {
-            const auto [least, most] = std::minmax_element(axes[axis], axes[axis] + Meshlet::max_vertices);
-            result.centre[axis][i] = 0.5f * (*least + *most);
-            result.half[axis][i] = 0.5f * (*most - *least);
+            float least = axes[axis][0][0], most = least;
+            for (int corner = 0; corner < 3; ++corner)
+                for (int t = 0; t < meshlet.triangles; ++t) {
+                    least = std::min(least, axes[axis][corner][t]);
+                    most = std::max(most, axes[axis][corner][t]);
+                }
+            result.centre[axis][i] = 0.5f * (least + most);
+            result.half[axis][i] = 0.5f * (most - least);
         }
     });
 }

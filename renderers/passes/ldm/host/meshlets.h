@@ -8,13 +8,12 @@
 
 namespace ir::passes::ldm {
 
-/// Triangles that lie together and share few vertices, so that a map transforms each vertex once and holds
-/// all of them in the first-level cache.
+/// Triangles that lie together: corners by axis, in m. (Vertices that triangles share stand as often as they
+/// are used: to transform one again is quicker than to gather it.)
 struct Meshlet {
-    static constexpr int max_vertices = 64, max_triangles = 128;
-    alignas(64) float x[max_vertices], y[max_vertices], z[max_vertices];  ///< m; padded with the last one
-    std::uint8_t corners[3][max_triangles];  ///< places of vertices; of no area beyond the last triangle
-    int triangles = 0;
+    static constexpr int max_triangles = 64;
+    alignas(64) float x[3][max_triangles], y[3][max_triangles], z[3][max_triangles];
+    int triangles = 0;  ///< beyond the last one all are 0
 };
 
 /// A world in meshlets. Those without alpha masks stand first, in stages: what has most area first, each

@@ -1,0 +1,205 @@
+// Asks lists of depths, which are in no order, for the 64 pixels of a tile at once.
+// Read once for each instruction set, within a source that includes <hwy/foreach_target.h>.
+#include <bit>
+
+#include "renderers/passes/ldm/host/question.inl"
+
+#if defined(IR_LDM_HOST_ASK_LISTS) == defined(HWY_TARGET_TOGGLE)
+#ifdef IR_LDM_HOST_ASK_LISTS
+#undef IR_LDM_HOST_ASK_LISTS
+#else
+#define IR_LDM_HOST_ASK_LISTS
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace ir::passes::ldm::HWY_NAMESPACE {
+namespace {
+
+using HalfTag = hn::Rebind<std::uint16_t, FloatTag>;  ///< as many lanes
+using ShortTag = hn::CappedTag<std::uint16_t, 32>;    ///< full vectors
+constexpr HalfTag halves;
+constexpr ShortTag shorts;
+constexpr int short_lanes = static_cast<int>(hn::MaxLanes(ShortTag()));
+
+/// Answer where there is no entry.
+constexpr std::uint16_t none = 65535;
+
+std::uint64_t bits_of_shorts(hn::Mask<ShortTag> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(shorts, mask, bytes);
+    const auto bits = static_cast<std::uint64_t>(bytes[0]) | static_cast<std::uint64_t>(bytes[1]) << 8 |
+                      static_cast<std::uint64_t>(bytes[2]) << 16 | static_cast<std::uint64_t>(bytes[3]) << 24;
+    return bits & ((std::uint64_t{1} << short_lanes) - 1);
+}
+
+/// What the 64 pixels of a tile ask of lists, and what they are told.
+struct TileQuestion {
+    alignas(64) std::uint16_t texel[pixels];
+    alignas(64) std::uint16_t mirror[pixels];  ///< all bits where depths are counted backwards
+    alignas(64) std::uint16_t key[pixels];
+    alignas(
+        64) std::uint16_t beyond[pixels];    ///< distance of the first entry beyond the key, less 1; or none
+    alignas(64) std::uint16_t upto[pixels];  ///< distance down to the last entry not beyond it; or none
+    std::uint64_t asks = 0;                  ///< pixels
+};
+
+void store_halves(Ints values, std::uint16_t* to) {
+    hn::StoreU(hn::DemoteTo(halves, values), halves, to);
+}
+Floats load_halves(const std::uint16_t* from) {
+    return hn::ConvertTo(f, hn::PromoteTo(n, hn::LoadU(halves, from)));
+}
+
+/// Of each pixel the nearest entries of its texel, on one side or on both: the entries of each texel are
+/// looked at once for all pixels in it. They need not be sorted.
+template <bool both>
+void find_nearest(const StreamedMap& map, TileQuestion& q) {
+    const auto all = hn::Set(shorts, none), one = hn::Set(shorts, 1);
+    for (int i = 0; i < pixels; i += short_lanes) {
+        hn::Store(all, shorts, q.beyond + i);
+        if constexpr (both) hn::Store(all, shorts, q.upto + i);
+    }
+    const auto* const depths = map.depths.data();
+    for (auto left = q.asks; left != 0;) {
+        const auto texel = q.texel[std::countr_zero(left)];
+        const auto begin = map.begins[texel], end = map.begins[texel + 1u];
+        for (int i = 0; i < pixels; i += short_lanes) {
+            const auto in_texel = hn::Eq(hn::Load(shorts, q.texel + i), hn::Set(shorts, texel));
+            const auto bits = bits_of_shorts(in_texel) << i;
+            if ((bits & left) == 0) continue;
+            left &= ~bits;
+            // Where another texel is asked the key is beyond all entries, and no answer changes.
+            const auto key = hn::IfThenElse(in_texel, hn::Load(shorts, q.key + i), all);
+            const auto mirror = hn::Load(shorts, q.mirror + i);
+            auto beyond = hn::Load(shorts, q.beyond + i);
+            if constexpr (both) {
+                const auto after =
+                    hn::IfThenElse(in_texel, hn::Add(hn::Load(shorts, q.key + i), one), hn::Zero(shorts));
+                auto upto = hn::Load(shorts, q.upto + i);
+                for (auto e = begin; e < end; ++e) {
+                    const auto depth = hn::Xor(hn::Set(shorts, depths[e]), mirror);
+                    beyond = hn::Min(beyond, hn::Sub(hn::SaturatedSub(depth, key), one));
+                    upto = hn::Min(upto, hn::Sub(hn::SaturatedSub(after, depth), one));
+                }
+                hn::Store(upto, shorts, q.upto + i);
+            } else {
+                for (auto e = begin; e < end; ++e) {
+                    const auto depth = hn::Xor(hn::Set(shorts, depths[e]), mirror);
+                    beyond = hn::Min(beyond, hn::Sub(hn::SaturatedSub(depth, key), one));
+                }
+            }
+            hn::Store(beyond, shorts, q.beyond + i);
+        }
+    }
+}
+
+/// The question of a whole tile, with what the answers are worked out from.
+struct TileState {
+    TileQuestion q;
+    alignas(64) float cosine[pixels], plane[pixels], tolerance[pixels];
+    std::uint64_t forward = 0, above = 0, open = 0;  ///< pixels; open: outside of the map
+};
+
+Mask lanes_of(std::uint64_t bits, int first) {
+    std::uint8_t bytes[8] = {};
+    const auto some = bits >> first;
+    bytes[0] = static_cast<std::uint8_t>(some);
+    bytes[1] = static_cast<std::uint8_t>(some >> 8);
+    return hn::LoadMaskBits(f, bytes);
+}
+
+void store_key(TileQuestion& q, int first, Ints key, Mask mirrored) {
+    store_halves(key, q.key + first);
+    const auto bits = hn::IfThenElseZero(hn::RebindMask(n, mirrored), hn::Set(n, 0xffff));
+    store_halves(bits, q.mirror + first);
+}
+
+/// Asks for all pixels of a tile; false: none has a question for this band.
+bool ask_tile(TileState& state, const PixelTiles& tiles, std::size_t tile, const Asked& asked,
+              const SelfHitRule& rule) {
+    state.q.asks = state.forward = state.above = state.open = 0;
+    for (int i = 0; i < pixels; i += lanes) {
+        const auto q = question(tiles, tile * pixels + static_cast<std::size_t>(i), asked, rule);
+        state.forward |= std::uint64_t{bits_of(q.forward)} << i;
+        state.above |= std::uint64_t{bits_of(q.above)} << i;
+        if (asked.map.first_row == 0) state.open |= std::uint64_t{bits_of(hn::And(q.above, q.outside))} << i;
+        state.q.asks |= std::uint64_t{bits_of(hn::And(q.above, q.here))} << i;
+        hn::Store(q.cosine, f, state.cosine + i);
+        hn::Store(q.plane, f, state.plane + i);
+        hn::Store(q.tolerance, f, state.tolerance + i);
+        store_halves(q.texel, state.q.texel + i);
+        // Normal offset: entries below ceil(plane) lie before it.
+        const auto key =
+            rule.tangent_plane ? key_of(q.start) : key_of(hn::Sub(hn::Ceil(q.plane), hn::Set(f, 1)));
+        store_key(state.q, i, key, rule.tangent_plane ? hn::Not(q.forward) : hn::Ne(q.cosine, q.cosine));
+    }
+    return state.q.asks != 0;
+}
+
+/// Normal offset: from the nearest entries before and behind the plane to the first one beyond the nearer of
+/// them, along ω. What is found counts from there: `plane` becomes the own entry's depth. Returns the pixels
+/// that have an own entry.
+std::uint64_t go_on_from_own(TileState& state, const StreamedMap& map) {
+    find_nearest<true>(map, state.q);
+    std::uint64_t found = 0;
+    for (int i = 0; i < pixels; i += lanes) {
+        const auto far = hn::Set(f, 1e6f), missing = hn::Set(f, none);
+        const auto key = load_halves(state.q.key + i), beyond = load_halves(state.q.beyond + i),
+                   upto = load_halves(state.q.upto + i), plane = hn::Load(f, state.plane + i);
+        const auto behind =
+            hn::IfThenElse(hn::Eq(beyond, missing), far, hn::Add(hn::Add(key, beyond), hn::Set(f, 1)));
+        const auto before = hn::IfThenElse(hn::Eq(upto, missing), hn::Neg(far), hn::Sub(key, upto));
+        const auto before_is_own = hn::Lt(hn::Sub(plane, before), hn::Sub(behind, plane));
+        const auto own = hn::IfThenElse(before_is_own, before, behind);
+        const auto has_own = hn::Lt(hn::Abs(own), far);
+        found |= std::uint64_t{bits_of(has_own)} << i;
+        const auto forward = lanes_of(state.forward, i);
+        hn::Store(hn::Sub(hn::IfThenElse(forward, own, hn::Neg(own)),
+                          hn::IfThenElse(forward, plane, hn::Neg(plane))),
+                  f, state.tolerance + i);  // how far ahead of the plane it is
+        const auto depth = along(forward, hn::IfThenElseZero(has_own, own));
+        hn::Store(depth, f, state.plane + i);
+        store_key(state.q, i, key_of(depth), hn::Not(forward));
+    }
+    found &= state.q.asks;
+    state.open |= state.q.asks & ~found;
+    state.q.asks = found;
+    find_nearest<false>(map, state.q);
+    return found;
+}
+
+/// Visibility of what was found.
+void add_answers(const TileState& state, const Asked& asked, const Visibility& visibility, float scale,
+                 std::uint32_t* sums) {
+    const auto one = hn::Set(f, 1), zero = hn::Zero(f);
+    const auto per_reach =
+        hn::Set(f, visibility.smooth && visibility.max_distance > 0 ? 1 / asked.reach : 0.0f);
+    for (int i = 0; i < pixels; i += lanes) {
+        const auto counts = lanes_of(state.q.asks | state.open, i);
+        if (hn::AllFalse(f, counts)) continue;
+        const auto beyond = load_halves(state.q.beyond + i), key = load_halves(state.q.key + i);
+        const auto distance = hn::Sub(hn::Add(hn::Add(key, beyond), one), hn::Load(f, state.plane + i));
+        const auto found =
+            hn::And(lanes_of(state.q.asks, i),
+                    hn::And(hn::Ne(beyond, hn::Set(f, none)), hn::Lt(distance, hn::Set(f, asked.reach))));
+        const auto part = hn::Mul(hn::Max(distance, zero), per_reach);
+        const auto open = hn::IfThenElse(found, hn::Mul(part, part), one);
+        add(sums + i, part_of_sum(open, hn::Load(f, state.cosine + i), scale), counts);
+    }
+}
+
+void ask_lists(const PixelTiles& tiles, std::size_t tile, const Asked& asked, const SelfHitRule& rule,
+               const Visibility& visibility, float scale, TileState& state, std::uint32_t* sums) {
+    const bool asks = ask_tile(state, tiles, tile, asked, rule);
+    if (asks && rule.tangent_plane)
+        find_nearest<false>(asked.map, state.q);
+    else if (asks)
+        go_on_from_own(state, asked.map);
+    if (asks || state.open != 0) add_answers(state, asked, visibility, scale, sums);
+}
+
+}  // namespace
+}  // namespace ir::passes::ldm::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

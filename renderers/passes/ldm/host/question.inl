@@ -1,0 +1,184 @@
+// What pixels ask a map, many pixels at a time: the questions and rules of shaders/passes/ldm/trace.glsl,
+// whose names are used here. [Aalund15 §3.1]
+// Read once for each instruction set, within a source that includes <hwy/foreach_target.h>.
+#include <cmath>
+#include <limits>
+
+#include "renderers/passes/ldm/host/lanes.inl"
+#include "renderers/passes/ldm/host/streamed_map.h"
+
+#if defined(IR_LDM_HOST_QUESTION) == defined(HWY_TARGET_TOGGLE)
+#ifdef IR_LDM_HOST_QUESTION
+#undef IR_LDM_HOST_QUESTION
+#else
+#define IR_LDM_HOST_QUESTION
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace ir::passes::ldm::HWY_NAMESPACE {
+namespace {
+
+constexpr int pixels = PixelTiles::pixels;
+
+/// As in trace.glsl.
+constexpr float least_facing = 0.02f, most_tolerance = 1.5f, near_plane = 1.5f;
+/// Beyond all entries, which are less.
+constexpr int last_key = 65534;
+
+struct Vector3 {
+    Floats x, y, z;
+};
+
+Floats dot(const Vector3& a, const glm::vec4& b) {
+    return hn::MulAdd(a.z, hn::Set(f, b.z), hn::MulAdd(a.y, hn::Set(f, b.y), hn::Mul(a.x, hn::Set(f, b.x))));
+}
+/// dot(a, b.xyz) + b.w
+Floats project(const Vector3& a, const glm::vec4& b) {
+    return hn::MulAdd(a.z, hn::Set(f, b.z),
+                      hn::MulAdd(a.y, hn::Set(f, b.y), hn::MulAdd(a.x, hn::Set(f, b.x), hn::Set(f, b.w))));
+}
+
+Vector3 load(const std::vector<float> (&axes)[3], std::size_t place) {
+    return {hn::LoadU(f, axes[0].data() + place), hn::LoadU(f, axes[1].data() + place),
+            hn::LoadU(f, axes[2].data() + place)};
+}
+
+/// What does not change within a map.
+struct Asked {
+    const StreamedMap& map;
+    glm::vec4 slope_u, slope_v;  ///< step / metres per quantum
+    float texel_quanta, texel_size, reach;
+    explicit Asked(const StreamedMap& of, const Visibility& visibility) : map(of) {
+        const auto& frame = of.frame;
+        slope_u = frame.step_u / frame.direction.w;
+        slope_v = frame.step_v / frame.direction.w;
+        texel_size = std::max(glm::length(glm::vec3(frame.step_u)), glm::length(glm::vec3(frame.step_v)));
+        texel_quanta = texel_size / frame.direction.w;
+        reach = visibility.max_distance > 0 ? visibility.max_distance / frame.direction.w
+                                            : std::numeric_limits<float>::infinity();
+    }
+};
+
+/// What some pixels ask a map. Depths are counted along ω, from 65535 backwards for -v.
+struct Question {
+    Floats cosine;        ///< |cosθ| of the shading normal
+    Mask forward, above;  ///< ω = v; ω is above the surface
+    Mask outside;         ///< of the map: open
+    Mask here;            ///< the texel is of this band
+    Ints texel;           ///< of the band, where `here`
+    Floats plane, start;  ///< depth from which distances count; depth beyond which entries are hits
+    Floats tolerance;
+};
+
+Floats along(Mask forward, Floats depth) {
+    return hn::IfThenElse(forward, depth, hn::Sub(hn::Set(f, 65535), depth));
+}
+
+/// Whether column and row are not texels of the map.
+Mask is_outside(Floats column, Floats row, float resolution) {
+    const auto zero = hn::Zero(f), end = hn::Set(f, resolution);
+    return hn::Or(hn::Or(hn::Lt(column, zero), hn::Ge(column, end)),
+                  hn::Or(hn::Lt(row, zero), hn::Ge(row, end)));
+}
+
+void set_texel(Question& q, const Asked& asked, Floats column, Floats row) {
+    const auto resolution = static_cast<float>(asked.map.resolution);
+    const auto first = hn::Set(f, static_cast<float>(asked.map.first_row)),
+               end = hn::Set(f, static_cast<float>(asked.map.first_row + asked.map.rows));
+    q.outside = is_outside(column, row, resolution);
+    q.here = hn::AndNot(q.outside, hn::And(hn::Ge(row, first), hn::Lt(row, end)));
+    const auto texel = hn::MulAdd(hn::Sub(row, first), hn::Set(f, resolution), column);
+    q.texel = hn::ConvertTo(n, hn::IfThenElseZero(q.here, texel));
+}
+
+/// ldm_question_tangent
+void ask_tangent(Question& q, const Asked& asked, const SelfHitRule& rule, const Vector3& position,
+                 const Vector3& normal, Floats facing) {
+    const auto& frame = asked.map.frame;
+    const auto zero = hn::Zero(f), one = hn::Set(f, 1), half = hn::Set(f, 0.5f);
+    const auto u = project(position, frame.u), v = project(position, frame.v),
+               depth = project(position, frame.depth);
+    auto column = hn::Floor(u), row = hn::Floor(v);
+    const auto resolution = static_cast<float>(asked.map.resolution);
+    const auto begins_outside = is_outside(column, row, resolution);
+    const auto per_facing = hn::Div(hn::Set(f, -1), hn::Max(hn::Abs(facing), hn::Set(f, least_facing)));
+    const auto slope_u = hn::Mul(dot(normal, asked.slope_u), per_facing),
+               slope_v = hn::Mul(dot(normal, asked.slope_v), per_facing);
+    auto to_u = hn::Sub(hn::Add(column, half), u), to_v = hn::Sub(hn::Add(row, half), v);
+    auto gain = hn::MulAdd(slope_u, to_u, hn::Mul(slope_v, to_v));
+    const auto dips = hn::AndNot(begins_outside, hn::Gt(gain, hn::Set(f, rule.max_dip * asked.texel_quanta)));
+    if (!hn::AllFalse(f, dips)) {
+        const auto along_u = hn::Gt(hn::Abs(slope_u), hn::Abs(slope_v));
+        const auto back_u =
+            hn::IfThenElseZero(along_u, hn::IfThenElse(hn::Gt(slope_u, zero), hn::Neg(one), one));
+        const auto back_v =
+            hn::IfThenZeroElse(along_u, hn::IfThenElse(hn::Gt(slope_v, zero), hn::Neg(one), one));
+        const auto moves =
+            hn::AndNot(is_outside(hn::Add(column, back_u), hn::Add(row, back_v), resolution), dips);
+        column = hn::Add(column, hn::IfThenElseZero(moves, back_u));
+        row = hn::Add(row, hn::IfThenElseZero(moves, back_v));
+        to_u = hn::Add(to_u, hn::IfThenElseZero(moves, back_u));
+        to_v = hn::Add(to_v, hn::IfThenElseZero(moves, back_v));
+        gain = hn::IfThenElse(moves, hn::MulAdd(slope_u, to_u, hn::Mul(slope_v, to_v)), gain);
+    }
+    const auto slope = hn::Add(hn::Abs(slope_u), hn::Abs(slope_v));
+    q.tolerance = hn::Add(hn::Set(f, rule.quanta), hn::Min(hn::Mul(hn::Set(f, rule.slope), slope),
+                                                           hn::Set(f, most_tolerance * asked.texel_quanta)));
+    const auto own = along(q.forward, depth);
+    q.plane = hn::Add(own, gain);
+    q.start = hn::Add(own, hn::Max(hn::Add(gain, q.tolerance), zero));
+    set_texel(q, asked, column, row);
+}
+
+/// ldm_question_offset
+void ask_offset(Question& q, const Asked& asked, const SelfHitRule& rule, const Vector3& position,
+                const Vector3& normal, Floats facing) {
+    const auto& frame = asked.map.frame;
+    const auto sine = hn::Sqrt(hn::Max(hn::Zero(f), hn::NegMulAdd(facing, facing, hn::Set(f, 1))));
+    const auto distance = hn::Mul(hn::Set(f, rule.offset * asked.texel_size), sine);
+    const Vector3 moved{hn::MulAdd(distance, normal.x, position.x),
+                        hn::MulAdd(distance, normal.y, position.y),
+                        hn::MulAdd(distance, normal.z, position.z)};
+    q.tolerance = hn::Zero(f);
+    q.plane = q.start = project(moved, frame.depth);  // along v: the rule looks both ways
+    set_texel(q, asked, hn::Floor(project(moved, frame.u)), hn::Floor(project(moved, frame.v)));
+}
+
+Question question(const PixelTiles& tiles, std::size_t place, const Asked& asked, const SelfHitRule& rule) {
+    Question q;
+    const auto zero = hn::Zero(f);
+    const auto geometric_normal = load(tiles.geometric_normal, place);
+    const auto cosine = dot(load(tiles.normal, place), asked.map.frame.direction);
+    const auto facing = dot(geometric_normal, asked.map.frame.direction);
+    q.cosine = hn::Abs(cosine);
+    q.forward = hn::Gt(cosine, zero);
+    q.above =
+        hn::Or(hn::And(q.forward, hn::Gt(facing, zero)), hn::And(hn::Lt(cosine, zero), hn::Lt(facing, zero)));
+    const auto position = load(tiles.position, place);
+    if (rule.tangent_plane)
+        ask_tangent(q, asked, rule, position, geometric_normal, facing);
+    else
+        ask_offset(q, asked, rule, position, geometric_normal, facing);
+    return q;
+}
+
+/// The part of a whole sum that V cosθ is.
+Ints part_of_sum(Floats open, Floats cosine, float scale) {
+    return hn::NearestInt(hn::Mul(hn::Mul(open, cosine), hn::Set(f, scale)));
+}
+
+void add(std::uint32_t* sums, Ints part, Mask which) {
+    auto* to = reinterpret_cast<std::int32_t*>(sums);
+    hn::StoreU(hn::Add(hn::LoadU(n, to), hn::IfThenElseZero(hn::RebindMask(n, which), part)), n, to);
+}
+
+/// floor(depth), as a key: entries beyond it are hits.
+Ints key_of(Floats depth) {
+    return hn::ConvertTo(n, hn::Floor(hn::Min(hn::Max(depth, hn::Zero(f)), hn::Set(f, last_key))));
+}
+
+}  // namespace
+}  // namespace ir::passes::ldm::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

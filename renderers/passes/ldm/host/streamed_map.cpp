@@ -1,0 +1,44 @@
+#include "renderers/passes/ldm/host/streamed_map.h"
+
+#include <bit>
+#include <cmath>
+
+#include "renderers/passes/ldm/host/vectors.h"
+
+#include <hwy/highway.h>
+
+namespace ir::passes::ldm {
+
+float sum_scale(int maps) {
+    // One part in 2^23 is what a float resolves near 1; sums have 32 bits, of which one is spare.
+    const auto bits = std::bit_width(static_cast<unsigned>(std::max(1, maps - 1)));
+    return std::ldexp(1.0f, std::min(23, 31 - static_cast<int>(bits)));
+}
+
+void SelfHitCounts::resize(std::size_t pixels) {
+    for (auto* counts : {&own, &asked, &rejected}) counts->assign(pixels, 0);
+}
+
+void SelfHitCounts::add(const SelfHitCounts& other) {
+    for (const auto counts : {&SelfHitCounts::own, &SelfHitCounts::asked, &SelfHitCounts::rejected})
+        for (std::size_t i = 0; i < (this->*counts).size(); ++i) (this->*counts)[i] += (other.*counts)[i];
+}
+
+std::string instruction_set() {
+    const auto sets = instruction_sets();
+    return sets.empty() ? "" : hwy::TargetName(sets.front());
+}
+
+std::vector<std::int64_t> instruction_sets() {
+    std::vector<std::int64_t> sets;  // better ones have lower bits
+    for (auto left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
+        sets.push_back(left & -left);
+    return sets;
+}
+
+void force_instruction_set(std::int64_t set) {
+    hwy::SetSupportedTargetsForTest(set);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+}  // namespace ir::passes::ldm
