@@ -2,6 +2,7 @@
 
 #include "renderers/graph/builder.h"
 #include "renderers/methods/deep-screen-space/parameters.h"
+#include "renderers/methods/deep-screen-space/surfels/packing.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 #include "renderers/passes/shadow/shadow_maps.h"
 #include "shaders/methods/deep-screen-space/records.glsl.h"
@@ -12,7 +13,15 @@ namespace ir::methods::deep_screen_space {
 struct Surfels {
     graph::BufferRef records;  ///< "surfels.records": Surfel, growable; the same order in every run
     graph::CounterRef count;   ///< of records; may exceed the buffer's capacity while it grows
+    graph::BufferRef stored;   ///< "surfels.stored": how many there are to read, and how many there would be
+    graph::BufferRef lights;   ///< "surfels.lights": SurfelLight of each; none without light
+    std::string fingerprint;   ///< of all but `lights`
+
+    bool are_lit() const { return lights.index >= 0; }
 };
+
+/// Surfels in this buffer, with `stored` and the pass that fills it.
+Surfels count_stored(graph::GraphBuilder& builder, const Growing& records, const std::string& fingerprint);
 
 /// Declares the passes that make surfels of the scene's triangles: cull and pre-tessellate, place fine
 /// surfels by hardware tessellation and transform feedback, thin, shade. `reach` (m): surfels farther than

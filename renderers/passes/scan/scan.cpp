@@ -15,10 +15,16 @@ constexpr std::uint64_t most_items = 1 << 26;
 /// Tiles of the first slice of a pass, about 1 ms on two cores.
 constexpr std::int64_t first_slice = 512;
 
+const graph::BufferDesc& desc_of(const graph::GraphBuilder& builder, graph::BufferRef buffer) {
+    return builder.buffers().at(static_cast<std::size_t>(buffer.index));
+}
+
 graph::BufferRef declare(graph::GraphBuilder& builder, graph::ResourceText text, const std::string& field,
-                         std::uint64_t elements) {
-    return builder.buffer(
-        {.text = std::move(text), .fields = {{field, graph::FieldType::u32}}, .elements = elements});
+                         std::uint64_t elements, graph::BufferRef counts) {
+    return builder.buffer({.text = std::move(text),
+                           .fields = {{field, graph::FieldType::u32}},
+                           .elements = elements,
+                           .fingerprint = desc_of(builder, counts).fingerprint});
 }
 
 std::int64_t tiles_of(std::uint64_t items) {
@@ -91,12 +97,13 @@ struct Scan {
     }
 };
 
-graph::BufferRef declare_bases(graph::GraphBuilder& builder, const std::string& key, std::uint64_t items) {
+graph::BufferRef declare_bases(graph::GraphBuilder& builder, const std::string& key, std::uint64_t items,
+                               graph::BufferRef counts) {
     return declare(builder,
                    {.key = key + ".bases",
                     .label = "Sums before tiles",
                     .doc = "For each tile of 2048 counts the sum of all counts before it, for " + key + "."},
-                   "sum", static_cast<std::uint64_t>(tiles_of(items)));
+                   "sum", static_cast<std::uint64_t>(tiles_of(items)), counts);
 }
 
 void declare_passes(graph::GraphBuilder& builder, const Scan& scan, graph::CounterRef total) {
@@ -127,20 +134,20 @@ void declare_passes(graph::GraphBuilder& builder, const Scan& scan, graph::Count
 graph::BufferRef exclusive_scan(graph::GraphBuilder& builder, const std::string& key, graph::BufferRef counts,
                                 std::uint64_t items, graph::CounterRef total) {
     if (items > most_items) throw std::logic_error("scan '" + key + "': more than 2^26 items");
-    const auto bases = declare_bases(builder, key, items);
+    const auto bases = declare_bases(builder, key, items, counts);
     const auto places = declare(builder,
                                 {.key = key + ".places",
                                  .label = "Places",
                                  .doc = "For each item the sum of the counts before it, for " + key + "."},
-                                "place", items);
+                                "place", items, counts);
     declare_passes(builder, {key, counts, bases, places, items}, total);
     return places;
 }
 
 void scan_in_place(graph::GraphBuilder& builder, const std::string& key, graph::BufferRef words,
                    graph::CounterRef total) {
-    const auto bases = declare_bases(builder, key, most_items);
-    const auto lower = builder.buffers().at(static_cast<std::size_t>(words.index)).lower;
+    const auto bases = declare_bases(builder, key, most_items, words);
+    const auto lower = desc_of(builder, words).lower;
     declare_passes(builder, {key, words, bases, words, most_items, lower}, total);
 }
 

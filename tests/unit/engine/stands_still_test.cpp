@@ -28,9 +28,43 @@ class StandsStill : public testing::Test {
             if (pass.is_kept && pass.slices > 0) names.push_back(pass.name);
         return names;
     }
+    static bool builds(const FrameReport& report, const std::string& name) {
+        const auto names = built(report);
+        return std::find(names.begin(), names.end(), name) != names.end();
+    }
     static bool keeps(const FrameReport& report, const std::string& name) {
         return std::any_of(report.passes.begin(), report.passes.end(),
                            [&](const auto& pass) { return pass.name == name && pass.is_kept; });
+    }
+    /// Surfels are of equal size in the picture.
+    static bool sees_the_camera(const std::string& pass) {
+        return pass.find("surfels") != std::string::npos || pass.find("triangles") != std::string::npos ||
+               pass == "splat";
+    }
+    static void move_lights(Experiment& experiment, const Execution& execution) {
+        experiment.replace_lights = true;
+        experiment.lights = execution.world().lights;
+        for (auto& light : experiment.lights) light.position.x += 0.1f;
+    }
+    static void expect_as_anew(Machine& machine, const Execution& execution, const Experiment& experiment,
+                               const std::string& what) {
+        Execution fresh(machine, experiment);
+        fresh.run_frame({});
+        EXPECT_EQ(main_result(execution).pixels, main_result(fresh).pixels) << what;
+    }
+    /// Another value than the one that it has.
+    static Value other(const ParameterDescription& parameter, const Value& value) {
+        if (parameter.type == ParameterType::toggle) return !std::get<bool>(value);
+        if (parameter.type == ParameterType::choice) {
+            const auto& choices = parameter.choices;
+            return std::get<std::string>(value) == choices[0].key ? choices[1].key : choices[0].key;
+        }
+        if (parameter.type == ParameterType::integer) {
+            const auto number = std::get<std::int64_t>(value);
+            return static_cast<double>(number) < parameter.hard.max ? number + 1 : number - 1;
+        }
+        const double number = std::get<double>(value);
+        return number == 0 ? std::min(0.5, parameter.hard.max) : std::max(0.5 * number, parameter.hard.min);
     }
     Machine machine{{"egl", {}, false, 0}};
 };
@@ -42,10 +76,9 @@ TEST_F(StandsStill, ACameraThatMovesBuildsNothingThatDoesNotSeeIt) {
         EXPECT_FALSE(built(execution.run_frame({})).empty()) << method->id;
         experiment.camera = aside(execution.camera());
         execution.update(experiment);
-        EXPECT_EQ(built(execution.run_frame({})), std::vector<std::string>()) << method->id;
-        Execution fresh(machine, experiment);
-        fresh.run_frame({});
-        EXPECT_EQ(main_result(execution).pixels, main_result(fresh).pixels) << method->id;
+        for (const auto& name : built(execution.run_frame({})))
+            EXPECT_TRUE(sees_the_camera(name)) << method->id << ": " << name;
+        expect_as_anew(machine, execution, experiment, method->id);
     }
 }
 
@@ -57,9 +90,7 @@ TEST_F(StandsStill, MapsDependOnTheSceneAlone) {
         const auto first = execution.run_frame({});
         EXPECT_TRUE(keeps(first, "build maps")) << id;
         experiment.camera = aside(execution.camera());
-        experiment.replace_lights = true;
-        experiment.lights = execution.world().lights;
-        for (auto& light : experiment.lights) light.position.x += 0.1f;
+        move_lights(experiment, execution);
         execution.update(experiment);
         const auto moved = execution.run_frame({});
         for (const auto& name : built(moved)) {
@@ -67,13 +98,69 @@ TEST_F(StandsStill, MapsDependOnTheSceneAlone) {
             EXPECT_NE(name, "upload scene") << id;
         }
         EXPECT_EQ(moved.counters.at("ldm.fragments"), first.counters.at("ldm.fragments")) << id;
-        Execution fresh(machine, experiment);
-        fresh.run_frame({});
-        EXPECT_EQ(main_result(execution).pixels, main_result(fresh).pixels) << id;
+        expect_as_anew(machine, execution, experiment, id);
         experiment.settings["resolution"] = std::int64_t{40};
         execution.update(experiment);
         const auto finer = built(execution.run_frame({}));
         EXPECT_NE(std::find(finer.begin(), finer.end(), "build maps"), finer.end()) << id;
+    }
+}
+
+TEST_F(StandsStill, SurfelsAndWhatRaysMeetDependOnNoLight) {
+    for (const bool visibility : {true, false}) {
+        auto experiment = experiment_of(registry().at("deep-screen-space"));
+        experiment.settings["paths"] = std::string("indirect");
+        experiment.settings["visibility"] = visibility;
+        Execution execution(machine, experiment);
+        const auto first = execution.run_frame({});
+        for (const char* name : {"cull triangles", "fine surfels", "pack surfels"})
+            EXPECT_TRUE(keeps(first, name)) << name;
+        EXPECT_EQ(keeps(first, "splat"), visibility);
+        move_lights(experiment, execution);
+        execution.update(experiment);
+        const auto moved = execution.run_frame({});
+        for (const auto& name : built(moved)) EXPECT_FALSE(sees_the_camera(name)) << name;
+        EXPECT_EQ(moved.counters.at("surfels.kept"), first.counters.at("surfels.kept"));
+        expect_as_anew(machine, execution, experiment, "lights");
+    }
+}
+
+TEST_F(StandsStill, SurfelsStayWhileTheReceiversSamplesChange) {
+    auto experiment = experiment_of(registry().at("deep-screen-space"));
+    Execution execution(machine, experiment);
+    execution.run_frame({});
+    EXPECT_EQ(built(execution.run_frame({})), std::vector<std::string>());
+    experiment.settings["blur_radius"] = std::int64_t{1};
+    execution.update(experiment);
+    EXPECT_EQ(built(execution.run_frame({})), std::vector<std::string>());
+    experiment.settings["samples"] = std::int64_t{3};
+    execution.update(experiment);
+    EXPECT_EQ(built(execution.run_frame({})), std::vector<std::string>{"splat"});
+    expect_as_anew(machine, execution, experiment, "samples");
+    experiment.seed = 7;
+    execution.update(experiment);
+    EXPECT_TRUE(builds(execution.run_frame({}), "fine surfels"));
+    expect_as_anew(machine, execution, experiment, "seed");
+}
+
+/// What is kept must not be kept too long.
+TEST_F(StandsStill, AnyParameterOfSurfelsThatChangesGivesThePictureOfAFreshStart) {
+    const auto& method = registry().at("deep-screen-space");
+    for (const char* paths : {"ao", "indirect"}) {
+        auto experiment = experiment_of(method);
+        experiment.settings["paths"] = std::string(paths);
+        experiment.settings["samples"] = std::int64_t{2};
+        Execution execution(machine, experiment);
+        execution.run_frame({});
+        for (const auto& parameter : method.parameters) {
+            if (parameter.key == "paths" || !is_active(parameter, experiment.settings)) continue;
+            const auto before = experiment.settings[parameter.key];
+            experiment.settings[parameter.key] = other(parameter, before);
+            execution.update(experiment);
+            execution.run_frame({});
+            expect_as_anew(machine, execution, experiment, std::string(paths) + ", " + parameter.key);
+            experiment.settings[parameter.key] = before;
+        }
     }
 }
 

@@ -17,7 +17,7 @@ inline double rectangle_form_factor(double x0, double x1, double z0, double z1, 
 
 /// What a run differs in.
 struct AdditiveRun {
-    std::vector<dss::Surfel> surfels;
+    std::vector<Disc> surfels;
     dss::Parameters parameters = plain();
     std::uint64_t seed = 0;
 
@@ -62,8 +62,7 @@ class AdditiveTest : public DeepScreenSpaceTest {
 };
 
 /// A square above the floor's origin, facing it, as n × n discs.
-inline std::vector<dss::Surfel> square_above(float height, float half, int n,
-                                             glm::vec3 radiance = glm::vec3(1)) {
+inline std::vector<Disc> square_above(float height, float half, int n, glm::vec3 radiance = glm::vec3(1)) {
     return discs_of_square({0, height, 0}, {1, 0, 0}, {0, 0, 1}, half, n, radiance);
 }
 

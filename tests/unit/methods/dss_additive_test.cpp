@@ -162,7 +162,7 @@ TEST_F(AdditiveTest, GlossyReceiversReflectWhatLiesInTheMirrorDirection) {
 
 TEST_F(AdditiveTest, WhatHidesEachOtherAddsUp) {
     AdditiveRun run;
-    const auto sum_of = [&](std::vector<dss::Surfel> surfels) {
+    const auto sum_of = [&](std::vector<Disc> surfels) {
         run.surfels = std::move(surfels);
         splat(floor(), run);
         return read("additive.sum");
@@ -175,7 +175,7 @@ TEST_F(AdditiveTest, WhatHidesEachOtherAddsUp) {
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
         EXPECT_NEAR(together.pixels[i], a.pixels[i] + b.pixels[i], 1e-5f);
     // Ten of them are darker than all that there is to see; the result ends at 0.
-    std::vector<dss::Surfel> pile;
+    std::vector<Disc> pile;
     for (int i = 0; i < 10; ++i) pile.insert(pile.end(), near.begin(), near.end());
     EXPECT_GT(sum_of(pile).at(16, 16), 1.5f);
     EXPECT_EQ(read("result").at(16, 16), 0);

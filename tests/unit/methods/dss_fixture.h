@@ -27,10 +27,15 @@ inline glm::uvec4 pcg4d(glm::uvec4 v) {
     return v;
 }
 
+/// A surfel and what it sends, as two buffers hold them.
+struct Disc : dss::Surfel {
+    glm::vec3 radiance_front, radiance_back;
+};
+
 /// A disc that sends `radiance` to both sides.
-inline dss::Surfel disc(glm::vec3 centre, glm::vec3 normal, float radius, std::uint32_t identity = 0,
-                        glm::vec3 radiance = glm::vec3(1)) {
-    dss::Surfel surfel{};
+inline Disc disc(glm::vec3 centre, glm::vec3 normal, float radius, std::uint32_t identity = 0,
+                 glm::vec3 radiance = glm::vec3(1)) {
+    Disc surfel{};
     surfel.centre_ws = centre;
     surfel.normal_ws = glm::normalize(normal);
     surfel.radius = radius;
@@ -40,9 +45,9 @@ inline dss::Surfel disc(glm::vec3 centre, glm::vec3 normal, float radius, std::u
 }
 
 /// A square of half side `half` as n × n discs, each in the middle of its cell and of the cell's area.
-inline std::vector<dss::Surfel> discs_of_square(glm::vec3 centre, glm::vec3 u, glm::vec3 v, float half, int n,
-                                                glm::vec3 radiance = glm::vec3(1)) {
-    std::vector<dss::Surfel> surfels;
+inline std::vector<Disc> discs_of_square(glm::vec3 centre, glm::vec3 u, glm::vec3 v, float half, int n,
+                                         glm::vec3 radiance = glm::vec3(1)) {
+    std::vector<Disc> surfels;
     const float cell = 2 * half / static_cast<float>(n);
     for (int y = 0; y < n; ++y)
         for (int x = 0; x < n; ++x) {
@@ -61,25 +66,37 @@ class DeepScreenSpaceTest : public PassTest {
     }
     /// Declares surfels with these contents. `capacity`: 0: as many as there are; `uncounted` is added to the
     /// counter: surfels that found no place.
-    static dss::Surfels upload(graph::GraphBuilder& builder, const std::vector<dss::Surfel>& records,
+    static dss::Surfels upload(graph::GraphBuilder& builder, const std::vector<Disc>& discs,
                                std::uint64_t capacity = 0, std::uint32_t uncounted = 0) {
         graph::BufferDesc desc;
         desc.text = {.key = "surfels", .label = "Surfels"};
         desc.kind = OutputKind::glyphs;
         desc.fields = record_fields<dss::Surfel>();
-        desc.elements = capacity ? capacity : std::max<std::size_t>(1, records.size());
-        dss::Surfels surfels;
-        surfels.records = builder.buffer(std::move(desc));
-        surfels.count = builder.counter({.key = "surfels.count", .label = "Surfels"});
+        desc.elements = capacity ? capacity : std::max<std::size_t>(1, discs.size());
+        const auto elements = desc.elements;
+        const dss::Growing records{builder.buffer(std::move(desc)),
+                                   builder.counter({.key = "surfels.count", .label = "Surfels"})};
+        const auto lights = builder.buffer({.text = {.key = "surfels.lights", .label = "Light of surfels"},
+                                            .fields = record_fields<dss::SurfelLight>(),
+                                            .elements = elements});
         builder.pass("upload surfels")
-            .writes(surfels.records)
-            .counts("Counter", surfels.count)
+            .writes(records.buffer, lights)
+            .counts("Counter", records.count)
             .execute([=](graph::PassContext& p) {
-                const auto there = std::min<std::size_t>(records.size(), p.capacity(surfels.records));
-                p.upload(surfels.records, std::as_bytes(std::span(records).first(there)));
-                const auto count = static_cast<std::uint32_t>(records.size()) + uncounted;
+                const auto there = std::min<std::size_t>(discs.size(), p.capacity(records.buffer));
+                std::vector<dss::Surfel> geometry(discs.begin(),
+                                                  discs.begin() + static_cast<std::ptrdiff_t>(there));
+                std::vector<dss::SurfelLight> light;
+                for (const auto& d : std::span(discs).first(there))
+                    light.push_back({{d.radiance_front.x, d.radiance_front.y, d.radiance_front.z},
+                                     {d.radiance_back.x, d.radiance_back.y, d.radiance_back.z}});
+                p.upload(records.buffer, std::as_bytes(std::span(geometry)));
+                p.upload(lights, std::as_bytes(std::span(light)));
+                const auto count = static_cast<std::uint32_t>(discs.size()) + uncounted;
                 add_to_counter(p, count);
             });
+        auto surfels = dss::count_stored(builder, records, {});
+        surfels.lights = lights;
         return surfels;
     }
 };

@@ -9,9 +9,9 @@ namespace {
 constexpr double z_alpha = 3.89;  // two-sided, alpha = 1e-4
 
 /// n tangent discs at random on a sphere, of its whole area together: a closed surface seen from its middle.
-std::vector<dss::Surfel> discs_of_sphere(float radius, int n, unsigned seed) {
+std::vector<Disc> discs_of_sphere(float radius, int n, unsigned seed) {
     std::mt19937 random(seed);
-    std::vector<dss::Surfel> surfels;
+    std::vector<Disc> surfels;
     const float disc_radius = 2 * radius / std::sqrt(static_cast<float>(n));
     for (int i = 0; i < n; ++i) {
         const auto direction = random_direction(random);

@@ -11,7 +11,7 @@
 namespace ir::test {
 
 struct VisibleRun {
-    std::vector<dss::Surfel> surfels = {};
+    std::vector<Disc> surfels = {};
     dss::Parameters parameters = {};
     std::uint64_t seed = 0;
     std::vector<std::string> wanted = {"splats.hit_level", "splats.nearest", "bounce.distance"};
@@ -21,8 +21,8 @@ struct VisibleRun {
 
 /// n discs, independently and uniformly at random on the parallelogram from `corner` along `u` and `v`, of
 /// its whole area together.
-inline void scatter_discs(std::vector<dss::Surfel>& surfels, std::mt19937& random, glm::vec3 corner,
-                          glm::vec3 u, glm::vec3 v, int n, glm::vec3 radiance = glm::vec3(1)) {
+inline void scatter_discs(std::vector<Disc>& surfels, std::mt19937& random, glm::vec3 corner, glm::vec3 u,
+                          glm::vec3 v, int n, glm::vec3 radiance = glm::vec3(1)) {
     std::uniform_real_distribution<float> unit(0, 1);
     const float area = glm::length(glm::cross(u, v));
     const float radius = std::sqrt(area / (3.14159265f * static_cast<float>(n)));

@@ -6,7 +6,7 @@ namespace {
 
 struct Facets {
     scene::Scene scene;
-    std::vector<dss::Surfel> surfels;
+    std::vector<Disc> surfels;
 };
 
 void add_facet(Facets& facets, scene::Mesh& mesh, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
@@ -70,7 +70,7 @@ class DssSelf : public VisibleTest {
                      "height > SPLAT_ROUNDING * max(size.x, max(size.y, size.z))", "true");
     }
 
-    static VisibleRun run_of(std::vector<dss::Surfel> surfels) {
+    static VisibleRun run_of(std::vector<Disc> surfels) {
         auto parameters = visible_parameters(2, 3, 0, 0.2f);
         parameters.coverage = 3;
         return {.surfels = std::move(surfels),

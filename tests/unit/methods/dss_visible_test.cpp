@@ -13,8 +13,8 @@ struct TwinHit {
     std::uint32_t surfel = 0;
 };
 
-TwinHit nearest_disc(const std::vector<dss::Surfel>& surfels, glm::dvec3 x, glm::dvec3 direction,
-                     glm::dvec3 n, double scale = 1) {
+TwinHit nearest_disc(const std::vector<Disc>& surfels, glm::dvec3 x, glm::dvec3 direction, glm::dvec3 n,
+                     double scale = 1) {
     TwinHit nearest;
     for (std::size_t i = 0; i < surfels.size(); ++i) {
         const glm::dvec3 to_centre = glm::dvec3(surfels[i].centre_ws) - x, normal = surfels[i].normal_ws;
@@ -29,10 +29,10 @@ TwinHit nearest_disc(const std::vector<dss::Surfel>& surfels, glm::dvec3 x, glm:
 
 class DssVisible : public VisibleTest {};
 
-std::vector<dss::Surfel> random_surfels(int n, unsigned seed) {
+std::vector<Disc> random_surfels(int n, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> unit(-1, 1);
-    std::vector<dss::Surfel> surfels;
+    std::vector<Disc> surfels;
     for (int i = 0; i < n; ++i)
         surfels.push_back(disc({1.5f * unit(random), 1.2f + unit(random), 1.5f * unit(random)},
                                random_direction(random), 0.25f, static_cast<std::uint32_t>(i)));

@@ -15,17 +15,17 @@ dss::Parameters same_reach() {
 }
 
 struct Cover {
-    std::vector<dss::Surfel> surfels;
+    std::vector<Disc> surfels;
     dss::Parameters parameters = same_reach();
     int samples = 1;
     std::uint64_t seed = 0, capacity = 0;
     std::uint32_t uncounted = 0;
 };
 
-std::vector<dss::Surfel> random_surfels(int n, glm::vec3 centre, float spread, unsigned seed) {
+std::vector<Disc> random_surfels(int n, glm::vec3 centre, float spread, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> unit(-1, 1);
-    std::vector<dss::Surfel> surfels;
+    std::vector<Disc> surfels;
     for (int i = 0; i < n; ++i) {
         const glm::vec3 offset(unit(random), unit(random), unit(random));
         surfels.push_back(disc(centre + spread * offset, random_direction(random), 0.05f,

@@ -4,6 +4,7 @@
 
 #include "renderers/methods/deep-screen-space/surfels.h"
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
+#include "shaders/methods/deep-screen-space/surfels/show.comp.h"
 #include "tests/unit/passes/pass_fixture.h"
 #include "tests/unit/passes/small_world.h"
 
@@ -56,6 +57,8 @@ class SurfelTest : public PassTest {
         return result;
     }
     std::vector<dss::Surfel> surfels() { return elements<dss::Surfel>("surfels.records"); }
+    /// As people see them, with their light.
+    std::vector<dss::ShownSurfel> shown() { return elements<dss::ShownSurfel>("surfels"); }
     std::vector<dss::FineSurfel> fine() { return elements<dss::FineSurfel>("surfels.fine"); }
     dss::SurfelCounts counts() { return elements<dss::SurfelCounts>("surfels.counts").at(0); }
 

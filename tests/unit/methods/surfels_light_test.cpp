@@ -39,9 +39,9 @@ class SurfelLightTest : public SurfelTest {
         run.parameters.transport.materials = materials;
         return run;
     }
-    std::vector<dss::Surfel> made(scene::Scene scene, const SurfelRun& run) {
+    std::vector<dss::ShownSurfel> made(scene::Scene scene, const SurfelRun& run) {
         make(Shot(std::move(scene), camera({0, 3, 0.1f}, {0, 0, 0}), 32, 32), run);
-        auto result = surfels();
+        auto result = shown();
         EXPECT_GT(result.size(), 20u);
         return result;
     }
@@ -131,15 +131,19 @@ TEST_F(SurfelLightTest, ColoursComeFromTextures) {
     const Shot shot(scene, camera({0, 3, 0.1f}, {0, 0, 0}), 32, 32);
     make(shot, lit());
     int red = 0, green = 0;
-    for (const auto& surfel : surfels()) {
+    const auto records = surfels();
+    const auto seen = shown();
+    ASSERT_EQ(seen.size(), records.size());
+    for (std::size_t k = 0; k < records.size(); ++k) {
+        const auto& surfel = records[k];
         const double u = (surfel.barycentrics & 0xffff) / 65535.0, v = (surfel.barycentrics >> 16) / 65535.0;
         const auto uv = [&](std::size_t i) {
             return glm::dvec2(shot.world.uv0[shot.world.indices[3 * surfel.triangle + i]]);
         };
         const double s = ((1 - u - v) * uv(0) + u * uv(1) + v * uv(2)).x;
         if (std::abs(s - 0.5) < 1e-3) continue;
-        EXPECT_EQ(surfel.radiance_front.x > 0, s < 0.5);
-        EXPECT_EQ(surfel.radiance_front.y > 0, s > 0.5);
+        EXPECT_EQ(seen[k].radiance_front.x > 0, s < 0.5);
+        EXPECT_EQ(seen[k].radiance_front.y > 0, s > 0.5);
         ++(s < 0.5 ? red : green);
     }
     EXPECT_GT(red, 20);

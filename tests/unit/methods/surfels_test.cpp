@@ -164,21 +164,10 @@ TEST_F(SurfelTest, RunsGiveTheSameInTheSameOrder) {
     EXPECT_FALSE(are_equal(first, surfels()));
 }
 
-struct ShownSurfel {
-    glm::vec3 centre_ws;
-    std::uint32_t surfel;
-    glm::vec3 normal_ws;
-    float radius;
-    glm::vec3 radiance_front;
-    std::uint32_t triangle;
-    glm::vec3 radiance_back;
-    float part;
-};
-
 TEST_F(SurfelTest, TheCloudSaysWhichSurfelEachDiscIs) {
     make(soup_shot(), {});
     const auto records = surfels();
-    const auto shown = elements<ShownSurfel>("surfels");
+    const auto shown = this->shown();
     ASSERT_EQ(shown.size(), records.size());
     for (std::uint32_t i = 0; i < shown.size(); ++i) {
         EXPECT_EQ(shown[i].surfel, i);

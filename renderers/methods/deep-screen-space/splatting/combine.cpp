@@ -24,7 +24,7 @@ graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visi
     visible.nearest = declare_of_samples(builder, "splats.nearest", gl::Format::r32ui, samples);
     visible.hit_level = declare_of_samples(builder, "splats.hit_level", gl::Format::r16f, samples);
     auto pass = builder.pass("combine levels");
-    pass.reads("Surfels", visible.splats.surfels)
+    pass.reads("Surfels", visible.splats.surfels.records)
         .reads("places", visible.splats.hierarchy.places)
         .reads("winners", visible.winner)
         .reads("depths", visible.depth)

@@ -39,7 +39,7 @@ Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputK
 
 void dispatch_surfels(const graph::PassContext& p, const gl::Program& program, const Splats& splats,
                       graph::Slice slice) {
-    const auto capacity = static_cast<std::int64_t>(p.capacity(splats.surfels));
+    const auto capacity = static_cast<std::int64_t>(p.capacity(splats.surfels.records));
     gl::dispatch_items(program, capacity * slice.begin / surfel_parts, capacity * slice.end / surfel_parts);
 }
 
@@ -77,8 +77,8 @@ struct ExplainChoice {
 };
 
 void read_splats(graph::PassBuilder& pass, const VisibleSplats& visible) {
-    pass.reads("Surfels", visible.splats.surfels)
-        .reads("Stored", visible.splats.stored)
+    pass.reads("Surfels", visible.splats.surfels.records)
+        .reads("Stored", visible.splats.surfels.stored)
         .reads("places", visible.splats.hierarchy.places)
         .reads(visible.gbuffer.position)
         .reads("directions", visible.directions.directions)
@@ -132,8 +132,8 @@ graph::BufferRef choose_surfel(graph::GraphBuilder& builder, const VisibleSplats
         {.fields = {{"closeness"}, {"surfel", graph::FieldType::u32}}, .elements = 1, .cleared = true});
     for (const char* find : {"1", "2"})
         builder.pass(std::string("choose the surfel, step ") + find)
-            .reads("Surfels", visible.splats.surfels)
-            .reads("Stored", visible.splats.stored)
+            .reads("Surfels", visible.splats.surfels.records)
+            .reads("Stored", visible.splats.surfels.stored)
             .reads(visible.gbuffer.position)
             .writes("Choice", choice)
             .execute_sliced(surfel_parts, [=](graph::PassContext& p, graph::Slice slice) {

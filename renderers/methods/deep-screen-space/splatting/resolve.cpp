@@ -39,7 +39,8 @@ graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneB
     if (glossy) senders.surfaces = passes::hit_surfaces(builder, scene);
     const auto incoming = passes::bounce::declare_incoming_light(builder, visible.splats.samples);
     auto pass = builder.pass("light of the winners");
-    pass.reads("Surfels", visible.splats.surfels)
+    pass.reads("Surfels", visible.splats.surfels.records)
+        .reads("SurfelLights", visible.splats.surfels.lights)
         .reads("nearest", visible.nearest)
         .reads("directions", visible.directions.directions)
         .writes("incoming", incoming);

@@ -1,4 +1,5 @@
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
+#include "renderers/methods/deep-screen-space/fingerprints.h"
 #include "renderers/methods/deep-screen-space/parameters.h"
 #include "shaders/methods/deep-screen-space/surfels/commands.comp.h"
 
@@ -18,22 +19,6 @@ constexpr scene::Sampler all_levels{scene::Wrap::clamp_to_edge, scene::Wrap::cla
 
 bool is_counted(const Splats& splats) {
     return splats.drawn.index >= 0;
-}
-
-/// Constants of stored.comp.
-struct Stored {
-    unsigned capacity;
-    IR_FIELDS(capacity)
-};
-
-void count_surfels(graph::GraphBuilder& builder, const Surfels& surfels, graph::BufferRef stored) {
-    builder.pass("count surfels to splat")
-        .reads(surfels.records)
-        .writes("Stored", stored)
-        .counts("Count", surfels.count)
-        .compute({{folder + "stored.comp"}}, 1, [=](const PassContext& p) {
-            return Stored{static_cast<unsigned>(p.capacity(surfels.records))};
-        });
 }
 
 /// Constants of rectangles.comp.
@@ -58,6 +43,7 @@ void find_rectangles(const PassContext& p, const Splats& splats, const SplatLaye
     p.barrier();  // the draw before may still read what is written here
     gl::ProgramSource source{{folder + "rectangles.comp"}};
     if (is_counted(splats)) source.defines["COUNTS"] = "1";
+    source.defines["DARK_IS_IDLE"] = splats.dark_is_idle() ? "1" : "0";
     const auto& program = p.use(source);
     const auto& parameters = splats.parameters;
     program.set(SplatRectangles{.influence = influence_constants(splats),
@@ -91,7 +77,7 @@ void draw_layer(const PassContext& p, const Splats& splats, const SplatLayer& la
 
 /// A slice may end within one layer and go on in the next.
 void draw_slice(const PassContext& p, graph::Slice slice, const Splats& splats, const BindLayer& bind) {
-    const auto capacity = p.capacity(splats.surfels);
+    const auto capacity = p.capacity(splats.surfels.records);
     const auto surfel_at = [&](std::int64_t part) {
         return capacity * static_cast<std::uint64_t>(part) / static_cast<std::uint64_t>(surfel_parts);
     };
@@ -114,9 +100,7 @@ void draw_slice(const PassContext& p, graph::Slice slice, const Splats& splats, 
 InfluenceConstants influence_constants(const Splats& splats) {
     const auto& parameters = splats.parameters;
     const bool estimated = parameters.influence == Influence::estimated;
-    const bool light = parameters.transport.paths != Transport::Paths::ao;
-    return {splats.reach.shell_radius, splats.reach.whole, estimated ? parameters.trade_off : 0.0f,
-            !parameters.visibility && light};
+    return {splats.reach.shell_radius, splats.reach.whole, estimated ? parameters.trade_off : 0.0f};
 }
 
 SplatConstants splat_constants(const Splats& splats, const SplatLayer& layer) {
@@ -142,27 +126,25 @@ Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, 
                       const Parameters& parameters, int samples) {
     Splats splats;
     splats.hierarchy = hierarchy;
-    splats.surfels = surfels.records;
+    splats.surfels = surfels;
     splats.reach = reach_of(parameters, *builder.inputs().world);
     splats.parameters = parameters;
     splats.samples = samples;
-    splats.stored = builder.buffer({.text = {.key = "splats.surfels",
-                                             .label = "Surfels to splat",
-                                             .doc = "Those made, as far as the buffer reaches.",
-                                             .semantic = Semantic::count},
-                                    .fields = {{"surfels", FieldType::u32}},
-                                    .elements = 1});
+    if (parameters.visibility)
+        splats.fingerprint = splat_fingerprint(builder.inputs(), surfels.fingerprint, parameters);
     splats.rectangles = builder.buffer(
         {.text = {.key = "splats.rectangles",
                   .label = "Rectangles of splats",
                   .doc = "First place of the surfels drawn last, and the one after the last: x + 65536 y."},
          .fields = {{"first", FieldType::u32}, {"after", FieldType::u32}},
-         .elements = max_at_once});
+         .elements = max_at_once,
+         .fingerprint = splats.fingerprint});
     splats.command = builder.buffer({.text = {.key = "splats.command",
                                               .label = "Command of the draw",
                                               .doc = "Vertices of the last draw of splats."},
                                      .fields = record_fields<DrawCommand>(),
-                                     .elements = 1});
+                                     .elements = 1,
+                                     .fingerprint = splats.fingerprint});
     splats.drawn = builder.counter({.key = "splats.drawn",
                                     .label = "Splats drawn",
                                     .doc = "On all levels, for all samples: rectangles of places in which "
@@ -172,13 +154,13 @@ Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, 
                          .label = "Splats culled",
                          .doc = "Splats in the picture whose rectangles show nothing within reach "
                                 "of the surfel, by the bounds of positions."});
-    count_surfels(builder, surfels, splats.stored);
     return splats;
 }
 
 void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer& bind) {
-    pass.reads("Surfels", splats.surfels)
-        .reads("Stored", splats.stored)
+    if (splats.dark_is_idle()) pass.reads("SurfelLights", splats.surfels.lights);
+    pass.reads("Surfels", splats.surfels.records)
+        .reads("Stored", splats.surfels.stored)
         .reads(splats.hierarchy.layout, splats.hierarchy.positions, splats.hierarchy.normals)
         .reads("min_texture", splats.hierarchy.min, all_levels)
         .reads("max_texture", splats.hierarchy.max, all_levels)

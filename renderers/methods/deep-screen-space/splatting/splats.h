@@ -14,17 +14,22 @@ inline constexpr std::int64_t surfel_parts = 256;
 /// What all draws of splats share.
 struct Splats {
     Hierarchy hierarchy;
-    graph::BufferRef surfels;         ///< Surfels::records
-    graph::BufferRef stored;          ///< "splats.surfels": how many there are to read
+    Surfels surfels;
     graph::BufferRef rectangles;      ///< "splats.rectangles": of the surfels drawn last
     graph::BufferRef command;         ///< "splats.command"
     graph::CounterRef drawn, culled;  ///< "splats.drawn", "splats.culled"; none: draws are not counted
     Reach reach{};
     Parameters parameters;
-    int samples = 1;  ///< layers are (sample, level) pairs; sample-major
+    int samples = 1;               ///< layers are (sample, level) pairs; sample-major
+    std::string fingerprint = {};  ///< of what is drawn, where it depends on no light
+
+    /// Without visibility surfels that send no light do nothing.
+    bool dark_is_idle() const {
+        return !parameters.visibility && parameters.transport.paths != Transport::Paths::ao;
+    }
 };
 
-/// Declares the pass "count surfels to splat" and what draws need. `samples`: 1 without visibility.
+/// Declares what draws need. `samples`: 1 without visibility.
 Splats declare_splats(graph::GraphBuilder& builder, const Hierarchy& hierarchy, const Surfels& surfels,
                       const Parameters& parameters, int samples);
 
@@ -59,8 +64,7 @@ graph::ImageRef count_cover(graph::GraphBuilder& builder, const Splats& splats,
 /// 256²). None reaches less far than published, so dark surfels block as far as others.
 struct InfluenceConstants {
     float shell_radius, whole_reach, trade_off;
-    bool dark_is_idle;
-    IR_FIELDS(shell_radius, whole_reach, trade_off, dark_is_idle)
+    IR_FIELDS(shell_radius, whole_reach, trade_off)
 };
 InfluenceConstants influence_constants(const Splats& splats);
 

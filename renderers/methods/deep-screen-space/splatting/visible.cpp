@@ -10,7 +10,8 @@ graph::ImageRef declare_layers(graph::GraphBuilder& builder, const Splats& splat
     return builder.output(key,
                           {.format = format,
                            .extent = graph::Extent::fixed(splats.hierarchy.width, splats.hierarchy.height),
-                           .layers = splats.samples * splats.hierarchy.levels});
+                           .layers = splats.samples * splats.hierarchy.levels,
+                           .fingerprint = splats.fingerprint});
 }
 
 /// Of a stack's layer.

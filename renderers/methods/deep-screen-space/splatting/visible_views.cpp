@@ -30,7 +30,8 @@ void show_layers(graph::GraphBuilder& builder, const VisibleSplats& visible, con
     const auto image = builder.output(view.key, std::move(desc));
     auto pass = builder.pass(view.pass);
     for (const auto& [name, texture] : view.textures) pass.reads(name, texture);
-    if (view.reads_surfels) pass.reads("Surfels", splats.surfels);
+    if (view.reads_surfels) pass.reads("Surfels", splats.surfels.records);
+    if (view.reads_surfels && splats.surfels.are_lit()) pass.reads("SurfelLights", splats.surfels.lights);
     pass.writes(view.result, image).compute(view.source, image, VisibleLevels{splats.hierarchy.levels});
 }
 
@@ -42,7 +43,7 @@ void show_epsilon(graph::GraphBuilder& builder, const VisibleSplats& visible, gr
         .reads("levels", visible.hit_level)
         .reads("distances", distance)
         .reads(visible.gbuffer.position)
-        .reads("Surfels", visible.splats.surfels)
+        .reads("Surfels", visible.splats.surfels.records)
         .writes("epsilon_image", image);
     passes::bounce::compute_by_tiles(pass, builder, {{folder + "visible_epsilon.comp"}},
                                      visible_level(visible.splats));
@@ -53,7 +54,9 @@ void show_epsilon(graph::GraphBuilder& builder, const VisibleSplats& visible, gr
 void show_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ImageRef distance) {
     const auto& hierarchy = visible.splats.hierarchy;
     const auto directions = visible.directions.directions;
-    gl::ProgramSource radiance{{folder + "visible_radiance.comp"}}, unshuffled = radiance;
+    gl::ProgramSource radiance{{folder + "visible_radiance.comp"}};
+    radiance.defines["LIT"] = visible.splats.surfels.are_lit() ? "1" : "0";
+    auto unshuffled = radiance;
     unshuffled.defines["UNSHUFFLED"] = "1";
     show_layers(builder, visible,
                 {"unshuffle z",

@@ -21,12 +21,14 @@ struct CountsRow {
 };
 
 graph::BufferRef add_up(graph::GraphBuilder& builder, const std::string& what, bool is_fine,
-                        graph::BufferRef records, graph::CounterRef count, const Parameters& parameters) {
+                        graph::BufferRef records, graph::CounterRef count, const Parameters& parameters,
+                        const std::string& fingerprint) {
     const auto sums = builder.buffer({.text = {.key = "surfels.sums." + what,
                                                .label = "Sums of surfels, " + what,
                                                .doc = "Of parts of the list."},
                                       .fields = {{"area"}, {"part"}},
-                                      .elements = group_count});
+                                      .elements = group_count,
+                                      .fingerprint = fingerprint});
     builder.pass("add up surfels, " + what)
         .reads(is_fine ? "FineSurfels" : "Surfels", records)
         .writes("Sums", sums)
@@ -44,10 +46,13 @@ graph::BufferRef add_up(graph::GraphBuilder& builder, const std::string& what, b
 
 void count_surfels(graph::GraphBuilder& builder, const Patches& patches, const Growing& fine,
                    const Surfels& surfels, const Parameters& parameters) {
-    const auto of_fine = add_up(builder, "fine", true, fine.buffer, fine.count, parameters);
-    const auto of_kept = add_up(builder, "kept", false, surfels.records, surfels.count, parameters);
-    const auto row =
-        builder.output("surfels.counts", {.fields = record_fields<SurfelCounts>(), .elements = 1});
+    const auto of_fine =
+        add_up(builder, "fine", true, fine.buffer, fine.count, parameters, surfels.fingerprint);
+    const auto of_kept =
+        add_up(builder, "kept", false, surfels.records, surfels.count, parameters, surfels.fingerprint);
+    const auto row = builder.output(
+        "surfels.counts",
+        {.fields = record_fields<SurfelCounts>(), .elements = 1, .fingerprint = surfels.fingerprint});
     builder.pass("count surfels")
         .reads("FineSums", of_fine)
         .reads("KeptSums", of_kept)

@@ -77,11 +77,12 @@ void draw(const PassContext& context, graph::BufferRef commands, std::int64_t fi
 
 }  // namespace
 
-Growing declare_fine(graph::GraphBuilder& builder, std::uint64_t reserve) {
+Growing declare_fine(graph::GraphBuilder& builder, std::uint64_t reserve, const std::string& fingerprint) {
     return growing(builder,
                    {.text = builder.text_of_output("surfels.fine"),
                     .kind = OutputKind::glyphs,
-                    .fields = record_fields<FineSurfel>()},
+                    .fields = record_fields<FineSurfel>(),
+                    .fingerprint = fingerprint},
                    {.key = "surfels.fine",
                     .label = "Fine surfels",
                     .doc = "That the tessellator makes, before thinning."},
@@ -89,13 +90,14 @@ Growing declare_fine(graph::GraphBuilder& builder, std::uint64_t reserve) {
 }
 
 void tessellate(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Patches& patches,
-                const Growing& fine, const Parameters& parameters) {
+                const Growing& fine, const Parameters& parameters, const std::string& fingerprint) {
     const auto commands =
         builder.buffer({.text = {.key = "surfels.draws",
                                  .label = "Draws of patches",
                                  .doc = "Consecutive patches with about as many points each."},
                         .fields = record_fields<DrawCommand>(),
-                        .elements = max_draws});
+                        .elements = max_draws,
+                        .fingerprint = fingerprint});
     const auto capture = std::make_shared<std::unique_ptr<Capture>>();
     builder.pass("fine surfels")
         .reads(scene.positions, scene.indices)

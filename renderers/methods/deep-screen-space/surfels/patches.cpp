@@ -26,6 +26,7 @@ struct Splitting {
     graph::CounterRef triangles, coarse;
     float reach;
     Parameters parameters;
+    std::string fingerprint;
 };
 
 /// Of lists that split.comp reads and writes.
@@ -62,7 +63,8 @@ void first_round(GraphBuilder& builder, const Splitting& s) {
                                  .doc = "How many parts of each triangle are left."},
                         .fields = {{"count", FieldType::u32}},
                         .elements = static_cast<std::uint64_t>(std::max<std::int64_t>(1, triangles)),
-                        .cleared = true});
+                        .cleared = true,
+                        .fingerprint = s.fingerprint});
     builder.pass("cull triangles")
         .reads(s.scene.positions, s.scene.indices)
         .writes("Counts", counts)
@@ -136,23 +138,27 @@ void second_round(GraphBuilder& builder, const Splitting& s) {
 
 }  // namespace
 
-Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, graph::CounterRef fine_count,
-                    float reach, std::uint64_t reserve, const Parameters& parameters) {
+Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, const Growing& fine,
+                    float reach, std::uint64_t reserve, const Parameters& parameters,
+                    const std::string& fingerprint) {
     Splitting s;
     s.scene = scene;
+    s.fingerprint = fingerprint;
     s.parts =
         growing(builder,
                 {.text = {.key = "surfels.parts.list",
                           .label = "Parts of triangles, after the first round",
                           .doc = "Triangles that are left, or similar parts of those that are too large."},
-                 .fields = record_fields<Patch>()},
+                 .fields = record_fields<Patch>(),
+                 .fingerprint = fingerprint},
                 {.key = "surfels.parts", .label = "Parts of triangles, after the first round"}, reserve);
     s.words =
         growing(builder,
                 {.text = {.key = "surfels.patches.places",
                           .label = "Places of patches",
                           .doc = "For each part of the first round how many patches are before its own."},
-                 .fields = {{"place", FieldType::u32}}},
+                 .fields = {{"place", FieldType::u32}},
+                 .fingerprint = fingerprint},
                 {.key = "surfels.patches.words", .label = "Parts of triangles with places"}, reserve);
     s.patches = growing(builder,
                         {.text = {.key = "surfels.patches.list",
@@ -160,7 +166,8 @@ Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, gr
                                   .doc = "What the tessellator divides. splits: parts along each side of the "
                                          "triangle; place: column and row of the part, 12 bits each, and "
                                          "whether it is turned; level: of tessellation."},
-                         .fields = record_fields<Patch>()},
+                         .fields = record_fields<Patch>(),
+                         .fingerprint = fingerprint},
                         {.key = "surfels.patches",
                          .label = "Patches",
                          .doc = "Triangles, or parts of them, that the tessellator divides."},
@@ -170,7 +177,8 @@ Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, gr
                                  .label = "Points of patches",
                                  .doc = "How many fine surfels are before those of each patch."},
                         .fields = {{"place", FieldType::u32}},
-                        .cleared = true},
+                        .cleared = true,
+                        .fingerprint = fingerprint},
                        {.key = "surfels.patches.points", .label = "Patches with places of points"}, reserve);
     s.triangles = builder.counter({.key = "surfels.triangles",
                                    .label = "Triangles left",
@@ -184,7 +192,7 @@ Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, gr
     s.parameters = parameters;
     first_round(builder, s);
     second_round(builder, s);
-    passes::scan_in_place(builder, "surfels.fine", s.points.buffer, fine_count);
+    passes::scan_in_place(builder, "surfels.fine", s.points.buffer, fine.count);
     return {s.patches, s.points, s.triangles};
 }
 

@@ -10,14 +10,23 @@ namespace {
 struct ShadeSurfels {
     int light_count;
     bool normal_maps;
-    unsigned capacity;
-    IR_FIELDS(light_count, normal_maps, capacity)
+    IR_FIELDS(light_count, normal_maps)
 };
 
 }  // namespace
 
-void shade(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::ShadowMaps& shadow,
-           const Surfels& surfels, const Parameters& parameters) {
+graph::BufferRef shade(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                       const passes::ShadowMaps& shadow, const Surfels& surfels,
+                       const Parameters& parameters) {
+    const auto room = builder.buffers().at(static_cast<std::size_t>(surfels.records.index)).elements;
+    const auto lights = growing(builder,
+                                {.text = {.key = "surfels.lights",
+                                          .label = "Light of surfels, as passes read it",
+                                          .doc = "What the surfels of \"surfels.records\" send.",
+                                          .semantic = Semantic::radiance,
+                                          .unit = "W/(m² sr)"},
+                                 .fields = record_fields<SurfelLight>()},
+                                {.key = "surfels.lit", .label = "Surfels that are lit"}, room);
     const auto surfaces = passes::hit_surfaces(builder, scene);
     const auto& transport = parameters.transport;
     gl::ProgramSource source{{"methods/deep-screen-space/surfels/shade.comp"}};
@@ -27,18 +36,21 @@ void shade(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, cons
     auto pass = builder.pass("shade surfels");
     surfaces.read_by(pass);
     pass.reads(scene.lights, shadow.views, shadow.maps)
-        .writes("Surfels", surfels.records)
-        .counts("SurfelCount", surfels.count)
+        .reads("Surfels", surfels.records)
+        .reads("Stored", surfels.stored)
+        .writes("SurfelLights", lights.buffer)
+        .counts("LitCount", lights.count)
         .execute_sliced(
             packing_parts,
             [=, normal_maps = transport.normal_maps](graph::PassContext& context, graph::Slice slice) {
                 const auto& program = context.use(source);
                 const auto capacity = context.capacity(surfels.records);
-                program.set(ShadeSurfels{static_cast<int>(context.inputs().world->lights.size()), normal_maps,
-                                         static_cast<unsigned>(capacity)});
+                program.set(
+                    ShadeSurfels{static_cast<int>(context.inputs().world->lights.size()), normal_maps});
                 dispatch_parts(program, capacity, slice);
             },
             1);
+    return lights.buffer;
 }
 
 }  // namespace ir::methods::deep_screen_space

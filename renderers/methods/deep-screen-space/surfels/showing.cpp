@@ -25,15 +25,17 @@ void show_surfels(graph::GraphBuilder& builder, const Surfels& surfels, std::uin
                                 .kind = OutputKind::glyphs,
                                 .fields = record_fields<ShownSurfel>()},
                                {.key = "surfels.shown", .label = "Surfels shown"}, reserve);
-    builder.pass("show surfels")
-        .reads("Surfels", surfels.records)
+    auto pass = builder.pass("show surfels");
+    if (surfels.are_lit()) pass.reads("SurfelLights", surfels.lights);
+    pass.reads("Surfels", surfels.records)
+        .reads("Stored", surfels.stored)
         .writes("Shown", shown.buffer)
-        .counts("SurfelCount", surfels.count)
         .counts("ShownCount", shown.count)
         .execute_sliced(
             packing_parts,
             [=](graph::PassContext& context, graph::Slice slice) {
-                const auto& program = context.use({{"methods/deep-screen-space/surfels/show.comp"}});
+                const auto& program = context.use({{"methods/deep-screen-space/surfels/show.comp"},
+                                                   {{"LIT", surfels.are_lit() ? "1" : "0"}}});
                 const auto capacity =
                     std::min(context.capacity(surfels.records), context.capacity(shown.buffer));
                 program.set(Show{ideal(context.inputs().view, parameters), static_cast<unsigned>(capacity)});

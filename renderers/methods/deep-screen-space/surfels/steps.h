@@ -4,7 +4,8 @@
 #include "renderers/methods/deep-screen-space/surfels/packing.h"
 #include "shaders/methods/deep-screen-space/surfels/fine.glsl.h"
 
-/// The steps by which surfels are made, in their order. [Nalbach15 fig. 6]
+/// The steps by which surfels are made, in their order; all but their light is kept as long as the
+/// fingerprint stays. [Nalbach15 fig. 6]
 namespace ir::methods::deep_screen_space {
 
 /// Parts of triangles that the tessellator divides, in the order of triangles; struct Patch of patch.glsl.
@@ -14,26 +15,27 @@ struct Patches {
     graph::CounterRef triangles;  ///< that are not culled
 };
 
-/// Declares the passes that cull triangles and split those that are too large, and add to `fine_count` how
-/// many points that makes. [Nalbach15 fig. 6 a]
-Patches cut_patches(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                    graph::CounterRef fine_count, float reach, std::uint64_t reserve,
-                    const Parameters& parameters);
+/// Declares the passes that cull triangles and split those that are too large, and count how many `fine`
+/// surfels that makes. [Nalbach15 fig. 6 a]
+Patches cut_patches(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Growing& fine,
+                    float reach, std::uint64_t reserve, const Parameters& parameters,
+                    const std::string& fingerprint);
 
 /// Declares "surfels.fine", without what fills it: patches count what goes into it.
-Growing declare_fine(graph::GraphBuilder& builder, std::uint64_t reserve);
+Growing declare_fine(graph::GraphBuilder& builder, std::uint64_t reserve, const std::string& fingerprint);
 
 /// Declares the pass that fills it, by hardware tessellation. [Nalbach15 fig. 6 b]
 void tessellate(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Patches& patches,
-                const Growing& fine, const Parameters& parameters);
+                const Growing& fine, const Parameters& parameters, const std::string& fingerprint);
 
 /// Declares "surfels.records" with the passes that keep some of the fine ones, unlit. [Nalbach15 fig. 6 c]
 Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Growing& fine,
-             std::uint64_t reserve, const Parameters& parameters);
+             std::uint64_t reserve, const Parameters& parameters, const std::string& fingerprint);
 
-/// Declares the pass that lights the surfels. [Nalbach15 fig. 6 d]
-void shade(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::ShadowMaps& shadow,
-           const Surfels& surfels, const Parameters& parameters);
+/// Declares "surfels.lights" with the pass that fills it. [Nalbach15 fig. 6 d]
+graph::BufferRef shade(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                       const passes::ShadowMaps& shadow, const Surfels& surfels,
+                       const Parameters& parameters);
 
 /// Declares the output "surfels", of as many elements, which says of each which one it is.
 void show_surfels(graph::GraphBuilder& builder, const Surfels& surfels, std::uint64_t reserve,

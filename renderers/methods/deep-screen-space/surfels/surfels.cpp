@@ -2,9 +2,40 @@
 
 #include <cmath>
 
+#include "renderers/methods/deep-screen-space/fingerprints.h"
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
+#include "shaders/methods/deep-screen-space/surfels/stored.comp.h"
 
 namespace ir::methods::deep_screen_space {
+namespace {
+
+/// Constants of stored.comp.
+struct CountStored {
+    unsigned capacity;
+    IR_FIELDS(capacity)
+};
+
+}  // namespace
+
+Surfels count_stored(graph::GraphBuilder& builder, const Growing& records, const std::string& fingerprint) {
+    Surfels surfels{records.buffer, records.count, {}, {}, fingerprint};
+    surfels.stored =
+        builder.buffer({.text = {.key = "surfels.stored",
+                                 .label = "Surfels to read",
+                                 .doc = "stored: those made, as far as the buffer reaches; made: all.",
+                                 .semantic = Semantic::count},
+                        .fields = record_fields<StoredSurfels>(),
+                        .elements = 1,
+                        .fingerprint = fingerprint});
+    builder.pass("count stored surfels")
+        .reads(surfels.records)
+        .writes("Stored", surfels.stored)
+        .counts("Count", surfels.count)
+        .compute({{"methods/deep-screen-space/surfels/stored.comp"}}, 1, [=](const graph::PassContext& p) {
+            return CountStored{static_cast<unsigned>(p.capacity(surfels.records))};
+        });
+    return surfels;
+}
 
 Surfels make_surfels(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                      const passes::ShadowMaps& shadow, float reach, const Parameters& parameters) {
@@ -16,12 +47,15 @@ Surfels make_surfels(graph::GraphBuilder& builder, const passes::SceneBuffers& s
             std::ceil(parameters.reserve * (per_pixel * pixels + per_triangle * triangles)));
     };
     const auto reserve = room_for(1, 0);
-    const auto fine = declare_fine(builder, room_for(2, 0.65));  // three for a triangle however small
-    const auto patches = cut_patches(builder, scene, fine.count, reach, room_for(0.1, 0.25), parameters);
-    tessellate(builder, scene, patches, fine, parameters);
-    const auto surfels = thin(builder, scene, fine, reserve, parameters);
+    const auto kept_while = surfel_fingerprint(builder.inputs(), reach, parameters);
+    const auto fine =
+        declare_fine(builder, room_for(2, 0.65), kept_while);  // three for a triangle however small
+    const auto patches =
+        cut_patches(builder, scene, fine, reach, room_for(0.1, 0.25), parameters, kept_while);
+    tessellate(builder, scene, patches, fine, parameters, kept_while);
+    auto surfels = thin(builder, scene, fine, reserve, parameters, kept_while);
     if (parameters.transport.paths != Transport::Paths::ao)
-        shade(builder, scene, shadow, surfels, parameters);
+        surfels.lights = shade(builder, scene, shadow, surfels, parameters);
     show_surfels(builder, surfels, reserve, parameters);
     count_surfels(builder, patches, fine, surfels, parameters);
     return surfels;

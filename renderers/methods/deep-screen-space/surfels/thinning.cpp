@@ -56,14 +56,15 @@ graph::PassBuilder reads(graph::PassBuilder pass, const Thinning& t) {
 }  // namespace
 
 Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Growing& fine,
-             std::uint64_t reserve, const Parameters& parameters) {
+             std::uint64_t reserve, const Parameters& parameters, const std::string& fingerprint) {
     const auto fine_room = builder.buffers().at(static_cast<std::size_t>(fine.buffer.index)).elements;
     const auto words =
         growing(builder,
                 {.text = {.key = "surfels.places",
                           .label = "Places of surfels",
                           .doc = "For each run of 16 fine surfels how many of those before it are kept."},
-                 .fields = {{"place", FieldType::u32}}},
+                 .fields = {{"place", FieldType::u32}},
+                 .fingerprint = fingerprint},
                 {.key = "surfels.fine.words", .label = "Runs of fine surfels with places"},
                 (fine_room + run - 1) / run);
     const auto kept =
@@ -73,7 +74,8 @@ Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
                           .doc = "As the output \"surfels\"; identity: a hash of the surfel's place, of "
                                  "which all random choices about it are made."},
                  .kind = OutputKind::glyphs,
-                 .fields = record_fields<Surfel>()},
+                 .fields = record_fields<Surfel>(),
+                 .fingerprint = fingerprint},
                 {.key = "surfels.kept", .label = "Surfels", .doc = "That are left by thinning."}, reserve);
     const Thinning t{scene, fine, words, parameters};
     reads(builder.pass("thin surfels"), t)
@@ -99,7 +101,7 @@ Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
                 dispatch_parts(program, context.capacity(t.words.buffer), slice);
             },
             1);
-    return {kept.buffer, kept.count};
+    return count_stored(builder, kept, fingerprint);
 }
 
 }  // namespace ir::methods::deep_screen_space

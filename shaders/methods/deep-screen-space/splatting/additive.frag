@@ -9,6 +9,7 @@
 
 #if LIGHT
 uniform bool black_backs;
+layout(std430) readonly buffer SurfelLights { SurfelLight surfel_lights[]; };
 layout(location = 0) out vec4 add_diffuse;  // reflected by a white Lambert part, W/(m² sr)
 #if MATERIALS != 2  // SCATTERING_LAMBERT
 layout(location = 1) out vec4 add_glossy;  // reflected by the microfacets
@@ -42,7 +43,7 @@ void add_light(Surfel surfel, vec3 l, float omega) {
     Scatterer s = scatterer_of(receiver, texelFetch(gbuffer_albedo, pixel, 0).rgb, material);
     if (!is_above(s, l)) discard;
     bool is_front = dot(surfel.normal_ws, l) < 0.0;
-    vec3 sent = is_front ? surfel.radiance_front : black_backs ? vec3(0) : surfel.radiance_back;
+    vec3 sent = is_front || !black_backs ? light_of_side(surfel_lights[surfel_index], is_front) : vec3(0);
     // The diffuse part without its colour, so that blurring leaves textures alone.
     float n_dot_l = dot(s.n, l);
     Scatterer diffuse = s;

@@ -5,7 +5,7 @@ layout(local_size_x = 64) in;
 #include "methods/deep-screen-space/records.glsl"
 
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
-layout(std430) readonly buffer Stored { uint stored; };
+layout(std430) readonly buffer Stored { uint stored, made; };
 /// Bits of the greatest 1 / distance², and of those as near the last one's 1 + index; zeros: none.
 layout(std430) buffer Choice { uint closeness, surfel; };
 

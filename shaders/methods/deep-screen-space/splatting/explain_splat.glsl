@@ -6,7 +6,7 @@
 #include "methods/deep-screen-space/splatting/visible_level.glsl"
 
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
-layout(std430) readonly buffer Stored { uint stored; };
+layout(std430) readonly buffer Stored { uint stored, made; };
 
 uniform usampler2DArray places;
 uniform sampler2D gbuffer_position;

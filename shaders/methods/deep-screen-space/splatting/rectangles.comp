@@ -1,5 +1,6 @@
 // Finds the rectangle of places that each surfel can affect on one level for one sample, and writes the command
 // that draws them.  [Nalbach15 §4.1]
+// DARK_IS_IDLE: surfels that send no light are not drawn.
 layout(local_size_x = 64) in;
 
 #include "methods/deep-screen-space/records.glsl"
@@ -8,8 +9,11 @@ layout(local_size_x = 64) in;
 #include "methods/deep-screen-space/splatting/splat_culling.glsl"
 #include "methods/deep-screen-space/splatting/sub_image.glsl"
 
-layout(std430) readonly buffer Stored { uint stored; };
+layout(std430) readonly buffer Stored { uint stored, made; };
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
+#if DARK_IS_IDLE
+layout(std430) readonly buffer SurfelLights { SurfelLight surfel_lights[]; };
+#endif
 layout(std430) writeonly buffer Rectangles { uvec2 rectangles[]; };
 layout(std430) writeonly buffer Draw { uint vertices, instances, first_vertex, base_instance; };
 #ifdef COUNTS
@@ -23,6 +27,17 @@ uniform ivec2 hierarchy_size;
 uniform bool culls, shells;
 
 shared uint group_drawn, group_culled;
+
+// DEVIATION [Nalbach14]: "depending on the estimated influence" [Nalbach15 §4.1] leaves open which; there it also
+// depends on the radiance that is sent, which here only counts as none or some, as ε would else depend on exposure.
+bool is_idle(uint surfel) {
+#if DARK_IS_IDLE
+    SurfelLight light = surfel_lights[surfel];
+    return light_of_side(light, true) == vec3(0) && light_of_side(light, false) == vec3(0);
+#else
+    return false;
+#endif
+}
 
 /// First place, and the one after the last; both 0: none.
 uvec2 rectangle_of(Surfel surfel) {
@@ -50,7 +65,7 @@ void main() {
         instances = 1u;
         first_vertex = base_instance = 0u;
     }
-    if (i < last) rectangles[i - first] = rectangle_of(surfels[i]);
+    if (i < last) rectangles[i - first] = is_idle(i) ? uvec2(0) : rectangle_of(surfels[i]);
 #ifdef COUNTS
     barrier();
     if (gl_LocalInvocationIndex == 0u) {

@@ -4,6 +4,7 @@
 #include "passes/bounce/tiles.glsl"
 
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
+layout(std430) readonly buffer SurfelLights { SurfelLight surfel_lights[]; };
 
 uniform usampler2DArray nearest;
 uniform sampler2DArray directions;
@@ -13,12 +14,13 @@ layout(rgba32f) uniform writeonly image2DArray incoming;
 #include "methods/deep-screen-space/splatting/resolve_glossy.glsl"
 #endif
 
-vec3 sent(Surfel s, vec3 direction_ws) {
+vec3 sent(uint surfel, vec3 direction_ws) {
+    Surfel s = surfels[surfel];
     bool is_front = dot(s.normal_ws, direction_ws) <= 0.0;
 #if BLACK_BACKS
     if (!is_front) return vec3(0);
 #endif
-    vec3 radiance = is_front ? s.radiance_front : s.radiance_back;
+    vec3 radiance = light_of_side(surfel_lights[surfel], is_front);
 #if GLOSSY_SENDERS
     radiance = max(radiance + sent_to_one_side(s, direction_ws), 0.0);
 #endif
@@ -33,7 +35,7 @@ void main() {
         ivec3 at = ivec3(pixel, i);
         uint winner = texelFetch(nearest, at, 0).x;
         vec3 radiance = vec3(0);
-        if (winner != 0u) radiance = sent(surfels[winner - 1u], texelFetch(directions, at, 0).xyz);
+        if (winner != 0u) radiance = sent(winner - 1u, texelFetch(directions, at, 0).xyz);
         imageStore(incoming, at, vec4(radiance, winner != 0u ? 1 : 0));
     }
 }

@@ -1,4 +1,4 @@
-// The stored radiance of the winners of every level, on the side that was hit: at their places, or (UNSHUFFLED)
+// LIT: surfels send light, else nothing. The stored radiance of the winners of every level, on the side that was hit: at their places, or (UNSHUFFLED)
 // where the pixels are.
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -6,6 +6,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "methods/deep-screen-space/splatting/places.glsl"
 
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
+#if LIT
+layout(std430) readonly buffer SurfelLights { SurfelLight surfel_lights[]; };
+#endif
 
 #ifdef UNSHUFFLED
 uniform usampler2DArray places;
@@ -39,7 +42,10 @@ void main() {
     if (winner != 0u) {
         Surfel s = surfels[winner - 1u];
         bool is_front = dot(s.normal_ws, texelFetch(directions, ivec3(p.pixel, at.z / levels), 0).xyz) <= 0.0;
-        radiance = vec4(is_front ? s.radiance_front : s.radiance_back, 1);
+        radiance.a = 1.0;
+#if LIT
+        radiance.rgb = light_of_side(surfel_lights[winner - 1u], is_front);
+#endif
     }
     imageStore(radiance_image, at, radiance);
 }

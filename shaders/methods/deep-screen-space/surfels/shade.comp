@@ -3,16 +3,18 @@
 layout(local_size_x = 64) in;
 #include "passes/scene/hit_surface.glsl"
 #include "lib/brdf.glsl"
+#include "lib/floats.glsl"
 #include "passes/shadow/shadow.glsl"
 #include "methods/deep-screen-space/records.glsl"
 #include "methods/deep-screen-space/surfels/parts.glsl"
 #include "methods/deep-screen-space/surfels/diffuse.glsl"
 
 layout(std430) readonly buffer Lights { Light lights[]; };
-layout(std430) buffer Surfels { Surfel surfels[]; };
-layout(std430) readonly buffer SurfelCount { uint surfel_count; };
+layout(std430) readonly buffer Surfels { Surfel surfels[]; };
+layout(std430) readonly buffer Stored { uint stored, made; };
+layout(std430) writeonly buffer SurfelLights { SurfelLight surfel_lights[]; };
+layout(std430) writeonly buffer LitCount { uint lit_count; };
 
-uniform uint capacity;
 uniform int light_count, normal_maps;
 
 vec3 reflected(HitSurface s, vec3 position_ws) {
@@ -44,7 +46,8 @@ vec3 emitted(uint triangle, vec2 weights) {
 
 void main() {
     uint item = item_of_part();
-    if (item >= min(surfel_count, capacity)) return;
+    if (item == 0u) lit_count = made;
+    if (item >= min(stored, uint(surfel_lights.length()))) return;
     Surfel surfel = surfels[item];
     vec2 weights = unpackUnorm2x16(surfel.barycentrics);
     vec3 emission = vec3(0);
@@ -52,8 +55,8 @@ void main() {
     emission = emitted(surfel.triangle, weights);
 #endif
     HitSurface side = hit_surface(surfel.triangle, weights.x, weights.y, -surfel.normal_ws, normal_maps != 0);
-    surfels[item].radiance_front = emission + reflected(side, surfel.centre_ws);
+    surfel_lights[item].front = floats(emission + reflected(side, surfel.centre_ws));
     side.geometric_normal_ws = -side.geometric_normal_ws;
     side.shading_normal_ws = -side.shading_normal_ws;
-    surfels[item].radiance_back = emission + reflected(side, surfel.centre_ws);
+    surfel_lights[item].back = floats(emission + reflected(side, surfel.centre_ws));
 }

@@ -1,4 +1,4 @@
-// Surfels as people look at them.
+// Surfels as people look at them. LIT: they send light.
 layout(local_size_x = 64) in;
 #include "lib/constants.glsl"
 #include "methods/deep-screen-space/records.glsl"
@@ -17,7 +17,10 @@ struct ShownSurfel {
     float part;
 };
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
-layout(std430) readonly buffer SurfelCount { uint surfel_count; };
+layout(std430) readonly buffer Stored { uint stored, made; };
+#if LIT
+layout(std430) readonly buffer SurfelLights { SurfelLight surfel_lights[]; };
+#endif
 layout(std430) writeonly buffer Shown { ShownSurfel shown[]; };
 layout(std430) writeonly buffer ShownCount { uint shown_count; };
 
@@ -25,10 +28,14 @@ uniform uint capacity;
 
 void main() {
     uint item = item_of_part();
-    if (item == 0u) shown_count = surfel_count;
-    if (item >= min(surfel_count, capacity)) return;
+    if (item == 0u) shown_count = made;
+    if (item >= min(stored, capacity)) return;
     Surfel s = surfels[item];
     float part = PI * s.radius * s.radius / ideal_area(s.centre_ws);
-    shown[item] = ShownSurfel(s.centre_ws, item, s.normal_ws, s.radius, s.radiance_front, s.triangle,
-                              s.radiance_back, part);
+    vec3 front = vec3(0), back = vec3(0);
+#if LIT
+    front = light_of_side(surfel_lights[item], true);
+    back = light_of_side(surfel_lights[item], false);
+#endif
+    shown[item] = ShownSurfel(s.centre_ws, item, s.normal_ws, s.radius, front, s.triangle, back, part);
 }

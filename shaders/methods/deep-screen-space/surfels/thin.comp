@@ -18,8 +18,8 @@ void main() {
         FineSurfel s = fine_surfel(item);
         float area = kept_area(s);
         if (!(area > 0.0)) continue;
-        surfels[place] = Surfel(s.centre_ws, s.triangle, s.normal_ws, sqrt(area / PI), vec3(0),
-                                s.barycentrics, vec3(0), s.identity);
+        surfels[place] = Surfel(s.centre_ws, s.triangle, s.normal_ws, sqrt(area / PI), s.barycentrics, s.identity,
+                                uint[](0u, 0u));
         ++place;
     }
 }
