@@ -54,11 +54,25 @@ MethodDescription description() {
     return d;
 }
 
+/// Why outermost depths are not enough; empty: they are.
+std::string needs_lists(const Parameters& parameters) {
+    if (parameters.transport.max_distance > 0) return "a max_distance";
+    if (parameters.maps.self_hit != passes::ldm::SelfHit::tangent_plane) return "self_hit=normal-offset";
+    if (parameters.exact != Exact::none) return "exact hits";
+    return {};
+}
+
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     const auto direct = passes::direct_light(builder, scene, gbuffer);
     auto options = passes::ldm::options_of(parameters.maps);
+    if (const auto reason = needs_lists(parameters);
+        !reason.empty() && options.storage == passes::ldm::StorageKind::outermost) {
+        builder.note("storage=outermost tells whether anything is hit, not where: arrays are used for " +
+                     reason);
+        options.storage = passes::ldm::StorageKind::arrays;
+    }
     const auto& inputs = builder.inputs();
     if (parameters.progressive) options.rotation = passes::ldm::random_rotation(inputs.seed, inputs.frame);
     const auto maps = passes::ldm::declare_maps(builder, options);

@@ -33,7 +33,7 @@ void add_exact(ParameterTable<Parameters>& table) {
 
 ParameterTable<Parameters> parameter_table() {
     ParameterTable<Parameters> table;
-    table.include(&Parameters::maps, passes::ldm::map_parameters());
+    table.include(&Parameters::maps, passes::ldm::map_parameters(passes::ldm::Asks::any));
     table.include(
         &Parameters::transport,
         transport_parameters({.paths = {"ao"}, .keys = {"max_distance", "falloff", "normal_maps"}}));

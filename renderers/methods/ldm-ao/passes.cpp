@@ -40,6 +40,9 @@ void declare_trace(graph::GraphBuilder& builder, const std::string& name, const 
         source.defines = ldm::defines_of(context, *maps);
         if (views) source.defines["LDM_VIEWS"] = "1";
         if (replaced) source.defines["EXACT_HITS"] = "1";
+        if (views && maps->options.storage == ldm::StorageKind::outermost)
+            context.notes().warn(
+                "storage=outermost: views of self-hits count own entries between the outermost two as missing");
         const auto& program = context.use(source);
         const auto shape = context.shape(sums);
         const auto end = std::min<std::int64_t>(slice.end * directions_per_dispatch, maps->batch_maps(batch));
@@ -94,7 +97,7 @@ void trace_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
     ldm::trace_on_host(
         builder, gbuffer, meshlets, maps, rule,
         {.max_distance = transport.max_distance, .smooth = transport.falloff == Transport::Falloff::smooth},
-        images.sums);
+        !parameters.progressive, images.sums);
     ldm::count_self_hits_on_host(builder, gbuffer, meshlets, maps, rule, images.view_counts);
 }
 

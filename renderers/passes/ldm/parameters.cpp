@@ -6,7 +6,49 @@ namespace {
 const Condition tangent_plane{"self_hit", {std::string("tangent-plane")}};
 const Condition normal_offset{"self_hit", {std::string("normal-offset")}};
 
-void add_maps(ParameterTable<MapParameters>& table) {
+std::vector<Choice> storages(Asks asks) {
+    std::vector<Choice> result{
+        {"linked-lists", "Linked lists",
+         "Pre-sorted per-pixel singly linked lists, as published: 8 bytes per fragment.", Effect::cost},
+        {"arrays", "Arrays",
+         "Contiguous sorted arrays (count, prefix sum, scatter, sort): 2 bytes per fragment. The "
+         "default: smaller and, measured on a software rasteriser, faster than lists.",
+         Effect::cost},
+        {"sparse-arrays", "Sparsity-aware arrays",
+         "Contiguous sorted arrays whose offsets are kept, and summed, for texels with fragments "
+         "alone (S-buffer).",
+         Effect::cost},
+        {"packed-arrays", "Packed arrays",
+         "Contiguous sorted arrays of 11-bit depths and one byte of offsets per texel: the least "
+         "memory, 1.5 bytes per fragment on Sponza. Depths are rounded to 32 quanta (1/2044 of the "
+         "scene), so that hits move by up to 16; entries equal after that are one; self-hit "
+         "tolerances are at least 17 quanta."},
+        {"lists-then-sort", "Linked lists, sorted after",
+         "Per-pixel singly linked lists in order of arrival, and a pass that sorts them.", Effect::cost},
+        {"pages", "Linked pages",
+         "Paged per-pixel singly linked lists: several depths per node, sorted after.", Effect::cost},
+        {"fixed-arrays", "Fixed arrays, sorted after",
+         "A fixed number of layers per texel; those that arrive after it is full are dropped and "
+         "counted. Which ones arrive late may differ from run to run."},
+        {"fixed-arrays-presorted", "Fixed arrays, pre-sorted",
+         "A fixed number of layers per texel, sorted while they arrive: the nearest ones along the "
+         "map's direction stay, the others are dropped and counted."},
+        {"hash", "Hash table",
+         "One table for all texels, entries found by hashing texel and age (HA-buffer).", Effect::cost},
+        {"depth-peeling", "Depth peeling",
+         "Layer by layer, each the nearest beyond the one before: slow and exact, what the others "
+         "are tested against.",
+         Effect::cost}};
+    if (asks == Asks::any)
+        result.push_back({"outermost", "Outermost depths",
+                          "The first and the last depth of a texel, without lists: 4 bytes per texel. They "
+                          "answer hits at any distance by the rule tangent-plane as lists do; for anything "
+                          "else arrays are used, and a note says so. Views of maps show two layers.",
+                          Effect::cost});
+    return result;
+}
+
+void add_maps(ParameterTable<MapParameters>& table, Asks asks) {
     table
         .add(
             &MapParameters::directions,
@@ -27,49 +69,12 @@ void add_maps(ParameterTable<MapParameters>& table) {
                                           .hard = {1, 2048},
                                           .soft = {50, 600},
                                           .on_change = OnChange::reallocate})
-        .add(
-            &MapParameters::storage,
-            {.key = "storage",
-             .label = "Storage",
-             .doc = "How a map keeps the sorted depths of its texels.",
-             .citation = "Aalund15 §2.1",
-             .choices =
-                 {{"linked-lists", "Linked lists",
-                   "Pre-sorted per-pixel singly linked lists, as published: 8 bytes per fragment.",
-                   Effect::cost},
-                  {"arrays", "Arrays",
-                   "Contiguous sorted arrays (count, prefix sum, scatter, sort): 2 bytes per fragment. The "
-                   "default: smaller and, measured on a software rasteriser, faster than lists.",
-                   Effect::cost},
-                  {"sparse-arrays", "Sparsity-aware arrays",
-                   "Contiguous sorted arrays whose offsets are kept, and summed, for texels with fragments "
-                   "alone (S-buffer).",
-                   Effect::cost},
-                  {"packed-arrays", "Packed arrays",
-                   "Contiguous sorted arrays of 11-bit depths and one byte of offsets per texel: the least "
-                   "memory, 1.5 bytes per fragment on Sponza. Depths are rounded to 32 quanta (1/2044 of the "
-                   "scene), so that hits move by up to 16; entries equal after that are one; self-hit "
-                   "tolerances are at least 17 quanta."},
-                  {"lists-then-sort", "Linked lists, sorted after",
-                   "Per-pixel singly linked lists in order of arrival, and a pass that sorts them.",
-                   Effect::cost},
-                  {"pages", "Linked pages",
-                   "Paged per-pixel singly linked lists: several depths per node, sorted after.",
-                   Effect::cost},
-                  {"fixed-arrays", "Fixed arrays, sorted after",
-                   "A fixed number of layers per texel; those that arrive after it is full are dropped and "
-                   "counted. Which ones arrive late may differ from run to run."},
-                  {"fixed-arrays-presorted", "Fixed arrays, pre-sorted",
-                   "A fixed number of layers per texel, sorted while they arrive: the nearest ones along the "
-                   "map's direction stay, the others are dropped and counted."},
-                  {"hash", "Hash table",
-                   "One table for all texels, entries found by hashing texel and age (HA-buffer).",
-                   Effect::cost},
-                  {"depth-peeling", "Depth peeling",
-                   "Layer by layer, each the nearest beyond the one before: slow and exact, what the others "
-                   "are tested against.",
-                   Effect::cost}},
-             .on_change = OnChange::reallocate})
+        .add(&MapParameters::storage, {.key = "storage",
+                                       .label = "Storage",
+                                       .doc = "How a map keeps the sorted depths of its texels.",
+                                       .citation = "Aalund15 §2.1",
+                                       .choices = storages(asks),
+                                       .on_change = OnChange::reallocate})
         .add(&MapParameters::fixed_layers,
              {.key = "fixed_layers",
               .label = "Fixed layers",
@@ -151,9 +156,9 @@ void add_self_hits(ParameterTable<MapParameters>& table) {
 
 }  // namespace
 
-ParameterTable<MapParameters> map_parameters() {
+ParameterTable<MapParameters> map_parameters(Asks asks) {
     ParameterTable<MapParameters> table;
-    add_maps(table);
+    add_maps(table, asks);
     return table;
 }
 

@@ -6,6 +6,7 @@
 #include "renderers/passes/ldm/fixed_storage.h"
 #include "renderers/passes/ldm/hash_storage.h"
 #include "renderers/passes/ldm/list_storage.h"
+#include "renderers/passes/ldm/outermost_storage.h"
 #include "renderers/passes/ldm/packed_storage.h"
 #include "renderers/passes/ldm/page_storage.h"
 #include "renderers/passes/ldm/peel_storage.h"
@@ -43,6 +44,8 @@ std::shared_ptr<const Storage> make_storage(graph::GraphBuilder& builder, Storag
             return std::make_shared<SortedListStorage>(builder, layout);
         case StorageKind::pages:
             return std::make_shared<PageStorage>(builder, layout);
+        case StorageKind::outermost:
+            return std::make_shared<OutermostStorage>(builder, layout);
         case StorageKind::packed_arrays:
             return std::make_shared<PackedStorage>(builder, layout);
     }

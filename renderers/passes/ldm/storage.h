@@ -24,7 +24,8 @@ enum class StorageKind {
     fixed_arrays,
     fixed_arrays_presorted,
     hash,
-    depth_peeling
+    depth_peeling,
+    outermost
 };
 
 /// How the maps of one direction set are divided. Maps are built in chunks (one after another, with the same

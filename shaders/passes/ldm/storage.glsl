@@ -36,6 +36,8 @@ struct LdmCursor {
 #include "passes/ldm/peel.glsl"
 #elif defined(LDM_PACKED_BITS)
 #include "passes/ldm/packed.glsl"
+#elif defined(LDM_OUTERMOST)
+#include "passes/ldm/outermost.glsl"
 #elif defined(LDM_PAGES)
 #include "passes/ldm/pages.glsl"
 #endif

@@ -54,6 +54,7 @@ class LdmAo : public testing::Test {
         inputs.seed = 5;
         inputs.threads = threads;
         inputs.processor = processor;
+        inputs.geometry_fingerprint = geometry;
         options.wanted.push_back(key);
         report = graph_->run(*method_, settings, inputs, options);
         return graph_->read_image(key).value();
@@ -65,6 +66,7 @@ class LdmAo : public testing::Test {
     scene::World world_;
     Processor processor = Processor::gl;
     int threads = 0;
+    std::string geometry;  ///< fingerprint; empty: nothing is kept from frame to frame
 
   private:
     std::unique_ptr<gl::Context> context_;

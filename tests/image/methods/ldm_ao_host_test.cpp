@@ -150,6 +150,62 @@ TEST_F(LdmAoStream, MemoryDoesNotGrowWithTheNumberOfMaps) {
     }
 }
 
+TEST_F(LdmAoStream, MapsThatStandStillAreKeptAndGiveTheSamePictures) {
+    geometry = "atrium";
+    load("builtin:atrium?detail=0.3");
+    const auto settings = maps(40, 150, 0);
+    const auto built = [&] { return report.counters.at("ldm.maps_built"); };
+    const auto first = world_.cameras.front();
+    auto moved = first;
+    moved.eye += glm::vec3(0.3f, 0.1f, -0.2f);
+
+    const auto fresh = render(first, 96, 64, settings);
+    EXPECT_EQ(built(), 40);
+    const auto fragments = report.counters.at("ldm.fragments");
+    const auto kept = render(moved, 96, 64, settings);
+    EXPECT_EQ(built(), 0);
+    EXPECT_EQ(report.counters.at("ldm.fragments"), fragments);
+    EXPECT_NE(kept.pixels, fresh.pixels);
+
+    geometry.clear();
+    EXPECT_EQ(render(moved, 96, 64, settings).pixels, kept.pixels);
+    EXPECT_EQ(built(), 40);
+
+    geometry = "another";
+    render(moved, 96, 64, settings);
+    EXPECT_EQ(built(), 40);
+    graph::FrameOptions cold;
+    cold.rebuild = true;
+    EXPECT_EQ(render(moved, 96, 64, settings, cold).pixels, kept.pixels);
+    EXPECT_EQ(built(), 40);
+    render(moved, 96, 64, maps(40, 150, 1));  // lists are never kept
+    EXPECT_EQ(built(), 40);
+    for (const int frame : {0, 1}) {
+        render(moved, 96, 64, maps(40, 150, 0, set({{"progressive", true}})), {}, frame);
+        EXPECT_EQ(built(), 40);
+    }
+}
+
+TEST_F(LdmAoStream, KeepsAsManyMapsAsFitAndStreamsTheRest) {
+    geometry = "cornell";
+    load("builtin:cornell");
+    for (const int resolution : {200, 300}) {  // of one band, and of two
+        const auto settings = maps(300, resolution, 0);
+        render(world_.cameras.front(), 24, 16, settings);
+        EXPECT_EQ(report.counters.at("ldm.maps_built"), 300);
+        const auto kept = render(world_.cameras.front(), 40, 32, settings);
+        const auto built = report.counters.at("ldm.maps_built");
+        std::printf("of 300 maps of %d texels a side %g are built anew, %g MB\n", resolution, built,
+                    report.counters.at("ldm.bytes") / 1e6);
+        EXPECT_GT(built, 50);
+        EXPECT_LT(built, 270);
+        EXPECT_LT(report.counters.at("ldm.bytes"), 64e6);
+        geometry.clear();
+        EXPECT_EQ(render(world_.cameras.front(), 40, 32, settings).pixels, kept.pixels);
+        geometry = "cornell";
+    }
+}
+
 TEST_F(LdmAoStream, SelfHitsAreCountedAsOnTheDevice) {
     load("builtin:atrium?detail=0.3");
     for (const char* rule : {"tangent-plane", "normal-offset"})

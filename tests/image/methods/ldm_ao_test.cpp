@@ -133,6 +133,35 @@ TEST_F(LdmAo, StoragesGiveEqualPictures) {
     }
 }
 
+TEST_F(LdmAo, OutermostDepthsAnswerHitsAtAnyDistanceAlone) {
+    load("builtin:atrium");
+    const auto settings = ao_maps(24, 150), outermost = with(settings, "storage", std::string("outermost"));
+    const auto expected = render(camera("nave"), 96, 72, settings);
+    const auto found = render(camera("nave"), 96, 72, outermost);
+    EXPECT_EQ(found.pixels, expected.pixels);
+    EXPECT_EQ(report.counters["ldm.bytes"], 4 * 24 * 150 * 150);
+    EXPECT_LE(report.counters["ldm.nodes"], 2 * 24 * 150 * 150);
+    EXPECT_GT(report.counters["ldm.between"], report.counters["ldm.nodes"]);
+    const auto says = [&](const char* words) {
+        return std::any_of(report.messages.begin(), report.messages.end(), [&](const auto& message) {
+            return message.text.find(words) != std::string::npos;
+        });
+    };
+    EXPECT_FALSE(says("storage=outermost"));
+    render(camera("nave"), 48, 36, outermost, {}, 0, "ldm.self_hits");
+    EXPECT_TRUE(says("storage=outermost: views of self-hits"));
+    const Settings asks_more[] = {with(outermost, "max_distance", 2.0),
+                                  with(outermost, "self_hit", std::string("normal-offset")),
+                                  with(outermost, "exact", std::string("near"))};
+    for (const auto& more : asks_more) {
+        const auto instead = render(camera("nave"), 48, 36, more);
+        EXPECT_TRUE(says("arrays are used"));
+        EXPECT_EQ(instead.pixels,
+                  render(camera("nave"), 48, 36, with(more, "storage", std::string("arrays"))).pixels);
+        EXPECT_FALSE(says("arrays are used"));
+    }
+}
+
 TEST_F(LdmAo, PackedArraysRoundDepthsAndLittleElse) {
     const std::string packed = "packed-arrays";
     load("builtin:atrium");

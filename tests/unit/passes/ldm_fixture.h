@@ -107,13 +107,14 @@ inline constexpr StorageKind all_storages[] = {
     StorageKind::sparse_arrays,   StorageKind::hash,
     StorageKind::fixed_arrays,    StorageKind::fixed_arrays_presorted,
     StorageKind::lists_then_sort, StorageKind::pages,
-    StorageKind::packed_arrays,   StorageKind::depth_peeling};
+    StorageKind::packed_arrays,   StorageKind::depth_peeling,
+    StorageKind::outermost};
 
 /// As people choose it.
 inline std::string key_of(StorageKind storage) {
     MapParameters parameters;
     parameters.storage = storage;
-    return std::get<std::string>(map_parameters().settings(parameters).at("storage"));
+    return std::get<std::string>(map_parameters(Asks::any).settings(parameters).at("storage"));
 }
 
 /// Constants of ldm_lists.comp.

@@ -1,11 +1,11 @@
 #include "renderers/passes/ldm/host/meshlets.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <glm/glm.hpp>
+#include <numeric>
 #include <span>
 
 namespace ir::passes::ldm {
@@ -28,84 +28,96 @@ std::uint32_t morton_code(const glm::vec3& position, const scene::Bounds& bounds
     return spread(cell.x) | spread(cell.y) << 1 | spread(cell.z) << 2;
 }
 
-/// Numbers of triangles first … end - 1 in the order of the curve.
-std::vector<std::uint32_t> along_curve(const scene::World& world, std::uint32_t first, std::uint32_t end) {
-    std::vector<std::uint64_t> keys(end - first);
+/// A triangle's number and its place on the curve.
+struct Placed {
+    std::uint32_t place, triangle;
+};
+
+/// Sorts by place, digit by digit; equal ones stay in order.
+void sort_by_place(std::vector<Placed>& placed) {
+    constexpr int digit_bits = 10, place_bits = 30;
+    std::vector<Placed> sorted(placed.size());
+    for (int shift = 0; shift < place_bits; shift += digit_bits) {
+        const auto digit = [&](const Placed& p) { return p.place >> shift & ((1u << digit_bits) - 1); };
+        std::vector<std::size_t> begins((std::size_t{1} << digit_bits) + 1);
+        for (const auto& p : placed) ++begins[digit(p) + 1];
+        std::partial_sum(begins.begin(), begins.end(), begins.begin());
+        for (const auto& p : placed) sorted[begins[digit(p)]++] = p;
+        placed.swap(sorted);
+    }
+}
+
+struct Corners {
+    glm::vec3 at[3];
+};
+Corners corners_of(const scene::World& world, std::uint32_t triangle) {
+    const auto* corner = &world.indices[3 * std::size_t{triangle}];
+    return {{world.positions[corner[0]], world.positions[corner[1]], world.positions[corner[2]]}};
+}
+
+/// Triangles first … end - 1 in the order of the curve.
+std::vector<Placed> along_curve(const scene::World& world, std::uint32_t first, std::uint32_t end) {
+    std::vector<Placed> placed(end - first);
     tbb::parallel_for(first, end, [&](std::uint32_t triangle) {
-        const auto* corner = &world.indices[3 * std::size_t{triangle}];
-        const auto middle =
-            (world.positions[corner[0]] + world.positions[corner[1]] + world.positions[corner[2]]) / 3.0f;
-        keys[triangle - first] = std::uint64_t{morton_code(middle, world.bounds)} << 32 | triangle;
+        const auto [a, b, c] = corners_of(world, triangle).at;
+        const auto middle = (a + b + c) / 3.0f;
+        placed[triangle - first] = {morton_code(middle, world.bounds), triangle};
     });
-    tbb::parallel_sort(keys);
-    std::vector<std::uint32_t> order(keys.size());
-    std::transform(keys.begin(), keys.end(), order.begin(),
-                   [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
-    return order;
+    sort_by_place(placed);
+    return placed;
 }
 
-/// Cuts triangles first … end - 1, in the order of the curve, into meshlets.
-void cut_into(Meshlets& result, const scene::World& world, std::uint32_t first, std::uint32_t end,
-              bool masked) {
-    const auto order = along_curve(world, first, end);
-    constexpr std::size_t size = Meshlet::max_triangles;
-    const auto count = (order.size() + size - 1) / size, before = result.meshlets.size();
-    result.meshlets.resize(before + count, Meshlet{});
-    if (masked) result.masked_triangles.resize(count);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-        auto& meshlet = result.meshlets[before + i];
-        meshlet.triangles = static_cast<int>(std::min(size, order.size() - i * size));
-        for (int t = 0; t < meshlet.triangles; ++t) {
-            const auto triangle = order[i * size + static_cast<std::size_t>(t)];
-            for (int corner = 0; corner < 3; ++corner) {
-                const auto& position = world.positions[world.indices[3 * std::size_t{triangle} +
-                                                                     static_cast<std::size_t>(corner)]];
-                meshlet.x[corner][t] = position.x;
-                meshlet.y[corner][t] = position.y;
-                meshlet.z[corner][t] = position.z;
-            }
-            if (masked)
-                result.masked_triangles[i][static_cast<std::size_t>(t)] = triangle - world.opaque_triangles;
+constexpr std::size_t size = Meshlet::max_triangles;
+
+std::size_t groups_of(const std::vector<Placed>& placed) {
+    return (placed.size() + size - 1) / size;
+}
+/// Triangles of the meshlet that is `group`-th along the curve.
+std::span<const Placed> group_of(const std::vector<Placed>& placed, std::size_t group) {
+    return std::span(placed).subspan(group * size, std::min(size, placed.size() - group * size));
+}
+
+void fill(Meshlet& meshlet, const scene::World& world, std::span<const Placed> triangles) {
+    meshlet.triangles = static_cast<int>(triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const auto corners = corners_of(world, triangles[t].triangle);
+        for (int k = 0; k < 3; ++k) {
+            meshlet.x[k][t] = corners.at[k].x;
+            meshlet.y[k][t] = corners.at[k].y;
+            meshlet.z[k][t] = corners.at[k].z;
         }
-    });
-}
-
-float area_of(const Meshlet& meshlet) {
-    const auto corner = [&](int k, int triangle) {
-        return glm::vec3(meshlet.x[k][triangle], meshlet.y[k][triangle], meshlet.z[k][triangle]);
-    };
-    float sum = 0;
-    for (int t = 0; t < meshlet.triangles; ++t)
-        sum += glm::length(glm::cross(corner(1, t) - corner(0, t), corner(2, t) - corner(0, t)));
-    return sum;
+    }
 }
 
 /// Part of the area that each stage and those before it have.
 constexpr double stage_parts[Meshlets::stages] = {0.2, 0.45, 0.75, 2};
 
-void order_by_stages(Meshlets& result) {
-    std::vector<std::pair<float, std::size_t>> areas(result.meshlets.size());
-    tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
-        areas[i] = {-area_of(result.meshlets[i]), i};
+/// Groups stage by stage, each along the curve.
+std::vector<std::size_t> by_stages(const scene::World& world, const std::vector<Placed>& placed,
+                                   std::size_t (&stage_ends)[Meshlets::stages]) {
+    std::vector<std::pair<float, std::size_t>> areas(groups_of(placed));
+    tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t group) {
+        float sum = 0;
+        for (const auto& [place, triangle] : group_of(placed, group)) {
+            const auto [a, b, c] = corners_of(world, triangle).at;
+            sum += glm::length(glm::cross(b - a, c - a));
+        }
+        areas[group] = {-sum, group};
     });
     double all = 0, sum = 0;
-    for (const auto& [area, i] : areas) all -= double{area};
+    for (const auto& [area, group] : areas) all -= double{area};
     std::sort(areas.begin(), areas.end());
-    std::vector<int> stages(areas.size());
-    int stage = 0;
-    for (const auto& [area, i] : areas) {
-        while (sum > stage_parts[stage] * all) ++stage;
-        sum -= double{area};
-        stages[i] = stage;
+    std::vector<std::size_t> order(areas.size());
+    auto next = areas.begin();
+    for (int stage = 0; stage < Meshlets::stages; ++stage) {
+        const auto first = next;
+        for (; next != areas.end() && sum <= stage_parts[stage] * all; ++next) sum -= double{next->first};
+        const auto to = order.begin() + (first - areas.begin());
+        std::transform(first, next, to, [](const auto& area) { return area.second; });
+        stage_ends[stage] = static_cast<std::size_t>(next - areas.begin());
+        std::sort(to, order.begin() + (next - areas.begin()));
     }
-    std::vector<Meshlet> ordered;
-    ordered.reserve(result.meshlets.size());
-    for (stage = 0; stage < Meshlets::stages; ++stage) {
-        for (std::size_t i = 0; i < areas.size(); ++i)
-            if (stages[i] == stage) ordered.push_back(result.meshlets[i]);
-        result.stage_ends[stage] = ordered.size();
-    }
-    result.meshlets = std::move(ordered);
+    return order;
 }
 
 void find_boxes(Meshlets& result) {
@@ -141,9 +153,21 @@ Meshlets make_meshlets(const scene::World& world, int threads) {
     Meshlets result;
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
     arena.execute([&] {
-        cut_into(result, world, 0, world.opaque_triangles, false);
-        order_by_stages(result);
-        cut_into(result, world, world.opaque_triangles, static_cast<std::uint32_t>(world.triangles()), true);
+        const auto opaque = along_curve(world, 0, world.opaque_triangles),
+                   masked = along_curve(world, world.opaque_triangles,
+                                        static_cast<std::uint32_t>(world.triangles()));
+        const auto order = by_stages(world, opaque, result.stage_ends);
+        result.meshlets.resize(order.size() + groups_of(masked), Meshlet{});
+        result.masked_triangles.resize(groups_of(masked));
+        tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t i) {
+            fill(result.meshlets[i], world, group_of(opaque, order[i]));
+        });
+        tbb::parallel_for(std::size_t{0}, groups_of(masked), [&](std::size_t i) {
+            const auto triangles = group_of(masked, i);
+            fill(result.meshlets[order.size() + i], world, triangles);
+            for (std::size_t t = 0; t < triangles.size(); ++t)
+                result.masked_triangles[i][t] = triangles[t].triangle - world.opaque_triangles;
+        });
         find_boxes(result);
     });
     return result;

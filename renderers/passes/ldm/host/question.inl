@@ -81,7 +81,7 @@ Mask is_outside(Floats column, Floats row, float resolution) {
                   hn::Or(hn::Lt(row, zero), hn::Ge(row, end)));
 }
 
-void set_texel(Question& q, const Asked& asked, Floats column, Floats row) {
+HWY_INLINE void set_texel(Question& q, const Asked& asked, Floats column, Floats row) {
     const auto resolution = static_cast<float>(asked.map.resolution);
     const auto first = hn::Set(f, static_cast<float>(asked.map.first_row)),
                end = hn::Set(f, static_cast<float>(asked.map.first_row + asked.map.rows));
@@ -92,7 +92,7 @@ void set_texel(Question& q, const Asked& asked, Floats column, Floats row) {
 }
 
 /// ldm_question_tangent
-void ask_tangent(Question& q, const Asked& asked, const SelfHitRule& rule, const Vector3& position,
+HWY_INLINE void ask_tangent(Question& q, const Asked& asked, const SelfHitRule& rule, const Vector3& position,
                  const Vector3& normal, Floats facing) {
     const auto& frame = asked.map.frame;
     const auto zero = hn::Zero(f), one = hn::Set(f, 1), half = hn::Set(f, 0.5f);
@@ -144,7 +144,7 @@ void ask_offset(Question& q, const Asked& asked, const SelfHitRule& rule, const 
     set_texel(q, asked, hn::Floor(project(moved, frame.u)), hn::Floor(project(moved, frame.v)));
 }
 
-Question question(const PixelTiles& tiles, std::size_t place, const Asked& asked, const SelfHitRule& rule) {
+HWY_INLINE Question question(const PixelTiles& tiles, std::size_t place, const Asked& asked, const SelfHitRule& rule) {
     Question q;
     const auto zero = hn::Zero(f);
     const auto geometric_normal = load(tiles.geometric_normal, place);

@@ -288,6 +288,15 @@ class Rasteriser {
         const auto depth_right = hn::Set(f, lanes * t.depth_per_column),
                    depth_down = hn::Set(f, t.depth_per_row);
         int texel = t.texel;
+        if (keeps_outermost_ && t.width <= lanes) {
+            for (int y = 0; y < t.height; ++y, texel += map_.resolution) {
+                raise(texel, hn::NearestInt(line_depth),
+                      hn::Gt(hn::Or(line[0], hn::Or(line[1], line[2])), hn::Set(n, -1)));
+                for (int k = 0; k < 3; ++k) line[k] = hn::Add(line[k], hn::Set(n, t.per_row[k]));
+                line_depth = hn::Add(line_depth, depth_down);
+            }
+            return;
+        }
         for (int y = 0; y < t.height; ++y, texel += map_.resolution) {
             if (!keeps_outermost_) reserve(medium_side);
             auto a = line[0], b = line[1], c = line[2];
@@ -369,8 +378,7 @@ class Rasteriser {
     void raise(int texel, Ints quanta, hn::Mask<IntTag> which) {
         auto* to = reinterpret_cast<std::int32_t*>(map_.outermost.data()) + texel;
         const auto both = hn::Or(hn::ShiftLeft<16>(quanta), hn::Sub(hn::Set(n, 0xffff), quanta));
-        const auto old = hn::LoadU(n, to);
-        hn::StoreU(hn::IfThenElse(which, max_of_halves(old, both), old), n, to);
+        hn::StoreU(max_of_halves(hn::LoadU(n, to), hn::IfThenElseZero(which, both)), n, to);
         scratch_.fragments_made += hn::CountTrue(n, which);
     }
 

@@ -55,6 +55,10 @@ class StreamedMap {
     std::vector<std::uint32_t> begins;
     std::vector<std::uint16_t> depths;
 
+    /// Of a band's outermost depths.
+    std::uint64_t texel_bytes() const {
+        return 4 * static_cast<std::uint64_t>(band_rows(resolution)) * static_cast<std::uint64_t>(resolution);
+    }
     std::uint64_t bytes() const {
         return 4 * (outermost.capacity() + begins.capacity()) + 2 * depths.capacity();
     }

@@ -6,6 +6,8 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <memory>
+#include <mutex>
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/raytracing/alpha_masks.h"
@@ -24,8 +26,8 @@ struct HostScene {
 /// Each pass over the pixels asks so many maps, if they and the pixels' sums leave room in a thread's cache.
 constexpr int most_together = 8;
 constexpr std::uint64_t cache_bytes = 5 << 18;
-/// What the maps of all threads may take.
-constexpr std::uint64_t memory_bytes = 48 << 20;
+/// What the maps of all threads may take which are not kept.
+constexpr std::uint64_t memory_bytes = 24 << 20;
 /// For choosing how many: a list holds 6 to 8 depths.
 constexpr std::uint64_t expected_depths = 8;
 
@@ -41,12 +43,66 @@ int maps_together(int resolution, Holds holds, int threads) {
     return static_cast<int>(std::clamp<std::uint64_t>(room / bytes, 1, most_together));
 }
 
+/// Maps of outermost depths that stand from frame to frame while the world and the maps' frames do: the first
+/// ones of all, as many as there is room for. They are built when they are first asked, which graphs that
+/// share them may do at once.
+class KeptMaps {
+  public:
+    static constexpr std::uint64_t most_bytes = 32 << 20;
+
+    /// How many maps with such a layout are kept.
+    static int count(const Layout& layout) {
+        const auto bytes = 4 * layout.map_texels() + overhead;
+        return static_cast<int>(std::min<std::uint64_t>(layout.maps, most_bytes / bytes));
+    }
+
+    explicit KeptMaps(const Layout& layout)
+        : rows_(StreamedMap::band_rows(layout.resolution)),
+          count_(static_cast<std::size_t>(count(layout))),
+          bands_(static_cast<std::size_t>((layout.resolution + rows_ - 1) / rows_) * count_,
+                 StreamedMap(layout.resolution, Holds::outermost)),
+          fragments_(bands_.size()),
+          built_(std::make_unique<std::once_flag[]>(bands_.size())) {}
+
+    std::uint64_t bytes() const { return bands_.size() * (bands_.front().texel_bytes() + overhead); }
+
+    /// The band from `row` on of maps first … end - 1, whose fragments are counted in `scratch` as if they
+    /// were made now. `built` counts those that were not there yet.
+    std::span<const StreamedMap> get(const HostScene& scene, const Maps& maps, std::int64_t first,
+                                     std::int64_t end, int row, BuildScratch& scratch, std::uint64_t& built) {
+        const auto start = static_cast<std::size_t>(row / rows_) * count_;
+        const int rows = std::min(rows_, maps.layout.resolution - row);
+        for (auto map = static_cast<std::size_t>(first); map < static_cast<std::size_t>(end); ++map)
+            std::call_once(built_[start + map], [&] {
+                const auto before = scratch.fragments_made;
+                build_map(scene.meshlets, scene.masks, maps.frames[map], row, rows, bands_[start + map],
+                          scratch);
+                fragments_[start + map] = scratch.fragments_made - before;
+                scratch.fragments_made = before;
+                built += row == 0;
+            });
+        for (auto map = first; map < end; ++map)
+            scratch.fragments_made += fragments_[start + static_cast<std::size_t>(map)];
+        return std::span(bands_).subspan(start + static_cast<std::size_t>(first),
+                                         static_cast<std::size_t>(end - first));
+    }
+
+  private:
+    static constexpr std::uint64_t overhead = 256;  ///< of a map, at most
+    int rows_;
+    std::size_t count_;
+    std::vector<StreamedMap> bands_;  ///< those of the same rows together
+    std::vector<std::uint64_t> fragments_;
+    std::unique_ptr<std::once_flag[]> built_;
+};
+
 /// What one thread works with.
 struct Worker {
     std::vector<StreamedMap> maps;
     BuildScratch scratch;
     std::vector<std::uint32_t> sums;
     SelfHitCounts counts;
+    std::uint64_t built = 0;  ///< maps
     double build_ms = 0, ask_ms = 0;
 
     std::uint64_t map_bytes() const {
@@ -65,12 +121,13 @@ struct Surfaces {
 class Stream {
   public:
     /// Asks maps for all pixels, once for each group of maps that a thread has built.
-    using Ask = std::function<void(const PixelTiles&, Worker&, std::size_t maps)>;
+    using Ask = std::function<void(const PixelTiles&, Worker&, std::span<const StreamedMap>)>;
     using Prepare = std::function<void(const PixelTiles&, Worker&)>;
 
-    Stream(graph::ObjectRef scene, std::shared_ptr<const Maps> maps, Surfaces surfaces, Holds holds,
-           int threads)
+    Stream(graph::ObjectRef scene, graph::ObjectRef kept, std::shared_ptr<const Maps> maps, Surfaces surfaces,
+           Holds holds, int threads)
         : scene_(scene),
+          kept_(kept),
           maps_(std::move(maps)),
           surfaces_(surfaces),
           holds_(holds),
@@ -102,6 +159,7 @@ class Stream {
     /// Maps begin … end - 1.
     void run(const graph::PassContext& context, std::int64_t begin, std::int64_t end, const Ask& ask) {
         const auto scene = context.object<HostScene>(scene_);
+        const auto kept = is_kept() ? context.object<KeptMaps>(kept_) : nullptr;
         const auto count = static_cast<std::int64_t>(workers_.size());
         // Groups of one size, as many for each thread, so that none waits for long.
         const auto rounds = (end - begin + count * together_ - 1) / (count * together_);
@@ -114,7 +172,7 @@ class Stream {
                     while (!context.cancel().is_cancelled()) {
                         const auto first = next.fetch_add(group);
                         if (first >= end) return;
-                        work(*scene, workers_[i], first, std::min(first + group, end), ask);
+                        work(*scene, kept.get(), workers_[i], first, std::min(first + group, end), ask);
                     }
                 },
                 tbb::simple_partitioner());
@@ -122,41 +180,66 @@ class Stream {
         context.cancel().check();
     }
 
-    void report(const graph::PassContext& context, graph::CounterRef fragments, graph::CounterRef texels,
-                graph::CounterRef bytes) const {
-        std::uint64_t made = 0, held = 0;
+    struct Counters {
+        graph::CounterRef fragments, texels, bytes, built;
+    };
+    void report(const graph::PassContext& context, const Counters& counters) const {
+        std::uint64_t made = 0, built = 0, held = is_kept() ? context.object<KeptMaps>(kept_)->bytes() : 0;
         double build_ms = 0, ask_ms = 0;
         for (const auto& worker : workers_) {
             made += worker.scratch.fragments_made;
             held += worker.map_bytes();
+            built += worker.built;
             build_ms += worker.build_ms;
             ask_ms += worker.ask_ms;
         }
-        context.add(fragments, static_cast<std::uint32_t>(made));
-        context.add(texels, static_cast<std::uint32_t>(maps_->layout.map_texels() * maps_->layout.maps));
-        context.add(bytes, static_cast<std::uint32_t>(held));
+        context.add(counters.fragments, static_cast<std::uint32_t>(made));
+        context.add(counters.built, static_cast<std::uint32_t>(built));
+        context.add(counters.texels,
+                    static_cast<std::uint32_t>(maps_->layout.map_texels() * maps_->layout.maps));
+        context.add(counters.bytes, static_cast<std::uint32_t>(held));
         const auto threads = static_cast<double>(workers_.size());
         context.notes().set_figure("ldm.build_ms", build_ms / threads);
         context.notes().set_figure("ldm.ask_ms", ask_ms / threads);
     }
 
   private:
-    void work(const HostScene& scene, Worker& worker, std::int64_t first, std::int64_t end, const Ask& ask) {
+    bool is_kept() const { return kept_.index >= 0; }
+
+    void work(const HostScene& scene, KeptMaps* kept, Worker& worker, std::int64_t first, std::int64_t end,
+              const Ask& ask) {
+        const auto kept_end = std::min<std::int64_t>(end, kept ? KeptMaps::count(maps_->layout) : 0);
         const int resolution = maps_->layout.resolution, rows = StreamedMap::band_rows(resolution);
         for (int row = 0; row < resolution; row += rows) {
-            const auto start = Clock::now();
-            for (auto map = first; map < end; ++map)
-                build_map(scene.meshlets, scene.masks, maps_->frames[static_cast<std::size_t>(map)], row,
-                          std::min(rows, resolution - row),
-                          worker.maps[static_cast<std::size_t>(map - first)], worker.scratch);
-            const auto built = Clock::now();
-            ask(tiles_, worker, static_cast<std::size_t>(end - first));
-            worker.build_ms += std::chrono::duration<double, std::milli>(built - start).count();
-            worker.ask_ms += std::chrono::duration<double, std::milli>(Clock::now() - built).count();
+            if (first < kept_end)
+                build_and_ask(worker, ask, [&] {
+                    return kept->get(scene, *maps_, first, kept_end, row, worker.scratch, worker.built);
+                });
+            const auto streamed = std::max(first, kept_end);
+            if (streamed >= end) continue;
+            if (row == 0) worker.built += static_cast<std::uint64_t>(end - streamed);
+            build_and_ask(worker, ask, [&] {
+                for (auto map = streamed; map < end; ++map)
+                    build_map(scene.meshlets, scene.masks, maps_->frames[static_cast<std::size_t>(map)], row,
+                              std::min(rows, resolution - row),
+                              worker.maps[static_cast<std::size_t>(map - streamed)], worker.scratch);
+                return std::span<const StreamedMap>(worker.maps)
+                    .first(static_cast<std::size_t>(end - streamed));
+            });
         }
     }
 
-    graph::ObjectRef scene_;
+    template <class Build>
+    void build_and_ask(Worker& worker, const Ask& ask, Build build) {
+        const auto start = Clock::now();
+        const auto maps = build();
+        const auto built = Clock::now();
+        ask(tiles_, worker, maps);
+        worker.build_ms += std::chrono::duration<double, std::milli>(built - start).count();
+        worker.ask_ms += std::chrono::duration<double, std::milli>(Clock::now() - built).count();
+    }
+
+    graph::ObjectRef scene_, kept_;  ///< kept_: may be absent
     std::shared_ptr<const Maps> maps_;
     Surfaces surfaces_;
     Holds holds_;
@@ -170,6 +253,7 @@ class Stream {
 struct StreamPass {
     std::string name;
     Holds holds;
+    graph::ObjectRef kept;  ///< KeptMaps; absent: no map is kept
     Stream::Prepare prepare;
     Stream::Ask ask;
     std::function<void(const graph::PassContext&, Stream&)> finish;
@@ -177,24 +261,30 @@ struct StreamPass {
 
 void declare(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::ObjectRef meshlets,
              const std::shared_ptr<const Maps>& maps, graph::ImageRef target, const StreamPass& what) {
-    const auto fragments = builder.counter({.key = "ldm.fragments",
-                                            .label = "Fragments",
-                                            .doc = "Made by rasterising the scene into all maps."});
-    const auto texels = builder.counter({.key = "ldm.texels", .label = "Texels", .doc = "Of all maps."});
-    const auto bytes = builder.counter({.key = "ldm.bytes",
-                                        .label = "Memory of maps",
-                                        .doc = "Bytes that the maps take which are in memory at once, and "
-                                               "building them."});
+    Stream::Counters counters;
+    counters.fragments = builder.counter({.key = "ldm.fragments",
+                                          .label = "Fragments",
+                                          .doc = "Made by rasterising the scene into all maps."});
+    counters.texels = builder.counter({.key = "ldm.texels", .label = "Texels", .doc = "Of all maps."});
+    counters.built = builder.counter({.key = "ldm.maps_built",
+                                      .label = "Maps built",
+                                      .doc = "In this frame: the others are kept from earlier ones."});
+    counters.bytes = builder.counter({.key = "ldm.bytes",
+                                      .label = "Memory of maps",
+                                      .doc = "Bytes that the maps take which are in memory at once, and "
+                                             "building them."});
     const auto stream = std::make_shared<Stream>(
-        meshlets, maps, Surfaces{gbuffer.position, gbuffer.normal, gbuffer.geometric_normal}, what.holds,
-        threads_of(builder.inputs()));
-    builder.pass(what.name, graph::Queue::cpu)
-        .has_two_bodies()
+        meshlets, what.kept, maps, Surfaces{gbuffer.position, gbuffer.normal, gbuffer.geometric_normal},
+        what.holds, threads_of(builder.inputs()));
+    auto pass = builder.pass(what.name, graph::Queue::cpu);
+    if (what.kept.index >= 0) pass.reads(what.kept);
+    pass.has_two_bodies()
         .reads(meshlets, gbuffer.position, gbuffer.normal, gbuffer.geometric_normal)
         .writes(target)
-        .counts(fragments)
-        .counts(texels)
-        .counts(bytes)
+        .counts(counters.fragments)
+        .counts(counters.texels)
+        .counts(counters.built)
+        .counts(counters.bytes)
         .execute_sliced(
             maps->layout.maps,
             [=](graph::PassContext& context, graph::Slice slice) {
@@ -202,7 +292,7 @@ void declare(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::Object
                 stream->run(context, slice.begin, slice.end, what.ask);
                 if (!slice.last) return;
                 what.finish(context, *stream);
-                stream->report(context, fragments, texels, bytes);
+                stream->report(context, counters);
             },
             stream->first_slice());
 }
@@ -255,6 +345,22 @@ void write_counts(const graph::PassContext& context, Stream& stream, graph::Imag
     });
 }
 
+/// Declares the object "ldm.kept" and its pass, which makes room; absent where nothing may stand still.
+graph::ObjectRef declare_kept(graph::GraphBuilder& builder, const std::shared_ptr<const Maps>& maps) {
+    if (maps->layout.fingerprint.empty() || KeptMaps::count(maps->layout) == 0) return {};
+    graph::ObjectDesc desc;
+    desc.text.key = "ldm.kept";
+    desc.text.label = "Kept maps";
+    desc.text.doc = "Outermost depths of maps that are asked anew while only the camera moves.";
+    desc.fingerprint = maps->layout.fingerprint;
+    const auto result = builder.object(desc);
+    builder.pass("kept maps", graph::Queue::cpu).writes(result).execute([=](graph::PassContext& context) {
+        const auto made = std::make_shared<KeptMaps>(maps->layout);
+        context.store(result, made, made->bytes());
+    });
+    return result;
+}
+
 }  // namespace
 
 graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder) {
@@ -275,19 +381,19 @@ graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder) {
 
 void trace_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::ObjectRef meshlets,
                    const std::shared_ptr<const Maps>& maps, const SelfHitRule& rule,
-                   const Visibility& visibility, graph::ImageRef sums) {
+                   const Visibility& visibility, bool stands_still, graph::ImageRef sums) {
     const float scale = sum_scale(maps->layout.maps);
     StreamPass pass;
     pass.name = "build and trace maps";
     // Without a limit of distance a ray is open where nothing of its texel lies beyond. The nearest entry,
     // which the rule normal-offset asks for, takes a list.
     pass.holds = visibility.max_distance == 0 && rule.tangent_plane ? Holds::outermost : Holds::lists;
+    if (stands_still && pass.holds == Holds::outermost) pass.kept = declare_kept(builder, maps);
     pass.prepare = [](const PixelTiles& tiles, Worker& worker) {
         worker.sums.assign(tiles.count() * PixelTiles::pixels, 0);
     };
-    pass.ask = [=](const PixelTiles& tiles, Worker& worker, std::size_t count) {
-        add_visibility(tiles, 0, tiles.count(), std::span(worker.maps).first(count), rule, visibility, scale,
-                       worker.sums);
+    pass.ask = [=](const PixelTiles& tiles, Worker& worker, std::span<const StreamedMap> some) {
+        add_visibility(tiles, 0, tiles.count(), some, rule, visibility, scale, worker.sums);
     };
     pass.finish = [=](const graph::PassContext& context, Stream& stream) {
         write_sums(context, stream, *maps, scale, sums);
@@ -304,8 +410,8 @@ void count_self_hits_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffe
     pass.prepare = [](const PixelTiles& tiles, Worker& worker) {
         worker.counts.resize(tiles.count() * PixelTiles::pixels);
     };
-    pass.ask = [=](const PixelTiles& tiles, Worker& worker, std::size_t count) {
-        count_self_hits(tiles, std::span(worker.maps).first(count), rule, worker.counts);
+    pass.ask = [=](const PixelTiles& tiles, Worker& worker, std::span<const StreamedMap> some) {
+        count_self_hits(tiles, some, rule, worker.counts);
     };
     pass.finish = [=](const graph::PassContext& context, Stream& stream) {
         write_counts(context, stream, counts);

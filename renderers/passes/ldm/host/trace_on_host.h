@@ -18,10 +18,12 @@ graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder);
 /// Declares the pass "build and trace maps" (cpu), which streams all maps through the caches of its threads:
 /// each builds a few, asks them for all pixels and forgets them. Memory does not depend on their number.
 /// `sums` (rg32f): Σ V cosθ and Σ cosθ. The same picture whatever the number of threads. Of `maps` only the
-/// frames are used. [Aalund15 eq. 2]
+/// frames are used. While the maps stand still from frame to frame (`stands_still`), those that hold
+/// outermost depths alone are kept as far as there is room, and only asked anew: the same picture, bit by
+/// bit. [Aalund15 eq. 2]
 void trace_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::ObjectRef meshlets,
                    const std::shared_ptr<const Maps>& maps, const SelfHitRule& rule,
-                   const Visibility& visibility, graph::ImageRef sums);
+                   const Visibility& visibility, bool stands_still, graph::ImageRef sums);
 
 /// Declares the pass "build and trace maps for self-hits": `counts` (rgba32f) as trace.comp has them with
 /// LDM_VIEWS.
