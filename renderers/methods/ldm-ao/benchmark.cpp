@@ -56,8 +56,8 @@ Settings settings(int directions, int resolution, const std::string& storage, co
 }
 
 /// Of both processors.
-const std::vector<std::string> all_passes{"map frames*",          "meshlets",     "build maps*", "trace*",
-                                          "build and trace maps", "accessibility"};
+const std::vector<std::string> all_passes{
+    "map frames*", "meshlets", "kept maps", "build maps*", "trace*", "build and trace maps", "accessibility"};
 
 /// Choices of parameter "storage".
 std::vector<Choice> storages() {
