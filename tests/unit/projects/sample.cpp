@@ -1,5 +1,7 @@
 #include "tests/unit/projects/sample.h"
 
+#include <algorithm>
+
 #include <fstream>
 #include <sstream>
 
@@ -218,6 +220,23 @@ TemporaryFolder::TemporaryFolder(Place place) {
 TemporaryFolder::~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
+}
+
+void write_sample_files(const std::filesystem::path& folder) {
+    for (const char* file : {"scenes/church.glb", "scenes/organ.glb", "sky.exr", "photo.exr"})
+        write_text(folder / file, std::string("content of ") + file);
+}
+
+Project unhashed_sample() {
+    auto project = sample_project();
+    for (auto& part : project.scenes[0].parts) part.content_hash.clear();
+    project.lights[1].environment.content_hash.clear();
+    return project;
+}
+
+bool mentions(const std::vector<Message>& messages, const std::string& text) {
+    return std::any_of(messages.begin(), messages.end(),
+                       [&](const auto& each) { return each.text.find(text) != std::string::npos; });
 }
 
 std::string read_text(const std::filesystem::path& file) {
