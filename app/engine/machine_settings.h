@@ -27,8 +27,8 @@ const ParameterTable<MachineSettings>& machine_settings();
 
 /// The options that choose and set a machine, shared by the window and by commands that render.
 struct MachineFlags {
-    std::string backend, device, memory, processor;
-    std::optional<int> threads;
+    std::string backend = {}, device = {}, memory = {}, processor = {};
+    std::optional<int> threads = {};
     bool debug = false;
 };
 void add_machine_flags(CLI::App& command, MachineFlags& flags);

@@ -20,9 +20,9 @@ namespace ir::widgets {
 /// What was read of an execution's images at some pixels. Plain data.
 struct Readings {
     struct Buffer {
-        std::string key;
-        QString label, unit, doc;
-        QString group;  ///< the pass that writes it; unused where `output`
+        std::string key = {};
+        QString label = {}, unit = {}, doc = {};
+        QString group = {};  ///< the pass that writes it; unused where `output`
         Semantic semantic = Semantic::generic;
         bool output = false;                          ///< one of the method's outputs: listed first
         bool available = false;                       ///< false: not computed

@@ -63,13 +63,15 @@ TEST_F(RenderThreadTest, TheProcessorIsChosenWhileItRuns) {
     std::map<std::string, std::vector<float>> pictures;
     for (const auto& [body, name] : {std::pair(Body::gl, "gl"), std::pair(Body::host, "host"),
                                      std::pair(Body::gl, "gl"), std::pair(Body::host, "host")}) {
-        thread->set_machine({.processor = body});
+        thread->set_machine({.processor = body, .threads = workers});
         thread->release("a");  // nothing of the other body is taken over
         const auto result = render(request);
         EXPECT_EQ(result.report.processor, name);
         auto& before = pictures[name];
         const auto& pixels = result.images.at(Part{}).pixels;
-        if (!before.empty()) EXPECT_EQ(before, pixels) << "as when " << name << " was chosen before";
+        if (!before.empty()) {
+            EXPECT_EQ(before, pixels) << "as when " << name << " was chosen before";
+        }
         before = pixels;
         forget();
     }

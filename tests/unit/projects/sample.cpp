@@ -162,8 +162,8 @@ Project sample_project() {
     materials["gold"].base_colour = {1, 0.75, 0.25, 1};
     materials["gold"].roughness = 0.3;
     materials["candles"].emission = {12, 9.5, 4};
-    Camera orbit{"orbit", "Orbit", "", {1, 2, 3}, {0, 1, 0}, {0, 1, 0}, 40.5};
-    Camera inside{"inside", "Inside", "nave"};
+    Camera orbit{{{{1, 2, 3}, {0, 1, 0}, {0, 1, 0}}, 40.5}, "orbit", "Orbit", ""};
+    Camera inside{{}, "inside", "Inside", "nave"};
     project.cameras = {orbit, inside};
     project.lights = {evening()};
     LightSet own;
@@ -172,7 +172,7 @@ Project sample_project() {
     own.use_scene_lights = true;
     own.environment = {Environment::Kind::map, {}, "sky.exr", "00ff"};
     project.lights.push_back(own);
-    project.motion = {{"walk", "Walk", "orbit", {{0, {1, 2, 3}, {0, 1, 0}}, {2, {3, 2, 1}, {0, 1, 0}}}}};
+    project.motion = {{"walk", "Walk", "orbit", {{{{1, 2, 3}, {0, 1, 0}}, 0}, {{{3, 2, 1}, {0, 1, 0}}, 2}}}};
     project.motion.push_back(swinging_spot());
     project.motion.push_back(sliding_church());
     project.images = {{"photo", "Photograph", "photo.exr", "", "from the archive"}};
