@@ -4,6 +4,7 @@
 #include <cctype>
 
 namespace ir::projects {
+
 Experiment effective(const Experiment& experiment) {
     Experiment result = experiment;
     result.presets.clear();
@@ -48,6 +49,13 @@ std::string free_experiment_id(const Project& project, const std::string& name) 
     std::vector<std::string> taken(project.kept_ids.begin(), project.kept_ids.end());
     for (const auto& experiment : project.experiments) taken.push_back(experiment.id);
     return free_id(name, taken);
+}
+
+Settings runnable_settings(const Experiment& experiment, const MethodDescription& method) {
+    Settings known;
+    for (const auto& [key, value] : effective(experiment).values)
+        if (find(method.parameters, key)) known[key] = value;
+    return completed(method.parameters, known);
 }
 
 }  // namespace ir::projects

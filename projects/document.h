@@ -12,6 +12,8 @@
 #include "projects/json.h"
 #include "projects/light_spec.h"
 #include "projects/material_override.h"
+#include "renderers/core/camera_pose.h"
+#include "renderers/core/method.h"
 #include "renderers/core/value.h"
 
 /// Plain data; nothing here touches files. Ids are unique within their list and made of letters, digits,
@@ -41,13 +43,13 @@ struct Scene {
 };
 
 /// Either a camera of the scene's file, by name, or a pose of its own.
-struct Camera {
+struct Camera : CameraPose {
     std::string id, name;
-    std::string scene_camera;  ///< not empty: the pose below does not count
-    glm::dvec3 eye{0, 0, 5}, target{0}, up{0, 1, 0};
-    double fov_y_degrees = 45;
-    bool orthographic = false;
-    double height = 2;  ///< metres across the image's height, orthographic only
+    std::string scene_camera;  ///< not empty: the pose does not count
+    void set_pose(const CameraPose& own) {
+        scene_camera.clear();
+        pose() = own;
+    }
     Json extra = Json::object();
     bool operator==(const Camera&) const = default;
 };
@@ -79,10 +81,9 @@ struct LightSet {
 struct Motion {
     enum class Kind { camera, light, part };
     /// Only what `kind` has of it is written.
-    struct Key {
-        double time = 0;                                  ///< seconds, ascending
-        glm::dvec3 eye{0, 0, 5}, target{0}, up{0, 1, 0};  ///< of a camera
-        std::optional<glm::dvec3> position = {};          ///< of a light; what is absent is as in its set
+    struct Key : CameraAim {                      // of a camera
+        double time = 0;                          ///< seconds, ascending
+        std::optional<glm::dvec3> position = {};  ///< of a light; what is absent is as in its set
         std::optional<glm::dvec3> look_at = {},
                                   direction = {};          ///< … at most one; written "target", "direction"
         double intensity = 1;                              ///< … factor on its strength, at least 0
@@ -208,6 +209,17 @@ struct Project {
     bool operator==(const Project&) const = default;
 };
 
+/// Calls visit(source, content_hash) for every file or built-in scene that a project is made of.
+template <class AnyProject, class Visit>
+void for_each_file(AnyProject& project, Visit visit) {
+    for (auto& scene : project.scenes)
+        for (auto& part : scene.parts) visit(part.source, part.content_hash);
+    for (auto& set : project.lights)
+        if (set.environment.kind == Environment::Kind::map)
+            visit(set.environment.source, set.environment.content_hash);
+    for (auto& image : project.images) visit(image.source, image.content_hash);
+}
+
 /// Item of a list by id, or null.
 template <class List>
 auto find_item(List& list, const std::string& id) -> decltype(list.data()) {
@@ -231,5 +243,9 @@ std::string free_id_in(const List& list, const std::string& name) {
 }
 /// The same for a new experiment of the project.
 std::string free_experiment_id(const Project& project, const std::string& name);
+
+/// What to hand to the method: the experiment's effective values (active preset applied), completed with
+/// defaults, without keys that the method does not know.
+Settings runnable_settings(const Experiment& experiment, const MethodDescription& method);
 
 }  // namespace ir::projects

@@ -4,7 +4,6 @@
 #include "projects/document_fields.h"
 #include "projects/document_json.h"
 #include "projects/migrations.h"
-#include "projects/motion_read.h"
 #include "projects/object_reader.h"
 #include "projects/text.h"
 #include "projects/validate.h"

@@ -13,51 +13,26 @@ namespace ir::projects::edits {
 /// The list that holds items of a type, and what people call such an item.
 template <class Item>
 struct ListOf;
-template <>
-struct ListOf<Scene> {
-    static constexpr auto member = &Project::scenes;
-    static constexpr const char* word = "scene";
-};
-template <>
-struct ListOf<Camera> {
-    static constexpr auto member = &Project::cameras;
-    static constexpr const char* word = "camera";
-};
-template <>
-struct ListOf<LightSet> {
-    static constexpr auto member = &Project::lights;
-    static constexpr const char* word = "set of lights";
-};
-template <>
-struct ListOf<Motion> {
-    static constexpr auto member = &Project::motion;
-    static constexpr const char* word = "motion";
-};
-template <>
-struct ListOf<ForeignImage> {
-    static constexpr auto member = &Project::images;
-    static constexpr const char* word = "image";
-};
-template <>
-struct ListOf<Experiment> {
-    static constexpr auto member = &Project::experiments;
-    static constexpr const char* word = "experiment";
-};
-template <>
-struct ListOf<Comparison> {
-    static constexpr auto member = &Project::comparisons;
-    static constexpr const char* word = "comparison";
-};
-template <>
-struct ListOf<Sweep> {
-    static constexpr auto member = &Project::sweeps;
-    static constexpr const char* word = "sweep";
-};
-template <>
-struct ListOf<ErrorPlot> {
-    static constexpr auto member = &Project::plots;
-    static constexpr const char* word = "plot";
-};
+// clang-format off
+#define IR_ITEMS(use)                          \
+    use(Scene, scenes, "scene")                \
+    use(Camera, cameras, "camera")             \
+    use(LightSet, lights, "set of lights")     \
+    use(Motion, motion, "motion")              \
+    use(ForeignImage, images, "image")         \
+    use(Experiment, experiments, "experiment") \
+    use(Comparison, comparisons, "comparison") \
+    use(Sweep, sweeps, "sweep")                \
+    use(ErrorPlot, plots, "plot")
+// clang-format on
+#define IR_LIST_OF(Item, list, name)                   \
+    template <>                                        \
+    struct ListOf<Item> {                              \
+        static constexpr auto member = &Project::list; \
+        static constexpr const char* word = name;      \
+    };
+IR_ITEMS(IR_LIST_OF)
+#undef IR_LIST_OF
 
 template <class Item>
 const std::vector<Item>& list_of(const Project& project) {
@@ -107,58 +82,36 @@ class Replace final : public Edit {
     Item before_, after_;
 };
 
+/// An item comes into its list, or goes.
 template <class Item>
-class Insert final : public Edit {
+class Presence final : public Edit {
   public:
-    Insert(std::string label, std::size_t position, Item item)
-        : Edit(std::move(label), ""), position_(position), item_(std::move(item)) {}
-    void apply(Project& project) override {
-        auto& list = list_of<Item>(project);
-        list.insert(list.begin() + static_cast<std::ptrdiff_t>(position_), item_);
-    }
-    void revert(Project& project) override {
-        auto& list = list_of<Item>(project);
-        item_ = list[position_];
-        list.erase(list.begin() + static_cast<std::ptrdiff_t>(position_));
-    }
-    bool absorb(const Edit&) override { return false; }
-    bool changes_nothing() const override { return false; }
+    Presence(std::string label, std::size_t position, Item item, bool comes)
+        : Edit(std::move(label)), position_(position), item_(std::move(item)), comes_(comes) {}
+    void apply(Project& project) override { comes_ ? put(project) : take(project); }
+    void revert(Project& project) override { comes_ ? take(project) : put(project); }
 
   private:
+    auto place(Project& project) const {
+        return list_of<Item>(project).begin() + static_cast<std::ptrdiff_t>(position_);
+    }
+    void put(Project& project) { list_of<Item>(project).insert(place(project), item_); }
+    void take(Project& project) {
+        item_ = *place(project);
+        list_of<Item>(project).erase(place(project));
+    }
     std::size_t position_;
     Item item_;
-};
-
-template <class Item>
-class Remove final : public Edit {
-  public:
-    Remove(std::string label, std::size_t position, Item item)
-        : Edit(std::move(label), ""), position_(position), item_(std::move(item)) {}
-    void apply(Project& project) override {
-        auto& list = list_of<Item>(project);
-        item_ = list[position_];
-        list.erase(list.begin() + static_cast<std::ptrdiff_t>(position_));
-    }
-    void revert(Project& project) override {
-        auto& list = list_of<Item>(project);
-        list.insert(list.begin() + static_cast<std::ptrdiff_t>(position_), item_);
-    }
-    bool absorb(const Edit&) override { return false; }
-    bool changes_nothing() const override { return false; }
-
-  private:
-    std::size_t position_;
-    Item item_;
+    bool comes_;
 };
 
 template <class Item>
 class Move final : public Edit {
   public:
     Move(std::string label, std::size_t from, std::size_t to)
-        : Edit(std::move(label), ""), from_(from), to_(to) {}
+        : Edit(std::move(label)), from_(from), to_(to) {}
     void apply(Project& project) override { shift(list_of<Item>(project), from_, to_); }
     void revert(Project& project) override { shift(list_of<Item>(project), to_, from_); }
-    bool absorb(const Edit&) override { return false; }
     bool changes_nothing() const override { return from_ == to_; }
 
   private:
@@ -196,8 +149,7 @@ class SetText final : public Edit {
 
 class Group final : public Edit {
   public:
-    Group(std::string label, std::vector<EditPtr> edits)
-        : Edit(std::move(label), ""), edits_(std::move(edits)) {}
+    Group(std::string label, std::vector<EditPtr> edits) : Edit(std::move(label)), edits_(std::move(edits)) {}
     /// All or nothing.
     void apply(Project& project) override {
         std::size_t done = 0;
@@ -211,7 +163,6 @@ class Group final : public Edit {
     void revert(Project& project) override {
         for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit) (*edit)->revert(project);
     }
-    bool absorb(const Edit&) override { return false; }
     bool changes_nothing() const override {
         return std::all_of(edits_.begin(), edits_.end(), [](const auto& e) { return e->changes_nothing(); });
     }

@@ -15,14 +15,14 @@ namespace ir::projects {
 /// times in the stack's order. Every change that a user can make is one of these.
 class Edit {
   public:
-    Edit(std::string label, std::string merge_key)
+    explicit Edit(std::string label, std::string merge_key = {})
         : label_(std::move(label)), merge_key_(std::move(merge_key)) {}
     virtual ~Edit() = default;
     virtual void apply(Project& project) = 0;
     virtual void revert(Project& project) = 0;
     /// Takes over the outcome of `later`, which has the same merge key; false when that is impossible.
-    virtual bool absorb(const Edit& later) = 0;
-    virtual bool changes_nothing() const = 0;
+    virtual bool absorb(const Edit& /*later*/) { return false; }
+    virtual bool changes_nothing() const { return false; }
     const std::string& label() const { return label_; }          ///< "Change Maximum distance"
     const std::string& merge_key() const { return merge_key_; }  ///< empty: never merges
 

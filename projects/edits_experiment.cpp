@@ -22,6 +22,15 @@ EditPtr changed(const Project& project, const Experiment& after, const std::stri
     return replace(project, after, label, what.empty() ? "" : what + ":" + after.id);
 }
 
+/// After `change`, which has the copy to change.
+template <class Change>
+EditPtr changed(const Project& project, const std::string& id, const std::string& label,
+                const std::string& what, Change change) {
+    Experiment after = experiment_of(project, id);
+    change(after);
+    return changed(project, after, label, what);
+}
+
 Preset* active_preset(Experiment& experiment) {
     const auto found = experiment.presets.find(experiment.active_preset);
     return found == experiment.presets.end() ? nullptr : &found->second;
@@ -124,71 +133,52 @@ std::vector<std::string> lost_by_method(const Project& project, const Registry& 
 }
 
 EditPtr set_scene_of(const Project& project, const std::string& experiment, const std::string& scene) {
-    Experiment after = experiment_of(project, experiment);
     require_item<Scene>(project, scene, "");
-    after.scene = scene;
-    return changed(project, after, "Change scene", "");
+    return changed(project, experiment, "Change scene", "", [&](auto& after) { after.scene = scene; });
 }
 
 EditPtr set_camera_of(const Project& project, const std::string& experiment, const std::string& camera) {
-    Experiment after = experiment_of(project, experiment);
     require_item<Camera>(project, camera, "");
-    after.camera = camera;
-    return changed(project, after, "Change camera", "");
+    return changed(project, experiment, "Change camera", "", [&](auto& after) { after.camera = camera; });
 }
 
 EditPtr set_lights_of(const Project& project, const std::string& experiment, const std::string& lights) {
-    Experiment after = experiment_of(project, experiment);
     require_item<LightSet>(project, lights, scene_lights);
-    after.lights = lights;
-    return changed(project, after, "Change lights", "");
+    return changed(project, experiment, "Change lights", "", [&](auto& after) { after.lights = lights; });
 }
 
 EditPtr set_size(const Project& project, const std::string& experiment, glm::ivec2 size) {
-    Experiment after = experiment_of(project, experiment);
-    auto* preset = active_preset(after);
-    if (preset && preset->size)
-        preset->size = size;
-    else
-        after.size = size;
-    return changed(project, after, "Change size", "size");
+    return changed(project, experiment, "Change size", "size", [&](auto& after) {
+        auto* preset = active_preset(after);
+        (preset && preset->size ? *preset->size : after.size) = size;
+    });
 }
 
 EditPtr set_seed(const Project& project, const std::string& experiment, std::uint64_t seed) {
-    Experiment after = experiment_of(project, experiment);
-    after.seed = seed;
-    return changed(project, after, "Change seed", "seed");
+    return changed(project, experiment, "Change seed", "seed", [&](auto& after) { after.seed = seed; });
 }
 
 EditPtr set_frames(const Project& project, const std::string& experiment, int frames) {
-    Experiment after = experiment_of(project, experiment);
-    auto* preset = active_preset(after);
-    if (preset && preset->frames)
-        preset->frames = frames;
-    else
-        after.frames = frames;
-    return changed(project, after, "Change frames", "frames");
+    return changed(project, experiment, "Change frames", "frames", [&](auto& after) {
+        auto* preset = active_preset(after);
+        (preset && preset->frames ? *preset->frames : after.frames) = frames;
+    });
 }
 
 EditPtr set_time(const Project& project, const std::string& experiment, double seconds) {
-    Experiment after = experiment_of(project, experiment);
-    after.time = seconds;
-    return changed(project, after, "Change time", "time");
+    return changed(project, experiment, "Change time", "time", [&](auto& after) { after.time = seconds; });
 }
 
 EditPtr set_experiment_notes(const Project& project, const std::string& experiment,
                              const std::string& notes) {
-    Experiment after = experiment_of(project, experiment);
-    after.notes = notes;
-    return changed(project, after, "Change notes", "notes");
+    return changed(project, experiment, "Change notes", "notes", [&](auto& after) { after.notes = notes; });
 }
 
 EditPtr set_reference(const Project& project, const std::string& experiment, const std::string& reference) {
-    Experiment after = experiment_of(project, experiment);
     require_item<Experiment>(project, reference, "");
     if (reference == experiment) throw UsageError("an experiment cannot be its own reference");
-    after.reference = reference;
-    return changed(project, after, "Change reference", "");
+    return changed(project, experiment, "Change reference", "",
+                   [&](auto& after) { after.reference = reference; });
 }
 
 EditPtr set_active_preset(const Project& project, const std::string& experiment, const std::string& preset) {

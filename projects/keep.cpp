@@ -1,9 +1,16 @@
 #include "projects/keep.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <set>
 
 #include "projects/store.h"
 #include "renderers/core/error.h"
+#include "renderers/core/file_system.h"
 
 namespace ir::projects {
 namespace {
@@ -66,6 +73,50 @@ void keep(const fs::path& project_folder, KeptResult result, const std::set<std:
     const auto after = files_of(index);
     for (const auto& path : before)
         if (after.count(path) == 0) files.remove(project_folder / "results" / path);
+}
+
+ResultsGuard::ResultsGuard(const std::filesystem::path& project_folder) {
+    const auto results = project_folder / "results";
+    real_file_system().create_directories(results);
+    const auto file = results / results_guard_name;
+    constexpr int flags = O_CLOEXEC | O_NOFOLLOW;
+    descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | flags, 0666);
+    // Somebody else's, in a folder that several people write: that is enough to lock it.
+    if (descriptor_ < 0 && errno == EACCES &&
+        ::faccessat(AT_FDCWD, results.c_str(), W_OK | X_OK, AT_EACCESS) == 0)
+        descriptor_ = ::open(file.c_str(), O_RDONLY | flags);
+    if (descriptor_ < 0) throw Error(results.string() + ": cannot be written: " + std::strerror(errno));
+    int status;
+    while ((status = ::flock(descriptor_, LOCK_EX)) != 0 && errno == EINTR) {
+    }
+    is_guarding_ = status == 0;
+}
+
+ResultsGuard::~ResultsGuard() {
+    ::close(descriptor_);
+}
+
+Pruned delete_results(const fs::path& project_folder, const std::vector<std::string>& keys,
+                      FileSystem& files) {
+    Pruned deleted;
+    const ResultsGuard guard(project_folder);
+    auto index = ResultIndex::load(project_folder, files);
+    const auto before = files_of(index);
+    for (const auto& key : keys)
+        if (index.erase(key)) deleted.keys.push_back(key);
+    if (deleted.keys.empty()) return deleted;
+    index.save(project_folder, files);
+    const auto after = files_of(index);
+    const auto results = project_folder / "results";
+    for (const auto& path : before) {
+        if (after.count(path) != 0) continue;
+        files.remove(results / path);
+        deleted.files.push_back(path);
+        std::error_code ignored;
+        const auto folder = (results / path).parent_path();
+        if (folder != results && fs::is_empty(folder, ignored)) fs::remove(folder, ignored);
+    }
+    return deleted;
 }
 
 }  // namespace ir::projects

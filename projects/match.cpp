@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "projects/document.h"
 #include "projects/motion.h"
 #include "projects/names.h"
 #include "projects/results.h"
 #include "projects/samples.h"
-#include "projects/settings.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
 #include "renderers/core/transport.h"

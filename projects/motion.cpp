@@ -137,10 +137,7 @@ Camera camera_at(const Project& project, const Camera& camera, double time) {
     Camera result = camera;
     const auto* motion = camera.scene_camera.empty() ? motion_of_camera(project, camera.id) : nullptr;
     if (!motion) return result;
-    const auto pose = key_at(*motion, time);
-    result.eye = pose.eye;
-    result.target = pose.target;
-    result.up = pose.up;
+    result.aim() = key_at(*motion, time);
     return result;
 }
 

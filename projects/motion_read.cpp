@@ -1,4 +1,4 @@
-#include "projects/motion_read.h"
+#include "projects/value_reader.h"
 
 #include "projects/document_fields.h"
 #include "projects/motion.h"

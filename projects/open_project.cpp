@@ -5,8 +5,8 @@
 
 #include "projects/check.h"
 #include "projects/hash.h"
+#include "projects/keep.h"
 #include "projects/results.h"
-#include "projects/results_guard.h"
 #include "projects/scene_files.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"

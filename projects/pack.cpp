@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "projects/archive.h"
-#include "projects/own_files.h"
 #include "projects/plots.h"
 #include "projects/results.h"
 #include "projects/scene_files.h"
@@ -40,11 +39,7 @@ class Packer {
           archive_(archive) {}
 
     std::vector<Message> run() {
-        for (auto& scene : project_.scenes)
-            for (auto& part : scene.parts) add_source(part.source);
-        for (auto& set : project_.lights)
-            if (set.environment.kind == Environment::Kind::map) add_source(set.environment.source);
-        for (auto& image : project_.images) add_source(image.source);
+        for_each_file(project_, [&](std::string& source, const std::string&) { add_source(source); });
         archive_.add_text(root_ + project_file_name, write_project(project_));
         add_results();
         add_studies();

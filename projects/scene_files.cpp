@@ -76,11 +76,7 @@ std::string to_string(FileState state) {
 
 std::set<std::string> sources_of(const Project& project) {
     std::set<std::string> sources;
-    for (const auto& scene : project.scenes)
-        for (const auto& part : scene.parts) sources.insert(part.source);
-    for (const auto& set : project.lights)
-        if (set.environment.kind == Environment::Kind::map) sources.insert(set.environment.source);
-    for (const auto& image : project.images) sources.insert(image.source);
+    for_each_file(project, [&](const std::string& source, const std::string&) { sources.insert(source); });
     return sources;
 }
 
@@ -169,16 +165,10 @@ ContentHashes read_contents(const Project& project, const fs::path& project_fold
 
 Project with_contents(const Project& project, const ContentHashes& known) {
     Project result = project;
-    const auto accept = [&](const std::string& source, std::string& hash) {
+    for_each_file(result, [&](const std::string& source, std::string& hash) {
         const auto found = known.find(source);
         if (found != known.end() && !found->second.empty()) hash = found->second;
-    };
-    for (auto& scene : result.scenes)
-        for (auto& part : scene.parts) accept(part.source, part.content_hash);
-    for (auto& set : result.lights)
-        if (set.environment.kind == Environment::Kind::map)
-            accept(set.environment.source, set.environment.content_hash);
-    for (auto& image : result.images) accept(image.source, image.content_hash);
+    });
     return result;
 }
 
@@ -191,17 +181,11 @@ Project with_missing_hashes(const Project& project, const fs::path& project_fold
 
 ContentHashes record_missing_hashes(Project& project, const ContentHashes& known) {
     ContentHashes recorded;
-    const auto record = [&](const std::string& source, std::string& hash) {
+    for_each_file(project, [&](const std::string& source, std::string& hash) {
         const auto found = known.find(source);
         if (!hash.empty() || found == known.end() || found->second.empty()) return;
         hash = recorded[source] = found->second;
-    };
-    for (auto& scene : project.scenes)
-        for (auto& part : scene.parts) record(part.source, part.content_hash);
-    for (auto& set : project.lights)
-        if (set.environment.kind == Environment::Kind::map)
-            record(set.environment.source, set.environment.content_hash);
-    for (auto& image : project.images) record(image.source, image.content_hash);
+    });
     return recorded;
 }
 

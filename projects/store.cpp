@@ -1,5 +1,7 @@
 #include "projects/store.h"
 
+#include <string>
+
 #include "projects/hash.h"
 #include "projects/lock.h"
 #include "projects/scene_files.h"
@@ -26,6 +28,14 @@ LastKept read_last_kept(const fs::path& folder, FileSystem& files) {
         return {};  // a damaged index keeps nobody from opening the project; --check names it
     }
 }
+
+fs::path place_of(const fs::path& file) {
+    std::error_code ignored;
+    auto result = fs::weakly_canonical(fs::absolute(file), ignored);
+    return ignored ? fs::absolute(file).lexically_normal() : result;
+}
+
+constexpr const char* session_file_name = "session.json";
 
 }  // namespace
 
@@ -118,6 +128,35 @@ std::vector<Message> upgrade_project(const fs::path& given, const Registry& regi
         loaded.messages.push_back({Severity::note, "project", "recorded the hashes of files that had none"});
     save_project(hashed, loaded.folder, loaded.file_hash, files);
     return loaded.messages;
+}
+
+bool is_own_file(const LoadedProject& loaded, const fs::path& file) {
+    const auto target = place_of(file);
+    const auto inside = target.lexically_relative(place_of(loaded.folder));
+    const auto first = inside.empty() ? std::string("..") : inside.begin()->string();
+    const auto begins_with = [&](const char* name) { return first.starts_with(name); };
+    if (begins_with("project.json") || begins_with("session.json") || first == "results") return true;
+    for (const auto& source : sources_of(loaded.project)) {
+        if (is_builtin(source)) continue;
+        for (const auto& one : files_of(resolve(source, loaded.folder)))
+            if (place_of(one) == target) return true;
+    }
+    return false;
+}
+
+Json load_session(const std::filesystem::path& folder, FileSystem& files) {
+    const auto file = folder / session_file_name;
+    try {
+        if (!files.exists(file)) return Json::object();
+        Json session = parse_json(files.read(file, JsonLimits{}.bytes), file.string());
+        return session.is_object() ? session : Json::object();
+    } catch (const Error&) {
+        return Json::object();
+    }
+}
+
+void save_session(const std::filesystem::path& folder, const Json& session, FileSystem& files) {
+    write_atomically(files, folder / session_file_name, pretty_json(session));
 }
 
 }  // namespace ir::projects

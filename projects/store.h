@@ -4,6 +4,7 @@
 #include <string>
 
 #include "projects/document_json.h"
+#include "projects/json.h"
 #include "projects/results.h"
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
@@ -51,5 +52,15 @@ std::string save_project(const Project& project, const std::filesystem::path& fo
 std::vector<Message> upgrade_project(const std::filesystem::path& given, const Registry& registry,
                                      FileSystem& files = real_file_system(),
                                      const CancelToken* cancel = nullptr);
+
+/// Whether the file is the project's: its document, what is written beside it, a kept result, or a file of a
+/// scene, an environment or an image. Links are followed; the file need not exist.
+bool is_own_file(const LoadedProject& project, const std::filesystem::path& file);
+
+/// session.json: layout, zoom, pins. Free JSON of the window; neither undone nor dirty. A missing or damaged
+/// file is an empty object: nothing of value is in it.
+Json load_session(const std::filesystem::path& folder, FileSystem& files = real_file_system());
+void save_session(const std::filesystem::path& folder, const Json& session,
+                  FileSystem& files = real_file_system());
 
 }  // namespace ir::projects

@@ -17,4 +17,7 @@ Experiment read_experiment(ObjectReader& reader, const Registry& registry, int s
 /// A plain boolean, number or text; nothing for what no parameter can hold.
 std::optional<Value> to_value(const Json& json);
 
+/// Id and name are taken already. Throws InputError with the place.
+void read_motion(ObjectReader& reader, Motion& motion);
+
 }  // namespace ir::projects

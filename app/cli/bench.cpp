@@ -106,31 +106,32 @@ int print_report(const BenchFlags& flags, const engine::BenchmarkReport& report)
     return is_measured ? done : failed;
 }
 
-int run_interaction(const BenchFlags& flags) {
+/// `run` takes options and callbacks.
+template <class Run>
+int run_in_one_scene(const BenchFlags& flags, Run run) {
     refuse_more_scenes(flags);
     auto options = benchmark_options(flags);
     if (!flags.scenes.empty()) options.place.scene = flags.scenes.front();
     if (!flags.csv.empty()) require_folder_of(flags.csv, "--csv");
     ProgressLine line(!flags.quiet, 1);
     line.begin({}, 1);
-    const auto report = engine::run_interaction_benchmark(machine_options(flags.machine), options,
-                                                          benchmark_callbacks(flags, line));
+    const auto report = run(options, benchmark_callbacks(flags, line));
     line.clear();
     return print_report(flags, report);
 }
 
+int run_interaction(const BenchFlags& flags) {
+    return run_in_one_scene(flags, [&](const auto& options, const auto& callbacks) {
+        return engine::run_interaction_benchmark(machine_options(flags.machine), options, callbacks);
+    });
+}
+
 int run_benchmark(const BenchFlags& flags) {
     const auto& benchmark = engine::find_benchmark(flags.name);
-    refuse_more_scenes(flags);
-    auto options = benchmark_options(flags);
-    if (!flags.scenes.empty()) options.place.scene = flags.scenes.front();
-    if (!flags.csv.empty()) require_folder_of(flags.csv, "--csv");
-    ProgressLine line(!flags.quiet, 1);
-    line.begin({}, 1);
-    engine::Machine machine(machine_options(flags.machine));
-    const auto report = engine::run_benchmark(machine, benchmark, options, benchmark_callbacks(flags, line));
-    line.clear();
-    return print_report(flags, report);
+    return run_in_one_scene(flags, [&](const auto& options, const auto& callbacks) {
+        engine::Machine machine(machine_options(flags.machine));
+        return engine::run_benchmark(machine, benchmark, options, callbacks);
+    });
 }
 
 std::string heading_of(const engine::BenchmarkReport& report) {

@@ -6,9 +6,12 @@
 #include <functional>
 #include <string>
 
+#include "app/engine/machine_settings.h"
 #include "projects/fields.h"
 
 namespace ir::cli {
+
+using engine::add_machine_flags, engine::machine_options, engine::parse_bytes, engine::MachineFlags;
 
 /// The contract with scripts; engine::interruption_status() where a signal ended the work.
 enum ExitStatus { done = 0, failed = 1, wrong_usage = 2, bad_input = 3, limit_exceeded = 4 };
@@ -27,13 +30,6 @@ void add_plot(CLI::App& app, Run& run);
 void add_sweep(CLI::App& app, Run& run);
 void add_bench(CLI::App& app, Run& run);
 
-/// Options that choose the machine, shared by commands that render.
-struct MachineFlags {
-    std::string backend, device, memory, processor;
-    int threads = 0;
-    bool debug = false;
-};
-void add_machine_flags(CLI::App& command, MachineFlags& flags);
 /// Options and words that several commands have.
 inline void add_quiet_flag(CLI::App& command, bool& quiet) {
     command.add_flag("--quiet", quiet, "No progress on standard error");
@@ -60,8 +56,5 @@ inline CLI::Validator within(const projects::FieldText& text) {
 inline CLI::Validator whole_within(const projects::FieldText& text) {
     return CLI::Range(static_cast<int>(text.range.min), static_cast<int>(text.range.max));
 }
-
-/// "2GB", "500MB", "1.5 GiB" or bytes; 0 when empty. Throws UsageError.
-std::uint64_t parse_bytes(const std::string& text);
 
 }  // namespace ir::cli

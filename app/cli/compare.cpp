@@ -170,12 +170,12 @@ Json write_and_print(const CompareFlags& flags, const Side& image, const Side& r
               {"kind", shown.kind},
               {"range", {shown.low, shown.high}},
               {"colour_map", shown.colour_map}};
-    if (shown.significant_part >= 0) json["significant_part"] = shown.significant_part;
+    if (shown.significant_fraction >= 0) json["significant_fraction"] = shown.significant_fraction;
     if (flags.json) return json;
     std::cout << "difference " << shown.kind << " from " << shown.low << " to " << shown.high << " ("
               << shown.colour_map << ")\n";
-    if (shown.significant_part >= 0)
-        std::cout << "significant in " << 100 * shown.significant_part << " % of the pixels\n";
+    if (shown.significant_fraction >= 0)
+        std::cout << "significant in " << 100 * shown.significant_fraction << " % of the pixels\n";
     return json;
 }
 

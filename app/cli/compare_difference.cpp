@@ -62,8 +62,8 @@ Image coloured(const DifferenceImage& difference, const WrittenDifference& shown
     return result;
 }
 
-/// The part of the pixels with a value whose difference is not 0 in some channel.
-double part_that_differs(const Image& image) {
+/// The fraction of the pixels with a value whose difference is not 0 in some channel.
+double fraction_that_differs(const Image& image) {
     std::size_t pixels = 0, different = 0;
     for (std::size_t i = 0; i < image.pixels.size() / image.channels; ++i) {
         if (!std::isfinite(scalar(image, i))) continue;
@@ -149,7 +149,8 @@ WrittenDifference write_difference(const Side& image, const Side& reference,
     const auto range = request.range ? *request.range : range_of(result.image, kind);
     WrittenDifference shown{kind.key, request.colour_map, range.first, range.second};
     if (shown.colour_map.empty()) shown.colour_map = kind.has_sign ? "coolwarm" : "magma";
-    if (kind.kind == DifferenceKind::significant) shown.significant_part = part_that_differs(result.image);
+    if (kind.kind == DifferenceKind::significant)
+        shown.significant_fraction = fraction_that_differs(result.image);
     if (extension(request) == ".png")
         write_png(request.file, coloured(result, shown));
     else

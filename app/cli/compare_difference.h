@@ -26,7 +26,7 @@ struct DifferenceRequest {
 struct WrittenDifference {
     std::string kind, colour_map;
     double low = 0, high = 1;
-    double significant_part = -1;  ///< of the pixels with a value, for the kind "significant"
+    double significant_fraction = -1;  ///< of the pixels with a value, for the kind "significant"
 };
 
 /// Throws UsageError for other endings than .exr and .png, before anything is computed.

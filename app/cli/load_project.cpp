@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "app/engine/execution.h"
-#include "projects/results_guard.h"
+#include "projects/keep.h"
 #include "renderers/core/error.h"
 
 namespace ir::cli {

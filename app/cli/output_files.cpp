@@ -1,6 +1,6 @@
 #include "app/cli/output_files.h"
 
-#include "projects/own_files.h"
+#include "projects/store.h"
 #include "renderers/core/error.h"
 
 namespace ir::cli {

@@ -9,10 +9,6 @@
 
 namespace ir::cli {
 
-engine::MachineOptions machine_options(const MachineFlags& flags) {
-    return {flags.backend, flags.device, flags.debug, flags.threads, parse_processor(flags.processor)};
-}
-
 graph::FrameOptions frame_options(const MachineFlags& flags, const std::vector<std::string>& wanted,
                                   double initial_capacity) {
     graph::FrameOptions options;

@@ -9,7 +9,6 @@
 
 namespace ir::cli {
 
-engine::MachineOptions machine_options(const MachineFlags& flags);
 graph::FrameOptions frame_options(const MachineFlags& flags, const std::vector<std::string>& wanted = {},
                                   double initial_capacity = 1);
 

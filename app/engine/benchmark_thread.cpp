@@ -20,15 +20,13 @@ Experiment place_of(const BenchmarkRequest::Place& place) {
 
 }  // namespace
 
-BenchmarkRunner benchmark_runner(const MachineOptions& options) {
-    return [options](const BenchmarkRequest& request, const BenchmarkCallbacks& callbacks) {
-        BenchmarkOptions chosen;
-        if (request.place) chosen.place = place_of(*request.place);
-        chosen.variants = request.variants;
-        chosen.repeats = request.repeats;
-        Machine machine(options);
-        return run_benchmark(machine, find_benchmark(request.name), chosen, callbacks);
-    };
+BenchmarkReport run_request(const BenchmarkRequest& request, const BenchmarkCallbacks& callbacks) {
+    BenchmarkOptions chosen;
+    if (request.place) chosen.place = place_of(*request.place);
+    chosen.variants = request.variants;
+    chosen.repeats = request.repeats;
+    Machine machine(request.machine);
+    return run_benchmark(machine, find_benchmark(request.name), chosen, callbacks);
 }
 
 struct BenchmarkThread::State {
@@ -76,6 +74,7 @@ bool BenchmarkThread::is_busy() const {
 void BenchmarkThread::State::benchmark_run(const BenchmarkRequest& request) {
     BenchmarkCallbacks told;
     told.cancel = &token;
+    told.memory_budget = request.memory_budget;
     told.report = [this](const BenchmarkReport& report) {
         if (callbacks.on_report && !silent) callbacks.on_report(report);
     };

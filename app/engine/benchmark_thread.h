@@ -22,11 +22,14 @@ struct BenchmarkRequest {
     std::optional<Place> place;         ///< none: the benchmark's own scene and camera
     std::vector<std::string> variants;  ///< labels; empty: all
     int repeats = 5;
+    MachineOptions machine = {};
+    std::uint64_t memory_budget = 0;  ///< as BenchmarkCallbacks has it
 };
 
 /// Runs a benchmark; the thread calls it.
 using BenchmarkRunner = std::function<BenchmarkReport(const BenchmarkRequest&, const BenchmarkCallbacks&)>;
-BenchmarkRunner benchmark_runner(const MachineOptions& options);
+/// On a machine that is made for it.
+BenchmarkReport run_request(const BenchmarkRequest& request, const BenchmarkCallbacks& callbacks);
 
 /// Runs one benchmark at a time on a thread of its own, beside the render thread, with a machine that is made
 /// for it: nothing is warm that a cold run would have to do. It gives way to the window's thread but not to

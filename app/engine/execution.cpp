@@ -64,12 +64,12 @@ const MethodDescription& Execution::method() const {
 void Execution::load() {
     const auto& method = find_method(experiment_.method);
     auto settings = completed(method.description.parameters, experiment_.settings);
-    const int most = std::min(max_image_side, machine_.context().info().max_texture_size);
-    if (experiment_.width < 1 || experiment_.height < 1 || experiment_.width > most ||
-        experiment_.height > most)
+    const int max_side = std::min(max_image_side, machine_.context().info().max_texture_size);
+    if (experiment_.width < 1 || experiment_.height < 1 || experiment_.width > max_side ||
+        experiment_.height > max_side)
         throw UsageError("image size " + std::to_string(experiment_.width) + "x" +
                          std::to_string(experiment_.height) + " is not allowed; this device takes 1 to " +
-                         std::to_string(most) + " pixels a side");
+                         std::to_string(max_side) + " pixels a side");
     auto loaded = machine_.scenes().load(experiment_.composition());
     if (experiment_.replace_lights || experiment_.environment) {
         auto changed = std::make_shared<scene::Scene>(*loaded);

@@ -44,6 +44,7 @@ struct MachineOptions {
     int threads = 0;  ///< for cpu passes; 0 = all
     /// Of passes with two bodies; none: the host where the device is software, else gl.
     std::optional<Processor> processor = {};
+    bool operator==(const MachineOptions&) const = default;
 };
 
 /// A context, its device and its programs: made once per render thread.
@@ -60,6 +61,7 @@ class Machine {
     Processor processor() const;
     /// For frames from now on, as MachineOptions has it.
     void set_processor(std::optional<Processor> processor) { options_.processor = processor; }
+    void set_threads(int threads) { options_.threads = threads; }
 
   private:
     Options options_;
@@ -146,7 +148,7 @@ class Execution {
     void move_world(double time);
     std::string geometry_fingerprint() const;
     std::uint64_t samples_per_frame() const;
-    std::uint64_t sample_limit(std::uint64_t most) const;
+    std::uint64_t sample_limit(std::uint64_t limit) const;
     void count_frame(const FrameReport& report, std::uint64_t limit);
     void set_samples(std::uint64_t samples);
     Machine& machine_;

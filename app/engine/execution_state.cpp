@@ -84,12 +84,12 @@ std::uint64_t Execution::samples_requested() const {
     return static_cast<std::uint64_t>(std::max(0, experiment_.frames)) * samples_per_frame();
 }
 
-std::uint64_t Execution::sample_limit(std::uint64_t most) const {
+std::uint64_t Execution::sample_limit(std::uint64_t limit) const {
     if (!accumulates()) return unlimited;
-    if (samples_ == 0) return std::max<std::uint64_t>(1, most);
+    if (samples_ == 0) return std::max<std::uint64_t>(1, limit);
     if (!shown_ && frame_ >= experiment_.frames) return 0;
     const auto beyond = samples_ % samples_per_frame();
-    return beyond == 0 ? most : std::min(most, samples_per_frame() - beyond);
+    return beyond == 0 ? limit : std::min(limit, samples_per_frame() - beyond);
 }
 
 void Execution::count_frame(const FrameReport& report, std::uint64_t limit) {

@@ -3,11 +3,12 @@
 #include <memory>
 #include <optional>
 
+#include "app/engine/camera_pose.h"
 #include "app/engine/execution.h"
+#include "projects/document.h"
 #include "projects/motion.h"
 #include "projects/samples.h"
 #include "projects/scene_files.h"
-#include "projects/settings.h"
 #include "renderers/core/error.h"
 #include "renderers/image/exr.h"
 
@@ -93,15 +94,8 @@ void set_camera(Experiment& result, const projects::Project& project, const std:
         return;
     }
     const auto posed = projects::camera_at(project, *item, result.time);
-    scene::Camera camera;
-    camera.name = posed.name;
-    camera.eye = posed.eye;
-    camera.target = posed.target;
-    camera.up = posed.up;
-    camera.fov_y = static_cast<float>(glm::radians(posed.fov_y_degrees));
-    camera.orthographic = posed.orthographic;
-    camera.height = static_cast<float>(posed.height);
-    result.camera = camera;
+    result.camera = camera_of(posed);
+    result.camera->name = posed.name;
     const auto* motion = projects::motion_of_camera(project, id);
     if (lasts && motion && projects::is_moving(*motion)) result.camera_motion = *motion;
 }

@@ -57,9 +57,7 @@ class Hand {
   public:
     explicit Hand(const MachineOptions& options, const CancelToken* cancel) : cancel_(cancel) {
         RenderThread::Callbacks c;
-        c.on_ready = [this](const std::string&, const std::string& device) {
-            note([&] { device_ = device; });
-        };
+        c.on_ready = [this](const gl::DeviceInfo& info) { note([&] { device_ = info; }); };
         c.on_no_device = [this](const std::string& error) { note([&] { failure_ = error; }); };
         c.on_failure = [this](const std::string&, const std::string& error, bool) {
             note([&] { failure_ = error; });
@@ -107,9 +105,10 @@ class Hand {
         const std::lock_guard lock(mutex_);
         return camera_;
     }
-    std::string device() {
-        wait_for([&] { return !device_.empty(); });
-        return device_;
+    gl::DeviceInfo device() {
+        wait_for([&] { return device_.has_value(); });
+        const std::lock_guard lock(mutex_);
+        return device_.value();
     }
 
   private:
@@ -137,7 +136,8 @@ class Hand {
     std::condition_variable changed_;
     std::vector<Seen> seen_;
     scene::Camera camera_;
-    std::string device_, failure_;
+    std::optional<gl::DeviceInfo> device_;
+    std::string failure_;
     bool is_loaded_ = false;
     int pictures_ = 0;
     std::unique_ptr<RenderThread> thread_;  // last member: starts when the rest exists
@@ -221,7 +221,9 @@ BenchmarkReport run_interaction_benchmark(const MachineOptions& machine, const B
         progress.fraction = double(progress.row) / double(progress.rows);
         if (callbacks.progress) callbacks.progress(progress);
         Hand hand(machine, callbacks.cancel);
-        report.device = hand.device();
+        const auto device = hand.device();
+        report.device = device.renderer;
+        report.software = device.software;
         place.method = method->id;
         place.settings.clear();
         hand.load(place);

@@ -2,10 +2,10 @@
 
 #include "app/engine/version.h"
 #include "projects/hash.h"
+#include "projects/keep.h"
 #include "projects/object_reader.h"
 #include "projects/plots.h"
 #include "projects/results.h"
-#include "projects/results_guard.h"
 #include "projects/text.h"
 #include "renderers/core/file_system.h"
 

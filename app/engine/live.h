@@ -51,7 +51,7 @@ struct LiveRequest {
     bool drafts = false;
     /// Equal texts of one tag ask for the same picture; empty: nobody knows.
     std::string picture = {};
-    /// Stored history to begin with (state_file.h); empty, absent or of something else: from nothing.
+    /// Stored history to begin with (stored_state.h); empty, absent or of something else: from nothing.
     std::string state_file = {};
 };
 

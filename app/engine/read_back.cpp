@@ -63,8 +63,8 @@ std::optional<BufferContents> read_contents(const graph::Graph& graph, const Res
     result.fields = resource.fields;
     result.elements = resource.elements;
     const auto stride = std::uint64_t(std::max(1, graph::stride(*desc)));
-    const auto most = std::min(resource.elements, BufferContents::max_bytes / stride);
-    auto bytes = graph.read_buffer(resource.key, most * stride);
+    const auto max_elements = std::min(resource.elements, BufferContents::max_bytes / stride);
+    auto bytes = graph.read_buffer(resource.key, max_elements * stride);
     if (!bytes) return {};
     result.bytes = std::move(*bytes);
     return result;

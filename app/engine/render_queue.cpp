@@ -140,6 +140,12 @@ void RenderQueue::reload_shaders() {
     wake_.notify_all();
 }
 
+void RenderQueue::set_machine(const MachineSettings& settings) {
+    const std::lock_guard lock(mutex_);
+    settings_ = settings;
+    wake_.notify_all();
+}
+
 void RenderQueue::stop() {
     const std::lock_guard lock(mutex_);
     stop_ = true;
@@ -164,8 +170,9 @@ std::optional<Request> RenderQueue::take_ready(std::deque<Request>& requests) {
 
 bool RenderQueue::has_work() const {
     const auto is_ready = [&](const auto& waiting) { return !is_active(waiting.tag); };
-    return stop_ || reload_ || !turns_.empty() || !scenes_.empty() || !views_.empty() || !probes_.empty() ||
-           !released_.empty() || !cancelled_.empty() || std::any_of(files_.begin(), files_.end(), is_ready) ||
+    return stop_ || reload_ || settings_ || !turns_.empty() || !scenes_.empty() || !views_.empty() ||
+           !probes_.empty() || !released_.empty() || !cancelled_.empty() ||
+           std::any_of(files_.begin(), files_.end(), is_ready) ||
            std::any_of(keeps_.begin(), keeps_.end(), is_ready);
 }
 
@@ -179,6 +186,7 @@ RenderQueue::Work RenderQueue::take() {
     reload_ = false;
     work.released.swap(released_);
     work.cancelled.swap(cancelled_);
+    work.settings.swap(settings_);
     work.file = take_ready(files_);
     work.kept = take_ready(keeps_);
     if (!scenes_.empty()) {

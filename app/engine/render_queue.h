@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/engine/live.h"
+#include "app/engine/machine_settings.h"
 #include "renderers/core/progress.h"
 
 namespace ir::engine {
@@ -30,6 +31,7 @@ class RenderQueue {
     struct Work {
         bool stop = false, check_shaders = false;
         std::vector<std::string> released, cancelled;  ///< tags
+        std::optional<MachineSettings> settings;
         std::optional<std::vector<scene::Part>> scene;
         std::optional<ExportRequest> file;
         std::optional<KeepRequest> kept;
@@ -45,6 +47,7 @@ class RenderQueue {
     void release(const std::string& tag);
     void cancel(const std::string& tag);
     void reload_shaders();
+    void set_machine(const MachineSettings& settings);
     void stop();
 
     /// Waits for work, or for the time to look at shader files.
@@ -98,6 +101,7 @@ class RenderQueue {
     std::deque<KeepRequest> keeps_;
     std::deque<std::vector<scene::Part>> scenes_;
     std::vector<std::string> released_, cancelled_;
+    std::optional<MachineSettings> settings_;
     Job running_job_;
     bool running_ = false;
     bool running_answered_ = false;  ///< something of its picture was sent before

@@ -72,6 +72,10 @@ void RenderThread::reload_shaders() {
     state_->queue.reload_shaders();
 }
 
+void RenderThread::set_machine(const MachineSettings& settings) {
+    state_->queue.set_machine(settings);
+}
+
 bool RenderThread::State::render_start() {
     session.reset();
     machine.reset();
@@ -82,8 +86,7 @@ bool RenderThread::State::render_start() {
         return false;
     }
     session = std::make_unique<LiveSession>(*machine);
-    const auto& info = machine->context().info();
-    tell(callbacks.on_ready, gl::to_string(info.backend), info.renderer);
+    tell(callbacks.on_ready, machine->context().info());
     return true;
 }
 
@@ -106,6 +109,11 @@ void RenderThread::State::render_loop() {
 }
 
 void RenderThread::State::render_work(const RenderQueue::Work& work) {
+    if (work.settings) {
+        machine->set_processor(work.settings->chosen_processor());
+        machine->set_threads(work.settings->threads);
+        options = machine->options();
+    }
     for (const auto& tag : work.released) session->release(tag);
     for (const auto& tag : work.cancelled) tell(callbacks.on_failure, tag, "cancelled", true);
     render_views();

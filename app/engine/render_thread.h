@@ -6,6 +6,7 @@
 
 #include "app/engine/execution.h"
 #include "app/engine/live.h"
+#include "app/engine/machine_settings.h"
 
 namespace ir::engine {
 
@@ -26,7 +27,7 @@ class RenderThread {
         std::function<void(std::string tag, std::string error, bool cancelled)> on_failure;
         std::function<void(SceneSummary)> on_scene;
         std::function<void(std::vector<Message>)> on_messages;  ///< shader reloads, GL
-        std::function<void(std::string backend, std::string device)> on_ready;
+        std::function<void(gl::DeviceInfo)> on_ready;
         std::function<void(std::string error)> on_no_device;
     };
     RenderThread(Machine::Options options, Callbacks callbacks);
@@ -52,6 +53,8 @@ class RenderThread {
     void load_scene(std::vector<scene::Part> parts);
     /// Asks for reload of changed shaders; affected executions run again.
     void reload_shaders();
+    /// For frames from now on; a frame that runs ends as it began.
+    void set_machine(const MachineSettings& settings);
 
   private:
     struct State;

@@ -53,20 +53,20 @@ class FrameRun {
                 ? std::min(longest_frame_seconds, checkpoints_.seconds / frames_per_checkpoint)
                 : longest_frame_seconds;
         const double in_time = static_cast<double>(last_samples_) * 1000 * seconds / std::max(last_ms_, 1e-3);
-        const auto most = max_growth * last_samples_;
-        const auto added = in_time < static_cast<double>(most)
+        const auto limit = max_growth * last_samples_;
+        const auto added = in_time < static_cast<double>(limit)
                                ? std::max<std::uint64_t>(1, static_cast<std::uint64_t>(in_time))
-                               : most;
+                               : limit;
         const auto end = execution_.samples() + added, even = end - end % even_samples;
         return (even > execution_.samples() ? even : end) - execution_.samples();
     }
 
     void run_frame() {
-        const auto most = max_samples();
+        const auto limit = max_samples();
         auto options = options_;
-        if (options_.progress) options.progress = progress_of(most);
+        if (options_.progress) options.progress = progress_of(limit);
         const auto before = execution_.samples();
-        add(execution_.run_frame(options, most), before);
+        add(execution_.run_frame(options, limit), before);
     }
 
     /// "frame 3 of 10, trace"; of one frame the pass alone.
@@ -79,7 +79,7 @@ class FrameRun {
     }
 
     /// The fraction of all frames, whatever one of them adds.
-    ProgressCallback progress_of(std::uint64_t most) const {
+    ProgressCallback progress_of(std::uint64_t limit) const {
         const auto frames = static_cast<double>(std::max(1, execution_.experiment().frames));
         if (!adds_up_)
             return [this, frames](const std::string& what, double part) {
@@ -87,7 +87,7 @@ class FrameRun {
                                   std::min(1.0, (execution_.committed_frames() + part) / frames));
             };
         const auto asked = execution_.samples_requested(), before = execution_.samples();
-        const auto added = std::min({most, asked - std::min(asked, before),
+        const auto added = std::min({limit, asked - std::min(asked, before),
                                      std::max<std::uint64_t>(1, asked / static_cast<std::uint64_t>(frames))});
         return [this, asked, before, added, text = frame_text(samples_text(execution_, total_))](
                    const std::string&, double part) {

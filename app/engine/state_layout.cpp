@@ -68,8 +68,8 @@ gl::Format format_of(const std::string& name) {
     throw std::runtime_error("unknown format '" + name + "'");
 }
 
-int within(std::int64_t number, std::int64_t least, std::int64_t most) {
-    if (number < least || number > most) throw std::runtime_error("a size is out of range");
+int within(std::int64_t number, std::int64_t min, std::int64_t max) {
+    if (number < min || number > max) throw std::runtime_error("a size is out of range");
     return static_cast<int>(number);
 }
 

@@ -26,12 +26,19 @@ struct StoredState {
     std::vector<StateOrigin> origins;  ///< oldest first; the last one stored it
 };
 
-/// A state file (state_file.h) that says what it is of. Throws Error.
+/// A state file that says what it is of. Throws Error.
 void store(const std::filesystem::path& file, const StoredState& state, const ImageAttributes& attributes);
 /// Throws InputError with one line for a file that is damaged or no state.
 StoredState load_state(const std::filesystem::path& file);
 
 /// As JSON, for attributes and provenance.
 std::string to_json_text(const std::vector<StateOrigin>& origins);
+
+/// A history on disk, bit by bit, as an EXR file that other programs can look at. A link is replaced,
+/// not followed. Throws Error.
+void write_state(const std::filesystem::path& file, const graph::History& history,
+                 const ImageAttributes& attributes);
+/// Throws InputError with one line.
+graph::History read_state(const std::filesystem::path& file, ImageAttributes* attributes = nullptr);
 
 }  // namespace ir::engine

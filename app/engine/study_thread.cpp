@@ -47,11 +47,12 @@ namespace {
 
 /// A machine that is made with the first study and given back when there is nothing to do.
 struct LazyMachine {
-    MachineOptions options;
+    MachineOptions options;  ///< of the machine
     std::unique_ptr<Machine> machine;
 
     ErrorStudy run(const StudyRequest& request, const StudyCallbacks& callbacks) {
-        if (!machine) machine = std::make_unique<Machine>(options);
+        if (!(request.machine == options)) machine.reset();
+        if (!machine) machine = std::make_unique<Machine>(options = request.machine);
         machine->context().make_current();
         try {
             return run_error_study(*machine, request.project, request.plot, request.folder, callbacks);
@@ -70,9 +71,8 @@ StudyThread::StudyThread(StudyRunner runner, Callbacks callbacks) : state_(std::
     state_->thread = std::thread([this] { state_->study_loop(); });
 }
 
-StudyThread::StudyThread(MachineOptions options, Callbacks callbacks) : state_(std::make_unique<State>()) {
+StudyThread::StudyThread(Callbacks callbacks) : state_(std::make_unique<State>()) {
     auto lazy = std::make_shared<LazyMachine>();
-    lazy->options = std::move(options);
     state_->runner = [lazy](const StudyRequest& request, const StudyCallbacks& told) {
         return lazy->run(request, told);
     };
@@ -203,6 +203,7 @@ void StudyThread::State::study_run(const StudyRequest& request) {
             callbacks.on_failure(request.tag, serial, error, is_cancelled);
     };
     try {
+        told.memory_budget = request.memory_budget;
         auto study = runner(request, told);
         if (callbacks.on_finished && is_wanted(serial))
             callbacks.on_finished(request.tag, serial, std::move(study));

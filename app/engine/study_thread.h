@@ -17,6 +17,8 @@ struct StudyRequest {
     projects::ErrorPlot plot;
     std::filesystem::path folder;  ///< of the project
     std::uint64_t serial = 0;      ///< set by StudyThread::request
+    MachineOptions machine = {};
+    std::uint64_t memory_budget = 0;  ///< as StudyCallbacks has it
 };
 
 /// Runs a study; the thread calls it.
@@ -41,7 +43,7 @@ class StudyThread {
         std::function<void(std::string tag, std::uint64_t serial, std::string error, bool cancelled)>
             on_failure;
     };
-    StudyThread(MachineOptions options, Callbacks callbacks);
+    explicit StudyThread(Callbacks callbacks);
     /// With another way to run a study, for tests.
     StudyThread(StudyRunner runner, Callbacks callbacks);
     ~StudyThread();  ///< cancels and joins

@@ -40,10 +40,12 @@ QString date_text(const std::string& date) {
 
 }  // namespace
 
-BenchmarkDock::BenchmarkDock(Session& session, engine::BenchmarkRunner runner, QWidget* parent)
+BenchmarkDock::BenchmarkDock(Session& session, const Preferences& preferences, engine::BenchmarkRunner runner,
+                             QWidget* parent)
     : QWidget(parent),
       session_(session),
-      runs_(std::move(runner)),
+      preferences_(preferences),
+      runs_(runner ? std::move(runner) : engine::run_request),
       panel_(new widgets::BenchmarkPanel),
       chosen_(engine::benchmarks().front().benchmark.name) {
     auto* column = new QVBoxLayout(this);
@@ -143,7 +145,8 @@ void BenchmarkDock::run() {
     progress_ = {};
     reports_.erase(running_);
     problems_.erase(running_);
-    runs_.start({running_, place(), chosen_variants(), repeats_});
+    runs_.start({running_, place(), chosen_variants(), repeats_, preferences_.machine(),
+                 preferences_.machine_settings().memory_budget()});
     update();
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/gui/benchmark_runs.h"
+#include "app/gui/preferences.h"
 #include "app/gui/session.h"
 #include "widgets/benchmarks/benchmark_panel.h"
 
@@ -17,7 +18,9 @@ namespace ir::gui {
 class BenchmarkDock : public QWidget {
     Q_OBJECT
   public:
-    BenchmarkDock(Session& session, engine::BenchmarkRunner runner, QWidget* parent = nullptr);
+    /// Without a runner benchmarks get machines of their own.
+    BenchmarkDock(Session& session, const Preferences& preferences, engine::BenchmarkRunner runner,
+                  QWidget* parent = nullptr);
     widgets::BenchmarkPanel& panel() { return *panel_; }
 
     void choose(const std::string& benchmark);
@@ -56,6 +59,7 @@ class BenchmarkDock : public QWidget {
                    void (BenchmarkDock::*write)(const QString&) const);
 
     Session& session_;
+    const Preferences& preferences_;
     BenchmarkRuns runs_;
     widgets::BenchmarkPanel* panel_;
     QTimer redraw_;  ///< progress may come quicker than it can be drawn

@@ -8,10 +8,10 @@
 #include <QSettings>
 #include <QStyle>
 #include <QTabWidget>
+#include <algorithm>
 #include <utility>
 
 #include "app/gui/actions.h"
-#include "app/gui/window_geometry.h"
 #include "renderers/core/error.h"
 #include "widgets/views/view_area.h"
 
@@ -234,6 +234,14 @@ void DockLayout::fit(const QRect& available) {
     set_cramped(min_size_for_all_panels.boundedTo(room) != min_size_for_all_panels);
     if (!window_.isMaximized() && !window_.isFullScreen())
         window_.setGeometry(within(window_.geometry(), available, title_bar));
+}
+
+QRect within(QRect window, const QRect& available, int title_bar) {
+    const QRect room = available.adjusted(0, title_bar, 0, 0);
+    window.setSize(window.size().boundedTo(room.size()));
+    window.moveLeft(std::clamp(window.left(), room.left(), room.right() + 1 - window.width()));
+    window.moveTop(std::clamp(window.top(), room.top(), room.bottom() + 1 - window.height()));
+    return window;
 }
 
 }  // namespace ir::gui

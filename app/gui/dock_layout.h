@@ -2,6 +2,8 @@
 
 #include <QByteArray>
 #include <QObject>
+#include <QRect>
+#include <QSize>
 #include <QStringList>
 
 class QAction;
@@ -9,7 +11,6 @@ class QDockWidget;
 class QKeySequence;
 class QMainWindow;
 class QMenu;
-class QRect;
 class QWidget;
 
 namespace ir::widgets {
@@ -19,6 +20,13 @@ class ViewArea;
 namespace ir::gui {
 
 class Actions;
+
+/// A screen of 1280×800 without its title bar: there the panels of both sides fit beside four views.
+inline constexpr QSize min_size_for_all_panels(1280, 770);
+
+/// A window's geometry, without its frame, moved and shrunk into what the screen has for windows; above it
+/// stands a title bar of that height.
+QRect within(QRect window, const QRect& available, int title_bar);
 
 /// Bumped when docks are added or renamed, so that a remembered arrangement of other docks is not applied.
 inline constexpr int dock_version = 7;
@@ -43,7 +51,7 @@ class DockLayout : public QObject {
     /// The welcome page stands alone; with a project the docks come back as they were.
     void show(bool shown);
     /// Arranges the window for what a screen has for windows. One that has less than min_size_for_all_panels
-    /// (window_geometry.h) has an arrangement of its own: the panels of both sides stand behind each other,
+    /// has an arrangement of its own: the panels of both sides stand behind each other,
     /// so that four views of whatever project find room beside them.
     void fit(const QRect& available);
     void fit_screen();  ///< fit() for the screen that the window is on

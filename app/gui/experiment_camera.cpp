@@ -3,25 +3,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/gui/camera_pose.h"
+#include "app/engine/camera_pose.h"
 #include "app/gui/session.h"
 #include "projects/motion.h"
 
 namespace ir::gui {
 namespace {
 
-widgets::CameraPose pose_in_document(const projects::Camera& camera) {
-    return {camera.eye, camera.target, camera.up, camera.fov_y_degrees, camera.orthographic, camera.height};
-}
-
 projects::Camera posed(projects::Camera camera, const widgets::CameraPose& pose) {
-    camera.scene_camera.clear();
-    camera.eye = pose.eye;
-    camera.target = pose.target;
-    camera.up = pose.up;
-    camera.fov_y_degrees = pose.fov_y_degrees;
-    camera.orthographic = pose.orthographic;
-    camera.height = pose.height;
+    camera.set_pose(pose);
     return camera;
 }
 
@@ -79,12 +69,12 @@ std::optional<widgets::CameraPose> ExperimentCamera::pose() const {
     const auto& document = session_.document();
     const auto* camera = projects::find_item(document.cameras, chosen->camera);
     if (camera && camera->scene_camera.empty())
-        return pose_in_document(projects::camera_at(document, *camera, shown_time_.value_or(chosen->time)));
+        return projects::camera_at(document, *camera, shown_time_.value_or(chosen->time));
     if (camera)
         for (const auto& each : scene_cameras_)
-            if (each.name == camera->scene_camera) return pose_of(each);
+            if (each.name == camera->scene_camera) return engine::pose_of(each);
     if (scene_cameras_.empty()) return {};
-    return pose_of(scene_cameras_.front());
+    return engine::pose_of(scene_cameras_.front());
 }
 
 std::optional<widgets::CameraPose> ExperimentCamera::moved_pose(const std::string& id) const {

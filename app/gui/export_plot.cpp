@@ -5,9 +5,9 @@
 
 #include "app/engine/interruption.h"
 #include "app/engine/kept_study.h"
+#include "app/gui/exports.h"
 #include "app/gui/known_projects.h"
 #include "app/gui/plot_points.h"
-#include "app/gui/write_picture.h"
 #include "projects/scene_files.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"
@@ -30,14 +30,15 @@ const projects::ErrorPlot& plot_of(const projects::Project& project, const std::
 }
 
 engine::ErrorStudy numbers_of(const projects::LoadedProject& loaded, const projects::ErrorPlot& plot,
-                              const engine::MachineOptions& options) {
+                              const PlotExport& job) {
     const auto& [project, folder] = std::tie(loaded.project, loaded.folder);
     const auto kept = engine::load_study(folder, plot.id);
     if (kept && !engine::is_stale(*kept, project, plot, projects::read_contents(project, folder)))
         return kept->study;
-    engine::Machine machine(options);
+    engine::Machine machine(job.machine);
     engine::StudyCallbacks callbacks;
     callbacks.cancel = &engine::interruption();
+    callbacks.memory_budget = job.memory_budget;
     auto study = engine::run_error_study(machine, project, plot, folder, callbacks);
     if (Samples::contains(folder)) return study;  // nothing is written where the program is installed
     try {
@@ -58,7 +59,7 @@ void check_plot_file(const std::string& file) {
 void export_plot(const PlotExport& job) {
     const auto loaded = projects::load_project(job.project, engine::registry());
     const auto& plot = plot_of(loaded.project, job.plot);
-    auto study = numbers_of(loaded, plot, job.machine);
+    auto study = numbers_of(loaded, plot, job);
     engine::mark_front(study.points, plot.metric);
     if (ends_with(job.file, ".csv")) return write_file(job.file, engine::study_csv(study));
     const auto drawn = draw_study(loaded.project, engine::registry(), plot, study, {plot.over, true, true});

@@ -11,6 +11,7 @@ namespace ir::gui {
 struct PlotExport {
     std::string project, plot, file;  ///< .png or .csv
     engine::MachineOptions machine;   ///< that carries it out where its numbers are not kept
+    std::uint64_t memory_budget = 0;  ///< bytes; 0: none
     QSize size{800, 500};
     int scale = 1;  ///< pixels of the picture for one of `size`
     bool dark = false;

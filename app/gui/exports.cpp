@@ -1,9 +1,10 @@
 #include "app/gui/exports.h"
 
+#include <QBuffer>
+#include <QFileInfo>
 #include <charconv>
 #include <cmath>
 
-#include "app/gui/write_picture.h"
 #include "renderers/core/error.h"
 #include "renderers/core/write_file.h"
 #include "renderers/image/channels.h"
@@ -95,6 +96,16 @@ void Exports::save_all_buffers(const QString& file) const {
     if (!session_.experiment(owner)) throw Error("the active view shows no experiment; choose one");
     if (!live_.result(owner)) throw Error("nothing has been rendered yet");
     renderer_.export_layers({owner, file.toStdString(), {"*"}});
+}
+
+void write_picture(const QString& file, const QImage& picture) {
+    const auto suffix = QFileInfo(file).suffix().toLatin1();
+    QByteArray encoded;
+    QBuffer buffer(&encoded);
+    buffer.open(QIODevice::WriteOnly);
+    if (!picture.save(&buffer, suffix.isEmpty() ? "PNG" : suffix.constData()))
+        throw Error(file.toStdString() + ": pictures cannot be written so; give a name that ends with .png");
+    write_file(file.toStdString(), {encoded.constData(), std::size_t(encoded.size())});
 }
 
 }  // namespace ir::gui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QImage>
 #include <QString>
 #include <string>
 
@@ -37,5 +38,9 @@ class Exports {
 /// Lines "x,y,R,G,B" of a picture, with the digits that read back as the same float; pixels without a value
 /// are empty. Atlases name level and slice first.
 void write_csv(std::ostream& out, const widgets::Picture& picture);
+
+/// In the format that the name ends with; PNG where it ends with none. Throws Error, also where not all of it
+/// could be stored: what stood there before stays.
+void write_picture(const QString& file, const QImage& picture);
 
 }  // namespace ir::gui

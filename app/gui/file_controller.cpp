@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "app/gui/dialog_folder.h"
-#include "app/gui/write_picture.h"
+#include "app/gui/exports.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"
 

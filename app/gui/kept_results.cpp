@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "projects/delete_results.h"
+#include "projects/keep.h"
 #include "projects/scene_files.h"
 
 namespace ir::gui {

@@ -1,11 +1,13 @@
 #include "app/gui/live_pictures.h"
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
+#include "app/engine/camera_pose.h"
 #include "app/engine/from_project.h"
-#include "app/gui/camera_pose.h"
-#include "app/gui/signature.h"
+#include "app/engine/lighting_digest.h"
+#include "app/engine/moving.h"
 #include "projects/check.h"
 #include "projects/motion.h"
 #include "projects/samples.h"
@@ -17,7 +19,7 @@ namespace ir::gui {
 namespace {
 
 engine::Experiment with_pose(engine::Experiment experiment, const widgets::CameraPose& pose) {
-    experiment.camera = camera_of(pose);
+    experiment.camera = engine::camera_of(pose);
     experiment.camera_motion.reset();
     return experiment;
 }
@@ -43,6 +45,14 @@ std::string signature_of(const Want& want) {
     text += '|' + std::to_string(want.inspection.x) + ' ' + std::to_string(want.inspection.y);
     for (const auto& [key, item] : want.inspection.chosen) text += ' ' + key + '=' + std::to_string(item);
     return text + (want.thumbnails ? "|thumbnails" : "");
+}
+
+std::ostream& operator<<(std::ostream& out, const glm::vec3& v) {
+    return out << v.x << ',' << v.y << ',' << v.z << ';';
+}
+
+void write_camera(std::ostream& out, const scene::Camera& c) {
+    out << c.eye << c.target << c.up << c.fov_y << ',' << c.orthographic << ',' << c.height << '\n';
 }
 
 }  // namespace
@@ -230,6 +240,7 @@ void LivePictures::send(const std::string& id, Entry& entry, const engine::Exper
     // Under a camera that is being moved there is another picture than the stored one.
     request.frames_again = entry.frames_again;
     request.drafts = wants_drafts_ && !(moment_ && moment_->plays && is_moving(id));
+    request.memory_budget = memory_budget_;
     auto picture = request.picture = signature(experiment);
     const auto* chosen = session_.camera().moved_pose(id) ? nullptr : session_.experiment(id);
     int ignored = 0;
@@ -370,6 +381,21 @@ void LivePictures::render_again() {
         entry.first_serial = 0;
     }
     update();
+}
+
+std::string signature(const engine::Experiment& e) {
+    std::ostringstream out;
+    out.precision(17);
+    out << scene::composition_key(e.composition()) << '\n' << e.method << '\n';
+    for (const auto& [key, value] : e.settings) out << key << '=' << to_string(value) << '\n';
+    out << e.camera_name << '\n';
+    if (e.camera) write_camera(out, *e.camera);
+    if (e.replace_lights) out << "lights\n";
+    if (e.environment) out << "environment\n";
+    out << engine::lighting_digest(e.lights, e.environment.value_or(scene::Environment{})) << '\n';
+    out << e.width << 'x' << e.height << ' ' << e.seed << ' ' << e.frames << ' ' << e.time;
+    out << '\n' << engine::motion_text(e);
+    return out.str();
 }
 
 }  // namespace ir::gui

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "app/engine/experiment.h"
 #include "app/gui/image_loader.h"
 #include "app/gui/kept_results.h"
 #include "app/gui/remaining_time.h"
@@ -77,6 +78,8 @@ class LivePictures : public QObject {
 
     /// Whether coarser pictures are shown before the full ones.
     void set_drafts(bool on) { wants_drafts_ = on; }
+    /// Bytes of the buffers of one experiment, of requests from now on; 0: any.
+    void set_memory_budget(std::uint64_t bytes) { memory_budget_ = bytes; }
     void cancel();
     void render_again();  ///< everything that is wanted
     void update();        ///< asks again where the document or the camera has changed
@@ -127,8 +130,12 @@ class LivePictures : public QObject {
     std::map<std::string, Entry> entries_;
     std::optional<Moment> moment_;
     bool wants_drafts_ = true;
+    std::uint64_t memory_budget_ = 0;
     std::string no_device_;  ///< why nothing can be rendered
     QElapsedTimer clock_;
 };
+
+/// Text that differs when the picture may: two equal ones need no new rendering.
+std::string signature(const engine::Experiment& experiment);
 
 }  // namespace ir::gui

@@ -25,7 +25,7 @@ namespace ir::gui {
 namespace {
 
 /// In lower windows, logical pixels, notes open folded: the pictures need the room.
-constexpr int least_height_for_notes = 850;
+constexpr int min_height_for_notes = 850;
 
 /// Its size is asked neither of the panels that share its place nor of the window.
 QScrollArea* scrolled(QWidget* panel) {
@@ -41,6 +41,7 @@ QScrollArea* scrolled(QWidget* panel) {
 MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Options& options)
     : remember_(options.remember),
       renderer_(renderer),
+      preferences_(options.remember, options.machine),
       session_(registry),
       kept_(session_),
       live_(session_, renderer, images_, kept_),
@@ -62,10 +63,8 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       notices_(*status_, *messages_, *banners_),
       document_(new DocumentDock(session_, scenes_, workspace_)),
       results_(new ResultsDock(session_, live_, renderer_, views(), kept_)),
-      plots_(new PlotsDock(session_, options.machine, options.study_runner)),
-      benchmarks_(new BenchmarkDock(session_, options.benchmark_runner
-                                                  ? options.benchmark_runner
-                                                  : engine::benchmark_runner(options.machine))),
+      plots_(new PlotsDock(session_, preferences_, options.study_runner)),
+      benchmarks_(new BenchmarkDock(session_, preferences_, options.benchmark_runner)),
       parameters_(new ParameterDock(session_, scenes_, notices_)),
       scene_(new SceneDock(session_, scenes_)),
       lists_(session_, live_, views()),
@@ -77,10 +76,10 @@ MainWindow::MainWindow(Renderer& renderer, const Registry& registry, const Optio
       result_actions_(session_, live_, playback_, views(), references_, *results_, *document_, actions_),
       timeline_(new TimelineDock(session_, live_, playback_, actions_)),
       view_actions_(session_, live_, playback_, scenes_, workspace_, inspector_, *display_, actions_),
+      preference_actions_(*this, preferences_, renderer_, live_, actions_, options.drafts),
       project_banners_(*this, session_, live_, *banners_),
       light_offer_(session_, scenes_, *banners_) {
     setObjectName(QStringLiteral("main"));
-    live_.set_drafts(options.drafts);
     setWindowIcon(widgets::icon("app"));
     setAcceptDrops(true);
     add_actions();
@@ -184,7 +183,7 @@ void MainWindow::make_menus() {
     actions_.fill(file, "| close quit");
     add_menu(tr("&Edit"),
              "undo redo | experiment-add experiment-duplicate experiment-rename experiment-remove match | "
-             "scene-add image-add bookmark comparison-add");
+             "scene-add image-add bookmark comparison-add | preferences");
     auto* experiment = new QMenu(this);
     actions_.fill(experiment,
                   "experiment-add experiment-duplicate experiment-rename experiment-remove | "
@@ -295,8 +294,7 @@ void MainWindow::load_memory() {
     plots_->load(memory);
     benchmarks_->load(memory);
     playback_.load(memory);
-    notes_->set_folded(
-        field_or(member_or_null(memory, "notes"), "folded", height() < least_height_for_notes));
+    notes_->set_folded(field_or(member_or_null(memory, "notes"), "folded", height() < min_height_for_notes));
 }
 
 /// The page, and the title.

@@ -12,6 +12,7 @@
 #include "app/gui/metrics_dock.h"
 #include "app/gui/parameter_dock.h"
 #include "app/gui/plots_dock.h"
+#include "app/gui/preferences.h"
 #include "app/gui/project_banners.h"
 #include "app/gui/result_controller.h"
 #include "app/gui/scene_dock.h"
@@ -30,11 +31,11 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
   public:
     struct Options {
-        bool remember = true;  ///< keeps geometry, docks and recent projects between runs
+        bool remember = true;  ///< keeps geometry, docks, preferences and recent projects between runs
         widgets::ImageView::Surface surface = widgets::ImageView::Surface::best;
-        bool drafts = true;                             ///< coarser pictures are shown before the full ones
-        engine::MachineOptions machine = {};            ///< of studies and benchmarks
-        engine::StudyRunner study_runner = {};          ///< without one they are carried out by that machine
+        bool drafts = true;                             ///< where the preferences want them
+        engine::MachineFlags machine = {};              ///< of the command line
+        engine::StudyRunner study_runner = {};          ///< without one they get machines of their own
         engine::BenchmarkRunner benchmark_runner = {};  ///< as above
     };
     MainWindow(Renderer& renderer, const Registry& registry, const Options& options);
@@ -95,6 +96,7 @@ class MainWindow : public QMainWindow {
 
     bool remember_;
     Renderer& renderer_;
+    Preferences preferences_;
     Session session_;
     ImageLoader images_;
     KeptResults kept_;
@@ -130,6 +132,7 @@ class MainWindow : public QMainWindow {
     ResultController result_actions_;
     TimelineDock* timeline_;
     ViewController view_actions_;
+    PreferencesController preference_actions_;
     ProjectBanners project_banners_;
     LightOffer light_offer_;
     QObject joins_;  ///< ends the connections between parts before the first of them goes

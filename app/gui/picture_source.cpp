@@ -5,9 +5,9 @@
 
 #include "app/gui/kept_pictures.h"
 #include "app/gui/text_of.h"
+#include "projects/document.h"
 #include "projects/samples.h"
 #include "projects/scene_files.h"
-#include "projects/settings.h"
 #include "renderers/core/transport.h"
 #include "renderers/image/channels.h"
 #include "widgets/views/view_header.h"

@@ -256,32 +256,32 @@ void PixelInspector::ask() {
     const auto id = experiment();
     if (!inspector_shown_ || id.empty() || !live_.result(id)) return;
     // An execution that is gone never answers.
-    if (asked_ && asked_tag_ == id && asked_since_.elapsed() < probe_patience_ms) {
-        if (!std::exchange(ask_again_, true))
+    if (is_probing_ && probed_tag_ == id && probed_since_.elapsed() < probe_patience_ms) {
+        if (!std::exchange(probe_again_, true))
             QTimer::singleShot(probe_patience_ms, this, [this] {
-                if (ask_again_) ask();
+                if (probe_again_) ask();
             });
         return;
     }
-    ask_again_ = false;
+    probe_again_ = false;
     engine::ProbeRequest request;
     request.tag = id;
     if (cursor_.x() >= 0) request.pixels.push_back({cursor_.x(), cursor_.y()});
     for (const auto& pin : pins_) request.pixels.push_back({pin.x(), pin.y()});
-    asked_ = true;
-    asked_tag_ = id;
-    asked_with_cursor_ = cursor_.x() >= 0;
-    asked_since_.start();
+    is_probing_ = true;
+    probed_tag_ = id;
+    probed_with_cursor_ = cursor_.x() >= 0;
+    probed_since_.start();
     renderer_.probe(std::move(request));
 }
 
 void PixelInspector::on_probe(std::shared_ptr<const engine::ProbeResult> result) {
-    if (result->tag != asked_tag_) return;
-    asked_ = false;
+    if (result->tag != probed_tag_) return;
+    is_probing_ = false;
     if (result->tag == experiment()) {
         widgets::Readings readings;
         for (const auto& pixel : result->pixels) readings.pixels.push_back({pixel.x, pixel.y});
-        if (asked_with_cursor_ && !readings.pixels.empty()) readings.cursor = readings.pixels.front();
+        if (probed_with_cursor_ && !readings.pixels.empty()) readings.cursor = readings.pixels.front();
         readings.world = positions_of(*result);
         const auto frame = live_.result(result->tag);
         const auto main = views_.pictures().key_of({result->tag, {}});
@@ -289,14 +289,13 @@ void PixelInspector::on_probe(std::shared_ptr<const engine::ProbeResult> result)
             const auto* resource = frame ? find_resource(frame->report, row.key) : nullptr;
             if (!frame || !resource || !shows_pixels_of(*resource, frame->report, main)) continue;
             readings.buffers.push_back({row.key, text_of(row.label), text_of(row.unit),
-                                        resource ? text_of(resource->doc) : QString(),
-                                        resource ? text_of(resource->pass) : QString(), row.semantic,
-                                        resource && resource->is_output, row.available, row.channels,
-                                        row.values});
+                                        text_of(resource->doc), text_of(resource->pass), row.semantic,
+                                        resource->is_output, row.available, row.channels, row.values,
+                                        categories_of(resource->categories, "")});
         }
         panel_->set_readings(std::move(readings));
     }
-    if (std::exchange(ask_again_, false)) ask();
+    if (std::exchange(probe_again_, false)) ask();
 }
 
 void PixelInspector::save(projects::Json& memory) const {
@@ -309,7 +308,7 @@ void PixelInspector::load(const projects::Json& memory) {
     pins_.clear();
     computed_.clear();
     cursor_ = marked_ = {-1, -1};
-    asked_ = ask_again_ = open_explanation_ = false;
+    is_probing_ = probe_again_ = open_explanation_ = false;
     for (const auto& pin : member_or_null(memory, "pins"))
         if (pin.is_array() && pin.size() == 2 && pin[0].is_number_integer() && pin[1].is_number_integer() &&
             pins_.size() < max_pins)

@@ -63,11 +63,11 @@ class PixelInspector : public QObject {
     std::vector<QPoint> pins_;
     std::set<std::string> computed_;  ///< buffers asked for one by one
     bool compute_all_ = false, thumbnails_ = false, inspector_shown_ = false, explain_shown_ = false;
-    bool asked_ = false, ask_again_ = false;  ///< one probe at a time
-    QElapsedTimer asked_since_;
-    std::string asked_tag_;           ///< of the probe under way
-    bool asked_with_cursor_ = false;  ///< its first pixel is the cursor's
-    bool open_explanation_ = false;   ///< show it in space when its buffers are there
+    bool is_probing_ = false, probe_again_ = false;  ///< one probe at a time
+    QElapsedTimer probed_since_;
+    std::string probed_tag_;           ///< of the probe under way
+    bool probed_with_cursor_ = false;  ///< its first pixel is the cursor's
+    bool open_explanation_ = false;    ///< show it in space when its buffers are there
 };
 
 }  // namespace ir::gui

@@ -7,10 +7,10 @@
 #include <algorithm>
 
 #include "app/gui/dialog_folder.h"
+#include "app/gui/exports.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/new_plot.h"
 #include "app/gui/text_of.h"
-#include "app/gui/write_picture.h"
 #include "projects/coordinate.h"
 #include "projects/plots.h"
 #include "projects/scene_files.h"
@@ -64,9 +64,13 @@ QStringList changed_inputs(const Json& before, const Json& now) {
 
 }  // namespace
 
-PlotsDock::PlotsDock(Session& session, const engine::MachineOptions& machine, engine::StudyRunner runner,
+PlotsDock::PlotsDock(Session& session, const Preferences& preferences, engine::StudyRunner runner,
                      QWidget* parent)
-    : QWidget(parent), session_(session), studies_(machine, std::move(runner)), panel_(new PlotPanel) {
+    : QWidget(parent),
+      session_(session),
+      preferences_(preferences),
+      studies_(std::move(runner)),
+      panel_(new PlotPanel) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(panel_);
@@ -237,7 +241,12 @@ void PlotsDock::run() {
     state.doing = tr("Waiting …");
     state.fraction = -1;
     runs_when_read_ = false;
-    studies_.run({id, session_.document(), *plot(), open.folder()},
+    studies_.run({.tag = id,
+                  .project = session_.document(),
+                  .plot = *plot(),
+                  .folder = open.folder(),
+                  .machine = preferences_.machine(),
+                  .memory_budget = preferences_.machine_settings().memory_budget()},
                  !open.folder().empty() && !open.is_read_only());
     update();
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/gui/plot_points.h"
+#include "app/gui/preferences.h"
 #include "app/gui/session.h"
 #include "app/gui/studies.h"
 #include "widgets/document/edit_maker.h"
@@ -21,7 +22,7 @@ class PlotsDock : public QWidget {
     Q_OBJECT
   public:
     /// Without a runner studies get a machine of their own.
-    PlotsDock(Session& session, const engine::MachineOptions& machine, engine::StudyRunner runner,
+    PlotsDock(Session& session, const Preferences& preferences, engine::StudyRunner runner,
               QWidget* parent = nullptr);
     widgets::PlotPanel& panel() { return *panel_; }
     /// A dock that is not seen reads and draws nothing.
@@ -94,6 +95,7 @@ class PlotsDock : public QWidget {
     engine::ErrorStudy study_with_front() const;
 
     Session& session_;
+    const Preferences& preferences_;
     Studies studies_;
     widgets::PlotPanel* panel_;
     QTimer redraw_;  ///< points may come quicker than they can be drawn

@@ -8,7 +8,7 @@
 
 #include "projects/open_project.h"
 #include "projects/sample_copy.h"
-#include "projects/session.h"
+#include "projects/store.h"
 #include "renderers/core/report.h"
 
 namespace ir::gui {

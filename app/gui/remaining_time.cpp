@@ -11,7 +11,7 @@ namespace {
 constexpr double min_fraction = 0.03, min_seconds = 1;
 /// What is said is false where the rest is estimated longer by this factor and so many seconds.
 constexpr double false_factor = 1.5, false_seconds = 5;
-/// Part of the way that one report goes towards a shorter rest: one quick step is no quick work.
+/// The fraction by which one report comes nearer to a shorter rest: one quick step is no quick work.
 constexpr double smoothing = 0.5;
 
 }  // namespace

@@ -12,7 +12,7 @@ class RemainingTime {
   public:
     /// The work begins, of which a part is done already; nothing is known of how long it takes.
     void start(double now, double done = 0);
-    /// A part of the work is done, 0 … 1, with what was done before.
+    /// The fraction of the work that is done, 0 … 1, with what was done before.
     void report(double now, double fraction);
     /// Seconds, as of the last report; absent while they are not known.
     std::optional<double> seconds() const { return is_true_ ? seconds_ : std::nullopt; }

@@ -25,6 +25,8 @@ class Renderer : public QObject {
     virtual void keep(engine::KeepRequest request) = 0;
     virtual void load_scene(const std::vector<scene::Part>& parts) = 0;
     virtual void reload_shaders() = 0;
+    /// For frames from now on.
+    virtual void set_machine(const engine::MachineSettings& settings) = 0;
 
   signals:
     void result_arrived(std::shared_ptr<const ir::engine::LiveResult> result);

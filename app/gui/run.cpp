@@ -14,8 +14,8 @@
 #include "app/engine/interruption.h"
 #include "app/engine/version.h"
 #include "app/gui/export_plot.h"
+#include "app/gui/exports.h"
 #include "app/gui/main_window.h"
-#include "app/gui/write_picture.h"
 #include "projects/light_spec.h"
 #include "renderers/core/error.h"
 #include "renderers/core/write_file.h"
@@ -29,10 +29,11 @@ namespace {
 constexpr int settle_ms = 400, look_ms = 50;
 constexpr int failed = 1, bad_input = 3;
 /// Of a thumbnail: pixels across, and bytes that its file may have.
-constexpr int card_width = 320, most_card_bytes = 60'000;
+constexpr int card_width = 320, max_card_bytes = 60'000;
 
 struct Arguments {
-    std::string project, layout, screenshot, thumbnail, size, backend, processor, plot, plot_file;
+    std::string project, layout, screenshot, thumbnail, size, plot, plot_file;
+    engine::MachineFlags machine;
     int scale = 1;
     bool dark = false;
 
@@ -64,11 +65,7 @@ void describe(CLI::App& command, Arguments& arguments) {
         ->needs(file);
     command.add_flag("--dark", arguments.dark, "Export the plot as the window shows it, not on white")
         ->needs(file);
-    command.add_option("--backend", arguments.backend,
-                       "OpenGL through egl or osmesa (default: the best that works)");
-    command.add_option("--processor", arguments.processor,
-                       "What runs passes with two bodies: auto, gl or host (default: auto, the host where "
-                       "the device is software)");
+    engine::add_machine_flags(command, arguments.machine);
 }
 
 std::string in_one_line(const std::string& text) {
@@ -106,7 +103,7 @@ QByteArray thumbnail_of(MainWindow& window) {
         bytes.clear();
         QBuffer buffer(&bytes);
         small.save(&buffer, "PNG", 0);  // compressed most
-        if (bytes.size() <= most_card_bytes) break;
+        if (bytes.size() <= max_card_bytes) break;
     }
     return bytes;
 }
@@ -166,19 +163,11 @@ void end_by_signal(MainWindow& window, bool puts_away) {
     QApplication::exit(engine::interruption_status());
 }
 
-engine::MachineOptions machine_of(const Arguments& arguments) {
-    engine::MachineOptions machine;
-    machine.backend = arguments.backend;
-    machine.processor = parse_processor(arguments.processor);
-    return machine;
-}
-
 int run_window(const Arguments& arguments) {
-    const auto machine = machine_of(arguments);
-    const auto renderer = make_thread_renderer(machine);
+    const auto renderer = make_thread_renderer(engine::machine_options(arguments.machine));
     const bool screenshot = arguments.takes_picture();
     MainWindow window(*renderer, engine::registry(),
-                      {.remember = !screenshot, .drafts = !screenshot, .machine = machine});
+                      {.remember = !screenshot, .drafts = !screenshot, .machine = arguments.machine});
     if (!arguments.size.empty()) {
         const auto size = projects::parse_size(arguments.size, "--size");
         window.resize(size.x, size.y);
@@ -208,7 +197,8 @@ int run_window(const Arguments& arguments) {
 }
 
 int run_export(const Arguments& arguments) {
-    PlotExport job{arguments.project, arguments.plot, arguments.plot_file, machine_of(arguments)};
+    PlotExport job{arguments.project, arguments.plot, arguments.plot_file,
+                   engine::machine_options(arguments.machine), engine::parse_bytes(arguments.machine.memory)};
     job.scale = arguments.scale;
     job.dark = arguments.dark;
     if (!arguments.size.empty()) {
@@ -232,8 +222,9 @@ int run(int argc, char** argv) {
     };
     try {
         command.parse(argc, argv);
-        if (!arguments.backend.empty()) gl::parse_backend(arguments.backend);
-        parse_processor(arguments.processor);
+        if (!arguments.machine.backend.empty()) gl::parse_backend(arguments.machine.backend);
+        engine::machine_options(arguments.machine);
+        engine::parse_bytes(arguments.machine.memory);
         if (!arguments.size.empty()) projects::parse_size(arguments.size, "--size");
         if (!arguments.layout.empty() &&
             !DockLayout::names().contains(QString::fromStdString(arguments.layout)))

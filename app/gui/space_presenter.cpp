@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/gui/camera_pose.h"
+#include "app/engine/camera_pose.h"
 
 namespace ir::gui {
 
@@ -53,7 +53,7 @@ widgets::SpacePicture picture_of(const passes::viewers::Picture3D& drawn) {
     picture.layer = drawn.layer;
     picture.element = drawn.element;
     for (const auto& layer : drawn.layers) picture.layers.push_back(info_of(layer));
-    picture.camera = pose_of(drawn.camera);
+    picture.camera = engine::pose_of(drawn.camera);
     return picture;
 }
 
@@ -150,7 +150,13 @@ void SpacePresenter::update(int view) {
         space.view().clear(tr("Drawing …"));
     }
     const auto result = live_.result(owner);
-    if (!result) return space.view().set_note(views_.pictures().why_nothing(owner));
+    space.view().set_stale(live_.state(owner) == LivePictures::State::rendering);
+    // What another method has drawn must not stand under this one's name.
+    if (!result) {
+        drawing = {};
+        drawing.owner = owner;
+        return space.view().clear(views_.pictures().why_nothing(owner));
+    }
     if (drawing.result.lock() == result) return;
     drawing.result = result;
     space.view().refresh();
@@ -165,7 +171,7 @@ void SpacePresenter::request(int view, const SpaceScene& scene, QSize device_px,
     request.view.width = device_px.width();
     request.view.height = device_px.height();
     request.view.oversampling = oversampling;
-    if (scene.camera) request.view.camera = camera_of(*scene.camera);
+    if (scene.camera) request.view.camera = engine::camera_of(*scene.camera);
     request.view.show_scene = scene.show_scene;
     request.view.show_centres = scene.show_centres;
     for (const auto& layer : scene.layers)

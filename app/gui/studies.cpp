@@ -5,10 +5,10 @@
 
 namespace ir::gui {
 
-Studies::Studies(const engine::MachineOptions& machine, engine::StudyRunner runner, QObject* parent)
+Studies::Studies(engine::StudyRunner runner, QObject* parent)
     : QObject(parent),
       thread_(runner ? std::make_unique<engine::StudyThread>(std::move(runner), callbacks())
-                     : std::make_unique<engine::StudyThread>(machine, callbacks())) {}
+                     : std::make_unique<engine::StudyThread>(callbacks())) {}
 
 Studies::~Studies() {
     thread_.reset();  // no callback comes after this

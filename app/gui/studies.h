@@ -20,7 +20,7 @@ class Studies : public QObject {
     Q_OBJECT
   public:
     /// Without a runner studies get a machine of their own.
-    Studies(const engine::MachineOptions& machine, engine::StudyRunner runner, QObject* parent = nullptr);
+    explicit Studies(engine::StudyRunner runner, QObject* parent = nullptr);
     ~Studies() override;
 
     /// Replaces what runs of the same plot. `request.tag` is the plot's id.

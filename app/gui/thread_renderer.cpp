@@ -51,6 +51,7 @@ class ThreadRenderer final : public Renderer {
     void keep(engine::KeepRequest request) override { thread_->keep(std::move(request)); }
     void load_scene(const std::vector<scene::Part>& parts) override { thread_->load_scene(parts); }
     void reload_shaders() override { thread_->reload_shaders(); }
+    void set_machine(const engine::MachineSettings& settings) override { thread_->set_machine(settings); }
 
   private:
     struct Progress {
@@ -110,8 +111,8 @@ class ThreadRenderer final : public Renderer {
         c.on_messages = [this](std::vector<Message> messages) {
             post([this, messages] { emit messages_arrived(messages); });
         };
-        c.on_ready = [this](std::string backend, std::string device) {
-            post([this, backend, device] { emit ready(backend, device); });
+        c.on_ready = [this](const gl::DeviceInfo& info) {
+            post([this, info] { emit ready(gl::to_string(info.backend), info.renderer); });
         };
         c.on_no_device = [this](std::string error) { post([this, error] { emit no_device(error); }); };
         return c;

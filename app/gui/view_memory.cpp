@@ -32,8 +32,8 @@ ViewSource source_from_json(const Json& json) {
 widgets::StagePair pair_from_json(const Json& json) {
     if (!json.is_array() || json.size() != 2 || !json[0].is_number_integer() || !json[1].is_number_integer())
         return {};
-    const auto place = [&](std::size_t i, int least) {
-        return int(std::clamp<std::int64_t>(json[i].get<std::int64_t>(), least, max_items));
+    const auto place = [&](std::size_t i, int min) {
+        return int(std::clamp<std::int64_t>(json[i].get<std::int64_t>(), min, max_items));
     };
     return {place(0, widgets::StagePair::none), place(1, widgets::StagePair::reference)};
 }
@@ -149,7 +149,7 @@ std::optional<widgets::CameraPose> pose_from_json(const Json& json) {
     const auto target = vector_from_json(member_or_null(json, "target"));
     const auto up = vector_from_json(member_or_null(json, "up"));
     if (!eye || !target || !up || *eye == *target) return {};
-    widgets::CameraPose pose{*eye, *target, *up};
+    widgets::CameraPose pose{{*eye, *target, *up}};
     pose.fov_y_degrees =
         std::clamp(field_or(json, "fov_y_degrees", pose.fov_y_degrees), min_fov_degrees, max_fov_degrees);
     pose.orthographic = field_or(json, "orthographic", false);

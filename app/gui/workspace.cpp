@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/gui/camera_pose.h"
+#include "app/engine/camera_pose.h"
 #include "app/gui/json_fields.h"
 #include "app/gui/stage_chain.h"
 #include "projects/names.h"
@@ -181,11 +181,13 @@ void Workspace::update_table(int view) {
     const auto result = live_.result(source.owner);
     const auto* resource = result ? find_resource(result->report, key) : nullptr;
     if (!result) return table.clear(pictures.why_nothing(source.owner));
+    table.set_stale(live_.state(source.owner) == LivePictures::State::rendering);
     const auto found = result->buffers.find(key);
     if (found == result->buffers.end() || found->second.elements == 0)
         return table.clear(pictures.why_empty(source.owner, key));
     // Shared with the result, not copied.
     widgets::BufferData data{found->second.fields, found->second.elements, {result, &found->second.bytes}};
+    if (resource) data.categories = resource->categories;
     if (data.bytes == table.model().buffer().bytes) return;
     table.set_buffer(QString::fromStdString(resource ? resource->label : key), std::move(data));
 }
@@ -198,10 +200,10 @@ void Workspace::update_camera(int view) {
     const auto* chosen = session_.experiment();
     std::optional<widgets::CameraPose> pose;
     if (chosen && chosen->id == a) pose = session_.camera().pose();
-    if (!pose && result) pose = pose_of(result->camera);
+    if (!pose && result) pose = engine::pose_of(result->camera);
     if (pose) compare.set_camera(*pose);
     const auto other = views_.linked() ? nullptr : live_.result(b);
-    if (other && b != a) compare.set_camera(pose_of(other->camera), 1);
+    if (other && b != a) compare.set_camera(engine::pose_of(other->camera), 1);
 }
 
 std::string Workspace::display_key() const {

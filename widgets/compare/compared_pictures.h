@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderers/image/difference.h"
-#include "widgets/compare/stage_pair.h"
+#include "widgets/compare/stage_bar.h"
 #include "widgets/image/camera_motion.h"
 #include "widgets/image/display.h"
 #include "widgets/image/picture.h"

@@ -8,7 +8,7 @@
 #include <QToolButton>
 
 #include "renderers/core/error.h"
-#include "widgets/document/field_edit.h"
+#include "widgets/document/edit_maker.h"
 #include "widgets/document/fields.h"
 #include "widgets/document/makers.h"
 #include "widgets/document/pose_text.h"
@@ -18,10 +18,6 @@ namespace ir::widgets {
 namespace {
 
 using projects::Camera;
-
-CameraPose pose_of(const Camera& camera) {
-    return {camera.eye, camera.target, camera.up, camera.fov_y_degrees, camera.orthographic, camera.height};
-}
 
 }  // namespace
 
@@ -156,7 +152,7 @@ void CameraEditor::show_item(const ShownProject& shown, const ItemRef& item) {
     const Camera& camera = *projects::find_item(shown.project.cameras, id_);
     const QString why_not = shown.read_only ? shown.why_read_only : QString();
     set_controls_usable(why_not);
-    pose_ = pose_of(camera);
+    pose_ = camera;
     file_poses_ = shown.facts.poses;
     source_name_ = QString::fromStdString(camera.scene_camera);
     const auto found = file_poses_.find(source_name_);
@@ -182,7 +178,7 @@ void CameraEditor::show_pose(bool is_known) {
          {QStringLiteral("orthographic"), tr("Parallel (orthographic)"), {}}},
         pose_.orthographic ? QStringLiteral("orthographic") : QStringLiteral("perspective"));
     Camera camera;
-    makers::put_pose(camera, pose_);
+    camera.set_pose(pose_);
     for (auto* widget : pose_rows_) widget->setVisible(is_known);
     for (const auto& each : numbers_) {
         each.control->show_value(projects::numbers_of(each.field->slot(camera)).front());

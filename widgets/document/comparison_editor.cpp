@@ -2,7 +2,7 @@
 #include <QGridLayout>
 #include <QLabel>
 
-#include "widgets/document/field_edit.h"
+#include "widgets/document/edit_maker.h"
 #include "widgets/document/fields.h"
 #include "widgets/document/options.h"
 #include "widgets/document/plain_editors.h"

@@ -67,8 +67,8 @@ QToolButton* make_button(const char* drawing, const QString& tip, QWidget* paren
 }
 
 void set_range(NumberField* field, const projects::Range& range) {
-    constexpr double most = 1e300;  // sums of what is typed stay finite
-    field->setRange(std::max(range.min, -most), std::min(range.max, most));
+    constexpr double max_value = 1e300;  // sums of what is typed stay finite
+    field->setRange(std::max(range.min, -max_value), std::min(range.max, max_value));
 }
 
 NumberField* make_number(const QString& name, const projects::FieldText& text, QWidget* parent) {

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "renderers/core/error.h"
-#include "widgets/document/field_edit.h"
+#include "widgets/document/edit_maker.h"
 #include "widgets/document/fields.h"
 #include "widgets/document/light_form.h"
 #include "widgets/document/makers.h"

@@ -4,7 +4,7 @@
 #include "projects/text.h"
 #include "projects/validate.h"
 #include "renderers/core/error.h"
-#include "widgets/document/field_edit.h"
+#include "widgets/document/edit_maker.h"
 #include "widgets/document/motion_target.h"
 #include "widgets/document/replaced.h"
 
@@ -54,16 +54,6 @@ LightSpec fresh_light(LightSpec::Type type) {
 
 }  // namespace
 
-void put_pose(projects::Camera& camera, const CameraPose& pose) {
-    camera.scene_camera.clear();
-    camera.eye = pose.eye;
-    camera.target = pose.target;
-    camera.up = pose.up;
-    camera.fov_y_degrees = pose.fov_y_degrees;
-    camera.orthographic = pose.orthographic;
-    camera.height = pose.height;
-}
-
 EditMaker add_scene(const std::string& name, const std::string& source) {
     return [=](const Project& project) {
         Scene scene;
@@ -93,14 +83,14 @@ EditMaker set_part_source(const std::string& scene, int part, const std::string&
 EditMaker add_camera(const CameraPose& pose, const std::string& name) {
     return [=](const Project& project) {
         projects::Camera camera;
-        put_pose(camera, pose);
+        camera.set_pose(pose);
         return added(project, camera, name, "View");
     };
 }
 
 EditMaker set_pose(const std::string& camera, const CameraPose& pose) {
     return field_edit<projects::Camera>(
-        camera, "the pose", [pose](projects::Camera& changed) { put_pose(changed, pose); }, false);
+        camera, "the pose", [pose](projects::Camera& changed) { changed.set_pose(pose); }, false);
 }
 
 EditMaker add_light_set() {
@@ -153,7 +143,7 @@ EditMaker add_motion(const std::string& camera) {
             throw UsageError("a motion needs a camera with a pose of its own; add one first");
         projects::Motion motion;
         motion.camera = found->id;
-        motion.keys.push_back({0, found->eye, found->target, found->up});
+        motion.keys.emplace_back().aim() = *found;
         return added(project, motion, "", "Motion");
     };
 }

@@ -18,7 +18,6 @@ EditMaker set_part_source(const std::string& scene, int part, const std::string&
 /// A bookmark: named `name` or, where that is empty, "View 1", "View 2", …
 EditMaker add_camera(const CameraPose& pose, const std::string& name = {});
 /// The camera gets this pose of its own.
-void put_pose(projects::Camera& camera, const CameraPose& pose);
 EditMaker set_pose(const std::string& camera, const CameraPose& pose);
 EditMaker add_light_set();
 EditMaker add_light(const std::string& set, projects::LightSpec::Type type);

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "renderers/core/error.h"
-#include "widgets/document/field_edit.h"
+#include "widgets/document/edit_maker.h"
 #include "widgets/document/fields.h"
 #include "widgets/document/motion_target.h"
 #include "widgets/document/options.h"
@@ -71,11 +71,7 @@ void MotionEditor::make_keys(QGridLayout* grid) {
         Key key = motion_.keys.empty() ? rest_ : motion_.keys.back();
         key.extra = projects::Json::object();
         const auto pose = view_pose_ && motion_.kind == Motion::Kind::camera ? view_pose_() : std::nullopt;
-        if (pose) {
-            key.eye = pose->eye;
-            key.target = pose->target;
-            key.up = pose->up;
-        }
+        if (pose) key.aim() = *pose;
         add_key(key, motion_.keys.empty() ? 0 : motion_.keys.back().time + 1);
     });
     connect(list_, &OrderedList::duplicate_wanted, this, [this](int index) {

@@ -133,9 +133,7 @@ Motion::Key key_at_rest(const Motion& motion, const Project& project) {
     if (motion.kind == Kind::camera) {
         const auto* camera = projects::find_item(project.cameras, motion.camera);
         if (!camera || !camera->scene_camera.empty()) throw gone();
-        key.eye = camera->eye;
-        key.target = camera->target;
-        key.up = camera->up;
+        key.aim() = *camera;
     } else if (motion.kind == Kind::light) {
         const auto* set = projects::find_item(project.lights, motion.lights);
         if (!set || std::size_t(motion.light) >= set->lights.size()) throw gone();

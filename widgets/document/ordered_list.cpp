@@ -11,8 +11,8 @@
 
 namespace ir::widgets {
 
-OrderedList::OrderedList(const char* name, const QString& what, int least, QWidget* parent)
-    : QWidget(parent), list_(new QListWidget(this)), what_(what), min_(least) {
+OrderedList::OrderedList(const char* name, const QString& what, int min, QWidget* parent)
+    : QWidget(parent), list_(new QListWidget(this)), what_(what), min_(min) {
     setObjectName(QLatin1String(name));
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* layout = new QVBoxLayout(this);

@@ -16,7 +16,7 @@ class OrderedList : public QWidget {
     Q_OBJECT
   public:
     /// `what` is one of its rows: "light". `least`: as many rows stay.
-    OrderedList(const char* name, const QString& what, int least, QWidget* parent);
+    OrderedList(const char* name, const QString& what, int min, QWidget* parent);
     struct Line {
         QString text, tooltip;
     };

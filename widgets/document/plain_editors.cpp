@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "widgets/document/field_edit.h"
+#include "widgets/document/edit_maker.h"
 #include "widgets/document/fields.h"
 #include "widgets/document/makers.h"
 #include "widgets/document/options.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "projects/plots.h"
-#include "widgets/document/field_edit.h"
+#include "widgets/document/edit_maker.h"
 #include "widgets/document/fields.h"
 #include "widgets/document/options.h"
 #include "widgets/document/plot_options.h"

@@ -5,7 +5,7 @@
 #include "projects/plots.h"
 #include "renderers/image/metrics.h"
 #include "widgets/document/axis_text.h"
-#include "widgets/document/field_edit.h"
+#include "widgets/document/edit_maker.h"
 #include "widgets/document/short_forms.h"
 
 namespace ir::widgets {

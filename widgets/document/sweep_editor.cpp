@@ -13,7 +13,7 @@
 #include "projects/sweep.h"
 #include "renderers/core/error.h"
 #include "widgets/document/axis_text.h"
-#include "widgets/document/field_edit.h"
+#include "widgets/document/edit_maker.h"
 #include "widgets/document/fields.h"
 #include "widgets/document/options.h"
 #include "widgets/document/ordered_list.h"

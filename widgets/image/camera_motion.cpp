@@ -8,21 +8,6 @@
 namespace ir::widgets {
 namespace {
 
-struct Frame {
-    glm::dvec3 right, up, forward;
-};
-
-Frame frame_of(const CameraPose& pose) {
-    const glm::dvec3 forward = glm::normalize(pose.target - pose.eye);
-    glm::dvec3 right = glm::cross(forward, pose.up);
-    if (glm::length(right) < 1e-9) {  // looking along up: any right will do
-        const glm::dvec3 other = std::abs(forward.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
-        right = glm::cross(forward, other);
-    }
-    right = glm::normalize(right);
-    return {right, glm::cross(right, forward), forward};
-}
-
 glm::dvec3 turned(const glm::dvec3& v, double angle, const glm::dvec3& axis) {
     return glm::dvec3(glm::rotate(glm::dmat4(1), angle, axis) * glm::dvec4(v, 0));
 }
@@ -34,12 +19,32 @@ glm::dvec3 turned_arm(const glm::dvec3& arm, const CameraPose& pose, double yaw,
     const double limit = std::numbers::pi / 2 - 0.01;
     const double wanted = std::clamp(elevation + pitch, -limit, limit);
     glm::dvec3 axis = glm::cross(arm, up);
-    if (glm::length(axis) < 1e-9 * glm::length(arm)) axis = frame_of(pose).right;
+    if (glm::length(axis) < 1e-9 * glm::length(arm)) axis = camera_axes(pose).right;
     const glm::dvec3 raised = turned(arm, wanted - elevation, glm::normalize(axis));
     return turned(raised, yaw, up);
 }
 
 }  // namespace
+
+CameraAxes camera_axes(const CameraPose& pose) {
+    const glm::dvec3 forward = glm::normalize(pose.target - pose.eye);
+    glm::dvec3 right = glm::cross(forward, pose.up);
+    if (glm::length(right) < 1e-9) {  // looking along up: any right will do
+        const glm::dvec3 other = std::abs(forward.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
+        right = glm::cross(forward, other);
+    }
+    right = glm::normalize(right);
+    return {right, glm::cross(right, forward), forward};
+}
+
+double half_angle(const CameraPose& pose) {
+    return pose.fov_y_degrees * std::numbers::pi / 360;
+}
+
+double height_at_target(const CameraPose& pose) {
+    if (pose.orthographic) return pose.height;
+    return 2 * glm::length(pose.target - pose.eye) * std::tan(half_angle(pose));
+}
 
 CameraPose orbited(const CameraPose& pose, double yaw, double pitch) {
     CameraPose result = pose;
@@ -64,14 +69,12 @@ CameraPose dollied(const CameraPose& pose, double factor) {
 }
 
 CameraPose slid(const CameraPose& pose, double right, double up) {
-    const double distance = glm::length(pose.target - pose.eye);
-    const double fov_y = pose.fov_y_degrees * std::numbers::pi / 180;
-    const double height = pose.orthographic ? pose.height : 2 * distance * std::tan(fov_y / 2);
+    const double height = height_at_target(pose);
     return flown(pose, right * height, up * height, 0);
 }
 
 CameraPose flown(const CameraPose& pose, double right, double up, double forward) {
-    const Frame frame = frame_of(pose);
+    const auto frame = camera_axes(pose);
     const glm::dvec3 step = frame.right * right + frame.up * up + frame.forward * forward;
     CameraPose result = pose;
     result.eye += step;

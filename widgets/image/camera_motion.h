@@ -1,17 +1,21 @@
 #pragma once
 
-#include <glm/glm.hpp>
+#include "renderers/core/camera_pose.h"
 
 namespace ir::widgets {
 
-/// A camera as the view moves it: metres, world space, +Y up unless `up` says otherwise.
-struct CameraPose {
-    glm::dvec3 eye{0, 0, 5}, target{0}, up{0, 1, 0};
-    double fov_y_degrees = 45;
-    bool orthographic = false;
-    double height = 2;  ///< metres across the image's height, orthographic only
-    bool operator==(const CameraPose&) const = default;
+using ir::CameraPose;
+
+/// The axes of a camera, each of length one.
+struct CameraAxes {
+    glm::dvec3 right, up, forward;
 };
+CameraAxes camera_axes(const CameraPose& pose);
+
+/// Metres across the picture's height at the target.
+double height_at_target(const CameraPose& pose);
+/// Of the vertical field of view, radians.
+double half_angle(const CameraPose& pose);
 
 /// Turns the eye about the target: `yaw` about up, `pitch` about the camera's right, radians. The pose never
 /// tips over the pole.

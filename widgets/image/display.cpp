@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderers/image/channels.h"
+#include "renderers/image/colour_map.h"
 #include "renderers/image/exposure.h"
 #include "widgets/style/number_text.h"
 
@@ -124,6 +125,23 @@ QString channel_name(Semantic semantic, int channels, int channel) {
     if (channels == 1) return QStringLiteral("Y");
     if (channels > 4) return QString::number(channel);
     return QString(QLatin1Char((is_vector(semantic) ? "XYZW" : "RGBA")[channel]));
+}
+
+bool shows(const float* pixel, int channels, const Category& category) {
+    if (channels < 3) return std::abs(pixel[0] - static_cast<float>(category.value)) <= 0.5f;
+    for (std::size_t c = 0; c < 3; ++c)
+        if (std::abs(pixel[c] - linear_from_srgb(category.colour[c] / 255.0f)) > 0.01f) return false;
+    return true;
+}
+
+const Category* category_at(const float* pixel, int channels, const std::vector<Category>& categories) {
+    const auto found = std::find_if(categories.begin(), categories.end(),
+                                    [&](const auto& each) { return shows(pixel, channels, each); });
+    return found == categories.end() ? nullptr : &*found;
+}
+
+QColor colour_of(const Category& category) {
+    return {category.colour[0], category.colour[1], category.colour[2]};
 }
 
 }  // namespace ir::widgets

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QColor>
 #include <QImage>
 #include <QString>
 #include <array>
@@ -65,6 +66,12 @@ Display display_for(Semantic semantic, const std::string& colour_map, const Imag
                     const Atlas& atlas = {}, const std::vector<Category>& categories = {});
 /// The colours of scalar mode.
 ColourMap colours_of(const Display& display);
+
+/// Whether a pixel shows a category: its number, or in a colour image its colour.
+bool shows(const float* pixel, int channels, const Category& category);
+/// The one that it shows; null: none.
+const Category* category_at(const float* pixel, int channels, const std::vector<Category>& categories);
+QColor colour_of(const Category& category);
 
 /// The encoded colour of one pixel with `channels` values.
 std::array<unsigned char, 3> shade(const Display& display, const float* pixel, int channels);

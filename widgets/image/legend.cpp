@@ -30,10 +30,6 @@ struct Contents {
     std::vector<Mark> marks;
 };
 
-QColor colour_of(const Category& category) {
-    return {category.colour[0], category.colour[1], category.colour[2]};
-}
-
 /// Of what occurs.
 std::vector<Mark> marks_of(const PreparedPicture& picture) {
     const Display& display = picture.display;
@@ -236,7 +232,7 @@ class Line {
 
 std::vector<double> legend_ticks(double low, double high, int count) {
     if (low == high || !std::isfinite(low) || !std::isfinite(high)) return {low};
-    const double least = std::min(low, high), greatest = std::max(low, high), width = greatest - least;
+    const double lowest = std::min(low, high), highest = std::max(low, high), width = highest - lowest;
     const double raw = width / std::max(1, count - 1), power = std::pow(10, std::floor(std::log10(raw)));
     double step = 10 * power;
     for (double factor : {1.0, 2.0, 5.0})
@@ -244,13 +240,13 @@ std::vector<double> legend_ticks(double low, double high, int count) {
             step = factor * power;
             break;
         }
-    std::vector<double> ticks = {least};
-    for (double k = std::ceil(least / step); k * step < greatest; ++k) {
+    std::vector<double> ticks = {lowest};
+    for (double k = std::ceil(lowest / step); k * step < highest; ++k) {
         const double tick = k * step;
         // An end's number must stay readable.
-        if (tick - least > width * 0.1 && greatest - tick > width * 0.1) ticks.push_back(tick);
+        if (tick - lowest > width * 0.1 && highest - tick > width * 0.1) ticks.push_back(tick);
     }
-    ticks.push_back(greatest);
+    ticks.push_back(highest);
     return ticks;
 }
 

@@ -1,3 +1,4 @@
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -5,8 +6,6 @@
 
 #include "widgets/image/canvas.h"
 #include "widgets/image/legend.h"
-#include "widgets/image/pixel_overlay.h"
-#include "widgets/image/region_overlay.h"
 
 namespace ir::widgets {
 namespace {
@@ -212,6 +211,140 @@ class Overlay final : public QWidget {
   private:
     const CanvasState& state_;
 };
+
+/// Zoom (device pixels per pixel, at a pixel ratio of 1) from which the grid helps more than it hides.
+constexpr double grid_zoom = 12;
+
+struct VisiblePixels {
+    int x0, y0, x1, y1;  ///< end is exclusive
+};
+
+VisiblePixels visible_pixels(const CanvasState& state) {
+    const auto& t = state.transform;
+    const QSize size = t.image_size().toSize();
+    const QPointF first = t.image_from_view({0, 0});
+    const QPointF last = t.image_from_view({t.view_size().width(), t.view_size().height()});
+    return {std::clamp(int(std::floor(first.x())), 0, size.width()),
+            std::clamp(int(std::floor(first.y())), 0, size.height()),
+            std::clamp(int(std::ceil(last.x())), 0, size.width()),
+            std::clamp(int(std::ceil(last.y())), 0, size.height())};
+}
+
+void paint_grid(QPainter& painter, const CanvasState& state, const VisiblePixels& seen) {
+    painter.setPen(QPen(QColor(128, 128, 128, 110), 0));
+    const auto& t = state.transform;
+    for (int x = seen.x0; x <= seen.x1; ++x)
+        painter.drawLine(t.view_from_image(QPointF(x, seen.y0)), t.view_from_image(QPointF(x, seen.y1)));
+    for (int y = seen.y0; y <= seen.y1; ++y)
+        painter.drawLine(t.view_from_image(QPointF(seen.x0, y)), t.view_from_image(QPointF(seen.x1, y)));
+}
+
+QString numbers_text(const PreparedPicture& picture, int x, int y) {
+    if (picture.cover_at(x, y) == Cover::hidden && picture.display.hide_invalid) return QStringLiteral("–");
+    const Image& image = *picture.picture->image;
+    QStringList lines;
+    for (int c = 0; c < std::min(image.channels, 4); ++c) lines << short_number(image.at(x, y, c));
+    return lines.join(QLatin1Char('\n'));
+}
+
+/// Values of one pixel, one line per channel, in black or white, whichever reads better on its colour.
+void paint_numbers_of(QPainter& painter, const PreparedPicture& picture, int x, int y, const QRectF& box) {
+    if (picture.cover_at(x, y) == Cover::gap) return;
+    const auto colour =
+        shade(picture.display, &picture.shown->pixels[picture.shown->index(x, y)], picture.shown->channels);
+    const double luma = 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2];
+    painter.setPen(luma > 120 ? Qt::black : Qt::white);
+    painter.drawText(box, Qt::AlignCenter, numbers_text(picture, x, y));
+}
+
+void paint_numbers(QPainter& painter, const CanvasState& state, const VisiblePixels& seen, qreal ratio) {
+    int lines = 1;
+    for (const auto& picture : state.pictures)
+        if (!picture.empty()) lines = std::max(lines, std::min(picture.picture->image->channels, 4));
+    QFont font = painter.font();
+    const double zoom = state.transform.zoom();
+    const double size = std::min({zoom / (lines + 1.0), zoom / 6.0, 13.0 * ratio});
+    if (size < 7 * ratio) return;  // smaller cannot be read
+    font.setPixelSize(int(size));
+    painter.setFont(font);
+    for (int y = seen.y0; y < seen.y1; ++y)
+        for (int x = seen.x0; x < seen.x1; ++x)
+            paint_numbers_of(painter, state.at(QPointF(x + 0.5, y + 0.5)), x, y,
+                             QRectF(state.transform.view_from_image(QPointF(x, y)), QSizeF(zoom, zoom)));
+}
+
+/// Grid and numbers in zoomed pixels, where the zoom is large enough. Unit: a device pixel.
+void paint_pixels(QPainter& painter, const CanvasState& state, qreal pixel_ratio) {
+    if (!state.has_image() || !state.pixel_grid || state.transform.zoom() < grid_zoom * pixel_ratio) return;
+    const VisiblePixels seen = visible_pixels(state);
+    paint_grid(painter, state, seen);
+    paint_numbers(painter, state, seen, pixel_ratio);
+}
+
+/// Lines between pixels, in whole device pixels.
+QRectF region_box(const CanvasState& state) {
+    const QPointF from = state.transform.view_from_image(state.marks.region.topLeft());
+    const QPointF to = state.transform.view_from_image(state.marks.region.bottomRight() + QPoint(1, 1));
+    return {QPointF(std::round(from.x()), std::round(from.y())),
+            QPointF(std::round(to.x()), std::round(to.y()))};
+}
+
+void paint_handles(QPainter& painter, const QRectF& box, qreal ratio) {
+    const qreal side = 7 * ratio;
+    painter.setPen(QPen(Qt::black, ratio));
+    painter.setBrush(Qt::white);
+    for (const qreal x : {box.left(), box.center().x(), box.right()})
+        for (const qreal y : {box.top(), box.center().y(), box.bottom()}) {
+            const bool middle_x = x == box.center().x(), middle_y = y == box.center().y();
+            if (middle_x && middle_y) continue;
+            if ((middle_x && box.width() < 4 * side) || (middle_y && box.height() < 4 * side)) continue;
+            painter.drawRect(QRectF(x - side / 2, y - side / 2, side, side));
+        }
+    painter.setBrush(Qt::NoBrush);
+}
+
+void paint_size(QPainter& painter, const CanvasState& state, const QRectF& box, qreal ratio) {
+    const QString text =
+        QStringLiteral("%1 × %2").arg(state.marks.region.width()).arg(state.marks.region.height());
+    QFont font = painter.font();
+    font.setPixelSize(std::max(1, int(11 * ratio)));
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    const QSizeF plate(metrics.horizontalAdvance(text) + 8 * ratio, metrics.height() + 2 * ratio);
+    QRectF place(box.left(), box.bottom() + 7 * ratio, plate.width(), plate.height());
+    const QSizeF view = state.transform.view_size();
+    if (place.bottom() > view.height()) place.moveBottom(box.top() - 7 * ratio);
+    if (place.top() < 0) place.moveTopLeft(box.topLeft() + QPointF(7, 7) * ratio);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(20, 20, 20, 190));
+    painter.drawRoundedRect(place, 3 * ratio, 3 * ratio);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QColor(235, 235, 235));
+    painter.drawText(place, Qt::AlignCenter, text);
+}
+
+/// The rectangle that is measured: a line that shows on every colour and tints none; with handles and its
+/// size while it is being edited.
+void paint_region(QPainter& painter, const CanvasState& state, qreal ratio) {
+    if (state.marks.region.isEmpty()) return;
+    const QRectF box = region_box(state);
+    painter.save();
+    painter.setBrush(Qt::NoBrush);
+    QPen dark(QColor(0, 0, 0, 190), 3 * ratio);
+    dark.setJoinStyle(Qt::MiterJoin);
+    painter.setPen(dark);
+    painter.drawRect(box);
+    QPen dashes(Qt::white, ratio);
+    dashes.setJoinStyle(Qt::MiterJoin);
+    dashes.setDashPattern({6, 3});
+    painter.setPen(dashes);
+    painter.drawRect(box);
+    if (state.region_edited) {
+        paint_handles(painter, box, ratio);
+        paint_size(painter, state, box, ratio);
+    }
+    painter.restore();
+}
 
 }  // namespace
 

@@ -35,14 +35,6 @@ std::shared_ptr<const CoverMap> cover_of(const Picture& picture) {
     return cover;
 }
 
-/// Whether a pixel shows a category: its number, or in a colour image its colour.
-bool shows(const float* pixel, int channels, const Category& category) {
-    if (channels < 3) return std::abs(pixel[0] - static_cast<float>(category.value)) <= 0.5f;
-    for (std::size_t c = 0; c < 3; ++c)
-        if (std::abs(pixel[c] - linear_from_srgb(category.colour[c] / 255.0f)) > 0.01f) return false;
-    return true;
-}
-
 std::shared_ptr<const Occurring> occurring_in(const Picture& picture, const Image& shown,
                                               const CoverMap* cover) {
     auto found = std::make_shared<Occurring>();

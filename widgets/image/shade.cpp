@@ -57,9 +57,8 @@ float largest_magnitude(const float* values, int count) {
 
 Rgb scalar_colour(const Display& display, float value) {
     if (!display.categories.empty()) {
-        for (const auto& category : display.categories)
-            if (std::abs(value - static_cast<float>(category.value)) <= 0.5f) return category.colour;
-        return colour_without_name;
+        const auto* category = category_at(&value, 1, display.categories);
+        return category ? category->colour : colour_without_name;
     }
     const auto& map = colour_map(display.colour_map);
     return map[byte(fraction(display, value))];

@@ -56,12 +56,12 @@ vec3 stripe(bool rising, vec3 stripe_colour, vec3 shaded) {
 }
 vec3 striped(vec3 shaded, vec3 v, int count) {
     float scale = mode == 0 ? exp2(exposure) : 1.0;
-    float least = mode == 0 ? 0.0 : min(low, high), greatest = mode == 0 ? 1.0 : max(low, high);
+    float lowest = mode == 0 ? 0.0 : min(low, high), highest = mode == 0 ? 1.0 : max(low, high);
     if (mode == 2) v = vec3(largest_magnitude(v, count));
     if (mode != 2 && count == 2) v.z = v.x;  // what is not there is in range
     v *= scale;
-    if (any(greaterThan(v, vec3(greatest)))) return stripe(false, vec3(255.0, 60.0, 40.0) / 255.0, shaded);
-    if (any(lessThan(v, vec3(least)))) return stripe(true, vec3(40.0, 90.0, 255.0) / 255.0, shaded);
+    if (any(greaterThan(v, vec3(highest)))) return stripe(false, vec3(255.0, 60.0, 40.0) / 255.0, shaded);
+    if (any(lessThan(v, vec3(lowest)))) return stripe(true, vec3(40.0, 90.0, 255.0) / 255.0, shaded);
     return shaded;
 }
 vec3 chequer() {

@@ -18,6 +18,7 @@ struct BufferData {
     std::vector<Field> fields;
     std::uint64_t elements = 0;                           ///< in the buffer
     std::shared_ptr<const std::vector<std::byte>> bytes;  ///< of the first elements
+    std::vector<Categories> categories = {};              ///< of fields whose numbers are names
 
     /// One scalar of an element, a column of the table.
     struct Scalar {

@@ -120,12 +120,12 @@ bool BufferTable::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void BufferTable::copy() {
-    constexpr int most = 100'000;  // lines that a clipboard is good for
+    constexpr int max_lines = 100'000;  // lines that a clipboard is good for
     QStringList lines{QStringLiteral("element")};
     const BufferReader& reader = model_->reader();
     for (const auto& scalar : reader.scalars()) lines.front() += '\t' + QString::fromStdString(scalar.name);
     for (const auto& range : view_->selectionModel()->selection())
-        for (int row = range.top(); row <= range.bottom() && lines.size() <= most; ++row) {
+        for (int row = range.top(); row <= range.bottom() && lines.size() <= max_lines; ++row) {
             const auto element = std::uint64_t(model_->element(row));
             QString line = QString::number(element);
             for (std::size_t s = 0; s < reader.scalars().size(); ++s)

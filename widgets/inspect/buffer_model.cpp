@@ -53,6 +53,14 @@ int BufferModel::columnCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : 1 + int(reader_.scalars().size());
 }
 
+/// Null: the number is an amount.
+const Category* BufferModel::category(qint64 element, std::size_t scalar) const {
+    const auto& names = categories_of(buffer_.categories, reader_.scalars()[scalar].name);
+    if (names.empty()) return nullptr;
+    const auto number = static_cast<float>(reader_.value(std::uint64_t(element), scalar));
+    return category_at(&number, 1, names);
+}
+
 QVariant BufferModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
     const qint64 number = element(index.row());
@@ -64,14 +72,19 @@ QVariant BufferModel::data(const QModelIndex& index, int role) const {
     }
     const auto scalar = std::size_t(index.column() - 1);
     const bool whole = reader_.scalars()[scalar].type != FieldType::f32;
+    const auto* name = category(number, scalar);
     switch (role) {
         case Qt::DisplayRole:
+            if (name)
+                return QStringLiteral("%1 %2").arg(name->value).arg(QString::fromStdString(name->label));
             if (!whole) return short_number(reader_.value(std::uint64_t(number), scalar));
             [[fallthrough]];
         case Qt::ToolTipRole:
             return QString::fromStdString(reader_.text(std::uint64_t(number), scalar));
         case Qt::TextAlignmentRole:
-            return int(Qt::AlignRight | Qt::AlignVCenter);
+            return int((name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        case Qt::DecorationRole:
+            return name ? QVariant(colour_of(*name)) : QVariant();
         case Qt::ForegroundRole: {
             const double value = reader_.value(std::uint64_t(number), scalar);
             if (std::isnan(value)) return QColor(255, 120, 255);

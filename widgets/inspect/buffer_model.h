@@ -30,6 +30,7 @@ class BufferModel : public QAbstractTableModel {
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
   private:
+    const Category* category(qint64 element, std::size_t scalar) const;
     BufferData buffer_;
     BufferReader reader_;
     std::optional<ElementList> listed_;

@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QToolButton>
 #include <algorithm>
+#include <utility>
 
 #include "renderers/core/error.h"
 #include "widgets/style/icons.h"
@@ -185,9 +186,13 @@ void BufferTable::fit_columns() {
     const int number = metrics.horizontalAdvance(QStringLiteral("-0.0000e-00")) + 14;
     for (int c = 0; c < model_->columnCount(); ++c) {
         const QString title = model_->headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
-        const int least = c == 0 ? metrics.horizontalAdvance(QStringLiteral("00000000")) + 12 : number;
-        header->resizeSection(c, std::max(least, metrics.horizontalAdvance(title) + 28));
+        const int min_width = c == 0 ? metrics.horizontalAdvance(QStringLiteral("00000000")) + 12 : number;
+        header->resizeSection(c, std::max(min_width, metrics.horizontalAdvance(title) + 28));
     }
+}
+
+void BufferTable::set_stale(bool stale) {
+    if (std::exchange(stale_, stale) != stale) update_status();
 }
 
 void BufferTable::update_status() {
@@ -208,6 +213,7 @@ void BufferTable::update_status() {
         parts << tr("only the first %1 were sent").arg(count(buffer.present()));
     if (listing_.sorted_by >= 0 && !busy_ && quint64(model_->rowCount()) > max_sorted)
         parts << tr("not sorted: more than %1 elements, filter them first").arg(count(max_sorted));
+    if (stale_) parts << tr("rendering …");
     if (busy_) parts << tr("listing …");
     if (chosen_ >= 0 && model_->row_of(chosen_) < 0 && !busy_)
         parts << (quint64(chosen_) >= buffer.present() ? tr("element %1 is not here").arg(chosen_)

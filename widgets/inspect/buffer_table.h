@@ -31,6 +31,8 @@ class BufferTable : public QWidget {
     void set_buffer(const QString& name, BufferData buffer);
     /// Nothing to show, and why ("Not computed.").
     void clear(const QString& reason = {});
+    /// Whether newer contents are being rendered; the line below says so.
+    void set_stale(bool stale);
     const QString& reason() const { return reason_; }  ///< of the above; empty: a buffer is shown
     /// Scrolls to an element and chooses it; emits nothing. -1: none.
     void select_element(qint64 element);
@@ -89,7 +91,7 @@ class BufferTable : public QWidget {
     QString reason_;
     Listing listing_;
     qint64 chosen_ = -1;
-    bool busy_ = false, running_ = false, showing_ = false;
+    bool busy_ = false, running_ = false, showing_ = false, stale_ = false;
 };
 
 }  // namespace ir::widgets

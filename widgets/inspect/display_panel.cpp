@@ -215,8 +215,8 @@ void DisplayPanel::make_range(QGridLayout* grid) {
         if (const auto* counts = histogram_->current()) fit(counts->percentile_1, counts->percentile_99);
     });
     connect(symmetric_, &QPushButton::clicked, this, [this] {
-        const double most = std::max(std::abs(display_.low), std::abs(display_.high));
-        fit(-most, most);
+        const double largest = std::max(std::abs(display_.low), std::abs(display_.high));
+        fit(-largest, largest);
     });
 }
 

@@ -20,7 +20,7 @@ double height_of(std::uint64_t count, bool logarithmic) {
     return logarithmic ? std::log1p(double(count)) : double(count);
 }
 
-QPainterPath bars(const std::array<std::uint64_t, Histogram::bins>& counts, const QRectF& box, double most,
+QPainterPath bars(const std::array<std::uint64_t, Histogram::bins>& counts, const QRectF& box, double highest,
                   bool logarithmic) {
     QPainterPath path(box.bottomLeft());
     const double width = box.width() / Histogram::bins;
@@ -29,7 +29,7 @@ QPainterPath bars(const std::array<std::uint64_t, Histogram::bins>& counts, cons
     const double room = std::count_if(counts.begin(), counts.end(), full) == 1 ? 2 : 0;
     for (std::size_t bin = 0; bin < counts.size(); ++bin) {
         if (room > 0 && counts[bin] == 0) continue;
-        const double y = box.bottom() - height_of(counts[bin], logarithmic) / most * box.height();
+        const double y = box.bottom() - height_of(counts[bin], logarithmic) / highest * box.height();
         const double left = box.left() + double(bin) * width - room;
         const double right = box.left() + double(bin + 1) * width + room;
         if (room > 0) path.lineTo(left, box.bottom());
@@ -46,10 +46,10 @@ QPainterPath bars(const std::array<std::uint64_t, Histogram::bins>& counts, cons
 
 void HistogramView::paint_bars(QPainter& painter) const {
     const QRectF box = plot();
-    std::uint64_t most = 0;
+    std::uint64_t highest = 0;
     for (const auto& counts : histogram_.counts)
-        most = std::max(most, *std::max_element(counts.begin(), counts.end()));
-    if (most == 0) return;
+        highest = std::max(highest, *std::max_element(counts.begin(), counts.end()));
+    if (highest == 0) return;
     painter.save();
     painter.setPen(Qt::NoPen);
     painter.setOpacity(counted_ ? 1 : 0.5);
@@ -58,7 +58,7 @@ void HistogramView::paint_bars(QPainter& painter) const {
         QColor colour = channel_colour(histogram_.channels[c], histogram_.counts.size());
         if (histogram_.counts.size() > 1) colour = colour.darker(190);
         painter.setBrush(colour);
-        painter.drawPath(bars(histogram_.counts[c], box, height_of(most, logarithmic_), logarithmic_));
+        painter.drawPath(bars(histogram_.counts[c], box, height_of(highest, logarithmic_), logarithmic_));
     }
     painter.restore();
 }

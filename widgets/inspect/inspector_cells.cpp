@@ -37,11 +37,11 @@ QString full(float value) {
 }
 
 template <class Print>
-QString joined(const std::vector<float>& values, int most, Print print) {
+QString joined(const std::vector<float>& values, int max_count, Print print) {
     QStringList parts;
-    for (std::size_t i = 0; i < values.size() && int(i) < most; ++i) parts << print(values[i]);
+    for (std::size_t i = 0; i < values.size() && int(i) < max_count; ++i) parts << print(values[i]);
     QString result = parts.join(QLatin1Char(' '));
-    if (int(values.size()) > most) result += QStringLiteral(" …");
+    if (int(values.size()) > max_count) result += QStringLiteral(" …");
     return result;
 }
 
@@ -137,6 +137,13 @@ std::vector<float> InspectorModel::values(const Node& node, int column) const {
                                                   : std::vector<float>{};
 }
 
+/// What the numbers of a whole pixel are the name of; null: they are amounts.
+const Category* InspectorModel::category(const Node& node, const std::vector<float>& numbers) const {
+    if (node.kind != Node::Kind::buffer || numbers.empty()) return nullptr;
+    return category_at(numbers.data(), int(numbers.size()),
+                       readings_.buffers[std::size_t(node.buffer)].categories);
+}
+
 QString InspectorModel::value_text(const Node& node, int column) const {
     if (node.kind == Node::Kind::group) return {};
     const auto place = place_of(column);
@@ -151,7 +158,9 @@ QString InspectorModel::value_text(const Node& node, int column) const {
     if (node.kind == Node::Kind::world && std::isnan(numbers[0])) return tr("background");
     const Semantic semantic =
         node.buffer < 0 ? Semantic::position : readings_.buffers[std::size_t(node.buffer)].semantic;
-    return joined(numbers, max_in_a_cell, [semantic](float v) { return number(v, semantic); });
+    const auto text = joined(numbers, max_in_a_cell, [semantic](float v) { return number(v, semantic); });
+    const auto* name = category(node, numbers);
+    return name ? text + QLatin1Char(' ') + QString::fromStdString(name->label) : text;
 }
 
 QString InspectorModel::tooltip(const Node& node) const {
@@ -185,6 +194,10 @@ QVariant InspectorModel::value_data(const Node& node, int column, int role) cons
                                  ? QStringLiteral("m")
                                  : readings_.buffers[std::size_t(node.buffer)].unit;
         return unit.isEmpty() ? digits : digits + QLatin1Char(' ') + unit;
+    }
+    if (role == Qt::DecorationRole && numbers.size() < 3) {
+        const auto* name = category(node, numbers);
+        return name ? QVariant(colour_of(*name)) : QVariant();
     }
     if (role == Qt::DecorationRole && buffer_row && numbers.size() >= 3 &&
         is_colour(readings_.buffers[std::size_t(node.buffer)].semantic))

@@ -20,14 +20,15 @@ namespace ir::widgets {
 /// What was read of an execution's images at some pixels. Plain data.
 struct Readings {
     struct Buffer {
-        std::string key;
-        QString label, unit, doc;
-        QString group;  ///< the pass that writes it; unused where `output`
+        std::string key = {};
+        QString label = {}, unit = {}, doc = {};
+        QString group = {};  ///< the pass that writes it; unused where `output`
         Semantic semantic = Semantic::generic;
         bool output = false;                          ///< one of the method's outputs: listed first
         bool available = false;                       ///< false: not computed
         int channels = 0;                             ///< 0: not known; rows stay as they were
         std::vector<std::vector<float>> values = {};  ///< one by pixel, `channels` numbers or none
+        std::vector<Category> categories = {};        ///< where numbers, or colours, are names
     };
     std::optional<QPoint> cursor;  ///< one of `pixels`; none: the cursor is elsewhere
     std::vector<QPoint> pixels;
@@ -91,6 +92,7 @@ class InspectorModel : public QAbstractItemModel {
     /// Number of a column's pixel among the readings, -1 when it was not read.
     int pixel_of(int column) const;
     std::vector<float> values(const Node& node, int column) const;
+    const Category* category(const Node& node, const std::vector<float>& numbers) const;
     QString value_text(const Node& node, int column) const;
     QVariant name_data(const Node& node, int role) const;
     QVariant value_data(const Node& node, int column, int role) const;

@@ -100,11 +100,11 @@ void RectangleFields::show_numbers() {
     const int values[] = {shown.x(), shown.y(), shown.width(), shown.height()};
     // A rectangle is moved as it is; where there is none, its corner is typed first.
     const QSize corner = rectangle_.isEmpty() ? QSize(1, 1) : rectangle_.size();
-    const int most[] = {picture.width() - corner.width(), picture.height() - corner.height(), picture.width(),
-                        picture.height()};
+    const int limits[] = {picture.width() - corner.width(), picture.height() - corner.height(),
+                          picture.width(), picture.height()};
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         const QSignalBlocker quiet(fields_[i]);
-        fields_[i]->setRange(i < 2 ? 0 : 1, std::max(i < 2 ? 0 : 1, most[i]));
+        fields_[i]->setRange(i < 2 ? 0 : 1, std::max(i < 2 ? 0 : 1, limits[i]));
         fields_[i]->setValue(values[i]);
         fields_[i]->setEnabled(!picture.isEmpty());
     }

@@ -11,7 +11,7 @@ namespace ir::widgets {
 namespace {
 
 /// Longer notes scroll: the pictures are what the window is for.
-constexpr int most_lines = 3;
+constexpr int max_lines = 3;
 
 }  // namespace
 
@@ -74,7 +74,7 @@ void NotesStrip::update_text() {
     line_->setToolTip(notes_);
     const int needed = text_->heightForWidth(room);
     scroll_->setFixedHeight(
-        std::min(std::max(needed, fontMetrics().height()) + 2, most_lines * fontMetrics().lineSpacing() + 4));
+        std::min(std::max(needed, fontMetrics().height()) + 2, max_lines * fontMetrics().lineSpacing() + 4));
 }
 
 }  // namespace ir::widgets

@@ -1,4 +1,5 @@
 #include "widgets/panels/welcome_page.h"
+#include "widgets/panels/cards.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -12,9 +13,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/panels/card_flow.h"
-#include "widgets/panels/project_card.h"
-#include "widgets/panels/sample_card.h"
 #include "widgets/style/icons.h"
 
 namespace ir::widgets {
@@ -171,7 +169,7 @@ void WelcomePage::move_focus(int key) {
     const bool sideways = key == Qt::Key_Left || key == Qt::Key_Right;
     const int sign = key == Qt::Key_Left || key == Qt::Key_Up ? -1 : 1;
     SampleCard* best = nullptr;
-    int least = 0;
+    int nearest = 0;
     for (const auto& section : sections_)
         for (const auto& [card, words] : section.samples) {
             const QPoint way = middle(card) - middle(from);
@@ -179,7 +177,7 @@ void WelcomePage::move_focus(int key) {
             const int aside = std::abs(sideways ? way.y() : way.x());
             if (card->isHidden() || ahead < (sideways ? 1 : from->height() / 2)) continue;
             if (sideways && aside > from->height() / 2) continue;
-            if (const int far = ahead + 2 * aside; !best || far < least) best = card, least = far;
+            if (const int far = ahead + 2 * aside; !best || far < nearest) best = card, nearest = far;
         }
     if (!best) return;
     best->setFocus();

@@ -18,7 +18,8 @@ ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent), sections_(new
 }
 
 void ParameterPanel::set_parameters(const std::string& owner,
-                                    const std::vector<ParameterDescription>& parameters) {
+                                    const std::vector<ParameterDescription>& parameters,
+                                    const QString& title) {
     if (owner == owner_ && parameters.size() == parameters_.size()) return;
     owner_ = owner;
     parameters_ = parameters;
@@ -30,7 +31,7 @@ void ParameterPanel::set_parameters(const std::string& owner,
     layout->setSpacing(2);
     sections_->addWidget(content_);
     add_section(tr("Light transport"), true);
-    add_section(tr("Method"), false);
+    add_section(title.isEmpty() ? tr("Method") : title, false);
 }
 
 void ParameterPanel::add_section(const QString& title, bool transport) {
@@ -48,6 +49,8 @@ void ParameterPanel::add_row(QGridLayout* grid, const ParameterDescription& para
                 new QToolButton(content_)};
     row.label->setWordWrap(true);
     row.label->setBuddy(row.editor);
+    if (auto* control = row.editor->focusProxy())
+        control->setAccessibleName(QString::fromStdString(parameter.label));
     row.editor->setObjectName(QStringLiteral("editor:") + key);
     row.reset->setObjectName(QStringLiteral("reset:") + key);
     row.reset->setIcon(icon("reset"));
@@ -75,6 +78,18 @@ void ParameterPanel::set_read_only(bool read_only, const QString& why) {
     update_rows();
 }
 
+void ParameterPanel::set_fixed(const std::map<std::string, QString>& reasons) {
+    fixed_ = reasons;
+    update_rows();
+}
+
+/// Null: it can be chosen.
+const QString* ParameterPanel::why_fixed(const std::string& key) const {
+    if (read_only_) return &why_read_only_;
+    const auto found = fixed_.find(key);
+    return found == fixed_.end() ? nullptr : &found->second;
+}
+
 void ParameterPanel::set_filter(const QString& text) {
     filter_ = text;
     update_rows();
@@ -86,17 +101,18 @@ void ParameterPanel::update_rows() {
         const RowState state = row_state(parameter, parameters_, settings_);
         const auto found = settings_.find(parameter.key);
         row.editor->show_value(found == settings_.end() ? parameter.default_value : found->second);
-        const QString tooltip = read_only_
-                                    ? QStringLiteral("<p><i>%1</i></p>").arg(why_read_only_) + state.tooltip
-                                    : state.tooltip;
+        const auto* why = why_fixed(parameter.key);
+        const QString tooltip =
+            why ? QStringLiteral("<p><i>%1</i></p>").arg(why->toHtmlEscaped()) + state.tooltip
+                : state.tooltip;
         row.label->setToolTip(tooltip);
         row.editor->setToolTip(tooltip);
         row.label->setEnabled(state.enabled);
-        row.editor->setEnabled(state.enabled && !read_only_);
+        row.editor->setEnabled(state.enabled && !why);
         QFont font = this->font();
         font.setBold(state.changed);
         row.label->setFont(font);
-        row.reset->setEnabled(state.changed && !read_only_);
+        row.reset->setEnabled(state.changed && !why);
         // Its place stays, so that rows do not jump.
         QSizePolicy policy = row.reset->sizePolicy();
         policy.setRetainSizeWhenHidden(true);

@@ -22,11 +22,15 @@ class ParameterPanel : public QWidget {
   public:
     explicit ParameterPanel(QWidget* parent = nullptr);
 
-    /// Rebuilds the form when the descriptions are others than before.
-    void set_parameters(const std::string& owner, const std::vector<ParameterDescription>& parameters);
+    /// Rebuilds the form when the descriptions are others than before. `title`: of those that are no
+    /// transport; empty: "Method".
+    void set_parameters(const std::string& owner, const std::vector<ParameterDescription>& parameters,
+                        const QString& title = {});
     /// Complete settings; emits nothing.
     void set_values(const Settings& settings);
     void set_read_only(bool read_only, const QString& why);
+    /// Some cannot be chosen: the reasons by key.
+    void set_fixed(const std::map<std::string, QString>& reasons);
     /// Hides the rows whose label, key or doc does not contain the text.
     void set_filter(const QString& text);
 
@@ -51,8 +55,10 @@ class ParameterPanel : public QWidget {
     std::map<std::string, FormRow> rows_;
     QVBoxLayout* sections_;
     QWidget* content_ = nullptr;
+    const QString* why_fixed(const std::string& key) const;
     bool read_only_ = false;
     QString why_read_only_, filter_;
+    std::map<std::string, QString> fixed_;
 };
 
 }  // namespace ir::widgets

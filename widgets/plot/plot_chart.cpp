@@ -124,10 +124,10 @@ void PlotChart::make_scales() {
     remarks_.clear();
     shows_level_ = data_.level.has_value();
     if (data_.level && data_.y.log) {
-        double least = std::numeric_limits<double>::infinity();
+        double lowest = std::numeric_limits<double>::infinity();
         for (const double y : heights)
-            if (y > 0) least = std::min(least, y);
-        shows_level_ = data_.level->y > 0 && (std::isinf(least) || data_.level->y * farthest_level > least);
+            if (y > 0) lowest = std::min(lowest, y);
+        shows_level_ = data_.level->y > 0 && (std::isinf(lowest) || data_.level->y * farthest_level > lowest);
         if (!shows_level_)
             remarks_
                 << tr("%1: %2, far below all points").arg(data_.level->label, plot_number(data_.level->y));

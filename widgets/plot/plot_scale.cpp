@@ -18,11 +18,11 @@ QString superscript(int exponent) {
 }
 
 /// 1, 2 or 5 times a power of ten, such that `range` has at most `most` of them.
-double round_step(double range, int most) {
-    const double least = range / most;
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
+double round_step(double range, int max_labels) {
+    const double min_step = range / max_labels;
+    const double power = std::pow(10.0, std::floor(std::log10(min_step)));
     for (const double mantissa : {1.0, 2.0, 5.0})
-        if (mantissa * power >= least * (1 - 1e-9)) return mantissa * power;
+        if (mantissa * power >= min_step * (1 - 1e-9)) return mantissa * power;
     return 10 * power;
 }
 
@@ -95,24 +95,24 @@ void PlotScale::fit(const std::vector<double>& values) {
         return;
     }
     // A single value stands in the middle; what has no place stands apart from all that have one.
-    const double least = log_ ? min_decades : std::max(1e-12, 0.1 * std::abs(high_));
-    const double range = std::max(high_ - low_, least);
+    const double min_range = log_ ? min_decades : std::max(1e-12, 0.1 * std::abs(high_));
+    const double range = std::max(high_ - low_, min_range);
     const double middle = (low_ + high_) / 2, half = range * (0.5 + (displaced ? 3 : 1) * range_margin);
     const bool from_zero = !log_ && low_ >= 0 && low_ < 0.35 * high_;
     low_ = from_zero ? 0 : middle - half;
     high_ = middle + half;
 }
 
-void PlotScale::name_all(const QStringList& names, int most) {
+void PlotScale::name_all(const QStringList& names, int max_labels) {
     low_ = -0.5;
     high_ = double(names.size()) - 0.5;
-    const int step = std::max(1, int((names.size() + most - 1) / most));
+    const int step = std::max(1, int((names.size() + max_labels - 1) / max_labels));
     for (int i = 0; i < names.size(); i += step) ticks_.push_back({double(i), names[i]});
 }
 
 /// Only where they are few, and far enough apart to be read.
-void PlotScale::label_wanted(const std::vector<double>& wanted, int most) {
-    if (int(wanted.size()) > most) return;
+void PlotScale::label_wanted(const std::vector<double>& wanted, int max_labels) {
+    if (int(wanted.size()) > max_labels) return;
     std::vector<double> sorted = wanted;
     std::sort(sorted.begin(), sorted.end());
     for (const double value : sorted) {
@@ -123,15 +123,15 @@ void PlotScale::label_wanted(const std::vector<double>& wanted, int most) {
     }
 }
 
-void PlotScale::label_linear(int most) {
-    const double step = round_step(high_ - low_, most);
+void PlotScale::label_linear(int max_labels) {
+    const double step = round_step(high_ - low_, max_labels);
     for (double i = std::ceil(low_ / step - 1e-9); i * step <= high_ + 1e-9 * step; ++i)
         ticks_.push_back({i * step, plot_number(i * step)});
 }
 
 /// 1, 2, 5 in each decade where that is enough, all digits where it is not, powers alone where it is too
 /// much.
-void PlotScale::label_log(int most) {
+void PlotScale::label_log(int max_labels) {
     const std::vector<std::vector<double>> sets = {{1, 2, 3, 4, 5, 6, 7, 8, 9}, {1, 2, 5}, {1}};
     for (const auto& set : sets) {
         std::vector<Tick> ticks;
@@ -142,10 +142,10 @@ void PlotScale::label_log(int most) {
                 if (at >= low_ - 1e-9 && at <= high_ + 1e-9) ticks.push_back({at, plot_number(value)});
             }
         ticks_ = std::move(ticks);
-        if (int(ticks_.size()) <= most) break;
+        if (int(ticks_.size()) <= max_labels) break;
     }
-    if (int(ticks_.size()) > most) {
-        const auto step = (ticks_.size() + std::size_t(most) - 1) / std::size_t(most);
+    if (int(ticks_.size()) > max_labels) {
+        const auto step = (ticks_.size() + std::size_t(max_labels) - 1) / std::size_t(max_labels);
         std::vector<Tick> fewer;
         for (std::size_t i = 0; i < ticks_.size(); i += step) fewer.push_back(ticks_[i]);
         ticks_ = std::move(fewer);
@@ -153,7 +153,7 @@ void PlotScale::label_log(int most) {
     if (ticks_.size() >= 3) return;
     ticks_.clear();  // less than a decade: round numbers at even distances of the values
     const double first = std::pow(10.0, low_), last = std::pow(10.0, high_);
-    const double step = round_step(last - first, std::max(2, most - 2));
+    const double step = round_step(last - first, std::max(2, max_labels - 2));
     for (double i = std::ceil(first / step - 1e-9); i * step <= last * (1 + 1e-9); ++i)
         if (i * step > 0) ticks_.push_back({std::log10(i * step), plot_number(i * step)});
 }

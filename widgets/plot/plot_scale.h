@@ -28,10 +28,10 @@ class PlotScale {
   private:
     double raw(double value) const;
     void fit(const std::vector<double>& values);
-    void name_all(const QStringList& names, int most);
-    void label_wanted(const std::vector<double>& wanted, int most);
-    void label_linear(int most);
-    void label_log(int most);
+    void name_all(const QStringList& names, int max_labels);
+    void label_wanted(const std::vector<double>& wanted, int max_labels);
+    void label_linear(int max_labels);
+    void label_log(int max_labels);
 
     bool log_;
     double low_ = 0, high_ = 1;

@@ -20,6 +20,13 @@ QPolygonF polygon(int corners, double start, double inner, const QPointF& centre
     return shape;
 }
 
+/// The marks that follow the circle: as polygon() takes them, and how large they are for equal weight.
+constexpr struct {
+    int corners;
+    double start, inner, size;
+} polygons[] = {{4, 0.125, 1, 1.2}, {3, 0, 1, 1.35}, {4, 0, 1, 1.3},  {3, 0.5, 1, 1.35},
+                {5, 0, 0.45, 1.5},  {6, 0, 1, 1.15}, {4, 0, 0.4, 1.5}};
+
 }  // namespace
 
 // Eight hues that people with any colour vision can tell apart [Okabe08], black exchanged for light grey on
@@ -58,32 +65,10 @@ void draw_mark(QPainter& painter, const QPointF& centre, int series, double radi
     painter.setBrush(hollow ? style.background : style.series(series));
     // Once the colours are used up, the same ones come with other shapes.
     const int colours = int(style.colours.size());
-    switch ((series + series / colours) % 8) {
-        case 0:
-            painter.drawEllipse(centre, radius, radius);
-            break;
-        case 1:
-            painter.drawPolygon(polygon(4, 0.125, 1, centre, 1.2 * radius));
-            break;
-        case 2:
-            painter.drawPolygon(polygon(3, 0, 1, centre, 1.35 * radius));
-            break;
-        case 3:
-            painter.drawPolygon(polygon(4, 0, 1, centre, 1.3 * radius));
-            break;
-        case 4:
-            painter.drawPolygon(polygon(3, 0.5, 1, centre, 1.35 * radius));
-            break;
-        case 5:
-            painter.drawPolygon(polygon(5, 0, 0.45, centre, 1.5 * radius));
-            break;
-        case 6:
-            painter.drawPolygon(polygon(6, 0, 1, centre, 1.15 * radius));
-            break;
-        default:
-            painter.drawPolygon(polygon(4, 0, 0.4, centre, 1.5 * radius));
-            break;
-    }
+    const int shape = (series + series / colours) % (1 + int(std::size(polygons)));
+    if (shape == 0) return painter.drawEllipse(centre, radius, radius);
+    const auto& [corners, start, inner, size] = polygons[shape - 1];
+    painter.drawPolygon(polygon(corners, start, inner, centre, size * radius));
 }
 
 }  // namespace ir::widgets

@@ -5,29 +5,6 @@
 #include <numbers>
 
 namespace ir::widgets {
-namespace {
-
-double half_angle(const CameraPose& pose) {
-    return pose.fov_y_degrees * std::numbers::pi / 360;
-}
-
-}  // namespace
-
-CameraAxes camera_axes(const CameraPose& pose) {
-    const glm::dvec3 forward = glm::normalize(pose.target - pose.eye);
-    glm::dvec3 right = glm::cross(forward, pose.up);
-    if (glm::length(right) < 1e-9) {  // looking along up: any right will do
-        const glm::dvec3 other = std::abs(forward.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
-        right = glm::cross(forward, other);
-    }
-    right = glm::normalize(right);
-    return {right, glm::cross(right, forward), forward};
-}
-
-double height_at_target(const CameraPose& pose) {
-    if (pose.orthographic) return pose.height;
-    return 2 * glm::length(pose.target - pose.eye) * std::tan(half_angle(pose));
-}
 
 CameraPose dollied_towards(const CameraPose& pose, QPointF at, double factor) {
     const double gained = (1 - factor) / factor;  // in heights of the nearer picture
@@ -67,11 +44,11 @@ CameraPose sphere_dollied(const CameraPose& pose, double factor) {
     return dollied(pose, std::clamp(distance * factor, nearest, furthest) / distance);
 }
 
-double round_length(double most) {
-    if (!(most > 0) || !std::isfinite(most)) return 0;
-    const double ten = std::pow(10, std::floor(std::log10(most)));
+double round_length(double max_length) {
+    if (!(max_length > 0) || !std::isfinite(max_length)) return 0;
+    const double ten = std::pow(10, std::floor(std::log10(max_length)));
     for (const double times : {5.0, 2.0})
-        if (times * ten <= most) return times * ten;
+        if (times * ten <= max_length) return times * ten;
     return ten;
 }
 

@@ -7,15 +7,6 @@
 /// Movements of the free camera that ImageView's camera has not: plain arithmetic, no widget.
 namespace ir::widgets {
 
-/// The axes of a camera, each of length one.
-struct CameraAxes {
-    glm::dvec3 right, up, forward;
-};
-CameraAxes camera_axes(const CameraPose& pose);
-
-/// Metres across the picture's height at the target.
-double height_at_target(const CameraPose& pose);
-
 /// Goes nearer (factor < 1) or further; the point of the target's plane that is seen at `at` stays there.
 /// `at` is in heights of the picture from its middle, right and up.
 CameraPose dollied_towards(const CameraPose& pose, QPointF at, double factor);
@@ -30,7 +21,7 @@ CameraPose fitted_to_width(const CameraPose& pose, double aspect);
 /// Nearer or further, but neither into the sphere nor out of sight.
 CameraPose sphere_dollied(const CameraPose& pose, double factor);
 
-/// A length of 1, 2 or 5 times a power of ten, at most `most`.
-double round_length(double most);
+/// A length of 1, 2 or 5 times a power of ten, at most `max_length`.
+double round_length(double max_length);
 
 }  // namespace ir::widgets

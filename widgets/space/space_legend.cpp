@@ -86,8 +86,7 @@ class Legend {
         for (const auto& category : info_.categories) {
             const QRectF row(inner_.left(), inner_.top() + y_, inner_.width(), line_height);
             if (painting_) {
-                const auto& [red, green, blue] = category.colour;
-                painter_.fillRect(QRectF(row.left(), row.top() + 3, 11, 11), QColor(red, green, blue));
+                painter_.fillRect(QRectF(row.left(), row.top() + 3, 11, 11), colour_of(category));
                 painter_.setPen(text_colour);
                 const QRectF room = row.adjusted(17, 0, 0, 0);
                 painter_.drawText(
@@ -139,8 +138,7 @@ double paint_line(QPainter& painter, const LayerInfo& info, const QRectF& row) {
           text_colour);
     for (const auto& category : info.categories) {
         if (x > row.right() - 30) break;
-        const auto& [red, green, blue] = category.colour;
-        painter.fillRect(QRectF(x, row.center().y() - 5, 10, 10), QColor(red, green, blue));
+        painter.fillRect(QRectF(x, row.center().y() - 5, 10, 10), colour_of(category));
         x += 14;
         write(QString::fromStdString(category.label), text_colour);
     }

@@ -144,6 +144,7 @@ void paint_space_overlay(QPainter& painter, const OverlayState& state, const QRe
         paint_legends(painter, state, area);
     }
     const QString badge = !state.note.isEmpty() ? state.note
+                          : state.stale         ? QStringLiteral("rendering …")
                           : state.busy          ? QStringLiteral("drawing …")
                                                 : QString();
     if (!badge.isEmpty() && state.has_picture)

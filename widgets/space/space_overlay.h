@@ -12,8 +12,9 @@ struct OverlayState {
     std::vector<LayerInfo> layers;  ///< of the picture, as far as the scene still has them
     CameraPose camera;              ///< that the picture was drawn with
     bool has_picture = false;
-    bool busy = false;  ///< a newer picture takes long
-    QString note;       ///< why there is no newer picture
+    bool busy = false;   ///< a newer picture takes long
+    bool stale = false;  ///< newer buffers are being rendered
+    QString note;        ///< why there is no newer picture
     QString hover;
     QPointF hover_at;
 };

@@ -175,6 +175,12 @@ void SpaceView::set_note(const QString& note) {
     update_overlay();
 }
 
+void SpaceView::set_stale(bool stale) {
+    if (overlay_.stale == stale) return;
+    overlay_.stale = stale;
+    overlay_widget_->update();
+}
+
 void SpaceView::clear(const QString& note) {
     picture_ = {};
     experiment_pose_.reset();

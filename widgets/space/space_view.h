@@ -33,6 +33,9 @@ class SpaceView : public QWidget {
     void set_picture(SpacePicture picture);
     /// Why there is no newer picture; the old one stays under it.
     void set_note(const QString& note);
+    /// Whether newer buffers than the drawn ones are being rendered; the picture says so.
+    void set_stale(bool stale);
+    bool is_stale() const { return overlay_.stale; }
     /// Drops the picture (another experiment) and says why.
     void clear(const QString& note);
     const QString& note() const { return overlay_.note; }

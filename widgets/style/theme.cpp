@@ -1,10 +1,14 @@
 #include "widgets/style/theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
+#include <QScrollArea>
+#include <QStyleFactory>
+#include <QStyleOption>
+#include <QTableView>
 #include <QToolTip>
-
-#include "widgets/style/theme_style.h"
+#include <QTreeView>
 
 namespace ir::widgets {
 namespace {
@@ -38,12 +42,114 @@ QPalette dark_palette() {
     return p;
 }
 
+constexpr QRgb title = 0x3a3a3a, active_title = 0x46586c, separator = 0x262626, accent = 0x56708c,
+               line = 0x2a2a2a, tip_frame = 0x5a5a5a;
+
+bool is_frameless(const QWidget* widget) {
+    return qobject_cast<const QTreeView*>(widget) || qobject_cast<const QTableView*>(widget) ||
+           qobject_cast<const QScrollArea*>(widget);
+}
+
+void draw_header_section(const QStyleOption& option, QPainter& painter) {
+    painter.fillRect(option.rect, QColor(title));
+    painter.fillRect(option.rect.adjusted(option.rect.width() - 1, 0, 0, 0), QColor(line));
+}
+
+void draw_pressed(const QStyleOption& option, QPainter& painter) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(accent));
+    painter.drawRoundedRect(option.rect, 3, 3);
+    painter.restore();
+}
+
+void draw_tip(const QStyleOption& option, QPainter& painter) {
+    painter.fillRect(option.rect, option.palette.toolTipBase());
+    painter.save();
+    painter.setPen(QColor(tip_frame));
+    painter.drawRect(option.rect.adjusted(0, 0, -1, -1));
+    painter.restore();
+}
+
 }  // namespace
 
 void apply_theme(QApplication& application) {
     application.setStyle(new ThemeStyle);
     application.setPalette(dark_palette());
     QToolTip::setPalette(dark_palette());
+}
+
+ThemeStyle::ThemeStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+
+void ThemeStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                               const QWidget* widget) const {
+    const bool is_hovered = option->state & State_MouseOver;
+    switch (element) {
+        case PE_FrameStatusBarItem:
+            return;
+        case PE_PanelTipLabel:
+            return draw_tip(*option, *painter);
+        case PE_IndicatorDockWidgetResizeHandle:
+            return painter->fillRect(option->rect, QColor(is_hovered ? accent : separator));
+        case PE_PanelButtonTool:
+            if (option->state & State_On) return draw_pressed(*option, *painter);
+            break;
+        default:
+            break;
+    }
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+}
+
+void ThemeStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                             const QWidget* widget) const {
+    if (element == CE_HeaderSection || element == CE_HeaderEmptyArea)
+        return draw_header_section(*option, *painter);
+    if (element == CE_ShapedFrame && is_frameless(widget)) return;
+    const auto* dock = qstyleoption_cast<const QStyleOptionDockWidget*>(option);
+    if (element != CE_DockWidgetTitle || !dock || dock->verticalTitleBar)
+        return QProxyStyle::drawControl(element, option, painter, widget);
+    const bool is_active = widget && widget->property(active_dock_property).toBool();
+    painter->fillRect(option->rect, QColor(is_active ? active_title : title));
+    painter->save();
+    if (is_active) {
+        auto font = painter->font();
+        font.setBold(true);
+        painter->setFont(font);
+    }
+    const auto room = proxy()->subElementRect(SE_DockWidgetTitleBarText, option, widget);
+    const auto text = painter->fontMetrics().elidedText(dock->title, Qt::ElideRight, room.width());
+    proxy()->drawItemText(painter, room, Qt::AlignLeft | Qt::AlignVCenter, option->palette, true, text,
+                          QPalette::WindowText);
+    painter->restore();
+}
+
+int ThemeStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
+    switch (metric) {
+        case PM_DockWidgetSeparatorExtent:
+            return 4;
+        case PM_DockWidgetTitleMargin:
+            return 5;
+        case PM_HeaderMargin:
+            return 4;
+        case PM_ToolTipLabelFrameWidth:
+            return 4;
+        default:
+            return QProxyStyle::pixelMetric(metric, option, widget);
+    }
+}
+
+QRect ThemeStyle::subElementRect(SubElement element, const QStyleOption* option,
+                                 const QWidget* widget) const {
+    if (element == SE_ShapedFrameContents && is_frameless(widget)) return option->rect;
+    const auto rect = QProxyStyle::subElementRect(element, option, widget);
+    return element == SE_DockWidgetTitleBarText ? rect.adjusted(4, 0, 0, 0) : rect;
+}
+
+QSize ThemeStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                                   const QWidget* widget) const {
+    const auto result = QProxyStyle::sizeFromContents(type, option, size, widget);
+    return type == CT_ItemViewItem && qobject_cast<const QTreeView*>(widget) ? result + QSize(0, 4) : result;
 }
 
 }  // namespace ir::widgets

@@ -17,10 +17,10 @@ constexpr double margin = 12, ruler_height = 22, track_height = 16, key_radius =
 constexpr std::size_t max_tracks = 8;
 
 /// 1, 2 or 5 times a power of ten, so that labels stand at least `least` seconds apart.
-double label_step(double least) {
-    const double power = std::pow(10, std::floor(std::log10(least)));
+double label_step(double min_step) {
+    const double power = std::pow(10, std::floor(std::log10(min_step)));
     for (const double step : {1.0, 2.0, 5.0})
-        if (step * power >= least) return step * power;
+        if (step * power >= min_step) return step * power;
     return 10 * power;
 }
 

@@ -5,7 +5,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 
-#include "widgets/style/theme_style.h"
+#include "widgets/style/theme.h"
 
 namespace ir::widgets {
 namespace {

@@ -70,8 +70,7 @@ TEST_F(CompareWindowTest, AForeignImageTakesPart) {
     views().set_state(0, state);
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
-            return compare().compared().pictures.size() == 2 &&
-                   compare().compared().pictures[1]->has_image();
+            return compare().compared().pictures.size() == 2 && compare().compared().pictures[1]->has_image();
         },
         5000));
     EXPECT_FLOAT_EQ(compare().compared().pictures[1]->image->at(0, 0), 0.125f);

@@ -139,6 +139,48 @@ TEST_F(DraftsWindowTest, ExportsWait) {
     EXPECT_NO_THROW(window.exports().save_view(file));
 }
 
+/// They show no drafts: what they show stays, says so, and goes with its method.
+TEST_F(DraftsWindowTest, SpaceSaysThatNewerBuffersAreRendered) {
+    open_scene();
+    window.views().show_output("cloud");
+    ASSERT_TRUE(settle());
+    auto& space = window.workspace().active_pane().space().view();
+    const auto fresh = space.snapshot(true), bare = space.snapshot(false);
+    renderer.hold = true;
+    change_level(0.75);
+    answer_with(Fineness::quarter);
+    EXPECT_NE(space.snapshot(true), fresh) << "unmarked";
+    EXPECT_EQ(space.snapshot(false), bare) << "what is drawn stays";
+    answer_in_full();
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(space.is_stale());
+    renderer.hold_views = true;
+    set_method("filter");
+    EXPECT_NE(space.snapshot(false), bare) << "the old method's picture";
+}
+
+TEST_F(DraftsWindowTest, TablesSayThatNewerBuffersAreRendered) {
+    open_scene();
+    window.views().show_output("numbers");
+    ASSERT_TRUE(settle());
+    auto& table = window.workspace().active_pane().table();
+    const auto says_so = [&] {
+        for (const auto* label : table.findChildren<QLabel*>())
+            if (label->text().contains("rendering")) return true;
+        return false;
+    };
+    EXPECT_EQ(table.reason(), QString());
+    EXPECT_FALSE(says_so());
+    renderer.hold = true;
+    change_level(0.75);
+    EXPECT_TRUE(says_so());
+    answer_in_full();
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(says_so());
+    set_method("filter");
+    EXPECT_NE(table.reason(), QString()) << "the old method's numbers";
+}
+
 /// Its place and values are the full picture's, which are asked for by probes.
 TEST_F(DraftsWindowTest, PinsKeepTheValuesOfTheFullPicture) {
     begin();

@@ -12,6 +12,21 @@
 
 namespace ir::gui {
 
+inline ParameterDescription fake_parameter(const char* key, const char* label, const char* doc,
+                                           Value standard, ir::Range hard = {}, ir::Range soft = {}) {
+    ParameterDescription parameter;
+    parameter.key = key;
+    parameter.label = label;
+    parameter.doc = doc;
+    parameter.type = std::holds_alternative<bool>(standard)     ? ParameterType::toggle
+                     : std::holds_alternative<double>(standard) ? ParameterType::number
+                                                                : ParameterType::integer;
+    parameter.default_value = std::move(standard);
+    parameter.hard = hard;
+    parameter.soft = soft;
+    return parameter;
+}
+
 /// One method with an output of every kind, known to nobody but these tests.
 inline const MethodDescription& fake_method() {
     static const MethodDescription method = [] {
@@ -19,31 +34,11 @@ inline const MethodDescription& fake_method() {
         m.id = "fake";
         m.title = "Fake method";
         m.summary = "Paints one value.";
-        ParameterDescription level;
-        level.key = "level";
-        level.label = "Level";
-        level.doc = "The value painted.";
-        level.type = ParameterType::number;
-        level.default_value = 0.25;
-        level.hard = {0, 10};
-        level.soft = {0, 1};
-        ParameterDescription items;
-        items.key = "items";
-        items.label = "Items";
-        items.doc = "How many there are.";
-        items.type = ParameterType::integer;
-        items.default_value = std::int64_t{6};
-        items.hard = {1, 100};
-        items.soft = {1, 10};
-        ParameterDescription distance;
-        distance.key = "max_distance";
-        distance.label = "Maximum distance";
-        distance.doc = "Of the transport, which references take over.";
-        distance.type = ParameterType::number;
-        distance.default_value = 0.0;
-        distance.hard = {0, 1000};
-        distance.soft = {0, 10};
-        m.parameters = {level, items, distance};
+        m.parameters = {
+            fake_parameter("level", "Level", "The value painted.", 0.25, {0, 10}, {0, 1}),
+            fake_parameter("items", "Items", "How many there are.", std::int64_t{6}, {1, 100}, {1, 10}),
+            fake_parameter("max_distance", "Maximum distance",
+                           "Of the transport, which references take over.", 0.0, {0, 1000}, {0, 10})};
         m.selectors = {{"item", "Item", "The one that is shown.", "items"}};
         m.outputs = {{.key = "picture", .label = "Picture", .semantic = Semantic::radiance},
                      {.key = "depth", .label = "Depth", .semantic = Semantic::depth},
@@ -102,14 +97,8 @@ inline const MethodDescription& fake_truth() {
         m.is_reference = true;
         m.outputs.push_back(
             {.key = "grid", .label = "Grid", .kind = OutputKind::point_set, .explains = true});
-        ParameterDescription samples;
-        samples.key = "samples";
-        samples.label = "Samples";
-        samples.doc = "Per pixel and frame.";
-        samples.type = ParameterType::integer;
-        samples.default_value = std::int64_t{4};
-        samples.hard = {1, 1e9};
-        samples.soft = {1, 64};
+        auto samples =
+            fake_parameter("samples", "Samples", "Per pixel and frame.", std::int64_t{4}, {1, 1e9}, {1, 64});
         samples.accumulates = true;
         m.parameters.push_back(samples);
         return m;
@@ -123,13 +112,7 @@ inline const MethodDescription& fake_filter() {
         auto m = fake_method();
         m.id = "filter";
         m.title = "Fake filter";
-        ParameterDescription smooth;
-        smooth.key = "smooth";
-        smooth.label = "Smooth";
-        smooth.doc = "Whether there is a second stage.";
-        smooth.type = ParameterType::toggle;
-        smooth.default_value = true;
-        m.parameters.push_back(smooth);
+        m.parameters.push_back(fake_parameter("smooth", "Smooth", "Whether there is a second stage.", true));
         m.outputs.push_back({.key = "rough", .label = "Rough", .semantic = Semantic::radiance});
         m.outputs.push_back({.key = "smoothed", .label = "Smoothed", .semantic = Semantic::radiance});
         m.stages = {{.output = "rough", .label = "Traced"},
@@ -202,6 +185,7 @@ class FakeRenderer final : public Renderer {
         });
     }
     void reload_shaders() override {}
+    void set_machine(const engine::MachineSettings& settings) override { machine = settings; }
 
     void answer(const engine::LiveRequest& request, std::uint64_t serial,
                 engine::Fineness fineness = engine::Fineness::full) {
@@ -351,6 +335,7 @@ class FakeRenderer final : public Renderer {
     /// What the render thread does; without it nothing answers.
     std::function<engine::KeepResult(const engine::KeepRequest&)> on_keep;
     std::vector<std::string> releases;
+    engine::MachineSettings machine;
     bool hold = false, hold_views = false;
     bool finds_none = false, shows_surface = true;  ///< of what explains a pixel; of every pixel
     bool halves_rough = false;                      ///< the first stage has half the size

@@ -174,8 +174,7 @@ TEST_F(ResultsWindowTest, AViewRemembersAResultAndSaysWhenItIsGone) {
     EXPECT_EQ(views().active_state(), shown);
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
-            return compare().compared().pictures.size() > 1 &&
-                   compare().compared().pictures[1]->has_image();
+            return compare().compared().pictures.size() > 1 && compare().compared().pictures[1]->has_image();
         },
         3000));
     ASSERT_TRUE(QTest::qWaitFor([&] { return model().rowCount() == 1; }, 3000));

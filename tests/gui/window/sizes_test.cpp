@@ -5,7 +5,7 @@
 #include <QSettings>
 
 #include "app/engine/execution.h"
-#include "app/gui/window_geometry.h"
+#include "app/gui/dock_layout.h"
 #include "tests/gui/window/window_fixture.h"
 #include "widgets/parameters/parameter_panel.h"
 

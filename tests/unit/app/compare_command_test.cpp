@@ -210,7 +210,7 @@ TEST_F(Compare, TellsSignificantDifferencesByTheVarianceInTheFile) {
         const auto outcome =
             compare(a, b, "--json --diff-kind significant --diff " + file("significant.exr"));
         EXPECT_EQ(outcome.status, 0) << outcome.err;
-        return nlohmann::json::parse(outcome.out)["difference"]["significant_part"].get<double>();
+        return nlohmann::json::parse(outcome.out)["difference"]["significant_fraction"].get<double>();
     };
     EXPECT_NEAR(part("a.exr", "b.exr"), 10.0 / 32, 1e-9);
     EXPECT_NEAR(part("a.exr", "plain.exr"), 10.0 / 32, 1e-9);
@@ -232,7 +232,7 @@ TEST_F(Compare, TrustsVariancesOfFewSamplesLess) {
         const auto outcome = compare("few.exr", "exact.exr",
                                      "--json --diff-kind significant --diff " + file("significant.exr"));
         EXPECT_EQ(outcome.status, 0) << outcome.err;
-        return nlohmann::json::parse(outcome.out)["difference"]["significant_part"].get<double>();
+        return nlohmann::json::parse(outcome.out)["difference"]["significant_fraction"].get<double>();
     };
     for (const auto* many : {"", "8", "4096"}) EXPECT_GT(part(many, variance), 0) << many;
     EXPECT_EQ(part("2", variance), 0);

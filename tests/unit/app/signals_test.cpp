@@ -5,8 +5,8 @@
 #include <optional>
 #include <regex>
 
+#include "projects/keep.h"
 #include "projects/results.h"
-#include "projects/results_guard.h"
 #include "renderers/image/exr.h"
 #include "tests/child_process.h"
 #include "tests/unit/app/outcome.h"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/engine/benchmark_thread.h"
+#include "app/engine/interaction_benchmark.h"
 #include "renderers/core/error.h"
 
 namespace ir::engine {
@@ -225,6 +226,18 @@ TEST(Benchmark, EveryOneHasUniqueNamesAndLabels) {
     }
     std::sort(names.begin(), names.end());
     EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+TEST(InteractionBenchmark, NamesTheDeviceAsOthersDo) {
+    BenchmarkOptions options;
+    options.size = {24, 16};
+    options.variants = {"view-normals"};
+    const auto report = run_interaction_benchmark(benchmark_machine().options(), options);
+    const auto& device = benchmark_machine().context().info();
+    EXPECT_EQ(report.device, device.renderer);
+    EXPECT_EQ(report.software, device.software);
+    ASSERT_EQ(report.rows.size(), 1u);
+    EXPECT_EQ(report.rows[0].problem, "");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ constexpr double frame = projects::frame_seconds;
 projects::Project plane_from_above() {
     projects::Project project;
     project.scenes = {{"plane", "Plane", {{"builtin:plane?size=8", "", {}}}}};
-    projects::Camera camera{"above", "Above", "", {0, 5, 0}, {0, 0, 0}, {0, 0, -1}};
+    projects::Camera camera{{{{0, 5, 0}, {0, 0, 0}, {0, 0, -1}}}, "above", "Above", ""};
     camera.orthographic = true;
     camera.height = 2;
     project.cameras = {camera};

@@ -56,6 +56,27 @@ TEST_F(RenderThreadTest, LookingAtOtherThingsRunsNothing) {
     EXPECT_EQ(answers().results.size(), 1u);
 }
 
+TEST_F(RenderThreadTest, TheProcessorIsChosenWhileItRuns) {
+    auto request = request_of("a", "ldm-ao");
+    request.experiment.settings = {{"directions", std::int64_t{4}}, {"resolution", std::int64_t{32}}};
+    using Body = MachineSettings::Body;
+    std::map<std::string, std::vector<float>> pictures;
+    for (const auto& [body, name] : {std::pair(Body::gl, "gl"), std::pair(Body::host, "host"),
+                                     std::pair(Body::gl, "gl"), std::pair(Body::host, "host")}) {
+        thread->set_machine({.processor = body, .threads = workers});
+        thread->release("a");  // nothing of the other body is taken over
+        const auto result = render(request);
+        EXPECT_EQ(result.report.processor, name);
+        auto& before = pictures[name];
+        const auto& pixels = result.images.at(Part{}).pixels;
+        if (!before.empty()) {
+            EXPECT_EQ(before, pixels) << "as when " << name << " was chosen before";
+        }
+        before = pixels;
+        forget();
+    }
+}
+
 TEST_F(RenderThreadTest, LayersComeSideBySide) {
     auto request = request_of("a", "ldm-ao");
     request.experiment.settings = {{"directions", std::int64_t{16}}};

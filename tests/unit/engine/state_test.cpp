@@ -10,7 +10,7 @@
 #include "app/engine/execution.h"
 #include "app/engine/live_session.h"
 #include "app/engine/pictures.h"
-#include "app/engine/state_file.h"
+#include "app/engine/stored_state.h"
 #include "projects/samples.h"
 #include "renderers/core/error.h"
 #include "tests/unit/scarce_disk.h"

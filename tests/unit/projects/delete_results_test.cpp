@@ -1,4 +1,4 @@
-#include "projects/delete_results.h"
+#include "projects/keep.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 
 #include "projects/edits.h"
 #include "projects/motion.h"
-#include "projects/settings.h"
 #include "projects/validate.h"
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"

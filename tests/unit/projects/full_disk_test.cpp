@@ -6,7 +6,7 @@
 #include "projects/open_project.h"
 #include "projects/pack.h"
 #include "projects/results.h"
-#include "projects/session.h"
+#include "projects/store.h"
 #include "tests/unit/projects/numbered.h"
 #include "tests/unit/projects/sample.h"
 #include "tests/unit/scarce_disk.h"

@@ -12,19 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::registry;
-using testing::sample_project;
 using testing::TemporaryFolder;
 
 /// A project all of whose files were moved to another folder.
 class Locate : public ::testing::Test {
   protected:
     Locate() {
-        for (const char* file : {"scenes/church.glb", "scenes/organ.glb", "sky.exr", "photo.exr"})
-            testing::write_text(folder / file, std::string("content of ") + file);
-        auto project = sample_project();
-        for (auto& part : project.scenes[0].parts) part.content_hash.clear();
-        project.lights[1].environment.content_hash.clear();
-        save_project(with_missing_hashes(project, folder), folder, "");
+        testing::write_sample_files(folder);
+        save_project(with_missing_hashes(testing::unhashed_sample(), folder), folder, "");
         fs::create_directories(elsewhere);
         for (const char* name : {"scenes", "sky.exr", "photo.exr"})
             fs::rename(folder / name, elsewhere / name);

@@ -20,6 +20,7 @@ namespace ir::projects {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::mentions;
 using testing::registry;
 using testing::sample_project;
 using testing::TemporaryFolder;
@@ -28,8 +29,7 @@ using testing::TemporaryFolder;
 class OpenProjectTest : public ::testing::Test {
   protected:
     OpenProjectTest() {
-        for (const char* file : {"scenes/church.glb", "scenes/organ.glb", "sky.exr", "photo.exr"})
-            testing::write_text(folder / file, std::string("content of ") + file);
+        testing::write_sample_files(folder);
         auto project = sample_project();
         for (auto& scene : project.scenes) scene = with_current_hashes(scene, folder);
         project.lights[1].environment.content_hash = hash_file(folder / "sky.exr");
@@ -37,11 +37,6 @@ class OpenProjectTest : public ::testing::Test {
     }
     EditPtr density(const OpenProject& open, double value) {
         return edits::set_values(open.project(), registry(), "fog-nave", {{"density", value}});
-    }
-    bool mentions(const std::vector<Message>& messages, const std::string& text) {
-        for (const auto& message : messages)
-            if (message.text.find(text) != std::string::npos) return true;
-        return false;
     }
     TemporaryFolder temporary;
     fs::path folder = temporary.path() / "a.interreflect";

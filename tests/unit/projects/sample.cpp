@@ -1,5 +1,7 @@
 #include "tests/unit/projects/sample.h"
 
+#include <algorithm>
+
 #include <fstream>
 #include <sstream>
 
@@ -160,8 +162,8 @@ Project sample_project() {
     materials["gold"].base_colour = {1, 0.75, 0.25, 1};
     materials["gold"].roughness = 0.3;
     materials["candles"].emission = {12, 9.5, 4};
-    Camera orbit{"orbit", "Orbit", "", {1, 2, 3}, {0, 1, 0}, {0, 1, 0}, 40.5};
-    Camera inside{"inside", "Inside", "nave"};
+    Camera orbit{{{{1, 2, 3}, {0, 1, 0}, {0, 1, 0}}, 40.5}, "orbit", "Orbit", ""};
+    Camera inside{{}, "inside", "Inside", "nave"};
     project.cameras = {orbit, inside};
     project.lights = {evening()};
     LightSet own;
@@ -170,7 +172,7 @@ Project sample_project() {
     own.use_scene_lights = true;
     own.environment = {Environment::Kind::map, {}, "sky.exr", "00ff"};
     project.lights.push_back(own);
-    project.motion = {{"walk", "Walk", "orbit", {{0, {1, 2, 3}, {0, 1, 0}}, {2, {3, 2, 1}, {0, 1, 0}}}}};
+    project.motion = {{"walk", "Walk", "orbit", {{{{1, 2, 3}, {0, 1, 0}}, 0}, {{{3, 2, 1}, {0, 1, 0}}, 2}}}};
     project.motion.push_back(swinging_spot());
     project.motion.push_back(sliding_church());
     project.images = {{"photo", "Photograph", "photo.exr", "", "from the archive"}};
@@ -218,6 +220,23 @@ TemporaryFolder::TemporaryFolder(Place place) {
 TemporaryFolder::~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
+}
+
+void write_sample_files(const std::filesystem::path& folder) {
+    for (const char* file : {"scenes/church.glb", "scenes/organ.glb", "sky.exr", "photo.exr"})
+        write_text(folder / file, std::string("content of ") + file);
+}
+
+Project unhashed_sample() {
+    auto project = sample_project();
+    for (auto& part : project.scenes[0].parts) part.content_hash.clear();
+    project.lights[1].environment.content_hash.clear();
+    return project;
+}
+
+bool mentions(const std::vector<Message>& messages, const std::string& text) {
+    return std::any_of(messages.begin(), messages.end(),
+                       [&](const auto& each) { return each.text.find(text) != std::string::npos; });
 }
 
 std::string read_text(const std::filesystem::path& file) {

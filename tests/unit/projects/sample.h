@@ -30,6 +30,12 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
+/// Writes the files of the sample's scenes, light and image below a project's folder.
+void write_sample_files(const std::filesystem::path& folder);
+/// The sample without hashes of those.
+Project unhashed_sample();
+bool mentions(const std::vector<Message>& messages, const std::string& text);
+
 std::string read_text(const std::filesystem::path& file);
 void write_text(const std::filesystem::path& file, const std::string& text);
 

@@ -7,7 +7,6 @@
 #include "projects/autosave.h"
 #include "projects/lock.h"
 #include "projects/scene_files.h"
-#include "projects/session.h"
 #include "projects/store.h"
 #include "renderers/core/error.h"
 #include "tests/unit/projects/sample.h"

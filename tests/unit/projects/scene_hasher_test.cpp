@@ -19,9 +19,11 @@ namespace ir::projects {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::mentions;
 using testing::registry;
 using testing::sample_project;
 using testing::TemporaryFolder;
+using testing::unhashed_sample;
 
 /// Times of files are kept in steps of some milliseconds.
 void let_time_pass() {
@@ -145,20 +147,8 @@ TEST(SceneHasher, EndsWhileManyFilesWait) {
 class HashedProject : public ::testing::Test {
   protected:
     HashedProject() {
-        for (const char* file : {"scenes/church.glb", "scenes/organ.glb", "sky.exr", "photo.exr"})
-            testing::write_text(folder / file, std::string("content of ") + file);
-        save_project(with_missing_hashes(unhashed(), folder), folder, "");
-    }
-    static Project unhashed() {
-        auto project = sample_project();
-        for (auto& part : project.scenes[0].parts) part.content_hash.clear();
-        project.lights[1].environment.content_hash.clear();
-        return project;
-    }
-    static bool mentions(const std::vector<Message>& messages, const std::string& text) {
-        for (const auto& message : messages)
-            if (message.text.find(text) != std::string::npos) return true;
-        return false;
+        testing::write_sample_files(folder);
+        save_project(with_missing_hashes(unhashed_sample(), folder), folder, "");
     }
     TemporaryFolder temporary;
     fs::path folder = temporary.path() / "a.interreflect";

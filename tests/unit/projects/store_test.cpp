@@ -6,7 +6,6 @@
 #include "projects/autosave.h"
 #include "projects/hash.h"
 #include "projects/lock.h"
-#include "projects/session.h"
 #include "renderers/core/error.h"
 #include "renderers/core/write_file.h"
 #include "tests/unit/projects/memory_file_system.h"

@@ -13,9 +13,9 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include "widgets/panels/cards.h"
 #include "widgets/panels/messages_panel.h"
 #include "widgets/panels/notes_strip.h"
-#include "widgets/panels/project_card.h"
 #include "widgets/panels/shortcuts_dialog.h"
 #include "widgets/panels/welcome_page.h"
 

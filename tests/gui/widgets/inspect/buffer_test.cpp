@@ -73,6 +73,23 @@ TEST(BufferData, ReadsScalarsByName) {
     EXPECT_EQ(BufferReader(whole).value(0, 0), 0xff000000u) << "unsigned, little-endian";
 }
 
+TEST(BufferModel, NumbersThatAreNamesAreCalledByThem) {
+    BufferData data = buffer(3);
+    data.categories = {{"step", {{-2, "two back", tints::sky}, {0, "start", tints::orange}}}};
+    BufferModel model;
+    model.set_buffer(data);
+    const int step = 5;  // behind the element's number, three of position, and id
+    ASSERT_EQ(model.headerData(step, Qt::Horizontal, Qt::DisplayRole).toString(), "step");
+    const auto cell = [&](int row, int role = Qt::DisplayRole) { return model.index(row, step).data(role); };
+    EXPECT_EQ(cell(0).toString(), "0 start");
+    EXPECT_EQ(cell(0, Qt::DecorationRole).value<QColor>(), QColor(230, 159, 0));
+    EXPECT_EQ(cell(1).toString(), "-1") << "has no name";
+    EXPECT_FALSE(cell(1, Qt::DecorationRole).isValid());
+    EXPECT_EQ(cell(2).toString(), "-2 two back");
+    EXPECT_EQ(cell(2, Qt::DecorationRole).value<QColor>(), QColor(86, 180, 233));
+    EXPECT_EQ(model.index(0, step - 1).data().toString(), "0") << "a field without names";
+}
+
 TEST(BufferData, NeverReadsBeyondWhatWasSent) {
     BufferData part = buffer(10, 1000);
     EXPECT_EQ(part.present(), 10u);

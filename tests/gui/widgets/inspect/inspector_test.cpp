@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renderers/image/colour_map.h"
 #include "widgets/inspect/inspector_panel.h"
 
 namespace ir::widgets {
@@ -22,6 +23,10 @@ namespace {
 
 using Reporting = QAbstractItemModelTester::FailureReportingMode;
 constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
+
+float srgb_linear(int encoded) {
+    return linear_from_srgb(float(encoded) / 255);
+}
 
 /// Two outputs and two passes' buffers, read at the cursor and at one further pixel.
 Readings readings(QPoint cursor = {3, 4}, float value = 0.25f) {
@@ -77,6 +82,33 @@ Readings readings(QPoint cursor = {3, 4}, float value = 0.25f) {
 
 QString cell(const InspectorModel& model, const char* key, int column) {
     return model.index_of(QLatin1String(key)).siblingAtColumn(column).data().toString();
+}
+
+TEST(InspectorModel, NumbersAndColoursThatAreNamesAreCalledByThem) {
+    Readings r = readings();
+    const std::vector<Category> names{{0, "miss", tints::sky}, {1, "hit", tints::green}};
+    r.buffers = {{.key = "fate", .label = "Fate", .available = true, .channels = 1, .values = {{1}, {7}}},
+                 {.key = "overlay",
+                  .label = "Overlay",
+                  .semantic = Semantic::radiance,
+                  .available = true,
+                  .channels = 3,
+                  .values = {{0, srgb_linear(158), srgb_linear(115)}, {1, 1, 1}}}};
+    for (auto& buffer : r.buffers) buffer.categories = names;
+    InspectorModel model;
+    model.set_pins({{10, 20}});
+    model.set_readings(r);
+    const auto cell = [&](const char* key, int column, int role = Qt::DisplayRole) {
+        return model.index_of(key).siblingAtColumn(column).data(role);
+    };
+    using Model = InspectorModel;
+    EXPECT_EQ(cell("fate", Model::cursor_column).toString(), "1 hit");
+    EXPECT_EQ(cell("fate", Model::cursor_column, Qt::DecorationRole).value<QColor>(), QColor(0, 158, 115));
+    EXPECT_EQ(cell("fate", Model::first_pin_column).toString(), "7") << "has no name";
+    EXPECT_FALSE(cell("fate", Model::first_pin_column, Qt::DecorationRole).isValid());
+    EXPECT_TRUE(cell("overlay", Model::cursor_column).toString().endsWith(" hit"));
+    EXPECT_EQ(cell("overlay", Model::first_pin_column).toString(), "1 1 1");
+    EXPECT_EQ(cell("fate", Model::cursor_column, Model::full_role).toString(), "1") << "as files have it";
 }
 
 TEST(InspectorModel, ListsOutputsFirstThenBuffersByPass) {

@@ -1,5 +1,5 @@
-#include "projects/edit_kinds.h"
 #include "projects/edits.h"
+#include "projects/edit_kinds.h"
 #include "projects/names.h"
 #include "projects/text.h"
 #include "projects/validate.h"
@@ -7,10 +7,14 @@
 namespace ir::projects::edits {
 namespace {
 
+std::string in_quotes(const std::string& name) {
+    return "'" + printable(name, 40) + "'";
+}
+
 /// As people see it: by its name, or by its id where it has none.
 template <class Item>
 std::string called(const Item& item) {
-    return "'" + printable(item.name.empty() ? item.id : item.name, 40) + "'";
+    return in_quotes(item.name.empty() ? item.id : item.name);
 }
 
 template <class Item, class Refers>
@@ -70,10 +74,6 @@ std::vector<std::string> users_of(const Project&, const Item&) {
     return {};
 }
 
-std::string in_quotes(const std::string& name) {
-    return "'" + printable(name, 40) + "'";
-}
-
 /// What a copy does not share with its original.
 template <class Item>
 void make_fresh(const Project& project, Item& copy) {
@@ -82,6 +82,19 @@ void make_fresh(const Project& project, Item& copy) {
 void make_fresh(const Project& project, Experiment& copy) {
     copy.id = free_experiment_id(project, copy.id);
     copy.last_kept_key.clear();
+}
+
+/// One replacement for every item that differs; the lists hold the same ids in the same order.
+template <class Item>
+void replace_changed(std::vector<EditPtr>& steps, const Project& before, const Project& after,
+                     const std::string& label) {
+    const auto& old_items = list_of<Item>(before);
+    const auto& new_items = list_of<Item>(after);
+    for (std::size_t i = 0; i < old_items.size(); ++i) {
+        if (old_items[i] == new_items[i]) continue;
+        validate(new_items[i]);
+        steps.push_back(replace(before, new_items[i], label, ""));
+    }
 }
 
 }  // namespace
@@ -94,7 +107,7 @@ EditPtr add(const Project& project, const Item& item, std::optional<std::size_t>
     if (find_item(list, item.id))
         throw UsageError(word + " '" + item.id + "' exists already; take another id");
     const auto index = std::min(position.value_or(list.size()), list.size());
-    return std::make_unique<Insert<Item>>("Add " + word + " " + in_quotes(item.name), index, item);
+    return std::make_unique<Presence<Item>>("Add " + word + " " + in_quotes(item.name), index, item, true);
 }
 
 template <class Item>
@@ -104,9 +117,9 @@ EditPtr remove(const Project& project, const std::string& id) {
     if (!users.empty())
         throw UsageError(std::string(ListOf<Item>::word) + " " + called(item) + " is used by " +
                          listed(users) + "; change or remove them first");
-    return std::make_unique<Remove<Item>>(
+    return std::make_unique<Presence<Item>>(
         std::string("Remove ") + ListOf<Item>::word + " " + in_quotes(item.name), index_of<Item>(project, id),
-        item);
+        item, false);
 }
 
 template <class Item>
@@ -116,7 +129,7 @@ EditPtr duplicate(const Project& project, const std::string& id) {
     const std::string label = std::string("Duplicate ") + ListOf<Item>::word + " " + in_quotes(copy.name);
     copy.name += " copy";
     make_fresh(project, copy);
-    return std::make_unique<Insert<Item>>(label, index + 1, std::move(copy));
+    return std::make_unique<Presence<Item>>(label, index + 1, std::move(copy), true);
 }
 
 template <class Item>
@@ -146,26 +159,42 @@ template <class Item>
 EditPtr change(const Project& project, const Item& item) {
     validate(item);
     const std::string word = ListOf<Item>::word;
-    return replace(project, item, "Change " + word + " '" + printable(item.name, 40) + "'",
-                   word + ":" + item.id);
+    return replace(project, item, "Change " + word + " " + in_quotes(item.name), word + ":" + item.id);
 }
 
-#define IR_LIST_EDITS(Item)                                                                \
+#define IR_LIST_EDITS(Item, list, word)                                                    \
     template EditPtr add<Item>(const Project&, const Item&, std::optional<std::size_t>);   \
     template EditPtr remove<Item>(const Project&, const std::string&);                     \
     template EditPtr duplicate<Item>(const Project&, const std::string&);                  \
     template EditPtr rename<Item>(const Project&, const std::string&, const std::string&); \
     template EditPtr change<Item>(const Project&, const Item&);                            \
     template EditPtr move<Item>(const Project&, const std::string&, std::size_t);
-IR_LIST_EDITS(Scene)
-IR_LIST_EDITS(Camera)
-IR_LIST_EDITS(LightSet)
-IR_LIST_EDITS(Motion)
-IR_LIST_EDITS(ForeignImage)
-IR_LIST_EDITS(Experiment)
-IR_LIST_EDITS(Comparison)
-IR_LIST_EDITS(Sweep)
-IR_LIST_EDITS(ErrorPlot)
+IR_ITEMS(IR_LIST_EDITS)
 #undef IR_LIST_EDITS
+
+EditPtr relocate(const Project& project, const std::map<std::string, std::string>& new_sources) {
+    Project after = project;
+    for_each_file(after, [&](std::string& source, const std::string&) {
+        if (const auto found = new_sources.find(source); found != new_sources.end()) source = found->second;
+    });
+    const std::string label = "Locate files";
+    std::vector<EditPtr> steps;
+    replace_changed<Scene>(steps, project, after, label);
+    replace_changed<LightSet>(steps, project, after, label);
+    replace_changed<ForeignImage>(steps, project, after, label);
+    return group(label, std::move(steps));
+}
+
+EditPtr set_project_name(const Project& project, const std::string& name) {
+    return std::make_unique<SetText>("Rename project", "", &Project::name, project.name, name);
+}
+
+EditPtr set_notes(const Project& project, const std::string& notes) {
+    return std::make_unique<SetText>("Change notes", "notes", &Project::notes, project.notes, notes);
+}
+
+EditPtr group(std::string label, std::vector<EditPtr> edits) {
+    return std::make_unique<Group>(std::move(label), std::move(edits));
+}
 
 }  // namespace ir::projects::edits

@@ -1,0 +1,152 @@
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QToolButton>
+
+#include "tests/gui/window/window_fixture.h"
+#include "widgets/panels/preferences_dialog.h"
+
+namespace ir::gui {
+namespace {
+
+using Body = engine::MachineSettings::Body;
+
+/// Windows that remember, one after the other, as runs of the program do.
+class PreferencesWindowTest : public testing::Test {
+  protected:
+    void SetUp() override { QSettings().clear(); }
+    void TearDown() override {
+        close();
+        QSettings().clear();
+    }
+    void start(const engine::MachineFlags& flags = {}) {
+        close();
+        renderer = std::make_unique<FakeRenderer>();
+        window = std::make_unique<MainWindow>(*renderer, fake_registry(),
+                                              MainWindow::Options{.remember = true, .machine = flags});
+        window->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+        QApplication::setActiveWindow(window.get());
+    }
+    void close() {
+        if (window && window->session().has_project()) window->session().files().close();
+        window.reset();
+        renderer.reset();
+    }
+    void open_scene() {
+        ASSERT_TRUE(window->open_path("builtin:cornell"));
+        ASSERT_TRUE(QTest::qWaitFor([this] { return window->is_settled(); }, 5000));
+    }
+    void open_by_key() {
+        QTest::keyClick(window.get(), Qt::Key_Comma, Qt::ControlModifier);
+        ASSERT_TRUE(dialog());
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog()));
+    }
+    widgets::PreferencesDialog* dialog() { return window->findChild<widgets::PreferencesDialog*>(); }
+    QWidget* editor(const char* key) {
+        return dialog()->findChild<QWidget*>(QStringLiteral("editor:%1").arg(QLatin1String(key)));
+    }
+    QComboBox* processor() { return editor("processor")->findChild<QComboBox*>(); }
+    /// With the keyboard, as a person walks through a list.
+    void choose_next_processor() {
+        processor()->setFocus();
+        QTest::keyClick(processor(), Qt::Key_Down);
+    }
+    void type(const char* key, const char* text) {
+        auto* field = editor(key)->findChild<widgets::NumberField*>();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    std::unique_ptr<FakeRenderer> renderer;
+    std::unique_ptr<MainWindow> window;
+};
+
+TEST_F(PreferencesWindowTest, OpensOnceWithItsKeyAndClosesWithEscape) {
+    start();
+    EXPECT_EQ(window->action("preferences")->menuRole(), QAction::PreferencesRole);
+    open_by_key();
+    window->action("preferences")->trigger();
+    EXPECT_EQ(window->findChildren<widgets::PreferencesDialog*>().size(), 1);
+    for (auto* each : dialog()->findChildren<widgets::ParameterEditor*>())
+        EXPECT_TRUE(each->toolTip().contains("Default: ")) << each->objectName().toStdString();
+    for (const auto& each : Preferences::descriptions())
+        EXPECT_EQ(editor(each.key.c_str())->focusProxy()->accessibleName().toStdString(), each.label);
+    QTest::keyClick(dialog(), Qt::Key_Escape);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !dialog(); }, 3000));
+}
+
+TEST_F(PreferencesWindowTest, AnotherProcessorMakesShownPicturesAnewAndIsKept) {
+    start();
+    open_scene();
+    EXPECT_EQ(renderer->machine.processor, Body::automatic);
+    open_by_key();
+    const auto before = renderer->requests.size();
+    choose_next_processor();
+    EXPECT_EQ(renderer->machine.processor, Body::gl);
+    EXPECT_EQ(renderer->releases.back(), window->session().experiment()->id) << "nothing is taken over";
+    EXPECT_EQ(renderer->requests.size(), before + 1);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return window->is_settled(); }, 5000));
+    EXPECT_FALSE(window->session().open_project().is_dirty()) << "it is no part of the project";
+    start();
+    EXPECT_EQ(renderer->machine.processor, Body::gl);
+    open_by_key();
+    EXPECT_EQ(processor()->currentText(), "OpenGL device");
+    QTest::mouseClick(dialog()->findChild<QToolButton*>("reset:processor"), Qt::LeftButton);
+    EXPECT_EQ(renderer->machine.processor, Body::automatic);
+    start();
+    EXPECT_EQ(renderer->machine.processor, Body::automatic);
+}
+
+TEST_F(PreferencesWindowTest, MemoryThreadsAndDraftsCountAtOnce) {
+    start();
+    open_scene();
+    open_by_key();
+    type("memory", "1.5");
+    EXPECT_EQ(renderer->requests.back().memory_budget, 1'500'000'000u);
+    const auto before = renderer->requests.size();
+    type("threads", "3");
+    EXPECT_EQ(renderer->machine.threads, 3);
+    EXPECT_EQ(renderer->requests.size(), before) << "the picture is the same";
+    EXPECT_TRUE(renderer->requests.back().drafts);
+    QTest::mouseClick(editor("drafts")->findChild<QCheckBox*>(), Qt::LeftButton, {}, QPoint(8, 8));
+    window->action("rerun")->trigger();
+    EXPECT_FALSE(renderer->requests.back().drafts);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window->is_settled(); }, 5000));
+}
+
+TEST_F(PreferencesWindowTest, WhatTheCommandLineSetsIsShownAndStays) {
+    start();
+    open_by_key();
+    EXPECT_FALSE(dialog()->findChild<QLabel*>("given")->isVisible());
+    choose_next_processor();
+    start({.memory = "2GB", .processor = "host"});
+    EXPECT_EQ(renderer->machine.processor, Body::host);
+    EXPECT_EQ(renderer->machine.memory, 2);
+    open_by_key();
+    EXPECT_EQ(dialog()->findChild<QLabel*>("given")->text(),
+              "Set on the command line for this run: --memory 2GB, --processor host.");
+    EXPECT_TRUE(dialog()->findChild<QLabel*>("given")->isVisible());
+    EXPECT_FALSE(processor()->isEnabled());
+    EXPECT_EQ(processor()->currentText(), "Host");
+    EXPECT_TRUE(editor("processor")->toolTip().contains("--processor host"));
+    EXPECT_TRUE(editor("threads")->isEnabled());
+    start();
+    EXPECT_EQ(renderer->machine.processor, Body::gl) << "what was chosen before";
+}
+
+TEST_F(PreferencesWindowTest, WhatIsNotAllowedInTheFileCountsAsNotChosen) {
+    QSettings().setValue("preferences/processor", "abacus");
+    QSettings().setValue("preferences/threads", -5);
+    start();
+    EXPECT_EQ(renderer->machine.processor, Body::automatic);
+    EXPECT_EQ(renderer->machine.threads, 0);
+}
+
+}  // namespace
+}  // namespace ir::gui
