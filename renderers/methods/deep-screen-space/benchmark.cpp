@@ -8,8 +8,10 @@ using Passes = std::vector<std::string>;
 
 /// What the paper counts; not G-buffer, shadow maps, direct light and uploads. The bounds of positions, which
 /// cull splats, belong to shuffling, the framebuffer's layout too.
-const Passes tessellation{"cull *",       "split *",      "count surfels", "fine surfels",
-                          "thin surfels", "pack surfels", "shade surfels", "surfels.*"};
+const Passes tessellation{"cull *",          "split *",       "count surfels",
+                          "fine surfels",    "thin surfels",  "pack surfels",
+                          "order triangles", "place surfels", "count stored surfels",
+                          "shade surfels",   "surfels.*"};
 const Passes shuffling{"framebuffer layout", "shuffle", "bounds of positions", "directions"};
 const Passes splatting{"splat"};
 const Passes unshuffling{"combine levels", "unshuffle*"};

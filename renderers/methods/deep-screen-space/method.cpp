@@ -63,6 +63,7 @@ MethodDescription description() {
         "picture does not show count. Errors come from the surfels' size, from the number of directions, and "
         "from far surfels that stand for many. Senders are lit by point, spot and directional lights; the "
         "environment lights nothing.";
+    d.version = 2;
     d.papers = {"Nalbach15", "Nalbach14"};
     d.background = 1;
     d.outputs = outputs();
@@ -102,7 +103,7 @@ std::string in_metres(float length) {
 }
 
 void note_reach(graph::GraphBuilder& builder, const Parameters& parameters) {
-    if (parameters.transport.max_distance > 0) return;
+    if (parameters.transport.max_distance > 0 || parameters.last_shell == LastShell::open) return;
     const auto reach = reach_of(parameters, *builder.inputs().world);
     builder.note("deep-screen-space: without a maximum distance surfels reach " + in_metres(reach.whole) +
                  ", the shell radius " + in_metres(reach.shell_radius) + " doubled " +

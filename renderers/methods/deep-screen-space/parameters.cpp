@@ -35,9 +35,9 @@ Reach reach_of(const Parameters& parameters, const scene::World& world) {
     const float shells = std::ldexp(1.0f, parameters.levels - 1);
     if (parameters.transport.max_distance > 0)
         return {parameters.transport.max_distance / shells, parameters.transport.max_distance};
-    const float automatic = std::max(2 * world.bounds.radius(), 1e-6f) / 64;
-    const float d = parameters.shell_radius > 0 ? parameters.shell_radius : automatic;
-    return {d, d * shells};
+    const float diagonal = std::max(2 * world.bounds.radius(), 1e-6f);
+    const float d = parameters.shell_radius > 0 ? parameters.shell_radius : diagonal / 64;
+    return {d, parameters.last_shell == LastShell::open ? diagonal : d * shells};
 }
 
 }  // namespace ir::methods::deep_screen_space

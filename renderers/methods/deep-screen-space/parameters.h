@@ -11,10 +11,14 @@
 
 namespace ir::methods::deep_screen_space {
 
-/// random: [Nalbach15 §4.3]; barycentric: the tessellator's own pattern, without thinning [Nalbach14].
-enum class Placement { random, barycentric };
+/// random: [Nalbach15 §4.3]; barycentric: the tessellator's own pattern, without thinning [Nalbach14];
+/// systematic: along a curve.
+enum class Placement { random, barycentric, systematic };
+enum class SubImages { independent, stratified };
 enum class Discard { mended, printed };
-enum class Backs { lit, black };
+enum class Backs { lit, black, open };
+enum class Discs { all, above, seen };
+enum class LastShell { ends, open };
 enum class Shells { full_discs, shells };
 enum class Influence { constant, estimated };
 
@@ -35,6 +39,7 @@ struct Parameters {
     bool thinning = true;
     Discard discard = Discard::mended;
     Backs backs = Backs::lit;
+    float light_offset = 0;  ///< radii: how far above its centre a surfel asks for shadows
     bool glossy_senders = true;
     bool frustum_culling = true;
     float reserve = 5;  ///< surfels per pixel that memory is reserved for at first
@@ -43,8 +48,11 @@ struct Parameters {
     int levels = 6;          ///< l_max
     float shell_radius = 0;  ///< m: d, of the first shell; counts where there is no maximum distance. 0: 1/64
                              ///< of the diagonal of the scene's bounds
+    SubImages sub_images = SubImages::independent;
     Shells shells = Shells::full_discs;
+    LastShell last_shell = LastShell::ends;
     float coverage = 1;  ///< area of a disc that rays are tested against, in areas of its surfel
+    Discs discs = Discs::above;
     bool splat_culling = true;
     Influence influence = Influence::estimated;
     float trade_off = 0.05f;  ///< ε

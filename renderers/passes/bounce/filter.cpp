@@ -19,7 +19,8 @@ FilterConstants Filter::constants(const graph::FrameInputs& inputs) const {
             .samples = directions.samples,
             .plane_tolerance = blur.plane_tolerance,
             .normal_power = blur.normal_power,
-            .material_tolerance = parameters.material_tolerance};
+            .material_tolerance = parameters.material_tolerance,
+            .balance = parameters.balance};
 }
 
 }  // namespace ir::passes::bounce

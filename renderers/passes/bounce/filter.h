@@ -9,8 +9,8 @@ namespace ir::passes::bounce {
 struct FilterConstants {
     ReceiverConstants receivers;
     int radius, samples;
-    float plane_tolerance, normal_power, material_tolerance;
-    IR_FIELDS(receivers, radius, samples, plane_tolerance, normal_power, material_tolerance)
+    float plane_tolerance, normal_power, material_tolerance, balance;
+    IR_FIELDS(receivers, radius, samples, plane_tolerance, normal_power, material_tolerance, balance)
 };
 
 /// What shaders/passes/bounce/filter.glsl needs: defines, accesses and constants.

@@ -30,16 +30,30 @@ ParameterTable<ReconstructionParameters> reconstruction_parameters(const Conditi
                .active_when = effects == Effects::ambient_occlusion ? active_when : only_ao});
     table.include(&P::blur, blur_parameters(max_radius));
     if (effects == Effects::ambient_occlusion) return table;
-    table.add(&P::material_tolerance,
-              {.key = "material_tolerance",
-               .label = "Blur across materials",
-               .doc = "Difference of roughness or of metalness at which a neighbour's weight has fallen to "
-                      "1/e: its directions are chosen for another BRDF. Base colours do not count, so that "
-                      "textures do not add noise.",
-               .citation = "Nalbach15 §3.3",
-               .hard = {1e-3, 1e3},
-               .soft = {0.01, 1},
-               .active_when = only_indirect});
+    table
+        .add(&P::material_tolerance,
+             {.key = "material_tolerance",
+              .label = "Blur across materials",
+              .doc = "Difference of roughness or of metalness at which a neighbour's weight has fallen to "
+                     "1/e: its directions are chosen for another BRDF. Base colours do not count, so that "
+                     "textures do not add noise.",
+              .citation = "Nalbach15 §3.3",
+              .hard = {1e-3, 1e3},
+              .soft = {0.01, 1},
+              .active_when = only_indirect})
+        .add(&P::balance,
+             {.key = "balance",
+              .label = "Balance",
+              .doc = "Part that the pixel's own samples have beside those of each neighbour, by the balance "
+                     "heuristic. 0: none, as published: a neighbour's sample is divided by its own density, "
+                     "which makes bright dots where the pixel reflects what the neighbour seldom asks for. "
+                     "Larger: more noise, and fewer dots.",
+              .citation = "Veach97",
+              .hard = {0, 0.5},
+              .soft = {0, 0.5},
+              .active_when = only_indirect,
+              .since_version = 2,
+              .value_in_older_projects = 0.0});
     return table;
 }
 

@@ -13,8 +13,10 @@ struct ReconstructionParameters {
     Estimator estimator = Estimator::ratio;
     BlurParameters blur{.blur_radius = 3};
     float material_tolerance = 0.1f;  ///< difference of roughness or metalness at which weights are 1/e
+    float balance = 0;                ///< part of the pixel's own samples beside each neighbour's
 };
-/// `material_tolerance` and, where there is a choice, `estimator` are active where `paths` makes them count.
+/// `material_tolerance`, `balance` and, where there is a choice, `estimator` are active where `paths` makes
+/// them count.
 ParameterTable<ReconstructionParameters> reconstruction_parameters(const Condition& active_when,
                                                                    Effects effects);
 

@@ -8,7 +8,8 @@ struct Surfel {
     uint barycentrics;  // unpackUnorm2x16: weights of the second and third corner
     uint identity;      // hash of triangle and place: what random choices about the surfel are made of, the same
                         // whatever else is culled
-    uint unused[2];
+    uint order;   // its number among all: those near each other in it lie near each other, as far as placement cares
+    uint unused;
 };
 
 /// What a surfel sends, W/(m² sr): the diffuse part of direct light, and emission. 24 bytes.

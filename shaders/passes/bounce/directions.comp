@@ -27,18 +27,12 @@ uvec3 random_words(ivec2 pixel, uint number, uint samples) {
 
 #if LIGHT
 
-/// Neighbours take samples, too: where one is black and another bright, the black one's must not all be those of
-/// its highlight, of which a diffuse surface can make little.
-/// DEVIATION [Nalbach15 §3.1]: so darker surfaces choose like ones of this colour. Densities are those of the
-/// choice, and what is reflected is not touched.
-const float MIN_COLOUR = 0.05;
-
 /// As often as the surface scatters from there to the viewer: by BRDF times cosine, lobe by lobe.
 vec4 chosen(Receiver receiver, ivec2 pixel, uvec3 words) {
     vec4 material = texelFetch(gbuffer_material, pixel, 0);
     if (is_unlit(material)) return vec4(0.0);
-    vec3 colour = max(texelFetch(gbuffer_albedo, pixel, 0).rgb, MIN_COLOUR), v = viewer_of(receiver);
-    Scatterer s = scatterer_of(receiver, colour, material);
+    vec3 v = viewer_of(receiver);
+    Scatterer s = chooser_of(receiver, pixel, material);
     Scattered scattered =
         scatter(s, v, unit_float(words.x), unit_float(words.yz), MICROFACETS_VISIBLE_NORMALS);
     vec3 l = scattered.direction_ws;

@@ -44,6 +44,18 @@ float whole_share(Target target, int neighbours) {
     return whole;
 }
 
+/// What the pixel's own sample adds beside those of all neighbours.
+Value value_beside_all(Target target, int number) {
+    Value sum = Value(0.0);
+    int across = 2 * radius + 1;
+    for (int i = 0; i < across * across; ++i) {
+        ivec2 pixel = neighbour(target, i);
+        float w = is_inside(pixel) ? neighbour_weight(target, pixel) : 0.0;
+        if (w > 0.0) sum += w * value_beside(target, beside(target, pixel), number);
+    }
+    return sum;
+}
+
 Line line_of(Target target, ivec2 pixel, int number, float weight, float whole) {
     ivec3 place = ivec3(pixel, number);
     vec4 direction = texelFetch(directions, place, 0);
@@ -56,7 +68,9 @@ Line line_of(Target target, ivec2 pixel, int number, float weight, float whole) 
     }
     line.distance_m = met;
     line.density = direction.w;
-    Value arriving = incoming_at(place, direction), part = weight * part_at(target, place).value / whole;
+    Value arriving = incoming_at(place, direction), part = weight * part_at(target, place).value;
+    if (pixel == target.pixel) part += value_beside_all(target, number);
+    part /= whole;
 #if LIGHT
     for (int i = 0; i < CHANNELS; ++i) {
         line.incoming[i] = arriving[i];

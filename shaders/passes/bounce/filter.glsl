@@ -13,6 +13,26 @@ uniform int samples;
 #if LIGHT
 #define Value vec3
 uniform float material_tolerance;
+/// Of the pixel's own samples in what each neighbour gives; 0: none, as published.
+uniform float balance;
+
+/// How a pixel chooses its directions.
+struct Chooser {
+    Scatterer scatterer;
+    SeenScatterer seen;
+};
+
+Chooser chooser_at(Receiver receiver, ivec2 pixel) {
+    Scatterer s = chooser_of(receiver, pixel, texelFetch(gbuffer_material, pixel, 0));
+    return Chooser(s, seen_from(s, viewer_of(receiver)));
+}
+
+/// α, 1/sr
+float density_of(Chooser chooser, vec3 direction_ws) {
+    float cosine = dot(chooser.scatterer.n, direction_ws);
+    if (cosine <= 0.0) return 0.0;
+    return scattering_pdf(chooser.scatterer, chooser.seen, direction_ws, cosine, MICROFACETS_VISIBLE_NORMALS);
+}
 #else
 #define Value float
 #endif
@@ -26,6 +46,7 @@ struct Target {
     vec2 material;  // metallic, roughness
     Scatterer scatterer;
     SeenScatterer seen;
+    Chooser chooser;
 #endif
 };
 
@@ -55,6 +76,7 @@ bool target_at(ivec2 pixel, out Target target) {
     target.material = filtered_material(material);
     target.scatterer = scatterer_of(target.receiver, texelFetch(gbuffer_albedo, pixel, 0).rgb, material);
     target.seen = seen_from(target.scatterer, viewer_of(target.receiver));
+    if (balance > 0.0) target.chooser = chooser_at(target.receiver, pixel);
     return !is_unlit(material);
 }
 
@@ -70,14 +92,23 @@ float material_weight(Target target, ivec2 pixel) {
 #endif
 }
 
-/// f_r L ⟨n, ω⟩ / α. Directions that left their surface on no side have no light, but they are samples.
-Part part_of(Target target, vec4 direction, vec3 radiance) {
+/// f_r L ⟨n, ω⟩ / `density`. Directions that left their surface on no side have no light, but they are samples.
+Part part_of(Target target, vec4 direction, vec3 radiance, float density) {
     Part part = Part(vec3(0.0), 1.0);
     if (direction.w > 0.0 && is_above(target.scatterer, direction.xyz))
         part.value = scattering_value(target.scatterer, target.seen, direction.xyz,
                                       dot(target.receiver.normal, direction.xyz)) *
-                     radiance / direction.w;
+                     radiance / density;
     return part;
+}
+
+/// What a neighbour's sample is divided by: its own density, or where the pixel's samples stand beside it the mean of
+/// both by the balance heuristic, so that no weight exceeds 1 / `balance` times what it is among the pixel's own.
+/// DEVIATION [Nalbach15 §3.3]: divided by α_q alone, f_p / α_q has no bound where the lobes of p and q differ.
+float density_for(Target target, ivec2 pixel, vec4 direction) {
+    if (balance == 0.0 || pixel == target.pixel) return direction.w;
+    float own = direction.w > 0.0 ? density_of(target.chooser, direction.xyz) : 0.0;
+    return mix(direction.w, own, balance) / (1.0 - balance);
 }
 
 Value incoming_at(ivec3 place, vec4 direction) {
@@ -97,7 +128,7 @@ bool target_at(ivec2 pixel, out Target target) {
 float material_weight(Target target, ivec2 pixel) { return 1.0; }
 
 /// V ⟨n, ω⟩ / (π α), and for the ratio the same with V = 1. Below the pixel's triangle all is closed.
-Part part_of(Target target, vec4 direction, float visibility) {
+Part part_of(Target target, vec4 direction, float visibility, float density) {
     if (direction.w == 0.0) return Part(0.0, 0.0);
     float open = max(dot(target.receiver.normal, direction.xyz), 0.0) / (PI * direction.w);
     if (dot(target.receiver.geometric_normal, direction.xyz) <= 0.0) visibility = 0.0;
@@ -109,6 +140,8 @@ Part part_of(Target target, vec4 direction, float visibility) {
 }
 
 Value incoming_at(ivec3 place, vec4 direction) { return texelFetch(incoming, place, 0).x; }
+
+float density_for(Target target, ivec2 pixel, vec4 direction) { return direction.w; }
 
 #endif
 
@@ -123,9 +156,43 @@ float neighbour_weight(Target target, ivec2 pixel) {
 /// Of the sample at a place of the stacks; not finite values count for nothing.
 Part part_at(Target target, ivec3 place) {
     vec4 direction = texelFetch(directions, place, 0);
-    Part part = part_of(target, direction, incoming_at(place, direction));
+    Part part = part_of(target, direction, incoming_at(place, direction), density_for(target, place.xy, direction));
     if (!is_finite(part.value)) return Part(Value(0.0), 0.0);
     return part;
+}
+
+/// How the pixel's own samples stand beside those of a neighbour.
+struct Beside {
+#if LIGHT
+    Chooser chooser;
+#endif
+    bool is_there;  // else they do not
+};
+
+Beside beside(Target target, ivec2 pixel) {
+    Beside b;
+    b.is_there = false;
+#if LIGHT
+    if (balance == 0.0 || pixel == target.pixel) return b;
+    b.is_there = true;
+    b.chooser = chooser_at(receiver_at(pixel), pixel);
+#endif
+    return b;
+}
+
+/// What the pixel's own sample adds there.
+Value value_beside(Target target, Beside b, int number) {
+#if LIGHT
+    if (!b.is_there) return Value(0.0);
+    ivec3 place = ivec3(target.pixel, number);
+    vec4 direction = texelFetch(directions, place, 0);
+    if (direction.w == 0.0) return Value(0.0);
+    float density = mix(density_of(b.chooser, direction.xyz), direction.w, balance) / balance;
+    Value value = part_of(target, direction, incoming_at(place, direction), density).value;
+    return is_finite(value) ? value : Value(0.0);
+#else
+    return Value(0.0);
+#endif
 }
 
 /// Among (2 radius + 1)² neighbours, rows first.

@@ -52,4 +52,15 @@ Scatterer scatterer_of(Receiver receiver, vec3 colour, vec4 material) {
     return make_scatterer(receiver.normal, receiver.geometric_normal, colour, material.x,
                           max(material.y, min_roughness), materials[index].ior, MATERIALS);
 }
+
+/// Neighbours take samples, too: where one is black and another bright, the black one's must not all be those of
+/// its highlight, of which a diffuse surface can make little.
+/// DEVIATION [Nalbach15 §3.1]: so darker surfaces choose like ones of this colour. Densities are those of the
+/// choice, and what is reflected is not touched.
+const float MIN_COLOUR = 0.05;
+
+/// By which the pixel's directions are chosen.
+Scatterer chooser_of(Receiver receiver, ivec2 pixel, vec4 material) {
+    return scatterer_of(receiver, max(texelFetch(gbuffer_albedo, pixel, 0).rgb, MIN_COLOUR), material);
+}
 #endif

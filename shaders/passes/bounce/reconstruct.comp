@@ -21,9 +21,10 @@ vec4 estimate(Target target) {
         if (!is_inside(pixel)) continue;
         float w = neighbour_weight(target, pixel);
         if (w == 0.0) continue;
+        Beside own = beside(target, pixel);
         for (int s = 0; s < samples; ++s) {
             Part part = part_at(target, ivec3(pixel, s));
-            sum += w * part.value;
+            sum += w * (part.value + value_beside(target, own, s));
             whole += w * part.share;
         }
     }

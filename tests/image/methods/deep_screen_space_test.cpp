@@ -17,13 +17,11 @@ const graph::Method& deep_screen_space() {
     throw std::logic_error("no deep-screen-space");
 }
 
-/// Surfels of different sizes: their shells begin at different distances.
+/// Surfels of different sizes: their shells begin at different distances. Placed as published, where no
+/// surfel depends on what else is there.
 Settings settings_of(bool visibility, const char* paths) {
-    return {{"visibility", visibility},
-            {"paths", std::string(paths)},
-            {"max_distance", 0.3},
-            {"surfel_radius", 1.0},
-            {"levels", std::int64_t{4}}};
+    return {{"visibility", visibility},           {"paths", std::string(paths)}, {"max_distance", 0.3},
+            {"placement", std::string("random")}, {"surfel_radius", 1.0},        {"levels", std::int64_t{4}}};
 }
 
 /// Much of it is hidden, outside of the view, or beyond the reach of all that is seen.

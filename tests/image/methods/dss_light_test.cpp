@@ -80,6 +80,9 @@ Image wall(Floor floor, const std::string& method, Settings settings, std::uint6
 Settings surfels() {
     return {{"samples", std::int64_t{16}},
             {"blur", false},
+            {"placement", std::string("random")},
+            {"sub_images", std::string("independent")},
+            {"discs", std::string("above")},
             {"thinning", false},
             {"levels", std::int64_t{1}},
             {"influence", std::string("constant")},

@@ -111,9 +111,10 @@ TEST_F(StandsStill, SurfelsAndWhatRaysMeetDependOnNoLight) {
         auto experiment = experiment_of(registry().at("deep-screen-space"));
         experiment.settings["paths"] = std::string("indirect");
         experiment.settings["visibility"] = visibility;
+        experiment.settings["placement"] = std::string(visibility ? "systematic" : "random");
         Execution execution(machine, experiment);
         const auto first = execution.run_frame({});
-        for (const char* name : {"cull triangles", "fine surfels", "pack surfels"})
+        for (const char* name : {"cull triangles", visibility ? "place surfels" : "pack surfels"})
             EXPECT_TRUE(keeps(first, name)) << name;
         EXPECT_EQ(keeps(first, "splat"), visibility);
         move_lights(experiment, execution);
@@ -139,7 +140,7 @@ TEST_F(StandsStill, SurfelsStayWhileTheReceiversSamplesChange) {
     expect_as_anew(machine, execution, experiment, "samples");
     experiment.seed = 7;
     execution.update(experiment);
-    EXPECT_TRUE(builds(execution.run_frame({}), "fine surfels"));
+    EXPECT_TRUE(builds(execution.run_frame({}), "count stored surfels"));
     expect_as_anew(machine, execution, experiment, "seed");
 }
 

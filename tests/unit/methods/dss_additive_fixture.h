@@ -23,7 +23,7 @@ struct AdditiveRun {
 
     /// One level, no blur, all surfels reach 100 m.
     static dss::Parameters plain() {
-        dss::Parameters p;
+        auto p = published();
         p.visibility = false;
         p.levels = 1;
         p.transport.max_distance = 100;

@@ -5,6 +5,7 @@
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/deep-screen-space/splatting.h"
+#include "tests/unit/methods/dss_published.h"
 #include "tests/unit/passes/pass_fixture.h"
 #include "tests/unit/passes/small_world.h"
 

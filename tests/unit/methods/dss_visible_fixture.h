@@ -12,7 +12,7 @@ namespace ir::test {
 
 struct VisibleRun {
     std::vector<Disc> surfels = {};
-    dss::Parameters parameters = {};
+    dss::Parameters parameters = published();
     std::uint64_t seed = 0;
     std::vector<std::string> wanted = {"splats.hit_level", "splats.nearest", "bounce.distance"};
     Inspection inspection = {};
@@ -88,7 +88,7 @@ inline Shot floor_shot(int size, float half = 2) {
 
 inline dss::Parameters visible_parameters(int samples = 1, int levels = 1, float max_distance = 0,
                                           float shell_radius = 100) {
-    dss::Parameters parameters;
+    auto parameters = published();
     parameters.transport.max_distance = max_distance;
     parameters.shell_radius = shell_radius;
     parameters.levels = levels;

@@ -9,7 +9,7 @@ namespace ir::test {
 namespace {
 
 dss::Parameters same_reach() {
-    dss::Parameters parameters;
+    auto parameters = published();
     parameters.influence = dss::Influence::constant;
     return parameters;
 }

@@ -5,6 +5,7 @@
 #include "renderers/methods/deep-screen-space/surfels.h"
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
 #include "shaders/methods/deep-screen-space/surfels/show.comp.h"
+#include "tests/unit/methods/dss_published.h"
 #include "tests/unit/passes/pass_fixture.h"
 #include "tests/unit/passes/small_world.h"
 
@@ -14,7 +15,7 @@ namespace dss = methods::deep_screen_space;
 
 /// What a run differs in.
 struct SurfelRun {
-    dss::Parameters parameters;
+    dss::Parameters parameters = published();
     float reach = 1;
     std::uint64_t seed = 0;
     double initial_capacity = 1;

@@ -151,5 +151,58 @@ TEST_F(SurfelTest, TheTessellatorMakesAsManyPointsAsExpectedAtEachLevel) {
     EXPECT_GT(std::count_if(found.begin(), found.end(), [](std::size_t n) { return n > 0; }), 40);
 }
 
+/// Of the 16 parts of a triangle each has its share of the surfels, but for those at its borders; drawn
+/// independently they differ by the root of it.
+TEST_F(SurfelTest, SystematicPlacementIsEvenAndInOrder) {
+    auto run = whole();
+    run.parameters.placement = dss::Placement::systematic;
+    run.parameters.surfel_radius = 0.75f;
+    double step = 0;
+    std::size_t n = 0;
+    std::array<double, 16> mean{};
+    constexpr int runs = 8;
+    for (run.seed = 0; run.seed < runs; ++run.seed) {
+        make(one_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), run);
+        const auto all = surfels();
+        n = all.size();
+        ASSERT_GT(n, 500u);
+        EXPECT_NEAR(area(all), 0.5, 0.02);
+        std::array<double, 16> found{};
+        for (std::size_t i = 0; i < n; ++i) {
+            EXPECT_EQ(all[i].order, i);
+            found[part_of(all[i].centre_ws.x, all[i].centre_ws.y)] += 1;
+            if (i > 0)
+                step += glm::distance(all[i].centre_ws, all[i - 1].centre_ws) / static_cast<double>(runs * n);
+        }
+        const double expected = static_cast<double>(n) / 16;
+        for (std::size_t i = 0; i < 16; ++i) {
+            EXPECT_NEAR(found[i], expected, 2.5 * std::sqrt(expected)) << i;
+            mean[i] += found[i] / runs;
+        }
+        double squares = 0;
+        for (const double count : found) squares += (count - expected) * (count - expected) / expected;
+        EXPECT_LT(squares, 15 * 0.6) << "as uneven as independent ones";
+    }
+    EXPECT_LT(step, 4 * std::sqrt(0.5 / static_cast<double>(n))) << "neighbours in order are far apart";
+}
+
+TEST_F(SurfelTest, SystematicSurfelsHaveTheWorldsAreaHoweverSmallItsTriangles) {
+    for (const int triangles : {40, 4000}) {
+        SmallWorld small;
+        small.add_soup(triangles, 3);
+        const Shot shot(small.scene(), camera({0, 0, 4}, {0, 0, 0}), 48, 48);
+        auto run = whole();
+        run.parameters.placement = dss::Placement::systematic;
+        run.parameters.surfel_radius = 6;
+        double sum = 0;
+        constexpr int runs = 6;
+        for (run.seed = 0; run.seed < runs; ++run.seed) {
+            make(shot, run);
+            sum += area(surfels()) / runs;
+        }
+        EXPECT_NEAR(sum / area(shot.world), 1, 0.03) << triangles;
+    }
+}
+
 }  // namespace
 }  // namespace ir::test

@@ -1,4 +1,5 @@
 // From samples to pixels: estimators against closed forms, and what neighbours may give.
+#include <algorithm>
 #include <random>
 
 #include "tests/unit/passes/bounce_fixture.h"
@@ -240,6 +241,55 @@ TEST_F(ReconstructionTest, ValuesThatAreNotFiniteCountForNothing) {
     };
     reconstruct(Wall().shot(16, 16), r);
     for (const float value : result()) ASSERT_NEAR(value, 1, 1e-5);
+}
+
+/// Two pieces of rough metal, one of which sees the eye's mirror image and one of which does not: the other
+/// one's samples seldom go where a pixel reflects most. n = 64² pixels and 24 seeds, alpha = 1e-4.
+TEST_F(ReconstructionTest, BalanceBoundsWhatANeighboursSampleGivesAndLeavesTheMean) {
+    SmallWorld small;
+    small.quad({-2, 0, -2}, {-2, 0, 2}, {0, 0, 2}, {0, 0, -2});
+    small.quad({0, 0, -2}, {0, 0, 2}, {2, 0.7f, 2}, {2, 0.7f, -2});
+    auto scene = small.scene();
+    auto& material = scene.materials[SmallWorld::opaque];
+    material.metallic = 1;
+    material.roughness = 0.3f;
+    scene::Camera camera;
+    camera.eye = {0, 5, 0.01f};
+    camera.target = {0, 0, 0};
+    camera.up = {0, 0, -1};
+    camera.orthographic = true;
+    camera.height = 0.2f;
+    const Shot shot(scene, camera, 32, 32);
+    auto r = BounceRun::with(2, Spread::independent, 3);
+    r.options.light = true;
+    r.options.parameters.min_roughness = 0.1f;
+    r.reconstruction.blur.blur_normal_power = 1;
+    r.reconstruction.blur.blur_plane_tolerance = 10;
+    r.meeting = [](glm::ivec2, int, glm::vec4) { return Met{1, glm::vec3(1)}; };
+    const auto run_with = [&](float balance) {
+        r.reconstruction.balance = balance;
+        std::vector<float> means, most;
+        for (r.seed = 0; r.seed < 24; ++r.seed) {
+            reconstruct(shot, r);
+            const auto values = result();
+            means.push_back(static_cast<float>(Moments(values).mean));
+            most.push_back(*std::max_element(values.begin(), values.end()));
+        }
+        return std::pair{Moments(means), *std::max_element(most.begin(), most.end())};
+    };
+    const auto [own, own_most] = [&] {
+        const auto blur = r.reconstruction.blur;
+        r.reconstruction.blur.blur = false;
+        const auto result = run_with(0);
+        r.reconstruction.blur = blur;
+        return result;
+    }();
+    const auto [published, published_most] = run_with(0);
+    const auto [balanced, balanced_most] = run_with(0.25f);
+    EXPECT_NEAR(balanced.mean, own.mean, two_sided * (balanced.standard_error() + own.standard_error()));
+    EXPECT_LT(balanced_most, own_most / 0.25f);
+    EXPECT_LT(balanced.deviation, published.deviation);
+    EXPECT_GT(published_most, balanced_most);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ const gl::Program& bind_layer(const PassContext& p, const Additive& additive, co
     const bool smooth = transport.falloff == Transport::Falloff::smooth;
     program.set(AdditiveSplat{.splat = splat_constants(additive.splats, layer),
                               .receiver = additive.receivers.constants(p.inputs()),
-                              .black_backs = additive.parameters().backs == Backs::black,
+                              .black_backs = additive.parameters().backs != Backs::lit,
                               .falloff_distance = smooth ? transport.max_distance : 0.0f});
     return program;
 }

@@ -50,7 +50,8 @@ struct ExplainSplat {
     unsigned seed;
     int levels, samples;
     glm::ivec2 hierarchy_size;
-    IR_FIELDS(level, bounds, seed, levels, samples, hierarchy_size)
+    bool stratified_sub_images;
+    IR_FIELDS(level, bounds, seed, levels, samples, hierarchy_size, stratified_sub_images)
 };
 
 ExplainSplat explain_splat(const graph::FrameInputs& inputs, const Splats& splats) {
@@ -59,7 +60,8 @@ ExplainSplat explain_splat(const graph::FrameInputs& inputs, const Splats& splat
             .seed = random_seed(inputs, splats.parameters),
             .levels = splats.hierarchy.levels,
             .samples = splats.samples,
-            .hierarchy_size = {splats.hierarchy.width, splats.hierarchy.height}};
+            .hierarchy_size = {splats.hierarchy.width, splats.hierarchy.height},
+            .stratified_sub_images = splats.parameters.sub_images == SubImages::stratified};
 }
 
 /// Constants of explain_pixel.comp.
@@ -84,10 +86,11 @@ void read_splats(graph::PassBuilder& pass, const VisibleSplats& visible) {
         .reads("directions", visible.directions.directions)
         .reads(visible.gbuffer.geometric_normal)
         .reads("winners", visible.winner);
+    read_acceptance(pass, visible);
 }
 
 void search(const graph::PassContext& p, graph::Slice slice, const VisibleSplats& visible) {
-    const auto& program = p.use({{folder + "explain_pixel.comp"}});
+    const auto& program = p.use(with_acceptance({{folder + "explain_pixel.comp"}}, visible.splats));
     program.set(ExplainPixel{explain_splat(p.inputs(), visible.splats), p.inputs().picked_pixel()});
     dispatch_surfels(p, program, visible.splats, slice);
 }
@@ -101,7 +104,7 @@ void judge_found(const graph::PassContext& p, const Explained& candidates, const
     const auto sums = all_sums.first(rows);
     const auto found = p.elements<SplatCandidate>(candidates.elements);
     std::size_t count = 0;
-    for (const auto& sum : sums) count += std::size_t{sum.missed} + sum.too_far + sum.own + sum.hits;
+    for (const auto& sum : sums) count += std::size_t{sum.missed} + sum.too_far + sum.refused + sum.hits;
     judge(found.first(std::min(found.size(), count)), sums, level_count, nearest_decides(splats));
 }
 
@@ -161,7 +164,8 @@ void explain_surfel(graph::GraphBuilder& builder, const VisibleSplats& visible) 
         .writes("Sums", sums.elements)
         .writes("cover_image", cover)
         .counts("SumCount", sums.count);
-    passes::bounce::compute_by_tiles(pass, builder, {{folder + "explain_surfel.comp"}},
+    passes::bounce::compute_by_tiles(pass, builder,
+                                     with_acceptance({{folder + "explain_surfel.comp"}}, visible.splats),
                                      explain_splat(builder.inputs(), visible.splats));
 }
 

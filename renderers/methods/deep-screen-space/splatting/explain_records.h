@@ -13,7 +13,7 @@ namespace ir::methods::deep_screen_space {
 /// What became of a splat on a pixel: as the constants SPLAT_… of
 /// shaders/methods/deep-screen-space/splatting/visible_hit.glsl.
 struct SplatOutcome {
-    enum : std::uint32_t { none, outside, missed, too_far, own, hit, level, wins };
+    enum : std::uint32_t { none, outside, missed, too_far, refused, hit, level, wins };
 };
 
 /// Repeats depth test and combination over what was found: outcomes of candidates that were hit, and of

@@ -30,11 +30,34 @@ void add_reach(ParameterTable<Parameters>& table) {
              .citation = "Nalbach15 §4.1",
              .hard = {0, 1e9},
              .soft = {0, 2},
-             .active_when = {"max_distance", {0.0}}});
+             .active_when = {"max_distance", {0.0}}})
+        .add(&Parameters::last_shell,
+             {.key = "last_shell",
+              .label = "Last shell",
+              .doc = "Where the shell of the coarsest level ends.",
+              .citation = "Nalbach15 §4.1",
+              .choices = {{"ends", "Ends", "At twice the radius of the one before, as published."},
+                          {"open", "Open",
+                           "At the maximum distance, or at the end of the scene: far surfaces count, each "
+                           "seen by as few pixels as the last level has it. With estimated influence no "
+                           "first shell is widened to make the levels suffice."}},
+              .since_version = 2,
+              .value_in_older_projects = std::string("ends")});
 }
 
 void add_visible(ParameterTable<Parameters>& table) {
     table
+        .add(&Parameters::sub_images,
+             {.key = "sub_images",
+              .label = "Choice of sub-images",
+              .doc = "Which of the 4^l sub-images of level l a surfel is splatted into.",
+              .citation = "Nalbach15 §4.1",
+              .choices = {{"independent", "Independent", "Drawn for each surfel by itself, as published."},
+                          {"stratified", "Stratified",
+                           "In turn, in the order of the surfels, from a random one on. With systematic "
+                           "placement neighbours take different ones, so that sub-images leak less."}},
+              .since_version = 2,
+              .value_in_older_projects = std::string("independent")})
         .add(&Parameters::shells,
              {.key = "shells",
               .label = "Shells",
@@ -56,7 +79,22 @@ void add_visible(ParameterTable<Parameters>& table) {
                   "beyond the first shell a little less); large discs reach around edges.",
               .hard = {0.01, 100},
               .soft = {0.5, 8},
-              .active_when = only_with_visibility});
+              .active_when = only_with_visibility})
+        .add(&Parameters::discs,
+             {.key = "discs",
+              .label = "Discs that count",
+              .doc = "Which of the discs that a ray meets count for the pixel that it starts from.",
+              .citation = "Nalbach15 §3.2",
+              .choices =
+                  {{"all", "All", "As published: surfaces shade themselves."},
+                   {"above", "Above", "Those with their centre above the plane of the pixel's triangle."},
+                   {"seen", "Seen",
+                    "Of those the ones whose centre the pixel sees, by a ray through the scene's triangles. "
+                    "Discs that hang over edges, or belong to what is hidden, block nothing and send "
+                    "nothing, so that a larger coverage closes leaks and no gaps."}},
+              .active_when = only_with_visibility,
+              .since_version = 2,
+              .value_in_older_projects = std::string("above")});
 }
 
 void add_additive(ParameterTable<Parameters>& table) {

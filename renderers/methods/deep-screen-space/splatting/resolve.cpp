@@ -25,7 +25,8 @@ gl::ProgramSource source_of(const VisibleSplats& visible, const Senders& senders
 struct ResolveGlossy {
     int light_count;
     bool normal_maps;
-    IR_FIELDS(light_count, normal_maps)
+    float light_offset;
+    IR_FIELDS(light_count, normal_maps, light_offset)
 };
 
 }  // namespace
@@ -48,9 +49,10 @@ graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneB
         pass.reads(scene.lights, shadow.views, shadow.maps);
         senders.surfaces.read_by(pass);
     }
-    passes::bounce::compute_by_tiles(pass, builder, source_of(visible, senders),
-                                     ResolveGlossy{static_cast<int>(builder.inputs().world->lights.size()),
-                                                   parameters.transport.normal_maps});
+    passes::bounce::compute_by_tiles(
+        pass, builder, source_of(visible, senders),
+        ResolveGlossy{static_cast<int>(builder.inputs().world->lights.size()),
+                      parameters.transport.normal_maps, parameters.light_offset});
     return incoming;
 }
 

@@ -27,8 +27,9 @@ struct SplatRectangles {
     SphereBounds bounds;
     unsigned first, end, level, sample_index, seed;
     glm::ivec2 hierarchy_size;
-    bool culls, shells;
-    IR_FIELDS(influence, bounds, first, end, level, sample_index, seed, hierarchy_size, culls, shells)
+    bool culls, shells, stratified_sub_images;
+    IR_FIELDS(influence, bounds, first, end, level, sample_index, seed, hierarchy_size, culls, shells,
+              stratified_sub_images)
 };
 
 /// Constants of splat.vert.
@@ -55,7 +56,8 @@ void find_rectangles(const PassContext& p, const Splats& splats, const SplatLaye
                                 .seed = random_seed(p.inputs(), parameters),
                                 .hierarchy_size = {splats.hierarchy.width, splats.hierarchy.height},
                                 .culls = parameters.splat_culling,
-                                .shells = !parameters.visibility || parameters.shells == Shells::shells});
+                                .shells = !parameters.visibility || parameters.shells == Shells::shells,
+                                .stratified_sub_images = parameters.sub_images == SubImages::stratified});
     program.dispatch(static_cast<std::int64_t>(end - first));
     p.barrier();
 }
@@ -100,7 +102,11 @@ void draw_slice(const PassContext& p, graph::Slice slice, const Splats& splats, 
 InfluenceConstants influence_constants(const Splats& splats) {
     const auto& parameters = splats.parameters;
     const bool estimated = parameters.influence == Influence::estimated;
-    return {splats.reach.shell_radius, splats.reach.whole, estimated ? parameters.trade_off : 0.0f};
+    const bool open = parameters.last_shell == LastShell::open;
+    return {.shell_radius = estimated && open ? 0.0f : splats.reach.shell_radius,
+            .whole_reach = splats.reach.whole,
+            .trade_off = estimated ? parameters.trade_off : 0.0f,
+            .open_level = open ? parameters.levels - 1 : -1};
 }
 
 SplatConstants splat_constants(const Splats& splats, const SplatLayer& layer) {

@@ -64,7 +64,8 @@ graph::ImageRef count_cover(graph::GraphBuilder& builder, const Splats& splats,
 /// 256²). None reaches less far than published, so dark surfels block as far as others.
 struct InfluenceConstants {
     float shell_radius, whole_reach, trade_off;
-    IR_FIELDS(shell_radius, whole_reach, trade_off)
+    int open_level;
+    IR_FIELDS(shell_radius, whole_reach, trade_off, open_level)
 };
 InfluenceConstants influence_constants(const Splats& splats);
 

@@ -41,8 +41,8 @@ const gl::Program& bind_layer(const graph::PassContext& p, const VisibleSplats& 
     gl.DepthFunc(GL_LESS);
     gl.DepthMask(GL_TRUE);
     if (layer.is_first) clear_layer(gl);
-    const auto& program = p.use({{"methods/deep-screen-space/splatting/splat.vert",
-                                  "methods/deep-screen-space/splatting/visible.frag"}});
+    const auto& program =
+        p.use(with_acceptance({{folder + "splat.vert", folder + "visible.frag"}}, visible.splats));
     program.set(Visible{visible_level(visible.splats), layer.level, layer.sample});
     return program;
 }
@@ -55,6 +55,20 @@ VisibleLevel visible_level(const Splats& splats) {
             parameters.shells == Shells::full_discs};
 }
 
+gl::ProgramSource with_acceptance(gl::ProgramSource source, const Splats& splats) {
+    source.defines["DISCS"] = std::to_string(static_cast<int>(splats.parameters.discs));
+    source.defines["OPEN_BACKS"] = splats.parameters.backs == Backs::open ? "1" : "0";
+    return source;
+}
+
+void read_acceptance(graph::PassBuilder& pass, const VisibleSplats& visible) {
+    if (visible.splats.parameters.discs != Discs::seen) return;
+    pass.reads("BvhNodes", visible.bvh.nodes)
+        .reads("BvhTriangles", visible.bvh.triangles)
+        .reads("BvhMasks", visible.bvh.masks)
+        .reads(visible.scene.opacity, visible.scene.opacity_words);
+}
+
 passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                                       const passes::GBuffer& gbuffer, const passes::ShadowMaps& shadow,
                                       const passes::bounce::Directions& directions,
@@ -62,6 +76,8 @@ passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes
                                       const Parameters& parameters) {
     VisibleSplats visible;
     visible.splats = declare_splats(builder, hierarchy, surfels, parameters, directions.samples);
+    visible.scene = scene;
+    if (parameters.discs == Discs::seen) visible.bvh = passes::device_bvh(builder);
     visible.gbuffer = gbuffer;
     visible.directions = directions;
     visible.depth = declare_layers(builder, visible.splats, "splats.depth", gl::Format::depth32f);
@@ -70,6 +86,7 @@ passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes
     pass.reads("directions", directions.directions)
         .reads(gbuffer.geometric_normal)
         .writes(visible.depth, visible.winner);
+    read_acceptance(pass, visible);
     draw_splats(pass, visible.splats,
                 [=](const graph::PassContext& p, const SplatLayer& layer) -> const gl::Program& {
                     return bind_layer(p, visible, layer);

@@ -1,12 +1,15 @@
 #pragma once
 
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
+#include "renderers/passes/raytracing/device_bvh.h"
 
 namespace ir::methods::deep_screen_space {
 
 /// What the splats with visibility of a frame are, and who won: between the steps of splat_visible.
 struct VisibleSplats {
     Splats splats;
+    passes::SceneBuffers scene;
+    passes::DeviceBvh bvh;  ///< only where discs must be seen
     passes::GBuffer gbuffer;
     passes::bounce::Directions directions;
     graph::ImageRef depth;  ///< "splats.depth" depth32f stack, z, a layer per sample and level (sample-major)
@@ -23,6 +26,10 @@ struct VisibleLevel {
     IR_FIELDS(influence, coverage, max_distance, full_discs)
 };
 VisibleLevel visible_level(const Splats& splats);
+
+/// What shaders/methods/deep-screen-space/splatting/accepted.glsl needs: defines and accesses.
+gl::ProgramSource with_acceptance(gl::ProgramSource source, const Splats& splats);
+void read_acceptance(graph::PassBuilder& pass, const VisibleSplats& visible);
 
 /// Declares the pass "combine levels" and what it writes: `nearest`, `hit_level` and the result,
 /// "bounce.distance". [Nalbach15 §4.2]

@@ -1,5 +1,7 @@
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
 
+#include <optional>
+
 #include "renderers/methods/deep-screen-space/surfels/view.h"
 
 namespace ir::methods::deep_screen_space {
@@ -44,24 +46,24 @@ graph::BufferRef add_up(graph::GraphBuilder& builder, const std::string& what, b
 
 }  // namespace
 
-void count_surfels(graph::GraphBuilder& builder, const Patches& patches, const Growing& fine,
+void count_surfels(graph::GraphBuilder& builder, const Patches& patches, const Growing* fine,
                    const Surfels& surfels, const Parameters& parameters) {
-    const auto of_fine =
-        add_up(builder, "fine", true, fine.buffer, fine.count, parameters, surfels.fingerprint);
+    std::optional<graph::BufferRef> of_fine;
+    if (fine)
+        of_fine = add_up(builder, "fine", true, fine->buffer, fine->count, parameters, surfels.fingerprint);
     const auto of_kept =
         add_up(builder, "kept", false, surfels.records, surfels.count, parameters, surfels.fingerprint);
     const auto row = builder.output(
         "surfels.counts",
         {.fields = record_fields<SurfelCounts>(), .elements = 1, .fingerprint = surfels.fingerprint});
-    builder.pass("count surfels")
-        .reads("FineSums", of_fine)
-        .reads("KeptSums", of_kept)
+    auto pass = builder.pass("count surfels");
+    if (fine) pass.reads("FineSums", *of_fine).counts("FineCount", fine->count);
+    pass.reads("KeptSums", of_kept)
         .writes("Row", row)
         .counts("TriangleCount", patches.triangles)
         .counts("PatchCount", patches.list.count)
-        .counts("FineCount", fine.count)
         .counts("KeptCount", surfels.count)
-        .compute({{"methods/deep-screen-space/surfels/counts.comp"}}, 1,
+        .compute({{"methods/deep-screen-space/surfels/counts.comp"}, {{"HAS_FINE", fine ? "1" : "0"}}}, 1,
                  CountsRow{group_count, static_cast<unsigned>(builder.inputs().world->triangles())});
 }
 

@@ -21,14 +21,17 @@ std::vector<OutputDescription> surfel_outputs() {
              "Before thinning, as tessellation makes them; also where an alpha mask has holes. part: of the "
              "ideal area; those below 1 are kept with this probability. patch: in the list of patches; "
              "radius, triangle: as of the surfels; barycentrics: weights of its second and third corner, 16 "
-             "bits each; identity: a hash of triangle and place, of which all random choices are made."},
+             "bits each; identity: a hash of triangle and place, of which all random choices are made.",
+         .active_when = {"placement", {std::string("random"), std::string("barycentric")}}},
         {.key = "surfels.counts",
          .label = "Counts of surfels",
          .kind = OutputKind::table,
          .semantic = Semantic::count,
-         .doc = "triangles: of the scene; left: after culling; patches: after splitting; fine, kept: surfels "
-                "before and after thinning; fine_area, kept_area: their areas together, m²; fine_part, "
-                "kept_part: their area in parts of the ideal area, on average."}};
+         .doc =
+             "triangles: of the scene; left: after culling; patches: after splitting; fine, kept: surfels "
+             "before and after thinning (fine: 0 with systematic placement); fine_area, kept_area: their areas "
+             "together, m²; fine_part, "
+             "kept_part: their area in parts of the ideal area, on average."}};
 }
 
 }  // namespace ir::methods::deep_screen_space

@@ -25,7 +25,11 @@ void add_sizes(ParameterTable<Parameters>& table) {
                     "by thinning."},
                    {"barycentric", "Tessellator's pattern",
                     "As published in 2014: at the points of the tessellation, without thinning. Each "
-                    "triangle has three surfels at least, however small it is."}}})
+                    "triangle has three surfels at least, however small it is."},
+                   {"systematic", "Systematic",
+                    "One at random in each piece of a curve through all triangles that is worth a surfel. "
+                    "The curve follows space, so that surfels are spread evenly also over many small "
+                    "triangles. No tessellation and no thinning."}}})
         .add(&Parameters::fine_area,
              {.key = "fine_area",
               .label = "Fine area",
@@ -65,11 +69,26 @@ void add_light(ParameterTable<Parameters>& table) {
         .add(&Parameters::backs,
              {.key = "backs",
               .label = "Back sides",
-              .doc = "What surfels send that are seen from behind their triangle's winding.",
+              .doc = "What surfels do that are met from behind their triangle's winding.",
               .citation = "Nalbach15 §3.2",
               .choices = {{"lit", "Lit", "As all materials are two-sided."},
-                          {"black", "Black", "As published: they block light but send none."}},
-              .active_when = only_indirect})
+                          {"black", "Black", "As published: they block light but send none."},
+                          {"open", "Open",
+                           "They are not met: rays go on. Of closed objects no ray sees a back but through a "
+                           "leak, or where a disc hangs over an edge; walls without thickness become "
+                           "one-sided. Without visibility as black."}}})
+        .add(&Parameters::light_offset,
+             {.key = "light_offset",
+              .label = "Offset of shadows",
+              .doc = "How far above its centre a surfel asks whether a light sees it. A disc stands for the "
+                     "surface around its centre; where that lies in a fold, more of it is lit than the "
+                     "centre is.",
+              .unit = "radii",
+              .hard = {0, 4},
+              .soft = {0, 0.5},
+              .active_when = only_indirect,
+              .since_version = 2,
+              .value_in_older_projects = 0.0})
         .add(&Parameters::glossy_senders, {.key = "glossy_senders",
                                            .label = "Glossy senders",
                                            .doc = "Surfels also send the highlights of their direct "
@@ -84,8 +103,9 @@ void add_costs(ParameterTable<Parameters>& table) {
         .add(&Parameters::frustum_culling, {.key = "frustum_culling",
                                             .label = "Frustum culling",
                                             .doc = "Leaves out triangles from which no shell reaches "
-                                                   "what the picture shows. The picture stays "
-                                                   "the same.",
+                                                   "what the picture shows. The picture stays the same; "
+                                                   "with systematic placement other random numbers are "
+                                                   "drawn.",
                                             .citation = "Nalbach15 tab. 2",
                                             .effect = Effect::cost,
                                             .on_change = OnChange::nothing})

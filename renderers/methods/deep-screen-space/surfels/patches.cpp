@@ -27,6 +27,9 @@ struct Splitting {
     float reach;
     Parameters parameters;
     std::string fingerprint;
+    graph::BufferRef order = {};  ///< of triangles; only systematic
+
+    bool systematic() const { return parameters.placement == Placement::systematic; }
 };
 
 /// Of lists that split.comp reads and writes.
@@ -40,18 +43,22 @@ struct Split {
     Ideal ideal;
     Frustum frustum;
     float fine_part;
+    unsigned seed;
     Room room;
-    IR_FIELDS(ideal, frustum, fine_part, room)
+    IR_FIELDS(ideal, frustum, fine_part, seed, room)
 };
 
 const gl::Program& use(const PassContext& context, const Splitting& s, int round, bool packs,
                        const Room& room) {
     const auto& program = context.use({{"methods/deep-screen-space/surfels/split.comp"},
-                                       {{"ROUND", std::to_string(round)}, {"PACKS", packs ? "1" : "0"}}});
+                                       {{"ROUND", std::to_string(round)},
+                                        {"PACKS", packs ? "1" : "0"},
+                                        {"SYSTEMATIC", s.systematic() ? "1" : "0"}}});
     const auto& view = context.inputs().view;
     // the published pattern of 2014 has no smaller surfels to choose from
     const float fine_part = s.parameters.placement == Placement::random ? s.parameters.fine_area : 1.0f;
-    program.set(Split{ideal(view, s.parameters), frustum(view, s.reach, s.parameters), fine_part, room});
+    program.set(Split{ideal(view, s.parameters), frustum(view, s.reach, s.parameters), fine_part,
+                      random_seed(context.inputs(), s.parameters), room});
     return program;
 }
 
@@ -65,8 +72,9 @@ void first_round(GraphBuilder& builder, const Splitting& s) {
                         .elements = static_cast<std::uint64_t>(std::max<std::int64_t>(1, triangles)),
                         .cleared = true,
                         .fingerprint = s.fingerprint});
-    builder.pass("cull triangles")
-        .reads(s.scene.positions, s.scene.indices)
+    auto cull = builder.pass("cull triangles");
+    if (s.systematic()) cull.reads(s.order);
+    cull.reads(s.scene.positions, s.scene.indices)
         .writes("Counts", counts)
         .execute_sliced(
             triangles,
@@ -78,8 +86,9 @@ void first_round(GraphBuilder& builder, const Splitting& s) {
     const auto places = passes::exclusive_scan(
         builder, "surfels.parts", counts, static_cast<std::uint64_t>(std::max<std::int64_t>(1, triangles)),
         s.parts.count);
-    builder.pass("split triangles")
-        .reads(s.scene.positions, s.scene.indices)
+    auto split = builder.pass("split triangles");
+    if (s.systematic()) split.reads(s.order);
+    split.reads(s.scene.positions, s.scene.indices)
         .reads("Places", places)
         .writes("Patches", s.parts.buffer)
         .counts("TriangleCount", s.triangles)
@@ -112,14 +121,14 @@ void second_round(GraphBuilder& builder, const Splitting& s) {
             },
             1);
     passes::scan_in_place(builder, "surfels.patches", s.words.buffer, s.patches.count);
-    builder.pass("split parts of triangles")
-        .reads(s.scene.positions, s.scene.indices)
+    auto pass = builder.pass("split parts of triangles");
+    if (!s.systematic()) pass.counts("CoarseCount", s.coarse);
+    pass.reads(s.scene.positions, s.scene.indices)
         .reads("Parts", s.parts.buffer)
         .reads("Places", s.words.buffer)
         .writes("Patches", s.patches.buffer)
         .writes("Points", s.points.buffer)
         .counts("PartCount", s.parts.count)
-        .counts("CoarseCount", s.coarse)
         .execute_sliced(
             packing_parts,
             [=](PassContext& context, Slice slice) {
@@ -138,12 +147,13 @@ void second_round(GraphBuilder& builder, const Splitting& s) {
 
 }  // namespace
 
-Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, const Growing& fine,
+Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, graph::CounterRef total,
                     float reach, std::uint64_t reserve, const Parameters& parameters,
                     const std::string& fingerprint) {
     Splitting s;
     s.scene = scene;
     s.fingerprint = fingerprint;
+    s.parameters = parameters;
     s.parts =
         growing(builder,
                 {.text = {.key = "surfels.parts.list",
@@ -183,17 +193,18 @@ Patches cut_patches(GraphBuilder& builder, const passes::SceneBuffers& scene, co
     s.triangles = builder.counter({.key = "surfels.triangles",
                                    .label = "Triangles left",
                                    .doc = "That are not culled, nor without area."});
-    s.coarse =
-        builder.counter({.key = "surfels.coarse",
-                         .label = "Patches divided too little",
-                         .doc = "Whose surfels are larger than fine_area asks for: the triangle is too "
-                                "large to be split far enough."});
+    if (!s.systematic())
+        s.coarse =
+            builder.counter({.key = "surfels.coarse",
+                             .label = "Patches divided too little",
+                             .doc = "Whose surfels are larger than fine_area asks for: the triangle is too "
+                                    "large to be split far enough."});
     s.reach = reach;
-    s.parameters = parameters;
+    if (s.systematic()) s.order = order_triangles(builder);
     first_round(builder, s);
     second_round(builder, s);
-    passes::scan_in_place(builder, "surfels.fine", s.points.buffer, fine.count);
-    return {s.patches, s.points, s.triangles};
+    passes::scan_in_place(builder, "surfels.fine", s.points.buffer, total);
+    return {s.patches, s.points, total, s.triangles};
 }
 
 }  // namespace ir::methods::deep_screen_space

@@ -10,7 +10,8 @@ namespace {
 struct ShadeSurfels {
     int light_count;
     bool normal_maps;
-    IR_FIELDS(light_count, normal_maps)
+    float light_offset;
+    IR_FIELDS(light_count, normal_maps, light_offset)
 };
 
 }  // namespace
@@ -42,11 +43,12 @@ graph::BufferRef shade(graph::GraphBuilder& builder, const passes::SceneBuffers&
         .counts("LitCount", lights.count)
         .execute_sliced(
             packing_parts,
-            [=, normal_maps = transport.normal_maps](graph::PassContext& context, graph::Slice slice) {
+            [=, normal_maps = transport.normal_maps, light_offset = parameters.light_offset](
+                graph::PassContext& context, graph::Slice slice) {
                 const auto& program = context.use(source);
                 const auto capacity = context.capacity(surfels.records);
-                program.set(
-                    ShadeSurfels{static_cast<int>(context.inputs().world->lights.size()), normal_maps});
+                program.set(ShadeSurfels{static_cast<int>(context.inputs().world->lights.size()), normal_maps,
+                                         light_offset});
                 dispatch_parts(program, capacity, slice);
             },
             1);

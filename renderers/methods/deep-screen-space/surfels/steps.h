@@ -11,13 +11,15 @@ namespace ir::methods::deep_screen_space {
 /// Parts of triangles that the tessellator divides, in the order of triangles; struct Patch of patch.glsl.
 struct Patches {
     Growing list;                 ///< "surfels.patches.list"
-    Growing points;               ///< "surfels.points": how many points the tessellator makes before each
+    Growing points;               ///< "surfels.points": before each how many points the tessellator makes, or
+                                  ///< systematic how much all are worth, in units of patch.glsl
+    graph::CounterRef total;      ///< of points or units
     graph::CounterRef triangles;  ///< that are not culled
 };
 
-/// Declares the passes that cull triangles and split those that are too large, and count how many `fine`
-/// surfels that makes. [Nalbach15 fig. 6 a]
-Patches cut_patches(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Growing& fine,
+/// Declares the passes that cull triangles and split those that are too large, and add to `total` how many
+/// points, or units, that makes. [Nalbach15 fig. 6 a]
+Patches cut_patches(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, graph::CounterRef total,
                     float reach, std::uint64_t reserve, const Parameters& parameters,
                     const std::string& fingerprint);
 
@@ -27,6 +29,18 @@ Growing declare_fine(graph::GraphBuilder& builder, std::uint64_t reserve, const 
 /// Declares the pass that fills it, by hardware tessellation. [Nalbach15 fig. 6 b]
 void tessellate(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Patches& patches,
                 const Growing& fine, const Parameters& parameters, const std::string& fingerprint);
+
+/// Declares "surfels.records" without what fills it.
+Growing declare_records(graph::GraphBuilder& builder, std::uint64_t reserve, const std::string& fingerprint);
+
+/// Declares "surfels.order", the triangles in the order of systematic placement, kept while the geometry
+/// stays.
+graph::BufferRef order_triangles(graph::GraphBuilder& builder);
+
+/// Declares "surfels.records" with the pass that places surfels on the patches, systematically and unlit.
+/// Needs neither fine surfels nor thinning.
+Surfels place(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Patches& patches,
+              std::uint64_t reserve, const Parameters& parameters, const std::string& fingerprint);
 
 /// Declares "surfels.records" with the passes that keep some of the fine ones, unlit. [Nalbach15 fig. 6 c]
 Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Growing& fine,
@@ -49,8 +63,9 @@ struct SurfelCounts {
     IR_FIELDS(triangles, left, patches, fine, kept, fine_area, kept_area, fine_part, kept_part)
 };
 
-/// Declares the table and what it needs; nothing of it runs while nobody looks.
-void count_surfels(graph::GraphBuilder& builder, const Patches& patches, const Growing& fine,
+/// Declares the table and what it needs; nothing of it runs while nobody looks. `fine`: null where there are
+/// none.
+void count_surfels(graph::GraphBuilder& builder, const Patches& patches, const Growing* fine,
                    const Surfels& surfels, const Parameters& parameters);
 
 }  // namespace ir::methods::deep_screen_space

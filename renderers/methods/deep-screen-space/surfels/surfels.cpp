@@ -1,6 +1,7 @@
 #include "renderers/methods/deep-screen-space/surfels.h"
 
 #include <cmath>
+#include <optional>
 
 #include "renderers/methods/deep-screen-space/fingerprints.h"
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
@@ -37,6 +38,19 @@ Surfels count_stored(graph::GraphBuilder& builder, const Growing& records, const
     return surfels;
 }
 
+Growing declare_records(graph::GraphBuilder& builder, std::uint64_t reserve, const std::string& fingerprint) {
+    return growing(builder,
+                   {.text = {.key = "surfels.records",
+                             .label = "Surfels, as passes read them",
+                             .doc = "As the output \"surfels\"; identity: a hash of the surfel's place, of "
+                                    "which random choices about it are made; order: its number, those near "
+                                    "each other in it lie near each other."},
+                    .kind = OutputKind::glyphs,
+                    .fields = record_fields<Surfel>(),
+                    .fingerprint = fingerprint},
+                   {.key = "surfels.kept", .label = "Surfels", .doc = "That are left by thinning."}, reserve);
+}
+
 Surfels make_surfels(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                      const passes::ShadowMaps& shadow, float reach, const Parameters& parameters) {
     const auto& view = builder.inputs().view;
@@ -48,16 +62,20 @@ Surfels make_surfels(graph::GraphBuilder& builder, const passes::SceneBuffers& s
     };
     const auto reserve = room_for(1, 0);
     const auto kept_while = surfel_fingerprint(builder.inputs(), reach, parameters);
-    const auto fine =
-        declare_fine(builder, room_for(2, 0.65), kept_while);  // three for a triangle however small
-    const auto patches =
-        cut_patches(builder, scene, fine, reach, room_for(0.1, 0.25), parameters, kept_while);
-    tessellate(builder, scene, patches, fine, parameters, kept_while);
-    auto surfels = thin(builder, scene, fine, reserve, parameters, kept_while);
+    const auto patch_room = room_for(0.1, 0.25);
+    std::optional<Growing> fine;
+    if (parameters.placement != Placement::systematic)
+        fine = declare_fine(builder, room_for(2, 0.65), kept_while);  // three for a triangle however small
+    const auto total =
+        fine ? fine->count : builder.counter({.key = "surfels.units", .label = "Worth of patches"});
+    const auto patches = cut_patches(builder, scene, total, reach, patch_room, parameters, kept_while);
+    if (fine) tessellate(builder, scene, patches, *fine, parameters, kept_while);
+    auto surfels = fine ? thin(builder, scene, *fine, reserve, parameters, kept_while)
+                        : place(builder, scene, patches, reserve, parameters, kept_while);
     if (parameters.transport.paths != Transport::Paths::ao)
         surfels.lights = shade(builder, scene, shadow, surfels, parameters);
     show_surfels(builder, surfels, reserve, parameters);
-    count_surfels(builder, patches, fine, surfels, parameters);
+    count_surfels(builder, patches, fine ? &*fine : nullptr, surfels, parameters);
     return surfels;
 }
 

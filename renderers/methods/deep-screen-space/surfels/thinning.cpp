@@ -67,16 +67,7 @@ Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
                  .fingerprint = fingerprint},
                 {.key = "surfels.fine.words", .label = "Runs of fine surfels with places"},
                 (fine_room + run - 1) / run);
-    const auto kept =
-        growing(builder,
-                {.text = {.key = "surfels.records",
-                          .label = "Surfels, as passes read them",
-                          .doc = "As the output \"surfels\"; identity: a hash of the surfel's place, of "
-                                 "which all random choices about it are made."},
-                 .kind = OutputKind::glyphs,
-                 .fields = record_fields<Surfel>(),
-                 .fingerprint = fingerprint},
-                {.key = "surfels.kept", .label = "Surfels", .doc = "That are left by thinning."}, reserve);
+    const auto kept = declare_records(builder, reserve, fingerprint);
     const Thinning t{scene, fine, words, parameters};
     reads(builder.pass("thin surfels"), t)
         .writes("Words", words.buffer)

@@ -16,7 +16,7 @@ layout(std430) writeonly buffer Candidates { Candidate candidates[]; };
 // C++: ir::methods::deep_screen_space::LevelSum
 struct LevelSum {
     uint sample_, level, splats;
-    uint outside, missed, too_far, own, hits;  // splats by outcome
+    uint outside, missed, too_far, refused, hits;  // splats by outcome
     uint found, kept, nearest;
     float found_z, kept_z;
 };
@@ -49,7 +49,7 @@ void explain(Surfel s, uint index, int level, int sample_index, ivec2 place, vec
     if (e.hit.outcome == SPLAT_OUTSIDE) atomicAdd(sums[row].outside, 1u);
     if (e.hit.outcome == SPLAT_MISSED) atomicAdd(sums[row].missed, 1u);
     if (e.hit.outcome == SPLAT_TOO_FAR) atomicAdd(sums[row].too_far, 1u);
-    if (e.hit.outcome == SPLAT_OWN) atomicAdd(sums[row].own, 1u);
+    if (e.hit.outcome == SPLAT_REFUSED) atomicAdd(sums[row].refused, 1u);
     if (e.hit.outcome == SPLAT_HIT) atomicAdd(sums[row].hits, 1u);
     if (e.hit.outcome != SPLAT_OUTSIDE) write_candidate(s, index, sample_index, level, e);
 }

@@ -4,6 +4,7 @@
 #include "methods/deep-screen-space/splatting/sphere_bounds.glsl"
 #include "methods/deep-screen-space/splatting/sub_image.glsl"
 #include "methods/deep-screen-space/splatting/visible_level.glsl"
+#include "methods/deep-screen-space/splatting/accepted.glsl"
 
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
 layout(std430) readonly buffer Stored { uint stored, made; };
@@ -23,13 +24,13 @@ ivec2 place_of(ivec2 pixel, int level) { return unpacked_place(texelFetch(places
 /// Pixels, on a level, of the sphere in which the surfel is drawn there.
 PixelRange splat_range(Surfel s, int level) {
     Shell shell = shell_of(s, level);
-    if (shell.inner >= shell.outer) return NO_PIXELS;
+    if (shell.inner >= shell.outer || s.radius == 0.0) return NO_PIXELS;
     PixelRange range = pixels_of_sphere(s.centre_ws, shell.outer);
     return PixelRange(range.first >> level, range.last >> level);
 }
 
 bool is_in_sub_image(Surfel s, int level, int sample_index, ivec2 place) {
-    uvec2 sub_image = random_sub_image(s.identity, uint(level), uint(sample_index), seed);
+    uvec2 sub_image = random_sub_image(s, uint(level), uint(sample_index), seed);
     return uvec2(place) / (uvec2(hierarchy_size) >> level) == sub_image;
 }
 
@@ -48,7 +49,7 @@ ExplainedSplat explained_splat(Surfel s, int level, vec3 x_ws, vec3 direction_ws
     ExplainedSplat e = ExplainedSplat(splat_shell(l, x_ws, s.centre_ws), SplatHit(SPLAT_OUTSIDE, 0.0, 1.0, 0.0));
     if (e.shell < 0) return e;
     e.hit = splat_hit(l, e.shell, x_ws, direction_ws, s.centre_ws, s.normal_ws, s.radius);
-    if (e.hit.outcome == SPLAT_HIT && !splat_is_above(x_ws, geometric_normal_ws, s.centre_ws))
-        e.hit.outcome = SPLAT_OWN;
+    if (e.hit.outcome == SPLAT_HIT && !splat_is_accepted(s, e.hit, x_ws, direction_ws, geometric_normal_ws))
+        e.hit.outcome = SPLAT_REFUSED;
     return e;
 }

@@ -3,6 +3,7 @@
 uniform float shell_radius;  // m: d, where it is the same for all surfels; else its least value
 uniform float whole_reach;   // m: nothing has an effect beyond
 uniform float trade_off;     // ε; 0: d is the same for all surfels
+uniform int open_level;      // whose shell ends at the whole reach; -1: none
 
 /// d of the surfel, m: where the form factor of its disc, A / (π d²), is ε, or farther out, where the last shell would
 /// else end before the whole reach.
@@ -18,5 +19,5 @@ struct Shell {
 Shell shell_of(Surfel surfel, int level) {
     float outer = ldexp(first_shell(surfel), level);
     float inner = level == 0 ? 0.0 : 0.5 * outer;
-    return Shell(min(inner, whole_reach), min(outer, whole_reach));
+    return Shell(min(inner, whole_reach), level == open_level ? whole_reach : min(outer, whole_reach));
 }

@@ -41,6 +41,7 @@ bool is_idle(uint surfel) {
 
 /// First place, and the one after the last; both 0: none.
 uvec2 rectangle_of(Surfel surfel) {
+    if (surfel.radius == 0.0) return uvec2(0);  // there is a hole
     Shell shell = shell_of(surfel, int(level));
     if (shell.inner >= shell.outer) return uvec2(0);
     float reach = shell.outer, inner = shells ? shell.inner : 0.0;
@@ -51,7 +52,7 @@ uvec2 rectangle_of(Surfel surfel) {
         return uvec2(0);
     }
     atomicAdd(group_drawn, 1u);
-    uvec2 corner = random_sub_image(surfel.identity, level, sample_index, seed) * (uvec2(hierarchy_size) >> level);
+    uvec2 corner = random_sub_image(surfel, level, sample_index, seed) * (uvec2(hierarchy_size) >> level);
     uvec2 begin = corner + (uvec2(range.first) >> level), after = corner + (uvec2(range.last) >> level) + 1u;
     return uvec2(begin.x | begin.y << 16, after.x | after.y << 16);
 }

@@ -8,6 +8,7 @@
 layout(std430) readonly buffer Lights { Light lights[]; };
 
 uniform int light_count, normal_maps;
+uniform float light_offset;  // radii
 
 /// Of the part that is no glass. [glTF2 KHR_materials_transmission]
 vec3 whole_brdf(HitSurface s, vec3 l, vec3 v) {
@@ -34,7 +35,8 @@ vec3 sent_to_one_side(Surfel surfel, vec3 direction_ws) {
         vec3 l = light.direction_ws;
         float cosine = dot(s.shading_normal_ws, l);
         if (cosine <= 0.0 || dot(s.geometric_normal_ws, l) <= 0.0 || light.irradiance == vec3(0)) continue;
-        float visible = shadow_visibility(lights[i], surfel.centre_ws, s.geometric_normal_ws, l, 0);
+        float visible = shadow_visibility(lights[i], surfel.centre_ws + light_offset * surfel.radius * s.geometric_normal_ws,
+                                          s.geometric_normal_ws, l, 0);
         if (visible == 0.0) continue;
         sum += (whole_brdf(s, l, -direction_ws) - stored * below_interface(s, l)) * light.irradiance *
                (cosine * visible);

@@ -2,6 +2,7 @@
 #include "methods/deep-screen-space/records.glsl"
 #include "methods/deep-screen-space/splatting/places.glsl"
 #include "methods/deep-screen-space/splatting/visible_level.glsl"
+#include "methods/deep-screen-space/splatting/accepted.glsl"
 
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
 
@@ -29,7 +30,8 @@ void main() {
     if (direction == vec4(0)) discard;
     SplatHit hit = splat_hit(l, shell, x.xyz, direction.xyz, surfel.centre_ws, surfel.normal_ws, surfel.radius);
     if (hit.outcome != SPLAT_HIT) discard;
-    if (!splat_is_above(x.xyz, texelFetch(gbuffer_geometric_normal, pixel, 0).xyz, surfel.centre_ws)) discard;
+    vec3 normal_ws = texelFetch(gbuffer_geometric_normal, pixel, 0).xyz;
+    if (!splat_is_accepted(surfel, hit, x.xyz, direction.xyz, normal_ws)) discard;
     winner = 1u + surfel_index;
     gl_FragDepth = hit.z;
 }

@@ -8,9 +8,11 @@ struct SplatLevel {
     float coverage;      // area of the disc that is tested, in areas of its surfel
     float max_distance;  // m; 0: no limit
     bool full_discs;     // inner shells count, too
+    bool is_open;        // its shell ends where all shells end
 };
 
-/// The level whose shell around the surfel holds x_p: [0, d], then (d 2^(k-1), d 2^k], as far as they reach; -1 where
+/// The level whose shell around the surfel holds x_p: [0, d], then (d 2^(k-1), d 2^k], as far as they reach, the last
+/// one if open as far as all; -1 where
 /// level l does not draw it.  [Nalbach15 §4.1, §4.3]
 int splat_shell(SplatLevel l, vec3 x_ws, vec3 centre_ws) {
     precise vec3 offset = centre_ws - x_ws;
@@ -22,7 +24,7 @@ int splat_shell(SplatLevel l, vec3 x_ws, vec3 centre_ws) {
         reach *= 4.0;
         ++k;
     }
-    if (squared > reach || (!l.full_discs && k != l.level)) return -1;
+    if ((squared > reach && !l.is_open) || (!l.full_discs && k != l.level)) return -1;
     return k;
 }
 
@@ -76,7 +78,7 @@ const int SPLAT_NONE = 0;     // it does not cover the pixel
 const int SPLAT_OUTSIDE = 1;  // x_p lies in no shell of the level
 const int SPLAT_MISSED = 2;   // the ray misses the disc, or meets its plane behind x_p
 const int SPLAT_TOO_FAR = 3;  // beyond the maximum distance
-const int SPLAT_OWN = 4;      // its centre is not above the plane of x_p's triangle
+const int SPLAT_REFUSED = 4;  // it does not count for this receiver: accepted.glsl
 const int SPLAT_HIT = 5;      // met; of explanations: but something is nearer on this level
 const int SPLAT_LEVEL = 6;    // the nearest on its level, but another one decides
 const int SPLAT_WINS = 7;
@@ -86,7 +88,7 @@ struct SplatHit {
     float distance_m, z, disc_radius;
 };
 
-/// The ray from x_p against the disc for a shell of 0 or more; SPLAT_OWN is left to ask.
+/// The ray from x_p against the disc for a shell of 0 or more; SPLAT_REFUSED is left to ask.
 SplatHit splat_hit(SplatLevel l, int shell, vec3 x_ws, vec3 direction_ws, vec3 centre_ws, vec3 normal_ws,
                    float surfel_radius) {
     SplatHit hit = SplatHit(SPLAT_MISSED, splat_plane_distance(x_ws, direction_ws, centre_ws, normal_ws), 1.0,

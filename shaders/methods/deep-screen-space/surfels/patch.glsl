@@ -28,6 +28,9 @@ Patch patch_part(Patch p, uint splits, uvec2 corner, bool is_turned) {
     return Patch(p.triangle, p.splits * splits, patch_place(part, is_turned != patch_is_turned(p)), 0u);
 }
 
+const uint UNITS_OF_SURFEL = 256u;  // where surfels are counted in parts
+const float SURFELS_OF_PATCH = 16.0;  // at most, there
+
 /// How many distinct vertices the tessellator makes of a triangle whose levels are all n, equally spaced: rings of
 /// 3k with k = n, n - 2, …, and where n is even the middle. [OpenGL 4.5 core §11.2.2.2]
 uint tessellated_points(uint n) {

@@ -16,8 +16,9 @@ layout(std430) writeonly buffer SurfelLights { SurfelLight surfel_lights[]; };
 layout(std430) writeonly buffer LitCount { uint lit_count; };
 
 uniform int light_count, normal_maps;
+uniform float light_offset;  // radii
 
-vec3 reflected(HitSurface s, vec3 position_ws) {
+vec3 reflected(HitSurface s, vec3 position_ws, float radius) {
     vec3 albedo = diffuse_albedo(s), sum = vec3(0);
     if (albedo == vec3(0)) return sum;
     for (int i = 0; i < light_count; ++i) {
@@ -26,7 +27,8 @@ vec3 reflected(HitSurface s, vec3 position_ws) {
         float cosine = dot(s.shading_normal_ws, light.direction_ws);
         if (cosine <= 0.0 || dot(s.geometric_normal_ws, light.direction_ws) <= 0.0 || light.irradiance == vec3(0))
             continue;
-        float visible = shadow_visibility(lights[i], position_ws, s.geometric_normal_ws, light.direction_ws, 0);
+        float visible = shadow_visibility(lights[i], position_ws + light_offset * radius * s.geometric_normal_ws,
+                                          s.geometric_normal_ws, light.direction_ws, 0);
         sum += below_interface(s, light.direction_ws) * light.irradiance * (cosine * visible);
     }
     return albedo / PI * sum;
@@ -55,8 +57,8 @@ void main() {
     emission = emitted(surfel.triangle, weights);
 #endif
     HitSurface side = hit_surface(surfel.triangle, weights.x, weights.y, -surfel.normal_ws, normal_maps != 0);
-    surfel_lights[item].front = floats(emission + reflected(side, surfel.centre_ws));
+    surfel_lights[item].front = floats(emission + reflected(side, surfel.centre_ws, surfel.radius));
     side.geometric_normal_ws = -side.geometric_normal_ws;
     side.shading_normal_ws = -side.shading_normal_ws;
-    surfel_lights[item].back = floats(emission + reflected(side, surfel.centre_ws));
+    surfel_lights[item].back = floats(emission + reflected(side, surfel.centre_ws, surfel.radius));
 }

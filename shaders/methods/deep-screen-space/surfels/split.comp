@@ -1,9 +1,11 @@
 // Culls parts of triangles and splits those that are too large for the tessellator. ROUND 1: triangles; ROUND 2:
 // the parts that the first round left, each as its own distance asks. Twice, to count and (PACKS) to write.
+// SYSTEMATIC: parts are small beside their distance and few surfels large, triangles come in an order of their own.
 layout(local_size_x = 64) in;
 #define SCENE_POSITIONS
 #define SCENE_INDICES
 #include "passes/scene/scene.glsl"
+#include "lib/random.glsl"
 #include "methods/deep-screen-space/surfels/ideal.glsl"
 #include "methods/deep-screen-space/surfels/patch.glsl"
 #if ROUND == 2
@@ -28,12 +30,17 @@ layout(std430) writeonly buffer WordCount { uint word_count; };
 #if PACKS && ROUND == 2
 uniform uint point_capacity;
 layout(std430) writeonly buffer Points { uint point_counts[]; };  // of each patch
+#if !SYSTEMATIC
 layout(std430) buffer CoarseCount { uint coarse_count; };
+#endif
 #endif
 #if PACKS && ROUND == 1
 layout(std430) buffer TriangleCount { uint triangle_count; };
 #endif
 
+#if ROUND == 1 && SYSTEMATIC
+layout(std430) readonly buffer Order { uint order[]; };
+#endif
 #if ROUND == 1
 uniform uint first_item, end_item;
 #else
@@ -100,9 +107,36 @@ float surfels_of(Corners c, Patch p) {
     return area_of(c) / (float(p.splits) * float(p.splits) * fine_part * ideal);
 }
 
+#if SYSTEMATIC
+/// Of a patch, in distances: within it all surfels are of equal area.
+const float MAX_LENGTH = 0.3;
+
+uniform uint seed;
+
+/// The longest side, in distances of the nearest point; parallel views have no distance.
+float length_of(Corners c, Patch p) {
+    if (ideal_axis_ws == vec3(0)) return 0.0;
+    vec3 bc = c.ac - c.ab;
+    float side = sqrt(max(max(dot(c.ab, c.ab), dot(c.ac, c.ac)), dot(bc, bc))) / float(p.splits);
+    float ideal = min_ideal_area(corner_ws(c, p, vec2(0)), corner_ws(c, p, vec2(1, 0)), corner_ws(c, p, vec2(0, 1)));
+    return side * ideal_radius / sqrt(ideal / PI);
+}
+
+/// What the patch is worth, rounded at random: right on average however small it is.
+uint units_of(Corners c, Patch p) {
+    float ideal = ideal_area(corner_ws(c, p, vec2(1.0 / 3.0)));
+    float surfels = area_of(c) / (float(p.splits) * float(p.splits) * ideal);
+    return uint(surfels * float(UNITS_OF_SURFEL) + unit_float(pcg4d(uvec4(p.triangle, p.splits, p.place, seed)).x));
+}
+#endif
+
 /// Into how many parts along each side; in the first round at most half of the way, as the parts' distances differ.
 uint splits_of(Corners c, Patch p) {
+#if SYSTEMATIC
+    float needed = max(sqrt(surfels_of(c, p) / SURFELS_OF_PATCH), length_of(c, p) / MAX_LENGTH);
+#else
     float needed = sqrt(surfels_of(c, p) / float(tessellated_points(MAX_LEVEL)));
+#endif
 #if ROUND == 1
     if (needed > 4.0) needed = sqrt(needed);
 #endif
@@ -115,7 +149,9 @@ bool is_culled(Corners c, Patch p) {
 
 #if PACKS
 void write(Corners c, Patch p, inout uint place) {
-#if ROUND == 2
+#if ROUND == 2 && SYSTEMATIC
+    if (place < point_capacity) point_counts[place] = units_of(c, p);
+#elif ROUND == 2
     float surfels = surfels_of(c, p);
     p.level = level_for(surfels);
     uint points = tessellated_points(p.level);
@@ -147,7 +183,11 @@ void main() {
     counts[item] = 0u;
 #endif
 #if ROUND == 1
+#if SYSTEMATIC
+    Patch whole = Patch(order[item], 1u, 0u, 0u);
+#else
     Patch whole = Patch(item, 1u, 0u, 0u);
+#endif
 #else
     if (item >= min(part_count, part_capacity)) return;
     Patch whole = parts[item];

@@ -19,7 +19,7 @@ void main() {
         float area = kept_area(s);
         if (!(area > 0.0)) continue;
         surfels[place] = Surfel(s.centre_ws, s.triangle, s.normal_ws, sqrt(area / PI), s.barycentrics, s.identity,
-                                uint[](0u, 0u));
+                                place, 0u);
         ++place;
     }
 }

@@ -1,31 +1,12 @@
 // Which fine surfels are kept. [Nalbach15 §4.3, fig. 6 c]
-#include "lib/coverage.glsl"
-#include "lib/material.glsl"
 #include "lib/random.glsl"
-#define SCENE_UV0
-#define SCENE_UV1
-#define SCENE_INDICES
-#define SCENE_TRIANGLE_MATERIALS
-#include "passes/scene/scene.glsl"
+#include "methods/deep-screen-space/surfels/holes.glsl"
 #include "methods/deep-screen-space/surfels/fine.glsl"
 #include "methods/deep-screen-space/surfels/parts.glsl"
 
 uniform uint capacity, word_capacity;
 
 layout(std430) readonly buffer FineCount { uint fine_count; };
-layout(std430) readonly buffer Materials { Material materials[]; };
-
-/// Whether the triangle's alpha mask has a surface there.
-bool is_there(FineSurfel s) {
-    uint material = scene_triangle_materials[s.triangle];
-    if (opacity[material].width == 0) return true;
-    uvec3 corners = scene_triangle(s.triangle);
-    vec2 w = unpackUnorm2x16(s.barycentrics);
-    vec3 weights = vec3(1.0 - w.x - w.y, w);
-    vec2 uv0 = weights.x * scene_uv0[corners.x] + weights.y * scene_uv0[corners.y] + weights.z * scene_uv0[corners.z];
-    vec2 uv1 = weights.x * scene_uv1[corners.x] + weights.y * scene_uv1[corners.y] + weights.z * scene_uv1[corners.z];
-    return is_covered(material, uv_of_slot(materials[material].base_colour_slot, uv0, uv1));
-}
 
 #if THINNING == 1
 /// DEVIATION [Nalbach15 §4.3]: surfels are discarded with probability max(1 - A/A*, 0), and what is kept stands for
@@ -39,7 +20,7 @@ float kept_probability(float part) { return 1.0 / part; }
 
 /// The surfel's area, m²: 0 where it is discarded or an alpha mask has a hole.
 float kept_area(FineSurfel s) {
-    if (!is_there(s)) return 0.0;
+    if (!is_surface_there(s.triangle, s.barycentrics)) return 0.0;
     float area = fine_area_of(s);
 #if THINNING
     // All 32 bits: probabilities of tiny triangles are tiny.

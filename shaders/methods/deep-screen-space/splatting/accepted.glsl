@@ -1,0 +1,38 @@
+// Which of the discs that a ray meets count. DISCS: as Discs counts; OPEN_BACKS: surfels are open from behind.
+#if DISCS == 2
+#include "passes/raytracing/bvh.glsl"
+
+/// Ray origins start this part of their coordinates above the surface: renderers/passes/raytracing/ray_offset.h.
+const float SPLAT_RAY_OFFSET = 4e-6;
+/// Part of the disc's radius by which its centre is lifted towards the ray, so that a curved or crumpled surface does
+/// not hide its own.
+const float SPLAT_LIFT = 0.05;
+
+/// Whether nothing lies between x_p and the disc's centre.
+/// DEVIATION [Nalbach15 §3.2]: no such test. Enlarged discs reach around edges and into what is closed; there they
+/// hide what the ray would meet, and what they send is what arrives somewhere else.
+bool splat_is_seen(vec3 x_ws, vec3 geometric_normal_ws, vec3 direction_ws, Surfel s, float disc_radius) {
+    vec3 size = abs(x_ws);
+    vec3 origin = x_ws + (1e-6 + SPLAT_RAY_OFFSET * max(size.x, max(size.y, size.z))) * geometric_normal_ws;
+    vec3 facing = dot(s.normal_ws, direction_ws) > 0.0 ? -s.normal_ws : s.normal_ws;
+    vec3 way = s.centre_ws + SPLAT_LIFT * disc_radius * facing - origin;
+    float distance_m = length(way);
+    RayHit hit;
+    find_first_hit(Ray(origin, 0.999 * distance_m, way / distance_m, 0.0), hit);
+    return !is_hit(hit);
+}
+#endif
+
+/// `x_ws` and `geometric_normal_ws` are the receiver's, `hit` is what the disc does to its ray.
+bool splat_is_accepted(Surfel s, SplatHit hit, vec3 x_ws, vec3 direction_ws, vec3 geometric_normal_ws) {
+#if OPEN_BACKS
+    if (dot(s.normal_ws, direction_ws) > 0.0) return false;
+#endif
+#if DISCS >= 1
+    if (!splat_is_above(x_ws, geometric_normal_ws, s.centre_ws)) return false;
+#endif
+#if DISCS == 2
+    if (!splat_is_seen(x_ws, geometric_normal_ws, direction_ws, s, hit.disc_radius)) return false;
+#endif
+    return true;
+}

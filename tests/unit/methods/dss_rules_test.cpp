@@ -1,0 +1,97 @@
+// Which discs count, where the last shell ends, and which sub-images surfels take.
+#include <map>
+#include <vector>
+
+#include "tests/unit/methods/dss_visible_fixture.h"
+
+namespace ir::test {
+namespace {
+
+class DssRules : public VisibleTest {
+  protected:
+    int hits(const Shot& shot, VisibleRun run) {
+        run.wanted = {"bounce.distance"};
+        splat(shot, run);
+        int count = 0;
+        for (int sample = 0; sample < run.parameters.directions.samples; ++sample)
+            for (const float distance : read("bounce.distance", sample).pixels) count += distance >= 0;
+        return count;
+    }
+};
+
+/// A floor at y = 0 from above; with `screen` a plate at y = 0.5 over x > 0.5, beside what is seen.
+Shot floor_below(bool screen) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 1, 0}, 20);
+    if (screen) small.quad({0.5f, 0.5f, -9}, {0.5f, 0.5f, 9}, {9, 0.5f, 9}, {9, 0.5f, -9});
+    return {small.scene(), dss_camera({0, 0.3f, 0.01f}, {0, 0, 0}, true, 0.2f), 24, 24};
+}
+
+/// The disc's centre is behind the plate, most of the disc beside it.
+TEST_F(DssRules, WhatTheReceiverDoesNotSeeCountsForNothingWhereItMustBeSeen) {
+    VisibleRun run{.surfels = {disc({1, 0.8f, 0}, {0, 1, 0}, 1.5f)}, .parameters = visible_parameters(4)};
+    const auto hits_by = [&](dss::Discs discs, bool screen) {
+        run.parameters.discs = discs;
+        return hits(floor_below(screen), run);
+    };
+    EXPECT_GT(hits_by(dss::Discs::above, true), 200);
+    EXPECT_EQ(hits_by(dss::Discs::seen, true), 0);
+    EXPECT_EQ(hits_by(dss::Discs::seen, false), hits_by(dss::Discs::above, false));
+}
+
+TEST_F(DssRules, SurfacesShadeThemselvesWhereAllDiscsCount) {
+    VisibleRun run{.surfels = {disc({0, -0.1f, 0}, {1, 1, 0}, 1)}, .parameters = visible_parameters(4)};
+    run.parameters.discs = dss::Discs::above;
+    EXPECT_EQ(hits(floor_below(false), run), 0);
+    run.parameters.discs = dss::Discs::all;
+    EXPECT_GT(hits(floor_below(false), run), 200);
+}
+
+TEST_F(DssRules, OpenBacksLetRaysThrough) {
+    VisibleRun run{.surfels = {disc({0, 0.5f, 0}, {0, 1, 0}, 1)}, .parameters = visible_parameters(4)};
+    EXPECT_GT(hits(floor_below(false), run), 200);
+    run.parameters.backs = dss::Backs::open;
+    EXPECT_EQ(hits(floor_below(false), run), 0);
+    run.surfels[0].normal_ws = {0, -1, 0};
+    EXPECT_GT(hits(floor_below(false), run), 200);
+}
+
+TEST_F(DssRules, AnOpenLastShellReachesWhateverIsFar) {
+    VisibleRun run{.surfels = {disc({0, 9, 0}, {0, -1, 0}, 9)}, .parameters = visible_parameters(4, 2, 0, 1)};
+    for (std::uint32_t i = 1; i < 16; ++i) run.surfels.push_back(disc({0, 9, 0}, {0, -1, 0}, 9, i));
+    EXPECT_EQ(hits(floor_below(false), run), 0) << "2 m";
+    run.parameters.last_shell = dss::LastShell::open;
+    EXPECT_GT(hits(floor_below(false), run), 1000);
+    run.parameters.transport.max_distance = 5;
+    EXPECT_EQ(hits(floor_below(false), run), 0);
+}
+
+/// Of 16 surfels in order each of the 4^l sub-images has as many; drawn independently they have not.
+TEST_F(DssRules, StratifiedSurfelsTakeAllSubImagesInTurn) {
+    VisibleRun run{.parameters = visible_parameters(1, 2, 0, 100)};
+    for (std::uint32_t i = 0; i < 16; ++i) {
+        run.surfels.push_back(disc({0, 0.5f, 0}, {0, -1, 0}, 1, i));
+        run.surfels.back().order = i;
+    }
+    run.wanted = {"splats.explain.surfel", "splats.explain.cover"};
+    const auto shot = floor_below(false);
+    const auto most = [&](dss::SubImages choice, int level) {
+        run.parameters.sub_images = choice;
+        std::map<std::vector<float>, int> surfels_of;
+        for (int i = 0; i < 16; ++i) {
+            run.inspection.chosen["surfel"] = 1 + i;
+            splat(shot, run);
+            auto cover = read("splats.explain.cover", level).pixels;
+            for (auto& outcome : cover) outcome = outcome > 0 ? 1.0f : 0.0f;
+            ++surfels_of[cover];
+        }
+        int result = 0;
+        for (const auto& [cover, count] : surfels_of) result = std::max(result, count);
+        return result;
+    };
+    EXPECT_EQ(most(dss::SubImages::stratified, 1), 4);
+    EXPECT_GT(most(dss::SubImages::independent, 1), 4);
+}
+
+}  // namespace
+}  // namespace ir::test
