@@ -39,7 +39,7 @@ MethodDescription description() {
     for (const auto& part :
          {additive_outputs(), bounced_outputs(), passes::bounce::direction_outputs(bounced),
           passes::bounce::sample_outputs(bounced), count_outputs(), explanation_outputs(),
-          passes::bounce::reconstruction_outputs(bounced)})
+          passes::bounce::reconstruction_outputs(bounced), passes::direct_outputs()})
         d.outputs.insert(d.outputs.end(), part.begin(), part.end());
     d.selectors = {{.key = "sample",
                     .label = "Sample",
@@ -79,7 +79,7 @@ graph::ImageRef without_visibility(graph::GraphBuilder& builder, const Volumes& 
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
-    const auto direct = passes::direct_light(builder, scene, gbuffer);
+    const auto direct = passes::direct_light(builder, scene, gbuffer, passes::lit_options(parameters.light));
     const auto volumes = declare_volumes(builder, scene, gbuffer, parameters);
     const auto text = builder.text_of_output("accessibility");
     const auto accessibility = parameters.visibility ? with_visibility(builder, volumes, parameters, text)

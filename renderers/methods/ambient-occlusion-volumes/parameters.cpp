@@ -61,7 +61,8 @@ ParameterTable<Parameters> parameter_table() {
               .doc = "Leaves out volumes in which nothing lies that the picture shows, tile by tile.",
               .citation = "Nalbach15 §4.3",
               .effect = Effect::cost})
-        .add(&Parameters::ambient, passes::ambient_parameter());
+        .add(&Parameters::ambient, passes::ambient_parameter())
+        .include(&Parameters::light, passes::light_parameters());
     return table;
 }
 

@@ -3,6 +3,7 @@
 #include "renderers/core/default_transport.h"
 #include "renderers/passes/bounce/directions.h"
 #include "renderers/passes/bounce/reconstruction.h"
+#include "renderers/passes/direct/light_parameters.h"
 #include "renderers/scene/world.h"
 
 namespace ir::methods::ambient_occlusion_volumes {
@@ -20,6 +21,7 @@ struct Parameters {
     passes::bounce::ReconstructionParameters reconstruction;
     bool culling = true;
     float ambient = 0.5f;
+    passes::LightParameters light;
 };
 
 ParameterTable<Parameters> parameter_table();

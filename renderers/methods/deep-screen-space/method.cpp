@@ -46,8 +46,9 @@ std::vector<OutputDescription> outputs() {
     std::vector<OutputDescription> all;
     for (const auto& part :
          {pictures(), bounce::direction_outputs(with_visibility), bounce::sample_outputs(with_visibility),
-          bounce::reconstruction_outputs(with_visibility), surfel_outputs(), hierarchy_outputs(),
-          visible_outputs(), additive_outputs(), explanation_outputs(), passes::reprojection_outputs()})
+          bounce::reconstruction_outputs(with_visibility), passes::direct_outputs(), surfel_outputs(),
+          hierarchy_outputs(), visible_outputs(), additive_outputs(), explanation_outputs(),
+          passes::reprojection_outputs()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }
@@ -61,8 +62,7 @@ MethodDescription description() {
         "about it, and with visibility keeps, for each sample of a pixel, the nearest along its direction. "
         "Ambient occlusion, or one bounce of light with glossy receivers and senders. Surfaces that the "
         "picture does not show count. Errors come from the surfels' size, from the number of directions, and "
-        "from far surfels that stand for many. Senders are lit by point, spot and directional lights; the "
-        "environment lights nothing.";
+        "from far surfels that stand for many. Senders are lit by point, spot and directional lights alone.";
     d.version = 2;
     d.papers = {"Nalbach15", "Nalbach14"};
     d.background = 1;
@@ -130,7 +130,7 @@ void note_missing_light(graph::GraphBuilder& builder, const Transport& transport
     if (transport.paths == Paths::ao) return;
     const auto& environment = builder.inputs().scene->environment;
     if (transport.environment_light && (environment.map || environment.constant != glm::vec3(0)))
-        builder.note("deep-screen-space: the environment lights nothing, it is only seen");
+        builder.note("deep-screen-space: what the environment lights is not reflected further");
     const auto& lights = builder.inputs().world->lights;
     if (std::none_of(lights.begin(), lights.end(), [](const auto& light) { return is_punctual(light.type); }))
         builder.note(
@@ -142,11 +142,18 @@ void note_missing_light(graph::GraphBuilder& builder, const Transport& transport
             "light what is within the reach of their surfels");
 }
 
+/// Surfels of emissive triangles send their light themselves.
+passes::DirectLightOptions direct_options(const Parameters& parameters) {
+    if (parameters.transport.paths == Paths::ao) return passes::lit_options(parameters.light);
+    auto extended = passes::extended_light_options(parameters.light, parameters.transport);
+    extended.emissive_meshes = false;
+    return {.extended = extended};
+}
+
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
-    const auto direct =
-        passes::direct_light(builder, scene, gbuffer, {.materials = parameters.transport.materials});
+    const auto direct = passes::direct_light(builder, scene, gbuffer, direct_options(parameters));
     const bool ao = parameters.transport.paths == Paths::ao;
     const auto picture = passes::reproject(
         builder, gbuffer,

@@ -28,6 +28,7 @@ ParameterTable<Parameters> parameter_table() {
                                                    {"visibility", {true}}, passes::bounce::Effects::light));
     table.include(&Parameters::reprojection, passes::reprojection_parameters());
     table.add(&Parameters::ambient, passes::ambient_parameter());
+    table.include(&Parameters::light, passes::light_parameters());
     return table;
 }
 

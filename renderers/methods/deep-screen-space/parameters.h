@@ -7,6 +7,7 @@
 #include "renderers/passes/bounce/directions.h"
 #include "renderers/passes/bounce/reconstruction.h"
 #include "renderers/passes/bounce/reprojection.h"
+#include "renderers/passes/direct/light_parameters.h"
 #include "renderers/scene/world.h"
 
 namespace ir::methods::deep_screen_space {
@@ -31,6 +32,7 @@ struct Parameters {
     passes::bounce::ReconstructionParameters reconstruction;
     passes::ReprojectionParameters reprojection;
     float ambient = 0.5f;
+    passes::LightParameters light;
 
     // surfels/parameters.cpp
     float surfel_radius = 1.5f;  ///< pixels: of the ideal surfel, seen face on

@@ -33,7 +33,7 @@ MethodDescription description() {
         passes::lit_output(),
         passes::valid_output(),
     };
-    for (const auto& part : {marched_outputs(), explanation_outputs()})
+    for (const auto& part : {passes::direct_outputs(), marched_outputs(), explanation_outputs()})
         d.outputs.insert(d.outputs.end(), part.begin(), part.end());
     d.stages = {{"hbao.raw", 0, "Before the blur"}, {"accessibility", 0, "Blurred"}};
     return d;
@@ -42,7 +42,7 @@ MethodDescription description() {
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
-    const auto direct = passes::direct_light(builder, scene, gbuffer);
+    const auto direct = passes::direct_light(builder, scene, gbuffer, passes::lit_options(parameters.light));
     const auto marched = march(builder, gbuffer, parameters);
     const auto accessibility =
         passes::blur(builder, gbuffer, marched.raw, passes::options_of(parameters.blur),

@@ -76,6 +76,7 @@ ParameterTable<Parameters> parameter_table() {
     add_shape(table);
     table.include(&Parameters::blur, passes::blur_parameters());
     table.add(&Parameters::ambient, passes::ambient_parameter());
+    table.include(&Parameters::light, passes::light_parameters());
     return table;
 }
 

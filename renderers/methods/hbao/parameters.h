@@ -2,6 +2,7 @@
 
 #include "renderers/core/default_transport.h"
 #include "renderers/passes/blur/blur.h"
+#include "renderers/passes/direct/light_parameters.h"
 
 namespace ir::methods::hbao {
 
@@ -19,6 +20,7 @@ struct Parameters {
     float angle_bias = 5;
     passes::BlurParameters blur{.blur_radius = 3};
     float ambient = 0.5f;
+    passes::LightParameters light;
 };
 
 ParameterTable<Parameters> parameter_table();

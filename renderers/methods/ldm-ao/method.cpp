@@ -49,7 +49,7 @@ MethodDescription description() {
              "own: where light may leak."},
         overlay_output(),
     };
-    for (const auto& part : {passes::ldm::map_outputs(), explanation_outputs()})
+    for (const auto& part : {passes::direct_outputs(), passes::ldm::map_outputs(), explanation_outputs()})
         d.outputs.insert(d.outputs.end(), part.begin(), part.end());
     return d;
 }
@@ -65,7 +65,7 @@ std::string needs_lists(const Parameters& parameters) {
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
-    const auto direct = passes::direct_light(builder, scene, gbuffer);
+    const auto direct = passes::direct_light(builder, scene, gbuffer, passes::lit_options(parameters.light));
     auto options = passes::ldm::options_of(parameters.maps);
     if (const auto reason = needs_lists(parameters);
         !reason.empty() && options.storage == passes::ldm::StorageKind::outermost) {

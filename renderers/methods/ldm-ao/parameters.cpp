@@ -46,7 +46,8 @@ ParameterTable<Parameters> parameter_table() {
               .doc = "Turns the set of directions at random in every frame and averages over frames. Turning "
                      "adds noise; without it frames are equal.",
               .citation = "Aalund15 §6"})
-        .add(&Parameters::ambient, passes::ambient_parameter());
+        .add(&Parameters::ambient, passes::ambient_parameter())
+        .include(&Parameters::light, passes::light_parameters());
     return table;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderers/core/default_transport.h"
+#include "renderers/passes/direct/light_parameters.h"
 #include "renderers/passes/ldm/parameters.h"
 
 namespace ir::methods::ldm_ao {
@@ -15,6 +16,7 @@ struct Parameters {
     float exact_texels = 4;
     bool progressive = false;
     float ambient = 0.5f;
+    passes::LightParameters light;
 };
 
 ParameterTable<Parameters> parameter_table();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderers/core/default_transport.h"
+#include "renderers/passes/direct/light_parameters.h"
 #include "renderers/passes/ldm/parameters.h"
 #include "renderers/scene/view.h"
 #include "renderers/scene/world.h"
@@ -33,6 +34,7 @@ struct Parameters {
     float min_axis_pixels = 0.5f;  ///< shorter axes are made so long, in pixels at the photon
     float max_axis = 0.25f;        ///< longer axes are cut to this part of the radius of the scene's bounds
     DirectBy direct = DirectBy::rasterisation;
+    passes::LightParameters light;
 };
 
 ParameterTable<Parameters> parameter_table();

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "renderers/core/default_transport.h"
+#include "renderers/passes/a_trous/a_trous.h"
+#include "renderers/passes/direct/light_parameters.h"
 #include "renderers/passes/raytracing/trace_rays.h"
 
 namespace ir::methods::photon_mapping {
@@ -15,7 +17,7 @@ enum class MicrofacetSampling { visible_normals, ggx, ggx_printed };
 enum class SplatResolution { full, half, quarter };
 enum class InsideTest { ellipsoid, linear_depth };
 enum class Precision { half_float, single_float };
-enum class FilterKernel { printed, b3_spline };
+using FilterKernel = passes::a_trous::Kernel;
 
 /// Groups stand in the order of the pipeline; each is described in the file that is named beside it.
 struct Parameters {
@@ -60,7 +62,8 @@ struct Parameters {
     FilterKernel filter_kernel = FilterKernel::printed;
     float sigma_depth = 1, sigma_normal = 32;
     float detail_clip = 0.045f;  ///< γ
-    bool directional = true;     ///< the cosine to the shading normal by the mean direction of the photons
+    passes::LightParameters light;
+    bool directional = true;  ///< the cosine to the shading normal by the mean direction of the photons
 };
 
 ParameterTable<Parameters> parameter_table();

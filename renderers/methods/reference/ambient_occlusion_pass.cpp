@@ -118,7 +118,8 @@ class VisibilityTracer {
         const auto seed = context_.inputs().seed;
         if (!points_) {
             return add_visibility_through_pixel({*bvh_, *surfaces_}, rays_, pixel,
-                                                pixel_key(seed, pixel.x, pixel.y), rule_, range, sums);
+                                                passes::pixel_key(seed, pixel.x, pixel.y), rule_, range,
+                                                sums);
         }
         if (points_->is_background(i)) return 0;
         return add_visibility(*bvh_, points_->at(i), rule_, PixelSamples(seed, pixel.x, pixel.y), range,

@@ -89,7 +89,7 @@ class PathTracer {
     /// What one thread works with.
     struct Bench {
         Bench(const scene::View& view, const PathWorld& world, const PathRules& rules,
-              const GBufferSurfaces* gbuffer)
+              const passes::GBufferSurfaces* gbuffer)
             : primary(view, world, gbuffer), wavefront(world, rules) {}
         PrimaryRays primary;
         Wavefront wavefront;
@@ -153,7 +153,7 @@ class PathTracer {
     std::shared_ptr<passes::LightSampler> lights_;
     PathWorld world_;
     PathRules rules_;
-    std::optional<GBufferSurfaces> gbuffer_;
+    std::optional<passes::GBufferSurfaces> gbuffer_;
     std::vector<std::span<glm::vec4>> sums_;
     tbb::enumerable_thread_specific<std::unique_ptr<Bench>> benches_;
 };
@@ -226,7 +226,7 @@ void light_paths(graph::GraphBuilder& builder, const PathInputs& inputs, const P
     trace.reads(inputs.bvh, inputs.surfaces, inputs.lights)
         .reads_previous(r.sums, r.progress.buffer())
         .writes(r.sums);
-    if (inputs.gbuffer) GBufferSurfaces::declare_reads(trace, *inputs.gbuffer);
+    if (inputs.gbuffer) passes::GBufferSurfaces::declare_reads(trace, *inputs.gbuffer);
     trace.execute_sliced(
         declared,
         [=](graph::PassContext& context, graph::Slice slice) {

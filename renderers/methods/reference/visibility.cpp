@@ -86,8 +86,8 @@ glm::vec3 cosine_direction(glm::vec2 u, glm::vec3 n) {
 }
 
 PixelSamples::PixelSamples(std::uint64_t seed, std::uint32_t x, std::uint32_t y) {
-    const auto key = pixel_key(seed, x, y);
-    for (std::size_t r = 0; r < sequences_.size(); ++r) sequences_[r] = PointSequence(key + r);
+    const auto key = passes::pixel_key(seed, x, y);
+    for (std::size_t r = 0; r < sequences_.size(); ++r) sequences_[r] = passes::PointSequence(key + r);
 }
 
 glm::vec2 PixelSamples::point(std::uint64_t sample) const {
@@ -123,12 +123,12 @@ std::uint32_t add_visibility_through_pixel(const RayWorld& world, const passes::
     std::uint32_t traced = 0;
     for (auto first = range.begin / lanes * lanes; first < range.end; first += lanes) {
         auto primary = idle_packet(infinity), secondary = idle_packet(reach(rule));
-        PathSampler samplers[lanes];
+        passes::PathSampler samplers[lanes];
         glm::vec3 directions[lanes];
         for (std::uint64_t lane = 0; lane < lanes; ++lane) {
             const auto i = first + lane;
-            samplers[lane] =
-                PathSampler(pixel_key + i % randomisations, static_cast<std::uint32_t>(i / randomisations));
+            samplers[lane] = passes::PathSampler(pixel_key + i % randomisations,
+                                                 static_cast<std::uint32_t>(i / randomisations));
             const auto at = glm::vec2(pixel) + samplers[lane].pair(0);
             directions[lane] =
                 glm::normalize(rays.direction + at.x * rays.direction_dx + at.y * rays.direction_dy);

@@ -5,10 +5,10 @@
 
 #include "renderers/core/transport.h"
 #include "renderers/methods/reference/estimate.h"
-#include "renderers/methods/reference/point_sequence.h"
 #include "renderers/methods/reference/progress.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 #include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/sampling/point_sequence.h"
 #include "renderers/passes/surface/surface.h"
 
 namespace ir::methods::reference {
@@ -40,7 +40,7 @@ class PixelSamples {
     glm::vec2 point(std::uint64_t sample) const;
 
   private:
-    std::array<PointSequence, randomisations> sequences_;
+    std::array<passes::PointSequence, randomisations> sequences_;
 };
 
 /// Adds V for these samples to their randomisations' sums; returns how many rays were asked for. A direction

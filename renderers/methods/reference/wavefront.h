@@ -6,14 +6,14 @@
 
 #include "renderers/methods/reference/path_rules.h"
 #include "renderers/methods/reference/path_world.h"
-#include "renderers/methods/reference/point_sequence.h"
+#include "renderers/passes/sampling/point_sequence.h"
 #include "renderers/passes/scattering/bsdf.h"
 
 namespace ir::methods::reference {
 
 /// A path from the camera: along a ray, or, where the first surface is known, ending there.
 struct PathStart {
-    PathSampler sampler;
+    passes::PathSampler sampler;
     glm::vec3 origin_ws{0}, direction_ws{0};   ///< direction of unit length
     const passes::Surface* surface = nullptr;  ///< known first surface
     float distance = 0;                        ///< to it; infinite where it is known that there is none
@@ -45,7 +45,7 @@ class Wavefront {
 
   private:
     struct Path {
-        PathSampler sampler;
+        passes::PathSampler sampler;
         glm::vec3 origin, direction;  ///< of the ray under way
         glm::vec3 throughput;         ///< light at the camera over light that arrives along the ray
         glm::vec3 normal;             ///< geometric normal where the ray starts

@@ -70,7 +70,7 @@ std::vector<OutputDescription> light_outputs() {
         radiance("ssdo.sky", "Environment light",
                  "Reflected to the eye of the environment, as far as samples find it open, blurred."),
         radiance("ssdo.direct", "Direct light",
-                 "Lights with shadow maps, and the environment with directional occlusion; and the base "
+                 "All light sources, the environment with directional occlusion; and the base "
                  "colour of unlit surfaces."),
         radiance("ssdo.senders", "What pixels send",
                  "Direct light without unlit surfaces: what an occluder's pixel sends in all directions."),

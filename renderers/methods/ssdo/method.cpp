@@ -3,8 +3,6 @@
 // pixel's light. [Ritschel09]
 #include "renderers/graph/method.h"
 
-#include <algorithm>
-
 #include "renderers/methods/ssdo/benchmark.h"
 #include "renderers/methods/ssdo/environment.h"
 #include "renderers/methods/ssdo/explain.h"
@@ -27,26 +25,25 @@ MethodDescription description() {
     d.papers = {"Ritschel09"};
     d.selectors = {sample_selector()};
     d.outputs = {passes::radiance_output()};
-    for (const auto& part : {light_outputs(), gathered_outputs(), explanation_outputs()})
+    for (const auto& part :
+         {passes::direct_outputs(), light_outputs(), gathered_outputs(), explanation_outputs()})
         d.outputs.insert(d.outputs.end(), part.begin(), part.end());
     d.outputs.push_back(passes::valid_output());
     d.stages = {{"ssdo.indirect.raw", 0, "Before the blur"}, {"ssdo.indirect", 0, "Blurred"}};
     return d;
 }
 
+/// The environment lights by directional occlusion instead.
+passes::DirectLightOptions direct_options(const Parameters& parameters) {
+    auto extended = passes::extended_light_options(parameters.light, parameters.transport);
+    extended.environment = false;
+    return {.extended = extended};
+}
+
 void note_what_is_left_out(graph::GraphBuilder& builder, const Inputs& inputs) {
     if (inputs.parameters.transport.max_distance == 0)
         builder.note("ssdo: max_distance is 0, so steps are up to " + std::to_string(inputs.reach) +
                      " m long, the diagonal of the scene's bounds: few of many samples find what is near");
-    std::size_t emissive = 0;
-    const auto& scene = *builder.inputs().scene;
-    for (const auto& range : builder.inputs().world->ranges) {
-        const auto& emission = scene.materials.at(static_cast<std::size_t>(range.material)).emission;
-        if (std::max({emission.r, emission.g, emission.b}) > 0) emissive += range.triangle_count;
-    }
-    if (emissive > 0)
-        builder.note("ssdo: " + std::to_string(emissive) +
-                     " emissive triangles are seen but light nothing: only lights and the environment do");
 }
 
 bool has_sky(const graph::GraphBuilder& builder, const Parameters& parameters) {
@@ -58,8 +55,7 @@ bool has_sky(const graph::GraphBuilder& builder, const Parameters& parameters) {
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
-    auto direct =
-        passes::direct_light(builder, scene, gbuffer, {.materials = parameters.transport.materials});
+    auto direct = passes::direct_light(builder, scene, gbuffer, direct_options(parameters));
     const bool lit_by_sky = has_sky(builder, parameters);
     const Inputs inputs{scene, gbuffer, environment(builder, lit_by_sky), parameters,
                         reach_of(builder, parameters)};

@@ -72,6 +72,7 @@ ParameterTable<Parameters> parameter_table() {
                      {"pattern", "4×4 pattern", "Sixteen shifts that repeat."},
                      {"hash", "Hash", "Another shift for each pixel, by the seed."}}});
     table.include(&Parameters::blur, passes::blur_parameters());
+    table.include(&Parameters::light, passes::light_parameters());
     return table;
 }
 

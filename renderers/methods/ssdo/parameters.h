@@ -2,6 +2,7 @@
 
 #include "renderers/core/default_transport.h"
 #include "renderers/passes/blur/blur.h"
+#include "renderers/passes/direct/light_parameters.h"
 
 namespace ir::methods::ssdo {
 
@@ -18,6 +19,7 @@ struct Parameters {
     float min_distance = 0.2f;
     Turning turning = Turning::pattern;
     passes::BlurParameters blur{.blur_radius = 3};
+    passes::LightParameters light;
 };
 
 ParameterTable<Parameters> parameter_table();

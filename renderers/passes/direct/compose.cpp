@@ -3,6 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "renderers/passes/direct/seen_light.h"
 #include "renderers/passes/gbuffer/glass.h"
 
 namespace ir::passes {
@@ -14,7 +15,7 @@ using Paths = Transport::Paths;
 struct Parts {
     graph::ImageRef geometric_normal;
     std::optional<graph::ImageRef> indirect = {}, direct = {}, emission = {};
-    glm::vec3 background{0};
+    SeenLight seen;
 };
 
 /// Constants of compose.comp.
@@ -28,6 +29,7 @@ gl::ProgramSource source_of(const Parts& parts) {
     if (parts.indirect) source.defines["INDIRECT"] = "1";
     if (parts.direct) source.defines["DIRECT"] = "1";
     if (parts.emission) source.defines["EMISSION"] = "1";
+    if (parts.seen.image) source.defines["SEEN"] = "1";
     return source;
 }
 
@@ -47,7 +49,7 @@ graph::ImageRef compose_light(graph::GraphBuilder& builder, const GBuffer& gbuff
     const auto paths = transport.paths;
     if (paths == Paths::ao) throw std::logic_error("compose_light: ambient occlusion is no radiance");
     Parts parts{.geometric_normal = gbuffer.geometric_normal,
-                .background = visible_environment(builder, transport)};
+                .seen = seen_light(builder, gbuffer, transport)};
     if (paths != Paths::direct) parts.indirect = indirect;
     if (paths != Paths::indirect) parts.direct = direct.radiance;
     if (paths == Paths::full) parts.emission = gbuffer.emission;
@@ -57,17 +59,11 @@ graph::ImageRef compose_light(graph::GraphBuilder& builder, const GBuffer& gbuff
     if (parts.indirect) pass.reads("indirect_image", *parts.indirect);
     if (parts.direct) pass.reads("direct_image", *parts.direct);
     if (parts.emission) pass.reads(*parts.emission);
-    pass.writes("radiance_image", radiance).compute(source_of(parts), radiance, Compose{parts.background});
+    if (parts.seen.image) pass.reads("seen_image", *parts.seen.image);
+    pass.writes("radiance_image", radiance)
+        .compute(source_of(parts), radiance, Compose{parts.seen.background});
     see_through_glass(builder, gbuffer, radiance);
     return radiance;
-}
-
-glm::vec3 visible_environment(graph::GraphBuilder& builder, const Transport& transport) {
-    if (transport.paths != Paths::full || !transport.environment_light) return {};
-    const auto& environment = builder.inputs().scene->environment;
-    if (!environment.map) return environment.constant;
-    builder.note("the environment map is not drawn behind the scene: only constant environments are");
-    return {};
 }
 
 }  // namespace ir::passes

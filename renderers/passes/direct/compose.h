@@ -12,13 +12,9 @@ namespace ir::passes {
 OutputDescription radiance_output(const Condition& active_when = {});
 
 /// Declares the pass "compose" and "radiance", rgba32f in W/(m² sr): as `transport.paths` say the sum of
-/// `indirect` (rgba32f, towards the eye), direct light, emission, and behind everything the environment, as
-/// far as it is constant; a note says when there is a map. Paths of ambient occlusion have no such picture:
-/// throws std::logic_error.
+/// `indirect` (rgba32f, towards the eye), direct light, emission, and seen_light(). Paths of ambient
+/// occlusion have no such picture: throws std::logic_error.
 graph::ImageRef compose_light(graph::GraphBuilder& builder, const GBuffer& gbuffer, const DirectLight& direct,
                               graph::ImageRef indirect, const Transport& transport);
-
-/// What is seen where there is no surface, W/(m² sr): of a map nothing, which a note says.
-glm::vec3 visible_environment(graph::GraphBuilder& builder, const Transport& transport);
 
 }  // namespace ir::passes

@@ -1,7 +1,5 @@
 #include "renderers/passes/direct/direct_light.h"
 
-#include <algorithm>
-
 #include "renderers/passes/gbuffer/pixel_rays.h"
 #include "renderers/passes/scene/light_data.h"
 
@@ -9,16 +7,6 @@ namespace ir::passes {
 namespace {
 
 using graph::GraphBuilder;
-
-void note_skipped_lights(GraphBuilder& builder) {
-    const auto& lights = builder.inputs().world->lights;
-    const auto skipped = std::count_if(lights.begin(), lights.end(), [](const scene::Light& light) {
-        return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
-    });
-    if (skipped == 0) return;
-    builder.note("direct light leaves out " + std::to_string(skipped) + " rectangle or disk light" +
-                 (skipped == 1 ? "" : "s") + ": shadow maps need lights without extent");
-}
 
 void note_many_materials(GraphBuilder& builder) {
     const auto count = builder.inputs().scene->materials.size();
@@ -42,25 +30,44 @@ OutputDescription direct_output() {
             .label = "Direct light",
             .semantic = Semantic::radiance,
             .unit = "W/(m² sr)",
-            .doc = "By rasterisation with shadow maps: reflected towards the eye, without emission."};
+            .doc =
+                "Reflected towards the eye, without emission: of point, spot and directional lights by "
+                "shadow maps, of rectangles, disks, emissive meshes and the environment by samples."};
+}
+
+std::vector<OutputDescription> direct_outputs() {
+    auto all = extended_light_outputs();
+    all.insert(all.begin(), direct_output());
+    return all;
+}
+
+ExtendedLightOptions extended_light_options(const LightParameters& parameters, const Transport& transport) {
+    return {.parameters = parameters,
+            .materials = transport.materials,
+            .environment = transport.environment_light,
+            .mirrors = transport.paths == Transport::Paths::full};
 }
 
 DirectLight direct_light(GraphBuilder& builder, const SceneBuffers& scene, const GBuffer& gbuffer,
                          const DirectLightOptions& options) {
-    note_skipped_lights(builder);
     note_many_materials(builder);
+    const auto extended = extended_light(builder, gbuffer, options.extended);
     const auto shadow = shadow_maps(builder, scene, options.shadow_resolution);
     const DirectLight result{
         builder.image({.text = graph::text_of(direct_output()), .format = gl::Format::rgba32f}), shadow};
-    builder.pass("direct light")
-        .reads(scene.materials, scene.lights, shadow.views, shadow.maps, gbuffer.position, gbuffer.normal,
-               gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material)
-        .draw({{"passes/direct/direct_light.frag"},
-               {{"MATERIALS", std::to_string(static_cast<int>(options.materials))}}},
-              result.radiance,
-              LightDirectly{viewer(builder.inputs().view),
-                            static_cast<int>(builder.inputs().world->lights.size()),
-                            options.shadow_filter_radius});
+    gl::ProgramSource source{{"passes/direct/direct_light.frag"},
+                             {{"MATERIALS", std::to_string(static_cast<int>(options.extended.materials))}}};
+    auto pass = builder.pass("direct light");
+    pass.reads(scene.materials, scene.lights, shadow.views, shadow.maps, gbuffer.position, gbuffer.normal,
+               gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material);
+    if (extended) {
+        source.defines["EXTENDED"] = "1";
+        pass.reads("extended_light", *extended);
+    }
+    pass.draw(
+        source, result.radiance,
+        LightDirectly{viewer(builder.inputs().view), static_cast<int>(builder.inputs().world->lights.size()),
+                      options.shadow_filter_radius});
     return result;
 }
 

@@ -19,8 +19,8 @@ OutputDescription lit_output() {
             .semantic = Semantic::radiance,
             .unit = "W/(m² sr)",
             .doc =
-                "Direct light with shadow maps, emission, and ambient radiance times albedo times "
-                "accessibility."};
+                "Direct light, emission, and ambient radiance times albedo times accessibility. The ambient "
+                "radiance stands for the environment, which is left out."};
 }
 
 ParameterText ambient_parameter() {
@@ -32,6 +32,10 @@ ParameterText ambient_parameter() {
             .unit = "W/(m² sr)",
             .hard = {0, 1e6},
             .soft = {0, 2}};
+}
+
+DirectLightOptions lit_options(const LightParameters& parameters) {
+    return {.extended = {.parameters = parameters, .environment = false}};
 }
 
 graph::ImageRef lit(graph::GraphBuilder& builder, const GBuffer& gbuffer, const DirectLight& direct,

@@ -10,6 +10,9 @@ namespace ir::passes {
 OutputDescription lit_output();
 ParameterText ambient_parameter();
 
+/// The direct light of "lit": without the environment, for which the ambient radiance stands.
+DirectLightOptions lit_options(const LightParameters& parameters);
+
 /// Declares the pass and the output "lit", rgba32f in W/(m² sr): direct light, emission, and `ambient`
 /// radiance from everywhere as far as `accessibility` (r32f) lets it in. Background 0.
 graph::ImageRef lit(graph::GraphBuilder& builder, const GBuffer& gbuffer, const DirectLight& direct,

@@ -19,6 +19,12 @@ bool is_flat(const scene::Light& light) {
     return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
 }
 
+std::vector<scene::Light> sampled_lights(const scene::World& world, bool punctual) {
+    auto lights = world.lights;
+    if (!punctual) std::erase_if(lights, [](const scene::Light& light) { return !is_flat(light); });
+    return lights;
+}
+
 /// `choice` with more than its 24 bits, which would not last to the leaves of a deep tree: the rest are a
 /// hash of all the numbers given.
 double lengthened(float choice, glm::vec2 u) {
@@ -42,7 +48,7 @@ struct LightSampler::Impl {
 
     struct Flat {
         FlatLight light;
-        int index;  ///< of World::lights
+        int index;  ///< of lights
     };
     std::vector<scene::Light> lights;
     std::vector<Flat> flat;
@@ -53,7 +59,7 @@ struct LightSampler::Impl {
 };
 
 LightSampler::Impl::Impl(const SurfaceLookup& surfaces, const Options& options)
-    : lights(surfaces.world().lights) {
+    : lights(sampled_lights(surfaces.world(), options.punctual)) {
     flat_of.assign(lights.size(), -1);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (!is_flat(lights[i])) continue;
@@ -149,6 +155,10 @@ glm::vec3 LightSampler::environment(glm::vec3 direction_ws) const {
 
 bool LightSampler::has_environment() const {
     return impl_->environment && !impl_->environment->empty();
+}
+
+bool LightSampler::has_emissive_meshes() const {
+    return impl_->triangles && impl_->triangles->size() > 0;
 }
 
 int LightSampler::extended_lights() const {

@@ -22,10 +22,11 @@ struct LightSample {
 struct LightHit {
     float distance = 0;
     glm::vec3 radiance{0};
-    int light = -1;  ///< of World::lights
+    int light = -1;  ///< number among the lights that are sampled
 };
 
 struct LightSamplerOptions {
+    bool punctual = true;  ///< point, spot and directional lights
     bool environment = true;
     bool emissive_meshes = true;
 };
@@ -58,6 +59,7 @@ class LightSampler {
     /// Radiance from infinity, 0 where the options leave it out.
     glm::vec3 environment(glm::vec3 direction_ws) const;
     bool has_environment() const;
+    bool has_emissive_meshes() const;
     /// Rectangles and disks that a ray meets within (0, far), in no order; calls `visit` for each.
     template <class Visit>
     void visit_lights(glm::vec3 origin_ws, glm::vec3 direction_ws, float far, Visit visit) const {

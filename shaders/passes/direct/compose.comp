@@ -1,11 +1,12 @@
-// What the eye sees: the sum of INDIRECT light, DIRECT light and EMISSION, as far as each is asked for, and the
-// environment where there is no surface.
+// What the eye sees: the sum of INDIRECT light, DIRECT light and EMISSION, as far as each is asked for, the
+// environment where there is no surface, and sources that are SEEN and no surfaces.
 layout(local_size_x = 16, local_size_y = 16) in;
 
 uniform sampler2D gbuffer_geometric_normal;
 uniform sampler2D indirect_image;
 uniform sampler2D direct_image;
 uniform sampler2D gbuffer_emission;
+uniform sampler2D seen_image;
 layout(rgba32f) uniform writeonly image2D radiance_image;
 
 uniform vec3 background;  // W/(m² sr)
@@ -26,5 +27,8 @@ void main() {
         radiance += texelFetch(gbuffer_emission, pixel, 0).rgb;
 #endif
     }
+#ifdef SEEN
+    radiance += texelFetch(seen_image, pixel, 0).rgb;
+#endif
     imageStore(radiance_image, pixel, vec4(radiance, 1));
 }

@@ -1,5 +1,5 @@
-// Direct light of every light without extent at the pixel's surface, reflected to the eye. MATERIALS: as
-// Transport::Materials counts.
+// Direct light of every light without extent at the pixel's surface, reflected to the eye; EXTENDED: and what was
+// sampled of those with one. MATERIALS: as Transport::Materials counts.
 
 #ifndef MATERIALS
 #define MATERIALS 0
@@ -16,6 +16,10 @@ uniform sampler2D gbuffer_normal;
 uniform sampler2D gbuffer_geometric_normal;
 uniform sampler2D gbuffer_albedo;
 uniform sampler2D gbuffer_material;
+
+#ifdef EXTENDED
+uniform sampler2D extended_light;  // W/(m² sr)
+#endif
 
 uniform int light_count, shadow_filter_radius;
 uniform vec3 eye_ws;
@@ -62,4 +66,7 @@ void main() {
     for (int i = 0; i < light_count; ++i)
         if (is_punctual(lights[i]))
             radiance.rgb += reflected(lights[i], surface, position.xyz, n, geometric_n, v);
+#ifdef EXTENDED
+    radiance.rgb += texelFetch(extended_light, pixel, 0).rgb;
+#endif
 }

@@ -12,6 +12,10 @@
 
 namespace ir::methods::reference {
 
+using passes::mixed;
+using passes::PathSampler;
+using passes::pixel_key;
+
 /// A scene made of flat polygons, and all that paths through it need.
 class Lab {
   public:

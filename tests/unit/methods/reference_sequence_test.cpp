@@ -4,11 +4,16 @@
 #include <vector>
 
 #include "renderers/methods/reference/estimate.h"
-#include "renderers/methods/reference/point_sequence.h"
 #include "renderers/methods/reference/visibility.h"
+#include "renderers/passes/sampling/point_sequence.h"
 
 namespace ir::methods::reference {
 namespace {
+
+using passes::mixed;
+using passes::PathSampler;
+using passes::pixel_key;
+using passes::PointSequence;
 
 /// Largest number of the first 2^k points of a sequence in one of the 2^a × 2^(k-a) equal boxes.
 template <class Sequence>

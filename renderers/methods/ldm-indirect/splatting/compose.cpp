@@ -1,6 +1,8 @@
 #include <optional>
 
-#include "renderers/passes/direct/compose.h"
+#include "renderers/methods/ldm-indirect/splatting.h"
+#include "renderers/passes/direct/direct_light.h"
+#include "renderers/passes/direct/seen_light.h"
 #include "renderers/passes/gbuffer/glass.h"
 
 namespace ir::methods::ldm_indirect {
@@ -10,16 +12,18 @@ using Paths = Transport::Paths;
 
 /// What the picture is made of.
 struct Parts {
-    std::optional<passes::DirectLight> direct;  ///< none: not asked for, or by photons
+    std::optional<graph::ImageRef> direct;  ///< none: not asked for, or all by photons
     bool splatted, unlit, emission, lambert;
-    glm::vec3 background;
+    passes::SeenLight seen;
 };
 
-std::optional<passes::DirectLight> direct_of(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                                             const passes::GBuffer& gbuffer, const Parameters& parameters) {
-    if (parameters.direct == DirectBy::photons) return {};
-    const auto light =
-        passes::direct_light(builder, scene, gbuffer, {.materials = parameters.transport.materials});
+/// Photons carry only the light of sources without extent.
+std::optional<graph::ImageRef> direct_of(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                                         const passes::GBuffer& gbuffer, const Parameters& parameters) {
+    const auto options = passes::extended_light_options(parameters.light, parameters.transport);
+    const auto light = parameters.direct == DirectBy::photons
+                           ? passes::extended_light(builder, gbuffer, options)
+                           : passes::direct_light(builder, scene, gbuffer, {.extended = options}).radiance;
     if (parameters.transport.paths == Paths::indirect) return {};
     return light;
 }
@@ -30,6 +34,7 @@ std::map<std::string, std::string> defines_of(const Parts& parts) {
     if (parts.direct) defines["DIRECT_LIGHT"] = "1";
     if (parts.unlit) defines["UNLIT"] = "1";
     if (parts.emission) defines["EMISSION"] = "1";
+    if (parts.seen.image) defines["SEEN"] = "1";
     if (parts.lambert) defines["LAMBERT"] = "1";
     return defines;
 }
@@ -51,17 +56,18 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
                 .unlit = paths != Paths::indirect && by_photons,
                 .emission = paths == Paths::full,
                 .lambert = parameters.transport.materials == Transport::Materials::lambert,
-                .background = passes::visible_environment(builder, parameters.transport)};
+                .seen = passes::seen_light(builder, gbuffer, parameters.transport)};
     const auto radiance = builder.output("radiance", {.format = gl::Format::rgba32f}),
                indirect = builder.output("indirect.radiance", {.format = gl::Format::rgba32f});
     auto pass = builder.pass("compose");
     pass.reads("irradiance_image", splat.irradiance)
         .reads(gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material, gbuffer.emission);
-    if (parts.direct) pass.reads("direct_image", parts.direct->radiance);
+    if (parts.direct) pass.reads("direct_image", *parts.direct);
+    if (parts.seen.image) pass.reads("seen_image", *parts.seen.image);
     pass.writes("radiance_image", radiance)
         .writes("indirect_image", indirect)
         .compute({{"methods/ldm-indirect/splatting/compose.comp"}, defines_of(parts)}, radiance,
-                 Compose{parts.background});
+                 Compose{parts.seen.background});
     passes::see_through_glass(builder, gbuffer, radiance);
 }
 

@@ -7,26 +7,28 @@ namespace ir::methods::ldm_indirect {
 namespace {
 
 std::vector<OutputDescription> pictures() {
-    auto direct = passes::direct_output();
-    direct.active_when = {"direct", {std::string("rasterisation")}};
-    return {{.key = "radiance",
-             .label = "Radiance",
-             .semantic = Semantic::radiance,
-             .unit = "W/(m² sr)",
-             .doc = "Towards the eye: emission, direct light and indirect light, as the paths say."},
-            {.key = "indirect.irradiance",
-             .label = "Splatted irradiance",
-             .semantic = Semantic::irradiance,
-             .unit = "W/m²",
-             .doc = "Sum of the photons' footprints at the pixel; with direct light where photons carry it. "
-                    "A: how many photons add to the pixel."},
-            {.key = "indirect.radiance",
-             .label = "Indirect radiance",
-             .semantic = Semantic::radiance,
-             .unit = "W/(m² sr)",
-             .doc = "What the pixel's surface reflects of the splatted irradiance, ρ/π of it."},
-            direct,
-            passes::valid_output()};
+    std::vector<OutputDescription> all{
+        {.key = "radiance",
+         .label = "Radiance",
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "Towards the eye: emission, direct light and indirect light, as the paths say."},
+        {.key = "indirect.irradiance",
+         .label = "Splatted irradiance",
+         .semantic = Semantic::irradiance,
+         .unit = "W/m²",
+         .doc = "Sum of the photons' footprints at the pixel; with direct light where photons carry it. "
+                "A: how many photons add to the pixel."},
+        {.key = "indirect.radiance",
+         .label = "Indirect radiance",
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "What the pixel's surface reflects of the splatted irradiance, ρ/π of it."},
+        passes::valid_output()};
+    auto direct = passes::direct_outputs();
+    direct.front().active_when = {"direct", {std::string("rasterisation")}};
+    all.insert(all.end(), direct.begin(), direct.end());
+    return all;
 }
 
 const std::string no_surface = "the pixel shows no surface";

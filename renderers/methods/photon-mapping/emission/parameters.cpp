@@ -17,9 +17,9 @@ void add_counts(ParameterTable<Parameters>& table) {
                .on_change = OnChange::reallocate,
                .coarse = std::int64_t{20'000}});
     table.include(&Parameters::transport,
-                  transport_parameters(
-                      {.paths = {"direct", "indirect", "full"},
-                       .keys = {"min_bounces", "max_bounces", "max_distance", "materials", "normal_maps"}}));
+                  transport_parameters({.paths = {"direct", "indirect", "full"},
+                                        .keys = {"min_bounces", "max_bounces", "max_distance", "materials",
+                                                 "normal_maps", "environment_light"}}));
 }
 
 void add_rsm(ParameterTable<Parameters>& table) {

@@ -1,7 +1,8 @@
 #include <optional>
 
 #include "renderers/methods/photon-mapping/filtering/stages.h"
-#include "renderers/passes/direct/compose.h"
+#include "renderers/passes/direct/direct_light.h"
+#include "renderers/passes/direct/seen_light.h"
 #include "renderers/passes/gbuffer/glass.h"
 
 namespace ir::methods::photon_mapping {
@@ -16,7 +17,7 @@ struct ComposeInputs {
     std::optional<passes::DirectLight> direct;
     Parameters parameters;
     bool has_indirect, has_emission;
-    glm::vec3 background{0};
+    passes::SeenLight seen = {};
 };
 
 void declare_irradiance_reads(graph::PassBuilder& pass, const ComposeInputs& in) {
@@ -53,6 +54,7 @@ gl::ProgramSource radiance_source(const ComposeInputs& in) {
     if (in.has_indirect) source.defines["INDIRECT"] = "1";
     if (in.direct) source.defines["DIRECT"] = "1";
     if (in.has_emission) source.defines["EMISSION"] = "1";
+    if (in.seen.image) source.defines["SEEN"] = "1";
     return source;
 }
 
@@ -72,10 +74,11 @@ void reflect(graph::GraphBuilder& builder, const ComposeInputs& in) {
     if (in.has_indirect) declare_irradiance_reads(pass, in);
     if (in.direct) pass.reads("direct_image", in.direct->radiance);
     if (in.has_emission) pass.reads(in.gbuffer.emission);
+    if (in.seen.image) pass.reads("seen_image", *in.seen.image);
     pass.writes("result", result);
     compute_by_rows(
         pass, builder, radiance_source(in),
-        Reflect{directional(in.parameters), passes::viewer(builder.inputs().view), in.background});
+        Reflect{directional(in.parameters), passes::viewer(builder.inputs().view), in.seen.background});
     passes::see_through_glass(builder, in.gbuffer, result);
 }
 
@@ -85,10 +88,11 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
              const Filtered& filtered, const Parameters& parameters) {
     const auto paths = parameters.transport.paths;
     ComposeInputs in{scene, gbuffer, filtered, {}, parameters, paths != Paths::direct, paths == Paths::full};
-    in.background = passes::visible_environment(builder, parameters.transport);
-    if (paths != Paths::indirect)
-        in.direct =
-            passes::direct_light(builder, scene, gbuffer, {.materials = parameters.transport.materials});
+    in.seen = passes::seen_light(builder, gbuffer, parameters.transport);
+    const auto direct = passes::direct_light(
+        builder, scene, gbuffer,
+        {.extended = passes::extended_light_options(parameters.light, parameters.transport)});
+    if (paths != Paths::indirect) in.direct = direct;
     const auto irradiance = builder.output("irradiance", {.format = gl::Format::rgba32f});
     show(builder, in, irradiance, "irradiance", "");
     const auto flicker = builder.output("history.flicker", {.format = gl::Format::r32f});

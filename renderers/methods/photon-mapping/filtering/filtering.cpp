@@ -1,6 +1,7 @@
 #include "renderers/methods/photon-mapping/filtering.h"
 
 #include "renderers/methods/photon-mapping/filtering/stages.h"
+#include "renderers/passes/direct/direct_light.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
@@ -87,15 +88,15 @@ std::vector<OutputDescription> spatial_views() {
 
 Filtered filter_irradiance(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Splat& splat,
                            const Parameters& parameters) {
-    const auto surfaces = pack_surfaces(builder, gbuffer);
+    const auto surfaces = passes::a_trous::pack_surfaces(builder, gbuffer);
     const auto averaged = accumulate(builder, gbuffer, surfaces, splat, parameters);
     const auto filtered = smooth(builder, surfaces, averaged, parameters);
-    return {filtered.value, filtered.direction};
+    return {filtered.value, *filtered.direction};
 }
 
 std::vector<OutputDescription> filtering_outputs() {
     auto all = results();
-    for (const auto& part : {temporal_views(), spatial_views()})
+    for (const auto& part : {passes::direct_outputs(), temporal_views(), spatial_views()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

@@ -87,6 +87,7 @@ void add_filtering_parameters(ParameterTable<Parameters>& table) {
                .doc = "Turns the irradiance of the geometric surface into that of the shading normal, as if "
                       "all light came from the mean direction of the photons.",
                .citation = "Smal19 §7.4"});
+    table.include(&Parameters::light, passes::light_parameters());
 }
 
 }  // namespace ir::methods::photon_mapping

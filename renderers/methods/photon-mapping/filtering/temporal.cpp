@@ -7,7 +7,7 @@ struct TemporalInputs {
     passes::GBuffer gbuffer;
     graph::ImageRef surfaces;
     Splat splat;
-    Signal history;
+    passes::a_trous::Signal history;
     Parameters parameters;
 };
 
@@ -20,13 +20,13 @@ void declare_reads(graph::PassBuilder& pass, const TemporalInputs& in) {
     if (!in.parameters.temporal) return;
     pass.reads(in.gbuffer.velocity, in.gbuffer.geometric_normal)
         .reads_previous("previous_value", in.history.value)
-        .reads_previous("previous_direction", in.history.direction)
+        .reads_previous("previous_direction", *in.history.direction)
         .reads_previous("previous_surfaces", in.surfaces);
 }
 
 /// Constants of temporal.comp and history_view.comp.
 struct Temporal {
-    Edges edges;
+    passes::a_trous::Edges edges;
     float temporal_weight;
     bool has_history;
     glm::vec3 previous_origin_dx, previous_origin_dy;
@@ -37,7 +37,7 @@ struct Temporal {
 
 Temporal temporal(const graph::PassContext& context, const Parameters& parameters) {
     const auto previous = passes::pixel_rays(context.inputs().previous_view);
-    return {.edges = edges(context.inputs(), parameters),
+    return {.edges = passes::a_trous::edges(context.inputs(), filter_options(parameters)),
             .temporal_weight = parameters.temporal_weight,
             .has_history = context.has_previous(),
             .previous_origin_dx = previous.origin_dx,
@@ -68,9 +68,11 @@ void show(graph::GraphBuilder& builder, const TemporalInputs& in, const std::str
 
 }  // namespace
 
-Signal accumulate(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, graph::ImageRef surfaces,
-                  const Splat& splat, const Parameters& parameters) {
-    const auto result = declare_signal(builder, builder.text_of_output("filter.temporal"));
+passes::a_trous::Signal accumulate(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
+                                   graph::ImageRef surfaces, const Splat& splat,
+                                   const Parameters& parameters) {
+    const auto result =
+        passes::a_trous::declare_signal(builder, builder.text_of_output("filter.temporal"), true);
     const TemporalInputs in{gbuffer, surfaces, splat, result, parameters};
     const auto overflow =
         builder.counter({.key = "splat.overflow",
@@ -80,7 +82,7 @@ Signal accumulate(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, 
     auto pass = builder.pass("temporal filter");
     declare_reads(pass, in);
     pass.counts("Overflow", overflow);
-    pass.writes("value_image", result.value).writes("direction_image", result.direction);
+    pass.writes("value_image", result.value).writes("direction_image", *result.direction);
     gl::ProgramSource source{{folder + "temporal.comp"}};
     if (parameters.sum_precision == Precision::half_float) source.defines["HALF_SUMS"] = "1";
     average(pass, builder, in, source);

@@ -1,4 +1,5 @@
-// What the eye sees: SPLATTED light, DIRECT_LIGHT by rasterisation, the colour of UNLIT surfaces, EMISSION.
+// What the eye sees: SPLATTED light, DIRECT_LIGHT by rasterisation, the colour of UNLIT surfaces, EMISSION,
+// and sources that are SEEN and no surfaces.
 layout(local_size_x = 16, local_size_y = 16) in;
 
 #include "lib/brdf.glsl"
@@ -9,6 +10,7 @@ uniform sampler2D gbuffer_albedo;
 uniform sampler2D gbuffer_material;
 uniform sampler2D gbuffer_emission;
 uniform sampler2D direct_image;
+uniform sampler2D seen_image;
 layout(rgba32f) uniform writeonly image2D radiance_image;
 layout(rgba32f) uniform writeonly image2D indirect_image;
 
@@ -47,6 +49,9 @@ void main() {
         radiance += texelFetch(gbuffer_emission, pixel, 0).rgb;
 #endif
     }
+#ifdef SEEN
+    radiance += texelFetch(seen_image, pixel, 0).rgb;
+#endif
     imageStore(radiance_image, pixel, vec4(radiance, 1));
     imageStore(indirect_image, pixel, vec4(indirect, 1));
 }

@@ -1,7 +1,7 @@
 // How much of a pixel is history (VIEW_WEIGHT), and how much of that the present does not explain.
 layout(local_size_x = 16, local_size_y = 16) in;
 
-#include "methods/photon-mapping/filtering/surface.glsl"
+#include "passes/a_trous/surface.glsl"
 #include "methods/photon-mapping/filtering/unfiltered.glsl"
 #include "methods/photon-mapping/filtering/history.glsl"
 

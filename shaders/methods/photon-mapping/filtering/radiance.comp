@@ -1,5 +1,5 @@
 // What the eye sees: with INDIRECT the reflection of the filtered irradiance, with DIRECT that of the lights,
-// with EMISSION what shines by itself. MATERIALS: as Transport::Materials counts.  [Smal19 eq. 7.9]
+// with EMISSION what shines by itself, with SEEN sources that are no surfaces. MATERIALS: as Transport::Materials counts.  [Smal19 eq. 7.9]
 layout(local_size_x = 16, local_size_y = 16) in;
 
 #include "lib/brdf.glsl"
@@ -11,6 +11,7 @@ uniform sampler2D gbuffer_material;
 uniform sampler2D gbuffer_position;
 uniform sampler2D direct_image;
 uniform sampler2D gbuffer_emission;
+uniform sampler2D seen_image;
 layout(std430) readonly buffer Materials { Material materials[]; };
 layout(rgba32f) uniform writeonly image2D result;
 
@@ -64,5 +65,8 @@ void main() {
         radiance += texelFetch(gbuffer_emission, pixel, 0).rgb;
 #endif
     }
+#ifdef SEEN
+    radiance += texelFetch(seen_image, pixel, 0).rgb;
+#endif
     imageStore(result, pixel, vec4(radiance, 1));
 }

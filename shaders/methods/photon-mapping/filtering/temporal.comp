@@ -1,7 +1,7 @@
 // The estimate at the view's resolution, and with HISTORY averaged over frames.
 layout(local_size_x = 16, local_size_y = 16) in;
 
-#include "methods/photon-mapping/filtering/surface.glsl"
+#include "passes/a_trous/surface.glsl"
 #include "methods/photon-mapping/filtering/unfiltered.glsl"
 #ifdef HISTORY
 #include "methods/photon-mapping/filtering/history.glsl"

@@ -1,17 +1,23 @@
 // One level of the edge-avoiding à-trous transform: S_{i+1} from S_i, and the clipped detail between them.
 // VIEW: writes what it is called after (SCALING, DETAIL, CLIPPED, BOUND) into layer `layer` instead; INPUT is
-// S_i itself.  [Smal19 §7.3; Dammertz10; Schied17]
+// S_i itself.  [Smal19 §7.3; Dammertz10]
+// GUIDED: no details; the fourth channel is the variance of the luminance, which says how far neighbours may
+// differ, and is filtered too.  [Schied17 §4.3]
 //
 // A group takes pixels that are `stride` apart, so that the neighbours of all levels alike are 20 × 20 texels
 // of shared memory: 1.6 reads of each image a pixel instead of 25.
 // A software rasteriser gains nothing by it: 3.1 to 5.8 s a pass at 1920 × 1080 with it, 3.3 to 3.8 s without.
 layout(local_size_x = 16, local_size_y = 16) in;
 
-#include "methods/photon-mapping/filtering/surface.glsl"
+#include "passes/a_trous/surface.glsl"
 
-uniform sampler2D value_image;      // E; x of the direction
-uniform sampler2D direction_image;  // y and z of it
+uniform sampler2D value_image;  // a: x of the direction; GUIDED: variance
 uniform usampler2D surfaces;
+#ifdef GUIDED
+#include "lib/luminance.glsl"
+#else
+uniform sampler2D direction_image;  // y and z of the direction
+#endif
 
 #define INPUT 0
 #define SCALING 1
@@ -22,6 +28,8 @@ uniform usampler2D surfaces;
 #ifdef VIEW
 layout(rgba32f) uniform writeonly image2DArray view;
 uniform int layer;
+#elif defined(GUIDED)
+layout(rgba32f) uniform writeonly image2D next_value;
 #else
 layout(rgba32f) uniform image2D value_sum;  // Σ of clipped details; in the last pass the result
 layout(rg32f) uniform image2D direction_sum;
@@ -32,7 +40,7 @@ layout(rg32f) uniform writeonly image2D next_direction;
 #endif
 
 uniform int pixel_stride, first_row;
-uniform float detail_clip;
+uniform float detail_clip, sigma_value;
 
 #ifdef B3_SPLINE
 const float KERNEL[3] = float[3](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
@@ -42,7 +50,9 @@ const float KERNEL[3] = float[3](1.0 / 2.0, 1.0 / 4.0, 1.0 / 8.0);  // [Smal19 �
 
 const int GROUP = 16, RADIUS = 2, SIDE = GROUP + 2 * RADIUS;
 shared vec4 tile_value[SIDE * SIDE];
+#ifndef GUIDED
 shared vec2 tile_direction[SIDE * SIDE];
+#endif
 shared vec4 tile_surface[SIDE * SIDE];
 
 /// The pixel at the group's corner: groups of one block of GROUP·stride pixels take turns of its pixels.
@@ -60,9 +70,57 @@ void load_tile(ivec2 corner) {
         FilterSurface s = unpacked_surface(texelFetch(surfaces, at, 0).xy);
         tile_surface[i] = vec4(s.normal, s.depth);
         tile_value[i] = texelFetch(value_image, at, 0);
+#ifndef GUIDED
         tile_direction[i] = texelFetch(direction_image, at, 0).xy;
+#endif
     }
 }
+
+/// Kernel and edges: of the neighbour at `offset`, whose surface is `q`.
+float weight(FilterSurface p, vec4 q, vec2 gradient, ivec2 offset) {
+    return KERNEL[abs(offset.x)] * KERNEL[abs(offset.y)] * normal_weight(p.normal, q.xyz) *
+           depth_weight(q.w - p.depth, abs(dot(gradient, vec2(offset))), p.depth);
+}
+
+#ifdef GUIDED
+
+/// Variance of the centre, smoothed over 3 × 3 pixels: that of a few samples is noise itself.
+float smooth_variance(int centre) {
+    float total = 0.0, sum = 0.0;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            int i = centre + y * SIDE + x;
+            if (tile_surface[i].w == NO_SURFACE) continue;
+            float w = (2.0 - abs(float(x))) * (2.0 - abs(float(y)));
+            total += w;
+            sum += w * tile_value[i].a;
+        }
+    return sum / total;
+}
+
+/// Mean with weights w h, w falling with the difference of luminances in standard errors; and its variance,
+/// Σ (w h)² σ² / (Σ w h)².  [Schied17 eqs. 2, 5]
+vec4 guided(int centre, vec2 position_px) {
+    FilterSurface p = FilterSurface(tile_surface[centre].xyz, tile_surface[centre].w);
+    vec2 gradient = depth_gradient(p, position_px) * float(pixel_stride);
+    vec4 value = tile_value[centre];
+    float own = luminance(value.rgb), total = KERNEL[0] * KERNEL[0];
+    float tolerance = sigma_value * sqrt(max(smooth_variance(centre), 0.0)) + 1e-6 * own + 1e-20;
+    vec4 sum = vec4(total * value.rgb, total * total * value.a);
+    for (int y = -RADIUS; y <= RADIUS; ++y)
+        for (int x = -RADIUS; x <= RADIUS; ++x) {
+            int i = centre + y * SIDE + x;
+            vec4 q = tile_surface[i];
+            if (i == centre || q.w == NO_SURFACE) continue;
+            vec4 other = tile_value[i];
+            float w = weight(p, q, gradient, ivec2(x, y)) * exp(-abs(luminance(other.rgb) - own) / tolerance);
+            total += w;
+            sum += vec4(w * other.rgb, w * w * other.a);
+        }
+    return sum / vec4(vec3(total), total * total);
+}
+
+#else
 
 struct Level {
     vec4 value_shift, value_bound;  // S_{i+1} - S_i, and CSB
@@ -82,8 +140,7 @@ Level filtered(int centre, vec2 position_px) {
             int i = centre + y * SIDE + x;
             vec4 q = tile_surface[i];
             if (i == centre || q.w == NO_SURFACE) continue;
-            float w = KERNEL[abs(x)] * KERNEL[abs(y)] * normal_weight(p.normal, q.xyz) *
-                      depth_weight(q.w - p.depth, abs(dot(gradient, vec2(x, y))), p.depth);
+            float w = weight(p, q, gradient, ivec2(x, y));
             vec4 c = tile_value[i] - tile_value[centre];
             vec2 d = tile_direction[i] - tile_direction[centre];
             total += w;
@@ -98,7 +155,13 @@ Level filtered(int centre, vec2 position_px) {
                  detail_clip * sqrt(max(direction_m2 / total - direction_m1 * direction_m1, vec2(0))));
 }
 
-#ifdef VIEW
+#endif
+
+#ifdef GUIDED
+
+void store_nothing(ivec2 pixel) { imageStore(next_value, pixel, vec4(0)); }
+
+#elif defined(VIEW)
 
 void store(ivec2 pixel, int centre, Level level) {
 #if VIEW == INPUT
@@ -163,5 +226,9 @@ void main() {
     if (tile_surface[centre].w == NO_SURFACE)
         store_nothing(pixel);
     else
+#ifdef GUIDED
+        imageStore(next_value, pixel, guided(centre, vec2(pixel) + 0.5));
+#else
         store(pixel, centre, filtered(centre, vec2(pixel) + 0.5));
+#endif
 }

@@ -1,6 +1,6 @@
-#include "renderers/methods/reference/point_sequence.h"
+#include "renderers/passes/sampling/point_sequence.h"
 
-namespace ir::methods::reference {
+namespace ir::passes {
 namespace {
 
 std::uint32_t reversed(std::uint32_t x) {
@@ -61,4 +61,4 @@ glm::vec2 PathSampler::pair(std::uint32_t dimension) const {
                            static_cast<std::uint32_t>(seeds >> 32));
 }
 
-}  // namespace ir::methods::reference
+}  // namespace ir::passes

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-namespace ir::methods::reference {
+namespace ir::passes {
 
 /// A bijection of 64-bit numbers whose results look independent [Steele14, the finaliser of SplitMix].
 constexpr std::uint64_t mixed(std::uint64_t x) {
@@ -49,4 +49,4 @@ class PathSampler {
     std::uint32_t index_ = 0;
 };
 
-}  // namespace ir::methods::reference
+}  // namespace ir::passes

@@ -1,7 +1,7 @@
 // Packs what the filters compare.
 layout(local_size_x = 16, local_size_y = 16) in;
 
-#include "methods/photon-mapping/filtering/surface.glsl"
+#include "passes/a_trous/surface.glsl"
 
 uniform sampler2D gbuffer_position;
 uniform sampler2D gbuffer_geometric_normal;

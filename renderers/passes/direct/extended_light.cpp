@@ -1,0 +1,357 @@
+#include "renderers/passes/direct/extended_light.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <glm/gtc/packing.hpp>
+#include <memory>
+
+#include "renderers/passes/a_trous/a_trous.h"
+#include "renderers/passes/direct/light_estimate.h"
+#include "renderers/passes/gbuffer/gbuffer_surfaces.h"
+#include "renderers/passes/lights/luminance.h"
+#include "renderers/passes/scene/stands_still.h"
+
+namespace ir::passes {
+namespace {
+
+/// Pixels along a side of an item of work.
+constexpr int light_tile = 16;
+/// A frame's samples are dealt to so many independent randomisations, whose differences tell the variance.
+constexpr int most_groups = 4;
+/// Of the filter: with fewer the noise of few samples stays.
+constexpr int filter_passes = 4;
+/// Surfaces that reflect less are filtered as if they did not: black ones show nothing of the light.
+constexpr float least_reflectance = 0.02f;
+
+/// How many sources with an extent light the scene.
+struct ExtendedSources {
+    std::size_t flat_lights = 0;  ///< rectangles and disks
+    std::size_t emissive_triangles = 0;
+    bool environment = false;
+    bool any() const { return flat_lights > 0 || emissive_triangles > 0 || environment; }
+};
+struct SampledResults {
+    graph::ImageRef radiance, unfiltered, variance;  ///< as extended_light_outputs() lists them
+};
+
+struct SampledImages {
+    graph::ImageRef sums;  ///< rgba32f, history: Σ of the groups' means; a: Σ of their squared luminance
+    graph::BufferRef progress;  ///< history: how many groups, and which frame
+    SampledResults results;
+    graph::ImageRef even, reflectance;  ///< what is filtered, without materials
+};
+
+/// What rays ask, made anew in each frame: it points into scene and world.
+struct ExtendedEmitters {
+    ExtendedEmitters(const graph::FrameInputs& inputs, const LightSampler::Options& options)
+        : surfaces(*inputs.scene, *inputs.world, false, false), lights(surfaces, options) {}
+    SurfaceLookup surfaces;
+    LightSampler lights;
+};
+
+graph::ObjectRef declare_emitters(graph::GraphBuilder& builder, const ExtendedLightOptions& options) {
+    const auto result =
+        builder.object({.text = {.key = "direct.sources",
+                                 .label = "Sources with an extent",
+                                 .doc = "Lights, emissive triangles and the environment, with "
+                                        "probabilities for choosing."}});
+    const LightSampler::Options sampled{
+        .punctual = false, .environment = options.environment, .emissive_meshes = options.emissive_meshes};
+    builder.pass("light sources", graph::Queue::cpu).writes(result).execute([=](graph::PassContext& context) {
+        const auto made = std::make_shared<ExtendedEmitters>(context.inputs(), sampled);
+        context.store(result, made, made->surfaces.bytes());
+    });
+    return result;
+}
+
+ExtendedSources extended_sources(const graph::FrameInputs& inputs, const ExtendedLightOptions& options) {
+    ExtendedSources found;
+    for (const auto& light : inputs.world->lights)
+        found.flat_lights +=
+            light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
+    if (options.emissive_meshes)
+        for (const auto& range : inputs.world->ranges)
+            if (inputs.scene->materials.at(static_cast<std::size_t>(range.material)).emission != glm::vec3(0))
+                found.emissive_triangles += range.triangle_count;
+    const auto& environment = inputs.scene->environment;
+    found.environment = options.environment && (environment.map || environment.constant != glm::vec3(0));
+    return found;
+}
+
+SampledResults declare_sampled_results(graph::GraphBuilder& builder) {
+    const auto outputs = extended_light_outputs();
+    const auto image = [&](std::size_t output, gl::Format format) {
+        return builder.image({.text = graph::text_of(outputs.at(output)), .format = format});
+    };
+    return {image(0, gl::Format::rgba32f), image(1, gl::Format::rgba32f), image(2, gl::Format::r32f)};
+}
+
+SampledImages declare_sampled_images(graph::GraphBuilder& builder) {
+    SampledImages images;
+    images.sums = builder.image(
+        {.text = {.key = "direct.sums",
+                  .label = "Sums of light samples",
+                  .doc = "Over the frames in which nothing moved, of the means of groups of samples; A: of "
+                         "their squared luminance.",
+                  .semantic = Semantic::radiance,
+                  .unit = "W/(m² sr)"},
+         .format = gl::Format::rgba32f});
+    graph::BufferDesc progress;
+    progress.text = {.key = "direct.progress",
+                     .label = "Progress of light samples",
+                     .doc = "How many groups of samples each pixel has, and the last frame that added some."};
+    progress.fields = {{"groups", graph::FieldType::u32}, {"frame", graph::FieldType::u32}};
+    progress.elements = 1;
+    images.progress = builder.buffer(std::move(progress));
+    images.results = declare_sampled_results(builder);
+    images.even =
+        builder.image({.text = {.key = "direct.even",
+                                .label = "Light without materials",
+                                .doc = "What the filter starts from: divided by the reflectance; A: "
+                                       "variance of the luminance."},
+                       .format = gl::Format::rgba32f});
+    images.reflectance = builder.image({.text = {.key = "direct.reflectance",
+                                                 .label = "Reflectance",
+                                                 .doc = "What the filtered light is multiplied by.",
+                                                 .semantic = Semantic::albedo},
+                                        .format = gl::Format::rgba16f});
+    return images;
+}
+
+/// Mean over the groups, and the variance of its luminance from their differences; of one group alone
+/// the square.
+struct SampledMean {
+    glm::vec3 radiance;
+    float variance;
+
+    SampledMean(glm::vec4 sums, std::uint32_t groups) {
+        const auto count = static_cast<float>(groups);
+        radiance = glm::vec3(sums) / count;
+        const float l = luminance(radiance);
+        variance = groups > 1 ? std::max(sums.a / count - l * l, 0.0f) / (count - 1) : l * l;
+    }
+};
+
+/// Samples a frame's pixels.
+class LightSampling {
+  public:
+    LightSampling(const graph::PassContext& context, const GBuffer& gbuffer, const SampledImages& images,
+                  graph::ObjectRef bvh, graph::ObjectRef sources, const ExtendedLightOptions& options)
+        : context_(context),
+          view_(context.inputs().view),
+          viewer_(viewer(view_)),
+          surfaces_(context, gbuffer),
+          bvh_(context.object<Bvh>(bvh)),
+          sources_(context.object<ExtendedEmitters>(sources)),
+          estimate_(*bvh_, sources_->surfaces, sources_->lights,
+                    {.materials = options.materials, .mirrors = options.mirrors}),
+          samples_(options.parameters.light_samples),
+          groups_(std::min(samples_, most_groups)),
+          progress_(context.elements<std::uint32_t>(images.progress)),
+          sums_(context.pixels<glm::vec4>(images.sums)),
+          unfiltered_(context.pixels<glm::vec4>(images.results.unfiltered)),
+          even_(context.pixels<glm::vec4>(images.even)),
+          variance_(context.pixels<float>(images.results.variance)),
+          reflectance_(context.pixels<std::uint64_t>(images.reflectance)) {
+        if (!continues(images)) return;
+        groups_before_ = context.previous_contents<std::uint32_t>(images.progress)[0];
+        sums_before_ = context.previous_contents<glm::vec4>(images.sums);
+    }
+
+    void run(graph::Slice slice) const {
+        const int threads = context_.inputs().threads;
+        tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+        arena.execute([&] {
+            tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t i) {
+                if (!context_.cancel().is_cancelled()) fill_tile(static_cast<int>(i));
+            });
+        });
+        context_.cancel().check();
+        if (!slice.last) return;
+        progress_[0] = groups_before_ + static_cast<std::uint32_t>(groups_);
+        progress_[1] = static_cast<std::uint32_t>(context_.inputs().frame);
+    }
+
+    static int tiles_across(int pixels) { return (pixels + light_tile - 1) / light_tile; }
+
+  private:
+    /// A frame in which nothing wanted the light leaves a gap.
+    bool continues(const SampledImages& images) const {
+        const auto& inputs = context_.inputs();
+        return context_.has_previous() && stands_still(inputs, Watched::surfaces_and_lights) &&
+               static_cast<std::int64_t>(context_.previous_contents<std::uint32_t>(images.progress)[1]) + 1 ==
+                   inputs.frame;
+    }
+
+    void fill_tile(int index) const {
+        const int across = tiles_across(view_.width);
+        const int left = index % across * light_tile, top = index / across * light_tile;
+        for (int y = top; y < std::min(top + light_tile, view_.height); ++y)
+            for (int x = left; x < std::min(left + light_tile, view_.width); ++x) fill(x, y);
+    }
+
+    void fill(int x, int y) const {
+        const auto i = static_cast<std::size_t>(y) * view_.width + x;
+        auto sums = sums_before_.empty() ? glm::vec4(0) : sums_before_[i];
+        auto reflectance = glm::vec3(0);
+        if (!surfaces_.is_background(i)) {
+            const auto surface = surfaces_.at(i);
+            reflectance = estimate_.reflectance(surface);
+            add_samples(surface, x, y, sums);
+        }
+        sums_[i] = sums;
+        const SampledMean mean(sums, groups_before_ + static_cast<std::uint32_t>(groups_));
+        unfiltered_[i] = glm::vec4(mean.radiance, 1);
+        variance_[i] = mean.variance;
+        const auto divisor = glm::max(reflectance, glm::vec3(least_reflectance));
+        const float l = luminance(divisor);
+        even_[i] = glm::vec4(mean.radiance / divisor, mean.variance / (l * l));
+        reflectance_[i] = glm::packHalf4x16(glm::vec4(divisor, 0));
+    }
+
+    /// Each frame and group has numbers of its own; within a group samples are stratified.
+    void add_samples(const Surface& surface, int x, int y, glm::vec4& sums) const {
+        const auto& inputs = context_.inputs();
+        const auto wo = viewer_.view_axis_ws == glm::vec3(0)
+                            ? glm::normalize(viewer_.eye_ws - surface.position_ws)
+                            : -viewer_.view_axis_ws;
+        const auto key = pixel_key(mixed(inputs.seed) + static_cast<std::uint64_t>(inputs.frame), x, y);
+        for (int group = 0; group < groups_; ++group) {
+            glm::vec3 sum(0);
+            int count = 0;
+            for (int i = group; i < samples_; i += groups_)
+                sum += estimate_.sample(surface, wo,
+                                        PathSampler(key + static_cast<std::uint64_t>(group), count++));
+            const auto mean = sum / static_cast<float>(count);
+            const float l = luminance(mean);
+            sums += glm::vec4(mean, l * l);
+        }
+    }
+
+    const graph::PassContext& context_;
+    const scene::View& view_;
+    Viewer viewer_;
+    GBufferSurfaces surfaces_;
+    std::shared_ptr<Bvh> bvh_;
+    std::shared_ptr<ExtendedEmitters> sources_;
+    LightEstimate estimate_;
+    int samples_, groups_;
+    std::uint32_t groups_before_ = 0;
+    std::span<const glm::vec4> sums_before_;
+    std::span<std::uint32_t> progress_;
+    std::span<glm::vec4> sums_, unfiltered_, even_;
+    std::span<float> variance_;
+    std::span<std::uint64_t> reflectance_;
+};
+
+SampledImages sample_sources(graph::GraphBuilder& builder, const GBuffer& gbuffer,
+                             const ExtendedLightOptions& options) {
+    const auto images = declare_sampled_images(builder);
+    const auto bvh = passes::bvh(builder);
+    const auto sources = declare_emitters(builder, options);
+    const auto& view = builder.inputs().view;
+    auto pass = builder.pass("light samples", graph::Queue::cpu);
+    pass.reads(bvh, sources)
+        .reads_previous(images.sums, images.progress)
+        .writes(images.sums, images.progress, images.results.unfiltered, images.results.variance, images.even,
+                images.reflectance);
+    GBufferSurfaces::declare_reads(pass, gbuffer);
+    pass.execute_sliced(
+        std::int64_t{1} * LightSampling::tiles_across(view.width) * LightSampling::tiles_across(view.height),
+        [=](graph::PassContext& context, graph::Slice slice) {
+            LightSampling(context, gbuffer, images, bvh, sources, options).run(slice);
+        },
+        2);
+    return images;
+}
+
+graph::ImageRef filter_light(graph::GraphBuilder& builder, const GBuffer& gbuffer,
+                             const SampledImages& images, const LightParameters& parameters) {
+    a_trous::Options options;
+    options.name = "light filter";
+    options.passes = filter_passes;
+    options.sigma_value = parameters.light_filter_strength;
+    return a_trous::smooth(builder, a_trous::pack_surfaces(builder, gbuffer), {images.even},
+                           {"direct.even_filtered", "Filtered light without materials"},
+                           {"direct.filter", "Level of the light's filter", "Overwritten in turns."}, options)
+        .value;
+}
+
+graph::ImageRef sample_and_filter(graph::GraphBuilder& builder, const GBuffer& gbuffer,
+                                  const ExtendedLightOptions& options) {
+    const auto images = sample_sources(builder, gbuffer, options);
+    const auto result = images.results.radiance;
+    auto pass = builder.pass("extended light");
+    gl::ProgramSource source{{"passes/direct/extended_light.comp"}};
+    if (options.parameters.light_filter) {
+        source.defines["FILTERED"] = "1";
+        pass.reads("even_image", filter_light(builder, gbuffer, images, options.parameters))
+            .reads("reflectance_image", images.reflectance);
+    } else {
+        pass.reads("unfiltered_image", images.results.unfiltered);
+    }
+    pass.writes("result", result).compute(source, result);
+    return result;
+}
+
+/// Nothing shines: what is listed is 0.
+void no_extended_light(graph::GraphBuilder& builder) {
+    const auto results = declare_sampled_results(builder);
+    builder.pass("no extended light")
+        .writes(results.radiance, results.unfiltered, results.variance)
+        .execute([=](graph::PassContext& context) {
+            for (const auto image : {results.radiance, results.unfiltered, results.variance})
+                context.clear(image);
+        });
+}
+
+std::string count_of(std::size_t count, const std::string& what) {
+    return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+void note_left_out(graph::GraphBuilder& builder, const ExtendedSources& left_out) {
+    std::vector<std::string> parts;
+    if (left_out.flat_lights > 0) parts.push_back(count_of(left_out.flat_lights, "rectangle or disk light"));
+    if (left_out.emissive_triangles > 0)
+        parts.push_back(count_of(left_out.emissive_triangles, "emissive triangle"));
+    if (left_out.environment) parts.emplace_back("the environment");
+    std::string list;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        list += (i == 0 ? "" : i + 1 < parts.size() ? ", " : " and ") + parts[i];
+    builder.note("direct light leaves out " + list + ": light_samples is 0");
+}
+
+}  // namespace
+
+std::vector<OutputDescription> extended_light_outputs() {
+    return {
+        {.key = "direct.extended",
+         .label = "Light of sources with an extent",
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "The part of the direct light that comes from rectangles, disks, emissive meshes and the "
+                "environment: the mean of all samples, filtered if asked for."},
+        {.key = "direct.extended.unfiltered",
+         .label = "The same, unfiltered",
+         .semantic = Semantic::radiance,
+         .unit = "W/(m² sr)",
+         .doc = "The mean of all samples of the frames in which nothing moved."},
+        {.key = "direct.extended.variance",
+         .label = "Variance of the unfiltered light",
+         .doc = "Estimated variance of that mean's luminance, from independent groups of samples, four in "
+                "each frame; of a single sample its square."}};
+}
+
+std::optional<graph::ImageRef> extended_light(graph::GraphBuilder& builder, const GBuffer& gbuffer,
+                                              const ExtendedLightOptions& options) {
+    const auto sources = extended_sources(builder.inputs(), options);
+    if (sources.any() && options.parameters.light_samples > 0)
+        return sample_and_filter(builder, gbuffer, options);
+    if (sources.any()) note_left_out(builder, sources);
+    no_extended_light(builder);
+    return {};
+}
+
+}  // namespace ir::passes

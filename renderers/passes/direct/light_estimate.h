@@ -1,0 +1,57 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "renderers/core/transport.h"
+#include "renderers/passes/lights/light_sampler.h"
+#include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/sampling/point_sequence.h"
+#include "renderers/passes/surface/surface.h"
+
+namespace ir::passes {
+
+/// Of a sample that was drawn with density `pdf` where another technique has the density `other`.
+/// [Veach95, power heuristic with β = 2]
+inline float power_heuristic(float pdf, float other) {
+    const float ratio = other / pdf;
+    return 1 / (1 + ratio * ratio);
+}
+
+/// Light that a surface reflects of sources with an extent, one sample at a time: of the sources and of the
+/// surface's directions, weighted against each other. What lies between is opaque, glass too; alpha masks
+/// are not. Keeps references. Thread-safe.
+class LightEstimate {
+  public:
+    struct Options {
+        Transport::Materials materials = Transport::Materials::gltf;
+        /// Whether mirrors, which scatter nothing, show the sources that they reflect.
+        bool mirrors = true;
+        /// Tests put a wrong weight in its place, which they must notice.
+        float (*combine)(float pdf, float other) = power_heuristic;
+    };
+
+    /// `lights` without punctual ones, over `surfaces`, whose scene still exists.
+    LightEstimate(const Bvh& bvh, const SurfaceLookup& surfaces, const LightSampler& lights,
+                  const Options& options);
+
+    /// Radiance towards unit direction `wo`, W/(m² sr), unbiased over the keys of the sampler.
+    glm::vec3 sample(const Surface& surface, glm::vec3 wo, const PathSampler& sampler) const;
+    /// Reflectance of the surface, by which noise is measured; 0 where it is unlit.
+    glm::vec3 reflectance(const Surface& surface) const;
+
+  private:
+    const scene::Material& material(int index) const {
+        return surfaces_.scene().materials[static_cast<std::size_t>(index)];
+    }
+    glm::vec3 towards_source(const Surface& surface, const class Bsdf& bsdf, glm::vec3 wo, float choice,
+                             glm::vec2 u) const;
+    glm::vec3 by_direction(const Surface& surface, const class Bsdf& bsdf, glm::vec3 wo, float lobe,
+                           glm::vec2 u) const;
+
+    const Bvh& bvh_;
+    const SurfaceLookup& surfaces_;
+    const LightSampler& lights_;
+    Options options_;
+};
+
+}  // namespace ir::passes

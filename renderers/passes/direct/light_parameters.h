@@ -1,0 +1,17 @@
+#pragma once
+
+#include "renderers/core/parameter.h"
+
+namespace ir::passes {
+
+/// How direct light of sources with an extent is found: rectangles, disks, emissive meshes, the environment.
+struct LightParameters {
+    int light_samples = 16;
+    bool light_filter = true;
+    float light_filter_strength = 2;
+};
+
+/// For every method with direct light.
+ParameterTable<LightParameters> light_parameters();
+
+}  // namespace ir::passes
