@@ -72,6 +72,11 @@ QString thumbnail_file(const QString& project) {
     return project + QStringLiteral("/thumbnails/view.png");
 }
 
+QImage thumbnail_of(const QString& project) {
+    const QImage saved(thumbnail_file(project));
+    return saved.isNull() ? QImage(project + QStringLiteral("/thumbnails/card.jpg")) : saved;
+}
+
 QStringList RecentProjects::paths() const {
     QStringList list;
     if (!remember_) return list;
@@ -91,7 +96,7 @@ std::vector<widgets::RecentProject> RecentProjects::all() const {
         project.missing = !document.exists();
         project.when = document.lastModified();
         project.name = QString::fromStdString(field_or(peek(path), "name", std::string()));
-        project.thumbnail = QImage(thumbnail_file(path));
+        project.thumbnail = thumbnail_of(path);
         list.push_back(std::move(project));
     }
     return list;
@@ -156,11 +161,11 @@ widgets::SampleProject sample_at(const std::filesystem::path& folder) {
     const auto document = peek(sample.path);
     sample.name = QString::fromStdString(field_or(document, "name", folder.stem().string()));
     // The heading says the paper already: "Authors 2015, Fig. 9: what it shows".
-    const auto notes = QString::fromStdString(field_or(document, "notes", std::string()));
+    const auto notes = QString::fromStdString(field_or(document, "notes", std::string())).simplified();
     const auto colon = notes.indexOf(QStringLiteral(": "));
     sample.description = colon > 0 && colon < 80 ? notes.mid(colon + 2) : notes;
     if (!sample.description.isEmpty()) sample.description[0] = sample.description[0].toUpper();
-    sample.thumbnail = QImage(thumbnail_file(sample.path));
+    sample.thumbnail = thumbnail_of(sample.path);
     return sample;
 }
 

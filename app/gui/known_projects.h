@@ -50,6 +50,8 @@ class Samples {
 
 /// Where a project keeps the picture that stands for it.
 QString thumbnail_file(const QString& project);
+/// That picture; else the one that a sample came with. Null where there is neither.
+QImage thumbnail_of(const QString& project);
 inline constexpr int thumbnail_width = 256;
 
 }  // namespace ir::gui

@@ -28,8 +28,8 @@ namespace {
 /// Nothing was under way for so long before the window is grabbed; so often it is looked at.
 constexpr int settle_ms = 400, look_ms = 50;
 constexpr int failed = 1, bad_input = 3;
-/// Of a thumbnail: pixels across, and bytes that its file may have.
-constexpr int card_width = 320, max_card_bytes = 60'000;
+/// Of a thumbnail: pixels across, bytes that its file may have, and quality of JPEG in percent.
+constexpr int card_width = 400, max_card_bytes = 60'000, card_quality = 88;
 
 struct Arguments {
     std::string project, layout, screenshot, thumbnail, size, plot, plot_file;
@@ -50,9 +50,10 @@ void describe(CLI::App& command, Arguments& arguments) {
                        "Arrangement of the docks: " + DockLayout::names().join(", ").toStdString());
     command.add_option("--screenshot", arguments.screenshot,
                        "Wait until everything shown is rendered, save the window as PNG and quit");
-    command.add_option("--thumbnail", arguments.thumbnail,
-                       "The same with the first view's picture alone, small, for a card of the start page; "
-                       "prints how many seconds the window took");
+    command.add_option(
+        "--thumbnail", arguments.thumbnail,
+        "The same with the first view's picture alone, as a small JPEG for a card of the start page; "
+        "prints how many seconds the window took");
     command.add_option("--size", arguments.size, "Size of the window, or of the exported plot, WxH");
     auto* plot = command.add_option("--plot", arguments.plot,
                                     "Show this plot of the project, and carry it out unless its numbers are "
@@ -102,7 +103,7 @@ QByteArray thumbnail_of(MainWindow& window) {
             QRect(QPoint((small.width() - width) / 2, (small.height() - size.height()) / 2), size));
         bytes.clear();
         QBuffer buffer(&bytes);
-        small.save(&buffer, "PNG", 0);  // compressed most
+        small.save(&buffer, "JPEG", card_quality);
         if (bytes.size() <= max_card_bytes) break;
     }
     return bytes;

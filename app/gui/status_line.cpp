@@ -3,7 +3,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
-#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 
@@ -15,6 +14,9 @@ namespace ir::gui {
 namespace {
 
 constexpr int said_ms = 4000;
+/// Progress comes with every pass and slice. Each new text draws the whole window again, since its views are
+/// OpenGL; without a GPU that took half of the processor from what is being rendered.
+constexpr int between_texts_ms = 250;
 
 }  // namespace
 
@@ -49,7 +51,9 @@ StatusLine::StatusLine(Session& session, LivePictures& live, QWidget* parent)
     row->addWidget(cancel_);
     connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancel_wanted);
     connect(&live_, &LivePictures::state_changed, this, &StatusLine::update_text);
-    connect(&live_, &LivePictures::progressed, this, &StatusLine::update_text);
+    later_.setSingleShot(true);
+    connect(&later_, &QTimer::timeout, this, &StatusLine::update_text);
+    connect(&live_, &LivePictures::progressed, this, &StatusLine::update_soon);
     connect(&session_, &Session::experiment_selected, this, &StatusLine::update_text);
     connect(&session_, &Session::project_replaced, this, &StatusLine::update_text);
     update_text();
@@ -109,7 +113,12 @@ QString StatusLine::text_of_state() const {
     }
 }
 
+void StatusLine::update_soon() {
+    if (!later_.isActive()) later_.start(between_texts_ms);
+}
+
 void StatusLine::update_text() {
+    later_.stop();
     const auto ids = live_.rendering();
     progress_->setVisible(!ids.empty());
     cancel_->setVisible(!ids.empty());

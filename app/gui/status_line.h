@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QTimer>
 #include <QWidget>
 
 #include "app/gui/live_pictures.h"
@@ -24,6 +25,7 @@ class StatusLine : public QWidget {
 
   private:
     void update_text();
+    void update_soon();
     QString text_of_rendering(const std::vector<std::string>& ids) const;
     QString text_of_state() const;
     Session& session_;
@@ -32,6 +34,7 @@ class StatusLine : public QWidget {
     QProgressBar* progress_;
     QToolButton* cancel_;
     QElapsedTimer said_;
+    QTimer later_;
     QString saying_;
 };
 

@@ -10,8 +10,9 @@
 namespace ir::widgets {
 namespace {
 
-/// Longer notes scroll: the pictures are what the window is for.
-constexpr int max_lines = 3;
+/// Of the first paragraph, which says what the views show. What follows scrolls: the pictures are what the
+/// window is for.
+constexpr int max_lines = 4;
 
 }  // namespace
 
@@ -72,9 +73,10 @@ void NotesStrip::update_text() {
     const int room = std::max(40, width() - fold_->sizeHint().width() - 22);
     line_->setText(fontMetrics().elidedText(notes_.simplified(), Qt::ElideRight, room));
     line_->setToolTip(notes_);
-    const int needed = text_->heightForWidth(room);
-    scroll_->setFixedHeight(
-        std::min(std::max(needed, fontMetrics().height()) + 2, max_lines * fontMetrics().lineSpacing() + 4));
+    const auto first = notes_.section(QLatin1Char('\n'), 0, 0);
+    const int line = fontMetrics().lineSpacing();
+    const int needed = fontMetrics().boundingRect(QRect(0, 0, room, 0), Qt::TextWordWrap, first).height();
+    scroll_->setFixedHeight(std::clamp((needed + line - 1) / line, 1, max_lines) * line);
 }
 
 }  // namespace ir::widgets

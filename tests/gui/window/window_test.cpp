@@ -165,9 +165,14 @@ TEST_F(WindowTest, RenderingShowsProgressAndEscapeCancels) {
     renderer.hold = true;
     window.action("rerun")->trigger();
     EXPECT_FALSE(window.is_settled());
+    const auto before = label("state");
+    for (int i = 0; i < 100; ++i)
+        emit renderer.progressed(window.session().experiment()->id, "pass " + std::to_string(i), 0.004 * i);
+    EXPECT_EQ(label("state"), before) << "each text draws the whole window";
     emit renderer.progressed(window.session().experiment()->id, "painting", 0.5);
+    const auto* bar = window.statusBar()->findChild<QProgressBar*>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bar->value() == 500; }, 5000));
     EXPECT_NE(label("state").find("painting"), std::string::npos);
-    EXPECT_EQ(window.statusBar()->findChild<QProgressBar*>()->value(), 500);
     QTest::keyClick(&window.view(), Qt::Key_Escape);
     ASSERT_TRUE(settle());
     EXPECT_GE(renderer.cancels, 1);
@@ -183,7 +188,8 @@ TEST_F(WindowTest, TheRemainingTimeIsThatOfTheFramesThatAreMissing) {
     emit renderer.progressed(id, "", 0.9);  // it goes on from there
     QTest::qWait(1500);
     emit renderer.progressed(id, "painting", 0.925);
-    EXPECT_EQ(window.statusBar()->findChild<QProgressBar*>()->value(), 925);
+    const auto* bar = window.statusBar()->findChild<QProgressBar*>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bar->value() == 925; }, 5000));
     const auto left = window.live().seconds_left(id);
     ASSERT_TRUE(left);
     EXPECT_GT(*left, 4) << "three times as much is missing as has been done";

@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -205,6 +206,22 @@ TEST(NotesStrip, FoldsIntoOneLineAndTakesNoRoomWithoutNotes) {
     EXPECT_EQ(folded.count(), 1);
     EXPECT_TRUE(strip.is_folded());
     EXPECT_LT(strip.sizeHint().height(), open);
+}
+
+TEST(NotesStrip, ShowsTheFirstParagraphWholeAndNoLineCut) {
+    NotesStrip strip;
+    strip.resize(600, 200);
+    const auto height_of = [&strip](const QString& notes) {
+        strip.set_notes(notes);
+        return strip.findChild<QScrollArea*>()->height();
+    };
+    const int line = strip.fontMetrics().lineSpacing();
+    EXPECT_EQ(height_of("One line."), line);
+    EXPECT_EQ(height_of("One line.\n\n" + QString("What the paper says. ").repeated(50)), line);
+    const auto long_text = QString("What the figure shows. ").repeated(12);
+    EXPECT_GT(height_of(long_text), 2 * line);
+    EXPECT_EQ(height_of(long_text) % line, 0);
+    EXPECT_EQ(height_of(long_text.repeated(9)), 4 * line);
 }
 
 TEST(ShortcutsDialog, ListsEveryActionByMenuAndFindsThem) {
