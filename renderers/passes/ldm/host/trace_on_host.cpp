@@ -15,12 +15,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The scene as the host's maps are built from it.
-struct HostScene {
-    Meshlets meshlets;
-    AlphaMasks masks;
-};
-
 /// Each pass over the pixels asks so many maps, if they and the pixels' sums leave room in a thread's cache.
 constexpr int most_together = 8;
 constexpr std::uint64_t cache_bytes = 5 << 18;
@@ -28,10 +22,6 @@ constexpr std::uint64_t cache_bytes = 5 << 18;
 constexpr std::uint64_t memory_bytes = 48 << 20;
 /// For choosing how many: a list holds 6 to 8 depths.
 constexpr std::uint64_t expected_depths = 8;
-
-int threads_of(const graph::FrameInputs& inputs) {
-    return inputs.threads > 0 ? inputs.threads : tbb::info::default_concurrency();
-}
 
 /// Maps that a thread holds at once.
 int maps_together(int resolution, Holds holds, int threads) {
@@ -122,8 +112,7 @@ class Stream {
         context.cancel().check();
     }
 
-    void report(const graph::PassContext& context, graph::CounterRef fragments, graph::CounterRef texels,
-                graph::CounterRef bytes) const {
+    void report(const graph::PassContext& context, const HostCounters& counters) const {
         std::uint64_t made = 0, held = 0;
         double build_ms = 0, ask_ms = 0;
         for (const auto& worker : workers_) {
@@ -132,9 +121,10 @@ class Stream {
             build_ms += worker.build_ms;
             ask_ms += worker.ask_ms;
         }
-        context.add(fragments, static_cast<std::uint32_t>(made));
-        context.add(texels, static_cast<std::uint32_t>(maps_->layout.map_texels() * maps_->layout.maps));
-        context.add(bytes, static_cast<std::uint32_t>(held));
+        context.add(counters.fragments, static_cast<std::uint32_t>(made));
+        context.add(counters.texels,
+                    static_cast<std::uint32_t>(maps_->layout.map_texels() * maps_->layout.maps));
+        context.add(counters.bytes, static_cast<std::uint32_t>(held));
         const auto threads = static_cast<double>(workers_.size());
         context.notes().set_figure("ldm.build_ms", build_ms / threads);
         context.notes().set_figure("ldm.ask_ms", ask_ms / threads);
@@ -177,24 +167,17 @@ struct StreamPass {
 
 void declare(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::ObjectRef meshlets,
              const std::shared_ptr<const Maps>& maps, graph::ImageRef target, const StreamPass& what) {
-    const auto fragments = builder.counter({.key = "ldm.fragments",
-                                            .label = "Fragments",
-                                            .doc = "Made by rasterising the scene into all maps."});
-    const auto texels = builder.counter({.key = "ldm.texels", .label = "Texels", .doc = "Of all maps."});
-    const auto bytes = builder.counter({.key = "ldm.bytes",
-                                        .label = "Memory of maps",
-                                        .doc = "Bytes that the maps take which are in memory at once, and "
-                                               "building them."});
+    const auto counters = declare_host_counters(builder);
     const auto stream = std::make_shared<Stream>(
         meshlets, maps, Surfaces{gbuffer.position, gbuffer.normal, gbuffer.geometric_normal}, what.holds,
-        threads_of(builder.inputs()));
+        host_threads(builder.inputs()));
     builder.pass(what.name, graph::Queue::cpu)
         .has_two_bodies()
         .reads(meshlets, gbuffer.position, gbuffer.normal, gbuffer.geometric_normal)
         .writes(target)
-        .counts(fragments)
-        .counts(texels)
-        .counts(bytes)
+        .counts(counters.fragments)
+        .counts(counters.texels)
+        .counts(counters.bytes)
         .execute_sliced(
             maps->layout.maps,
             [=](graph::PassContext& context, graph::Slice slice) {
@@ -202,7 +185,7 @@ void declare(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::Object
                 stream->run(context, slice.begin, slice.end, what.ask);
                 if (!slice.last) return;
                 what.finish(context, *stream);
-                stream->report(context, fragments, texels, bytes);
+                stream->report(context, counters);
             },
             stream->first_slice());
 }
@@ -256,6 +239,29 @@ void write_counts(const graph::PassContext& context, Stream& stream, graph::Imag
 }
 
 }  // namespace
+
+SelfHitRule self_hit_rule(const MapParameters& parameters) {
+    return {.tangent_plane = parameters.self_hit == SelfHit::tangent_plane,
+            .quanta = parameters.self_hit_tolerance,
+            .slope = parameters.slope_tolerance,
+            .offset = parameters.normal_offset,
+            .max_dip = parameters.max_dip};
+}
+
+int host_threads(const graph::FrameInputs& inputs) {
+    return inputs.threads > 0 ? inputs.threads : tbb::info::default_concurrency();
+}
+
+HostCounters declare_host_counters(graph::GraphBuilder& builder) {
+    return {builder.counter({.key = "ldm.fragments",
+                             .label = "Fragments",
+                             .doc = "Made by rasterising the scene into all maps."}),
+            builder.counter({.key = "ldm.texels", .label = "Texels", .doc = "Of all maps."}),
+            builder.counter({.key = "ldm.bytes",
+                             .label = "Memory of maps",
+                             .doc = "Bytes that the maps take which are in memory at once, and "
+                                    "building them."})};
+}
 
 graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder) {
     graph::ObjectDesc desc;
