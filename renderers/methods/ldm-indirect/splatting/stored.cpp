@@ -97,6 +97,7 @@ StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photon
     desc.elements = 1;
     result.stored = builder.buffer(std::move(desc));
     builder.pass("stored photons")
+        .reads(photons.records)
         .writes("Stored", result.stored)
         .counts("Count", photons.count)
         .execute([=](graph::PassContext& p) { count_stored(p, result); });
@@ -107,7 +108,9 @@ void measure_footprints(graph::GraphBuilder& builder, const StoredPhotons& photo
     const auto mended = declare_mended(builder);
     auto pass = builder.pass("measure footprints");
     reads_footprints(pass, photons);
-    pass.counts("Short", mended.axes_short)
+    // A pass that only counts would be left out: who reads how many photons there are has them measured.
+    pass.writes(photons.stored)
+        .counts("Short", mended.axes_short)
         .counts("Long", mended.axes_long)
         .counts("Degenerate", mended.degenerate)
         .counts("Broken", mended.broken)
