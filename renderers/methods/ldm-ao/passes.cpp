@@ -63,15 +63,6 @@ void declare_trace(graph::GraphBuilder& builder, const std::string& name, const 
     pass.execute_sliced(dispatches, run, 1);
 }
 
-/// What the maps' rule and the transport say, for the host.
-ldm::SelfHitRule rule_of(const passes::ldm::MapParameters& maps) {
-    return {.tangent_plane = maps.self_hit == ldm::SelfHit::tangent_plane,
-            .quanta = maps.self_hit_tolerance,
-            .slope = maps.slope_tolerance,
-            .offset = maps.normal_offset,
-            .max_dip = maps.max_dip};
-}
-
 }  // namespace
 
 OutputDescription overlay_output() {
@@ -92,7 +83,7 @@ bool has_host_body(const Parameters& parameters) {
 void trace_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const MapsPointer& maps,
                    const Images& images, const Parameters& parameters) {
     const auto meshlets = ldm::declare_meshlets(builder);
-    const auto rule = rule_of(parameters.maps);
+    const auto rule = ldm::self_hit_rule(parameters.maps);
     const auto& transport = parameters.transport;
     ldm::trace_on_host(
         builder, gbuffer, meshlets, maps, rule,

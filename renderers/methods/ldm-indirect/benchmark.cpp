@@ -6,7 +6,7 @@ namespace {
 using Column = graph::BenchmarkColumn;
 
 /// What the paper counts as construction, tracing and splatting; not G-buffer, direct light and uploads.
-const std::vector<std::string> construction{"map frames*", "build maps*"};
+const std::vector<std::string> construction{"map frames*", "meshlets", "build maps*"};
 const std::vector<std::string> tracing{"RSM*",
                                        "emit photons",
                                        "begin photons",
@@ -20,6 +20,7 @@ const std::vector<std::string> tracing{"RSM*",
 const std::vector<std::string> packing{"indirect.part* sums", "indirect.part* bases", "indirect.part* places",
                                        "store photons*"};
 const std::vector<std::string> splatting{"splat photons*",
+                                         "stored photons",
                                          "measure footprints",
                                          "upload arrivals",
                                          "atomic sums",

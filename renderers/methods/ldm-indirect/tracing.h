@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "renderers/graph/builder.h"
 #include "renderers/methods/ldm-indirect/parameters.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
@@ -13,6 +15,8 @@ struct Photons {
     graph::BufferRef records;  ///< "indirect.photons": Photon, growable, glyphs; in the order of batches of
                                ///< maps, then of sources, then of maps
     graph::CounterRef count;   ///< of records; may exceed the buffer's capacity while it grows
+    /// How many there are to read, where the host stored some: passes on the device see no counter of its.
+    std::optional<graph::BufferRef> stored = {};
 };
 
 /// Declares the lights' images, the maps, and the passes that emit, split, trace, reject and store photons,

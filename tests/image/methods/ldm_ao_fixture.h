@@ -22,7 +22,7 @@ class LdmAo : public testing::Test {
         programs_ = std::make_unique<gl::ProgramLibrary>(*context_, shader_directory());
         reset();
         for (const auto* method : methods::all_methods())
-            if (method->description.id == "ldm-ao") method_ = method;
+            if (method->description.id == id()) method_ = method;
         ASSERT_NE(method_, nullptr);
     }
     void TearDown() override {
@@ -30,6 +30,7 @@ class LdmAo : public testing::Test {
         for (const auto& message : context_->take_messages())
             EXPECT_NE(message.severity, Severity::error) << message.text;
     }
+    virtual std::string id() const { return "ldm-ao"; }
     void reset() { graph_ = std::make_unique<graph::Graph>(*device_, context_.get(), programs_.get()); }
 
     void load(const std::string& name) {

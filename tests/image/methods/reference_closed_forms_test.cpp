@@ -11,7 +11,7 @@
 #include "tests/image/methods/reference_lab.h"
 #include "tests/unit/passes/small_world.h"
 
-namespace ir::methods::reference {
+namespace ir::methods::reference::closed_forms {
 namespace {
 
 using test::SmallWorld;
@@ -215,4 +215,4 @@ TEST(ReferenceVariance, FallsFasterThanThatOfIndependentSamples) {
 }
 
 }  // namespace
-}  // namespace ir::methods::reference
+}  // namespace ir::methods::reference::closed_forms

@@ -76,8 +76,8 @@ class IndirectExplained : public IndirectSplatTest {
 TEST_F(IndirectExplained, PhotonsAndDirectionsSumToThePixel) {
     const auto view = shot();
     run_.inspection = {24, 24, {}};
-    for (const auto way : all_ways) {
-        run_.parameters.splatting = way;
+    for (const auto& way : all_ways) {
+        run_.by(way);
         splat(view, run_);
         expect_sums({24, 24});
     }

@@ -16,8 +16,16 @@ namespace ir::test {
 
 namespace li = methods::ldm_indirect;
 
-inline constexpr li::Splatting all_ways[] = {li::Splatting::quads, li::Splatting::tiles,
-                                             li::Splatting::image_atomics};
+/// How photons are added, and where.
+struct Way {
+    const char* name;
+    li::Splatting splatting;
+    Processor processor = Processor::gl;
+};
+inline constexpr Way all_ways[] = {{"quads", li::Splatting::quads},
+                                   {"tiles", li::Splatting::tiles},
+                                   {"tiles on the host", li::Splatting::tiles, Processor::host},
+                                   {"image-atomics", li::Splatting::image_atomics}};
 
 /// A photon as one would say it. It comes from above +Z in the one direction of a single map, which is +Y:
 /// `leg` 0 comes from +Y, bit 16 from -Y.
@@ -50,6 +58,12 @@ struct IndirectRun {
     Inspection inspection = {};
     double initial_capacity = 1;
     bool composed = false;
+    Processor processor = Processor::gl;
+    int threads = 0;
+    void by(const Way& way) {
+        parameters.splatting = way.splatting;
+        processor = way.processor;
+    }
 };
 
 /// What eqs. 4 to 7 add at x, as printed; without their π the mutant. [Aalund15]
@@ -145,6 +159,8 @@ class IndirectSplatTest : public PassTest {
         options.initial_capacity = run.initial_capacity;
         auto inputs = shot.inputs();
         inputs.inspection = run.inspection;
+        inputs.processor = run.processor;
+        inputs.threads = run.threads;
         const auto report = graph().run(method(run), {}, inputs, options);
         for (const auto& message : report.messages)
             EXPECT_NE(message.severity, Severity::error) << message.text;
@@ -197,8 +213,8 @@ class IndirectSplatTest : public PassTest {
             flux += photon.flux;
         }
         run.wanted = {"indirect.irradiance", "gbuffer.position"};
-        for (const auto way : all_ways) {
-            run.parameters.splatting = way;
+        for (const auto& way : all_ways) {
+            run.by(way);
             splat(shot, run);
             const auto irradiance = read("indirect.irradiance");
             const int middle = size / 2;
@@ -206,7 +222,7 @@ class IndirectSplatTest : public PassTest {
             one.flux = glm::vec3(flux);
             const auto expected =
                 printed_contribution(one, run.parameters, rgb(read("gbuffer.position"), middle, middle));
-            EXPECT_NEAR(irradiance.at(middle, middle, 0), expected.r, 1e-3 * expected.r) << int(way);
+            EXPECT_NEAR(irradiance.at(middle, middle, 0), expected.r, 1e-3 * expected.r) << way.name;
             EXPECT_EQ(irradiance.at(middle, middle, 3), float(count));
         }
     }

@@ -109,8 +109,10 @@ class IndirectTracingTest : public PassTest {
         options.wanted = {"*"};
         options.initial_capacity = initial_capacity;
         options.memory_budget = memory_budget;
-        const auto report =
-            graph().run(method, completed(table.descriptions(), settings), shot.inputs(), options);
+        auto inputs = shot.inputs();
+        inputs.processor = on;
+        inputs.threads = threads;
+        const auto report = graph().run(method, completed(table.descriptions(), settings), inputs, options);
         for (const auto& message : report.messages)
             EXPECT_NE(message.severity, Severity::error) << message.text;
         count_ = static_cast<std::size_t>(report.counters.at("indirect.count"));
@@ -135,6 +137,8 @@ class IndirectTracingTest : public PassTest {
         all.resize(std::min(all.size(), count_));
         return all;
     }
+    Processor on = Processor::gl;
+    int threads = 0;
     /// Of travel behind the first surface.
     static glm::dvec3 direction_of(const li::Photon& photon,
                                    const std::vector<passes::ldm::MapFrame>& frames) {

@@ -4,6 +4,25 @@
 
 namespace ir::methods::ldm_indirect {
 
+namespace {
+
+void splat_on_device(graph::GraphBuilder& builder, const SplatTask& task) {
+    measure_footprints(builder, task.photons);
+    switch (task.photons.parameters.splatting) {
+        case Splatting::quads:
+            splat_quads(builder, task);
+            break;
+        case Splatting::tiles:
+            splat_tiles(builder, task);
+            break;
+        case Splatting::image_atomics:
+            splat_image_atomics(builder, task);
+            break;
+    }
+}
+
+}  // namespace
+
 void reads_task(graph::PassBuilder& pass, const SplatTask& task) {
     reads_footprints(pass, task.photons);
     pass.reads(task.position, task.normal);
@@ -16,17 +35,12 @@ Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
     task.position = gbuffer.position;
     task.normal = gbuffer.geometric_normal;
     task.irradiance = builder.output("indirect.irradiance", {.format = gl::Format::rgba32f});
-    switch (parameters.splatting) {
-        case Splatting::quads:
-            splat_quads(builder, task);
-            break;
-        case Splatting::tiles:
-            splat_tiles(builder, task);
-            break;
-        case Splatting::image_atomics:
-            splat_image_atomics(builder, task);
-            break;
-    }
+    const bool on_host =
+        builder.inputs().processor == Processor::host && parameters.splatting == Splatting::tiles;
+    if (on_host)
+        splat_on_host(builder, gbuffer, task);
+    else
+        splat_on_device(builder, task);
     return {task.irradiance, task.photons.stored, task.photons.arrivals};
 }
 

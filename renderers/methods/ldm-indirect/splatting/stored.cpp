@@ -9,18 +9,6 @@ namespace {
 
 using Paths = Transport::Paths;
 
-/// As footprint.glsl reads them: directions of the maps, then of the lights.
-std::vector<glm::vec4> arrivals_of(const Parameters& parameters, const scene::World& world) {
-    std::vector<glm::vec4> all;
-    for (const auto& direction : passes::ldm::leopardi_directions(parameters.maps.directions))
-        all.emplace_back(glm::vec3(direction.centre), 0.0f);
-    for (const auto& light : world.lights) {
-        const bool far = light.type == scene::LightType::directional;
-        all.emplace_back(far ? light.direction : light.position, far ? 0.0f : 1.0f);
-    }
-    return all;
-}
-
 graph::BufferRef upload_arrivals(graph::GraphBuilder& builder, const Parameters& parameters) {
     auto arrivals = arrivals_of(parameters, *builder.inputs().world);
     graph::BufferDesc desc;
@@ -39,28 +27,6 @@ graph::BufferRef upload_arrivals(graph::GraphBuilder& builder, const Parameters&
         p.upload(buffer, std::as_bytes(std::span(arrivals)));
     });
     return buffer;
-}
-
-struct Mended {
-    graph::CounterRef axes_short, axes_long, degenerate, broken;
-};
-
-Mended declare_counters(graph::GraphBuilder& builder) {
-    return {builder.counter({.key = "splat.short",
-                             .label = "Footprints widened",
-                             .doc = "Photons with an axis shorter than min_axis_pixels, which was made so "
-                                    "long; their flux stays."}),
-            builder.counter({.key = "splat.long",
-                             .label = "Footprints cut",
-                             .doc = "Photons with an axis longer than max_axis, which was cut to it; "
-                                    "their flux stays."}),
-            builder.counter({.key = "splat.degenerate",
-                             .label = "Degenerate footprints",
-                             .doc = "Photons whose axes span no area or are no numbers, given the least "
-                                    "width; their flux stays."}),
-            builder.counter({.key = "splat.not_finite",
-                             .label = "Photons left out",
-                             .doc = "Photons whose place or flux is no finite number: they add nothing."})};
 }
 
 /// Constants of stored.comp.
@@ -85,10 +51,43 @@ void measure(const graph::PassContext& p, graph::Slice slice, const StoredPhoton
 
 }  // namespace
 
+std::vector<glm::vec4> arrivals_of(const Parameters& parameters, const scene::World& world) {
+    std::vector<glm::vec4> all;
+    for (const auto& direction : passes::ldm::leopardi_directions(parameters.maps.directions))
+        all.emplace_back(glm::vec3(direction.centre), 0.0f);
+    for (const auto& light : world.lights) {
+        const bool far = light.type == scene::LightType::directional;
+        all.emplace_back(far ? light.direction : light.position, far ? 0.0f : 1.0f);
+    }
+    return all;
+}
+
+MendedCounters declare_mended(graph::GraphBuilder& builder) {
+    return {builder.counter({.key = "splat.short",
+                             .label = "Footprints widened",
+                             .doc = "Photons with an axis shorter than min_axis_pixels, which was made so "
+                                    "long; their flux stays."}),
+            builder.counter({.key = "splat.long",
+                             .label = "Footprints cut",
+                             .doc = "Photons with an axis longer than max_axis, which was cut to it; "
+                                    "their flux stays."}),
+            builder.counter({.key = "splat.degenerate",
+                             .label = "Degenerate footprints",
+                             .doc = "Photons whose axes span no area or are no numbers, given the least "
+                                    "width; their flux stays."}),
+            builder.counter({.key = "splat.not_finite",
+                             .label = "Photons left out",
+                             .doc = "Photons whose place or flux is no finite number: they add nothing."})};
+}
+
 StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photons,
                              const Parameters& parameters) {
     StoredPhotons result{
         photons.records, {}, upload_arrivals(builder, parameters), parameters, photons.count};
+    if (photons.stored) {
+        result.stored = *photons.stored;
+        return result;
+    }
     graph::BufferDesc desc;
     desc.text = {.key = "splat.stored",
                  .label = "Photons to splat",
@@ -97,21 +96,26 @@ StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photon
     desc.fields = {{"photons", graph::FieldType::u32}};
     desc.elements = 1;
     result.stored = builder.buffer(std::move(desc));
-    const auto mended = declare_counters(builder);
-    builder.pass("measure footprints")
-        .reads("Photons", photons.records)
-        .reads("Arrivals", result.arrivals)
+    builder.pass("stored photons")
+        .reads(photons.records)
         .writes("Stored", result.stored)
         .counts("Count", photons.count)
+        .execute([=](graph::PassContext& p) { count_stored(p, result); });
+    return result;
+}
+
+void measure_footprints(graph::GraphBuilder& builder, const StoredPhotons& photons) {
+    const auto mended = declare_mended(builder);
+    auto pass = builder.pass("measure footprints");
+    reads_footprints(pass, photons);
+    // A pass that only counts would be left out: who reads how many photons there are has them measured.
+    pass.writes(photons.stored)
         .counts("Short", mended.axes_short)
         .counts("Long", mended.axes_long)
         .counts("Degenerate", mended.degenerate)
         .counts("Broken", mended.broken)
-        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
-            if (slice.first) count_stored(p, result);
-            measure(p, slice, result);
-        });
-    return result;
+        .execute_sliced(photon_parts,
+                        [=](graph::PassContext& p, graph::Slice slice) { measure(p, slice, photons); });
 }
 
 PhotonRange photons_of(const graph::PassContext& context, const StoredPhotons& photons, graph::Slice slice) {

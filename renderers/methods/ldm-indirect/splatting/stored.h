@@ -16,9 +16,21 @@ struct StoredPhotons {
     graph::CounterRef count = {};  ///< of records; may exceed their capacity
 };
 
-/// Declares the passes "upload arrivals" and "measure footprints", which counts those that are mended.
+/// Footprints that are not drawn as they are.
+struct MendedCounters {
+    graph::CounterRef axes_short, axes_long, degenerate, broken;
+};
+MendedCounters declare_mended(graph::GraphBuilder& builder);
+
+/// Declares the passes "upload arrivals" and "stored photons".
 StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photons,
                              const Parameters& parameters);
+
+/// Declares the pass "measure footprints", which counts those that are mended.
+void measure_footprints(graph::GraphBuilder& builder, const StoredPhotons& photons);
+
+/// As footprint.glsl reads them: directions of the maps, then of the lights.
+std::vector<glm::vec4> arrivals_of(const Parameters& parameters, const scene::World& world);
 
 /// Passes over photons are divided into this many parts of the buffer, as how many there are is known on the
 /// device only.

@@ -172,7 +172,8 @@ void splat_tiles(graph::GraphBuilder& builder, const SplatTask& task) {
     const auto& view = builder.inputs().view;
     const int across = (view.width + tile - 1) / tile, down = (view.height + tile - 1) / tile;
     auto pass = builder.pass("gather photons of tiles");
-    pass.reads(task.photons.records, task.position, task.normal)
+    pass.has_two_bodies()
+        .reads(task.photons.records, task.position, task.normal)
         .reads("Stored", task.photons.stored)
         .reads("Arrivals", task.photons.arrivals)
         .reads("Places", lists.places)

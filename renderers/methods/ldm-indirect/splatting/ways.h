@@ -17,6 +17,8 @@ void reads_task(graph::PassBuilder& pass, const SplatTask& task);
 void splat_quads(graph::GraphBuilder& builder, const SplatTask& task);
 /// Photons are sorted into bins of tiles, and pixels sum those of their bin in the order of the photons.
 void splat_tiles(graph::GraphBuilder& builder, const SplatTask& task);
+/// In place of splat_tiles: threads add photons to tiles of pixels in the caches of the host, in their order.
+void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const SplatTask& task);
 /// A compute shader adds each photon to its pixels by atomic additions, in no order.
 void splat_image_atomics(graph::GraphBuilder& builder, const SplatTask& task);
 

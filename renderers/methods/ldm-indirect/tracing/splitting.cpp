@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "renderers/gl/dispatch_items.h"
-#include "renderers/methods/ldm-indirect/parameters.h"
+#include "renderers/methods/ldm-indirect/tracing/landing.h"
+#include "renderers/passes/ldm/host/trace_on_host.h"
 #include "renderers/passes/scan/scan.h"
 
 namespace ir::methods::ldm_indirect {
@@ -29,26 +30,9 @@ graph::BufferRef scratch(GraphBuilder& builder, const std::string& key, const st
     return builder.buffer(std::move(desc));
 }
 
-/// Constants of landing.glsl.
-struct Landing {
-    glm::mat4 clip_from_world;
-    float splat_size, topological_bias, longest_axis, shortest_axis, nearest_w;
-    IR_FIELDS(clip_from_world, splat_size, topological_bias, longest_axis, shortest_axis, nearest_w)
-};
-
-Landing landing(const graph::FrameInputs& inputs, const Parameters& parameters) {
-    const auto& view = inputs.view;
-    return {.clip_from_world = view.clip_from_world(),
-            .splat_size = parameters.splat_size,
-            .topological_bias = parameters.topological_bias,
-            .longest_axis = longest_axis(parameters, *inputs.world),
-            .shortest_axis = parameters.min_axis_pixels * pixel_size(view),
-            .nearest_w = view.clip_from_view[3][3] == 0 ? view.near_plane : 1.0f};
-}
-
 /// Constants of trace.comp.
 struct Trace {
-    Landing landing;
+    LandingConstants landing;
     passes::ldm::FrameConstants frames;
     unsigned batch_maps, group_count, first_primary, chunk, map_group, first_map, map_count;
     IR_FIELDS(landing, frames, batch_maps, group_count, first_primary, chunk, map_group, first_map, map_count)
@@ -121,6 +105,7 @@ void Splitter::split(GraphBuilder& builder, int batch) const {
 
 void Splitter::trace(GraphBuilder& builder, const Part& part) const {
     auto pass = builder.pass("trace photons" + part.name);
+    if (passes::ldm::has_host_body(maps_->options)) pass.has_two_bodies();
     passes::ldm::reads_maps(pass, *maps_);
     pass.reads(gbuffer_.position, gbuffer_.geometric_normal)
         .reads("Primaries", primaries_.records)
@@ -129,7 +114,7 @@ void Splitter::trace(GraphBuilder& builder, const Part& part) const {
         .writes("Bases", bases_)
         .writes("AllShares", primaries_.shares)
         .counts("StoredCount", photons_.count);
-    const auto run = [self = *this, part, landed = landing(builder.inputs(), parameters_)](
+    const auto run = [self = *this, part, landed = landing_constants(builder.inputs(), parameters_)](
                          PassContext& context, Slice slice) {
         gl::ProgramSource source{{"methods/ldm-indirect/tracing/trace.comp"}};
         source.defines = passes::ldm::defines_of(context, *self.maps_);
@@ -192,7 +177,7 @@ graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gb
         .writes("Counts", counts)
         .writes("Fates", fates)
         .compute_sliced({{"methods/ldm-indirect/tracing/direct.comp"}}, count,
-                        landing(builder.inputs(), parameters), 4096);
+                        landing_constants(builder.inputs(), parameters), 4096);
     const auto places =
         passes::exclusive_scan(builder, "indirect.direct", counts, primaries.count, photons.count);
     builder.pass("store primary photons")

@@ -6,8 +6,10 @@
 #include "renderers/core/error.h"
 #include "renderers/core/record.h"
 #include "renderers/methods/ldm-indirect/tracing/energy.h"
+#include "renderers/methods/ldm-indirect/tracing/host/split_on_host.h"
 #include "renderers/methods/ldm-indirect/tracing/splitting.h"
 #include "renderers/methods/ldm-indirect/tracing/views.h"
+#include "renderers/passes/ldm/host/trace_on_host.h"
 #include "renderers/passes/ldm/map_views.h"
 
 namespace ir::methods::ldm_indirect {
@@ -72,8 +74,10 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
     const auto primaries = emit_photons(builder, scene, images, *maps);
     const auto most = max_photons(primaries, parameters);
     refuse_beyond_counters(primaries, most, parameters);
-    const auto photons = declare_photons(builder, reserved_photons(most, parameters));
-    begin_photons(builder, photons);
+    auto photons = declare_photons(builder, reserved_photons(most, parameters));
+    const bool on_host = has_indirect(parameters) && ldm::has_host_body(maps->options) &&
+                         builder.inputs().processor == Processor::host;
+    if (!on_host) begin_photons(builder, photons);
     std::optional<graph::BufferRef> fates;
     if (has_direct_photons(parameters))
         fates = store_directly(builder, gbuffer, primaries, photons, parameters);
@@ -82,10 +86,15 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
     ldm::show_directions(builder, maps);
     const auto layers = ldm::declare_layers(builder, *maps);
     const auto points = ldm::declare_points(builder, *maps, chosen);
-    const Splitter splitter(builder, gbuffer, maps, primaries, photons, parameters);
+    std::optional<Splitter> splitter;
+    if (on_host)
+        split_on_host(builder, gbuffer, maps, primaries, photons, fates, parameters);
+    else if (has_indirect(parameters))
+        splitter.emplace(builder, gbuffer, maps, primaries, photons, parameters);
+    // Beside the host's passes whole maps are built only while something looks at them.
     for (int batch = 0; batch < maps->layout.batches(); ++batch) {
         ldm::build_maps(builder, scene, maps, batch);
-        if (has_indirect(parameters)) splitter.split(builder, batch);
+        if (splitter) splitter->split(builder, batch);
         ldm::show_layers(builder, maps, batch, chosen, layers);
         ldm::find_points(builder, scene, maps, batch, points);
     }

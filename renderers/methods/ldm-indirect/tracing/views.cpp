@@ -66,10 +66,13 @@ void show_photons(graph::GraphBuilder& builder, const Photons& photons, std::uin
     const auto shown = glyphs(builder, "indirect.footprints", record_fields<ShownPhoton>(), reserved);
     const auto count = builder.counter(
         {.key = "indirect.footprints_shown", .label = "Footprints shown", .growth_of = shown});
-    builder.pass("show footprints")
-        .reads("Photons", photons.records)
+    auto pass = builder.pass("show footprints");
+    if (photons.stored)
+        pass.reads("StoredCount", *photons.stored);
+    else
+        pass.counts("StoredCount", photons.count);
+    pass.reads("Photons", photons.records)
         .writes("AllShown", shown)
-        .counts("StoredCount", photons.count)
         .counts("ShownCount", count)
         .compute_sliced(
             {{"methods/ldm-indirect/tracing/show_photons.comp"}}, static_cast<std::int64_t>(most),

@@ -17,12 +17,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The scene as the host's maps are built from it.
-struct HostScene {
-    Meshlets meshlets;
-    AlphaMasks masks;
-};
-
 /// Each pass over the pixels asks so many maps, if they and the pixels' sums leave room in a thread's cache.
 constexpr int most_together = 8;
 constexpr std::uint64_t cache_bytes = 5 << 18;
@@ -30,10 +24,6 @@ constexpr std::uint64_t cache_bytes = 5 << 18;
 constexpr std::uint64_t memory_bytes = 24 << 20;
 /// For choosing how many: a list holds 6 to 8 depths.
 constexpr std::uint64_t expected_depths = 8;
-
-int threads_of(const graph::FrameInputs& inputs) {
-    return inputs.threads > 0 ? inputs.threads : tbb::info::default_concurrency();
-}
 
 /// Maps that a thread holds at once.
 int maps_together(int resolution, Holds holds, int threads) {
@@ -180,10 +170,8 @@ class Stream {
         context.cancel().check();
     }
 
-    struct Counters {
-        graph::CounterRef fragments, texels, bytes, built;
-    };
-    void report(const graph::PassContext& context, const Counters& counters) const {
+    void report(const graph::PassContext& context, const HostCounters& counters,
+                graph::CounterRef built_maps) const {
         std::uint64_t made = 0, built = 0, held = is_kept() ? context.object<KeptMaps>(kept_)->bytes() : 0;
         double build_ms = 0, ask_ms = 0;
         for (const auto& worker : workers_) {
@@ -194,7 +182,7 @@ class Stream {
             ask_ms += worker.ask_ms;
         }
         context.add(counters.fragments, static_cast<std::uint32_t>(made));
-        context.add(counters.built, static_cast<std::uint32_t>(built));
+        context.add(built_maps, static_cast<std::uint32_t>(built));
         context.add(counters.texels,
                     static_cast<std::uint32_t>(maps_->layout.map_texels() * maps_->layout.maps));
         context.add(counters.bytes, static_cast<std::uint32_t>(held));
@@ -261,21 +249,13 @@ struct StreamPass {
 
 void declare(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::ObjectRef meshlets,
              const std::shared_ptr<const Maps>& maps, graph::ImageRef target, const StreamPass& what) {
-    Stream::Counters counters;
-    counters.fragments = builder.counter({.key = "ldm.fragments",
-                                          .label = "Fragments",
-                                          .doc = "Made by rasterising the scene into all maps."});
-    counters.texels = builder.counter({.key = "ldm.texels", .label = "Texels", .doc = "Of all maps."});
-    counters.built = builder.counter({.key = "ldm.maps_built",
-                                      .label = "Maps built",
-                                      .doc = "In this frame: the others are kept from earlier ones."});
-    counters.bytes = builder.counter({.key = "ldm.bytes",
-                                      .label = "Memory of maps",
-                                      .doc = "Bytes that the maps take which are in memory at once, and "
-                                             "building them."});
+    const auto counters = declare_host_counters(builder);
+    const auto built_maps = builder.counter({.key = "ldm.maps_built",
+                                             .label = "Maps built",
+                                             .doc = "In this frame: the others are kept from earlier ones."});
     const auto stream = std::make_shared<Stream>(
         meshlets, what.kept, maps, Surfaces{gbuffer.position, gbuffer.normal, gbuffer.geometric_normal},
-        what.holds, threads_of(builder.inputs()));
+        what.holds, host_threads(builder.inputs()));
     auto pass = builder.pass(what.name, graph::Queue::cpu);
     if (what.kept.index >= 0) pass.reads(what.kept);
     pass.has_two_bodies()
@@ -283,7 +263,7 @@ void declare(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::Object
         .writes(target)
         .counts(counters.fragments)
         .counts(counters.texels)
-        .counts(counters.built)
+        .counts(built_maps)
         .counts(counters.bytes)
         .execute_sliced(
             maps->layout.maps,
@@ -292,7 +272,7 @@ void declare(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::Object
                 stream->run(context, slice.begin, slice.end, what.ask);
                 if (!slice.last) return;
                 what.finish(context, *stream);
-                stream->report(context, counters);
+                stream->report(context, counters, built_maps);
             },
             stream->first_slice());
 }
@@ -362,6 +342,29 @@ graph::ObjectRef declare_kept(graph::GraphBuilder& builder, const std::shared_pt
 }
 
 }  // namespace
+
+SelfHitRule self_hit_rule(const MapParameters& parameters) {
+    return {.tangent_plane = parameters.self_hit == SelfHit::tangent_plane,
+            .quanta = parameters.self_hit_tolerance,
+            .slope = parameters.slope_tolerance,
+            .offset = parameters.normal_offset,
+            .max_dip = parameters.max_dip};
+}
+
+int host_threads(const graph::FrameInputs& inputs) {
+    return inputs.threads > 0 ? inputs.threads : tbb::info::default_concurrency();
+}
+
+HostCounters declare_host_counters(graph::GraphBuilder& builder) {
+    return {builder.counter({.key = "ldm.fragments",
+                             .label = "Fragments",
+                             .doc = "Made by rasterising the scene into all maps."}),
+            builder.counter({.key = "ldm.texels", .label = "Texels", .doc = "Of all maps."}),
+            builder.counter({.key = "ldm.bytes",
+                             .label = "Memory of maps",
+                             .doc = "Bytes that the maps take which are in memory at once, and "
+                                    "building them."})};
+}
 
 graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder) {
     graph::ObjectDesc desc;

@@ -3,6 +3,8 @@
 #include "renderers/passes/gbuffer/gbuffer.h"
 #include "renderers/passes/ldm/builder.h"
 #include "renderers/passes/ldm/host/streamed_map.h"
+#include "renderers/passes/ldm/parameters.h"
+#include "renderers/passes/raytracing/alpha_masks.h"
 
 namespace ir::passes::ldm {
 
@@ -12,7 +14,26 @@ inline bool has_host_body(const Options& options) {
     return options.storage == StorageKind::arrays && options.builder == BuilderKind::compute;
 }
 
-/// Declares the object "ldm.meshlets" and its pass (cpu), kept while the world stays the same.
+/// What the parameters say of self-hits.
+SelfHitRule self_hit_rule(const MapParameters& parameters);
+
+/// The scene as the host's maps are built from it.
+struct HostScene {
+    Meshlets meshlets;
+    AlphaMasks masks;
+};
+
+/// Threads of passes on the host.
+int host_threads(const graph::FrameInputs& inputs);
+
+/// Of all maps that a pass builds on the host.
+struct HostCounters {
+    graph::CounterRef fragments, texels, bytes;
+};
+HostCounters declare_host_counters(graph::GraphBuilder& builder);
+
+/// Declares the object "ldm.meshlets", a HostScene
+/// and its pass (cpu), kept while the world stays the same.
 graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder);
 
 /// Declares the pass "build and trace maps" (cpu), which streams all maps through the caches of its threads:

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "renderers/methods/ldm-indirect/splatting/host/kernels.h"
+#include "renderers/passes/ldm/host/pixel_tiles.h"
+
+namespace ir::methods::ldm_indirect {
+
+using passes::ldm::PixelTiles;
+
+/// Boxes around places (m) and around normals: centre and half extent by axis. Those that hold nothing have
+/// half extents below zero, so that no kernel reaches them.
+struct SurfaceBoxes {
+    struct Axis {
+        std::vector<float> centre, half;
+    };
+    Axis position[3], normal[3];
+    void resize(std::size_t count);
+};
+
+/// Squares of 4x4 tiles of pixels, row by row: what a kernel is asked about at once.
+struct TileGroups {
+    static constexpr int side = 4, tiles = side * side;
+    int columns = 0, rows = 0;
+    SurfaceBoxes groups;               ///< padded to a whole number of times `tiles`
+    SurfaceBoxes members;              ///< of the tiles, group by group
+    std::vector<std::int32_t> places;  ///< of the members among PixelTiles; -1: beside the picture
+    std::size_t count() const { return static_cast<std::size_t>(columns) * rows; }
+};
+TileGroups group_tiles(const PixelTiles& tiles);
+
+/// Sums of each pixel, as PixelTiles counts them: RGB irradiance, W/m², and kernels that added to it.
+struct TileSums {
+    std::vector<float> channel[4];
+};
+
+/// Kernels that are added at once: 64 to a word.
+struct KernelRound {
+    static constexpr std::size_t kernels = 8192, word = 64;
+    std::vector<HostKernel> made;
+    /// By word, then by group: kernels that may light pixels of the group.
+    std::vector<std::uint64_t> reaching;
+};
+
+/// Writes the `reaching` of one word of kernels.
+void find_groups(const TileGroups& groups, KernelRound& round, std::size_t word);
+
+/// Adds kernels of the round to the pixels of one group, in the order of the kernels.
+void add_to_group(const PixelTiles& tiles, const TileGroups& groups, const KernelRound& round,
+                  std::size_t group, TileSums& sums);
+
+}  // namespace ir::methods::ldm_indirect

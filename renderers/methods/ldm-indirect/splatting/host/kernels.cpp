@@ -1,0 +1,87 @@
+#include "renderers/methods/ldm-indirect/splatting/host/kernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderers/methods/ldm-indirect/host_math.h"
+#include "renderers/scene/frame.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+/// Narrower ellipses are taken for lines.
+constexpr float min_ratio = 1e-6f;
+
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+bool is_nan(const glm::vec3& v) {
+    return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z);
+}
+
+}  // namespace
+
+MendedFootprints& MendedFootprints::operator+=(const MendedFootprints& other) {
+    axes_short += other.axes_short, axes_long += other.axes_long;
+    degenerate += other.degenerate, broken += other.broken;
+    return *this;
+}
+
+float KernelMaker::pixel_at(glm::vec3 position_ws) const {
+    if (!c_.perspective) return c_.pixel_size;
+    return c_.pixel_size * std::max(glm::dot(position_ws - c_.eye_ws, c_.view_axis_ws), c_.near_plane);
+}
+
+glm::vec3 KernelMaker::to_source(const Photon& photon) const {
+    if ((photon.leg & leg_direct) == 0) {
+        const glm::vec3 along(arrivals_[std::min(photon.leg & leg_map, c_.map_count - 1)]);
+        return (photon.leg & leg_along) != 0 ? -along : along;
+    }
+    if (c_.light_count == 0) return glm::vec3(0);
+    const auto& light = arrivals_[c_.map_count + std::min(photon.leg >> leg_light_shift, c_.light_count - 1)];
+    return light.w > 0.5f ? glm::normalize(glm::vec3(light) - photon.centre_ws) : -glm::vec3(light);
+}
+
+HostKernel KernelMaker::make(const Photon& photon, MendedFootprints& mended) const {
+    const bool counts = (photon.leg & leg_direct) != 0 ? c_.count_direct : c_.count_indirect;
+    if (!is_finite(photon.centre_ws) || !is_finite(photon.flux)) {
+        ++mended.broken;
+        return {};
+    }
+    if (!counts) return {};
+    const auto frame = scene::frame_around(unpacked_direction(photon.normal));
+    const bool broken = is_nan(photon.axis_u) || is_nan(photon.axis_v);
+    // Squares of larger numbers would not be finite.
+    const glm::vec3 most_axis(1e9f);
+    const auto u = broken ? glm::vec3(0) : glm::clamp(c_.splat_size * photon.axis_u, -most_axis, most_axis);
+    const auto v = broken ? glm::vec3(0) : glm::clamp(c_.splat_size * photon.axis_v, -most_axis, most_axis);
+    const float ux = glm::dot(u, frame[0]), uy = glm::dot(u, frame[1]);
+    const float vx = glm::dot(v, frame[0]), vy = glm::dot(v, frame[1]);
+    const float xx = ux * ux + vx * vx, xy = ux * uy + vx * vy, yy = uy * uy + vy * vy;
+    const float spread = std::sqrt(0.25f * (xx - yy) * (xx - yy) + xy * xy);
+    float longer = std::sqrt(0.5f * (xx + yy) + spread);
+    float shorter = longer > 0 ? std::abs(ux * vy - uy * vx) / longer : 0.0f;
+    const auto direction = half_angle(0.5f * (xx - yy), xy, spread);
+    const float least = c_.min_axis_pixels * pixel_at(photon.centre_ws);
+    const float most = std::max(c_.longest_axis, least);
+    mended.axes_short += shorter < least;
+    mended.axes_long += longer > most;
+    mended.degenerate += !(shorter > min_ratio * longer);
+    longer = std::clamp(longer, std::max(least, 1e-9f), most);
+    shorter = std::clamp(shorter, std::max(least, min_ratio * longer), longer);
+    // a = a' √|D_u x × D_v x| in M: the kernel ends so far from the plane
+    const float height = std::sqrt(longer * shorter) / c_.topological_bias;
+    HostKernel k;
+    k.centre_ws = photon.centre_ws;
+    k.row_p = (direction.x * frame[0] + direction.y * frame[1]) / longer;
+    k.row_q = (direction.x * frame[1] - direction.y * frame[0]) / shorter;
+    k.row_n = frame[2] / height;
+    // E_p π times Silverman's 3/π, and A_p = π |p| |q|
+    k.peak = photon.flux * (3 * std::numbers::inv_pi_v<float> / (longer * shorter));
+    k.to_source_ws = to_source(photon);
+    k.counts = true;
+    return k;
+}
+
+}  // namespace ir::methods::ldm_indirect

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "renderers/methods/ldm-indirect/splatting/stored.h"
+
+namespace ir::methods::ldm_indirect {
+
+/// A footprint's kernel on the host, as struct Kernel of splatting/kernel.glsl. [Aalund15 eqs. 4-7]
+struct HostKernel {
+    glm::vec3 centre_ws, row_p, row_q, row_n;  ///< rows of M
+    glm::vec3 peak;                            ///< added at the centre, 3 E_p, W/m²
+    glm::vec3 to_source_ws;
+    bool counts = false;  ///< else there is nothing to splat
+};
+
+/// How many footprints are not drawn as they are, as measure.comp counts them.
+struct MendedFootprints {
+    std::uint32_t axes_short = 0, axes_long = 0, degenerate = 0, broken = 0;
+    MendedFootprints& operator+=(const MendedFootprints& other);
+};
+
+/// Makes kernels of photons; what splatting/footprint.glsl does on the device. Axes of the ellipse come from
+/// half-angle formulas instead of arc tangents.
+class KernelMaker {
+  public:
+    KernelMaker(const Footprints& constants, std::vector<glm::vec4> arrivals)
+        : c_(constants), arrivals_(std::move(arrivals)) {}
+    HostKernel make(const Photon& photon, MendedFootprints& mended) const;
+
+  private:
+    float pixel_at(glm::vec3 position_ws) const;
+    glm::vec3 to_source(const Photon& photon) const;
+    Footprints c_;
+    std::vector<glm::vec4> arrivals_;
+};
+
+}  // namespace ir::methods::ldm_indirect

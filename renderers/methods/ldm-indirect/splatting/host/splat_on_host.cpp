@@ -1,0 +1,120 @@
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/ldm-indirect/splatting/host/add_kernels.h"
+#include "renderers/methods/ldm-indirect/splatting/ways.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+/// Adds photons to the picture, round by round: what it holds does not grow with their number. Pixels get
+/// theirs in order, whatever the number of threads.
+class HostSplat {
+  public:
+    explicit HostSplat(int threads) : arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
+
+    void begin(const graph::PassContext& p, const SplatTask& task, const passes::GBuffer& gbuffer) {
+        const auto shape = p.shape(gbuffer.position);
+        arena_.execute([&] {
+            tiles_ = passes::ldm::make_pixel_tiles(shape.width, shape.height,
+                                                   p.pixels<const glm::vec4>(gbuffer.position),
+                                                   p.pixels<const std::uint64_t>(gbuffer.normal),
+                                                   p.pixels<const glm::vec4>(gbuffer.geometric_normal));
+        });
+        groups_ = group_tiles(tiles_);
+        for (auto& channel : sums_.channel) channel.assign(tiles_.count() * PixelTiles::pixels, 0.0f);
+        maker_.emplace(footprints(p.inputs(), task.photons.parameters),
+                       arrivals_of(task.photons.parameters, *p.inputs().world));
+        mended_ = {};
+    }
+
+    void add(std::span<const Photon> photons) {
+        arena_.execute([&] {
+            make_kernels(photons);
+            tbb::parallel_for(std::size_t{0}, groups_.count(), [&](std::size_t group) {
+                add_to_group(tiles_, groups_, round_, group, sums_);
+            });
+        });
+    }
+
+    void write(std::span<glm::vec4> picture) {
+        arena_.execute([&] {
+            tbb::parallel_for(0, tiles_.height, [&](int y) {
+                for (int x = 0; x < tiles_.width; ++x) {
+                    const auto from = tiles_.place(x, y);
+                    auto& to = picture[static_cast<std::size_t>(y) * static_cast<std::size_t>(tiles_.width) +
+                                       static_cast<std::size_t>(x)];
+                    for (int i = 0; i < 4; ++i) to[i] = sums_.channel[i][from];
+                }
+            });
+        });
+    }
+
+    const MendedFootprints& mended() const { return mended_; }
+
+  private:
+    void make_kernels(std::span<const Photon> photons) {
+        const auto words = (photons.size() + KernelRound::word - 1) / KernelRound::word;
+        round_.made.resize(photons.size());
+        round_.reaching.resize(words * groups_.count());
+        std::mutex mutex;
+        tbb::parallel_for(std::size_t{0}, words, [&](std::size_t word) {
+            MendedFootprints mended;
+            const auto first = word * KernelRound::word;
+            for (auto i = first; i < std::min(first + KernelRound::word, photons.size()); ++i)
+                round_.made[i] = maker_->make(photons[i], mended);
+            find_groups(groups_, round_, word);
+            const std::scoped_lock lock(mutex);
+            mended_ += mended;
+        });
+    }
+
+    tbb::task_arena arena_;
+    PixelTiles tiles_;
+    TileGroups groups_;
+    TileSums sums_;
+    std::optional<KernelMaker> maker_;
+    KernelRound round_;
+    MendedFootprints mended_;
+};
+
+}  // namespace
+
+void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const SplatTask& task) {
+    const auto counters = declare_mended(builder);
+    const auto splat = std::make_shared<HostSplat>(builder.inputs().threads);
+    builder.pass("splat photons", graph::Queue::cpu)
+        .has_two_bodies()
+        .reads(task.photons.records, task.photons.stored, gbuffer.position, gbuffer.normal,
+               gbuffer.geometric_normal)
+        .writes(task.irradiance)
+        .counts(counters.axes_short)
+        .counts(counters.axes_long)
+        .counts(counters.degenerate)
+        .counts(counters.broken)
+        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+            if (slice.first) splat->begin(p, task, gbuffer);
+            const auto stored = std::int64_t{p.elements<const std::uint32_t>(task.photons.stored)[0]};
+            const auto photons = p.elements<const Photon>(task.photons.records);
+            // Slices in whole rounds: how much is added at once does not depend on what a slice takes.
+            constexpr auto round = static_cast<std::int64_t>(KernelRound::kernels);
+            const auto rounds = (stored + round - 1) / round;
+            for (auto i = rounds * slice.begin / photon_parts; i < rounds * slice.end / photon_parts; ++i) {
+                p.cancel().check();
+                splat->add(photons.subspan(static_cast<std::size_t>(i * round),
+                                           static_cast<std::size_t>(std::min(round, stored - i * round))));
+            }
+            if (!slice.last) return;
+            splat->write(p.pixels<glm::vec4>(task.irradiance));
+            p.add(counters.axes_short, splat->mended().axes_short);
+            p.add(counters.axes_long, splat->mended().axes_long);
+            p.add(counters.degenerate, splat->mended().degenerate);
+            p.add(counters.broken, splat->mended().broken);
+        });
+}
+
+}  // namespace ir::methods::ldm_indirect

@@ -1,0 +1,87 @@
+#include "renderers/methods/ldm-indirect/tracing/host/children.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderers/scene/frame.h"
+
+// What the functions are for, and where they deviate, stands in differentials.glsl.
+namespace ir::methods::ldm_indirect {
+namespace {
+
+/// Where and along what a child arrives.
+struct Ray {
+    glm::vec3 direction, normal;
+    float t;
+};
+
+/// [Igehy99 eq. 10-12]
+glm::vec3 transferred(const glm::vec3& change, const glm::vec3& turn, const Ray& ray) {
+    const auto moved = change + ray.t * turn;
+    return moved - glm::dot(moved, ray.normal) / glm::dot(ray.direction, ray.normal) * ray.direction;
+}
+
+glm::vec3 mirrored(const glm::vec3& v, const glm::vec3& axis) {
+    return v - 2 * glm::dot(v, axis) * axis;
+}
+
+/// By the shortest rotation that takes one direction to another. [Aalund15 §3.4]
+class Rotation {
+  public:
+    Rotation(const glm::vec3& from, const glm::vec3& to) : from_(from), middle_(from + to) {
+        const float size = glm::length(middle_);
+        middle_ = size > 1e-5f ? middle_ / size : scene::any_tangent(to);
+    }
+    glm::vec3 operator()(const glm::vec3& v) const { return mirrored(mirrored(v, from_), middle_); }
+
+  private:
+    glm::vec3 from_, middle_;
+};
+
+struct Axes {
+    glm::vec3 u, v;
+};
+
+Axes widened(const Axes& published, const Ray& ray, float half_turn) {
+    const auto across = scene::frame_around(ray.direction), plane = scene::frame_around(ray.normal);
+    const glm::vec3 sides[] = {published.u, published.v,
+                               transferred(glm::vec3(0), half_turn * across[0], ray),
+                               transferred(glm::vec3(0), half_turn * across[1], ray)};
+    float xx = 0, xy = 0, yy = 0;
+    for (const auto& side : sides) {
+        const float x = glm::dot(side, plane[0]), y = glm::dot(side, plane[1]);
+        xx += x * x, xy += x * y, yy += y * y;
+    }
+    const float mean = 0.5f * (xx + yy), difference = 0.5f * (xx - yy);
+    const float radius = std::sqrt(difference * difference + xy * xy);
+    const float longest = mean + radius;
+    const float shortest = longest > 0 ? std::max(xx * yy - xy * xy, 0.0f) / longest : 0.0f;
+    const auto turn = half_angle(difference, xy, radius);
+    const auto major = turn.x * plane[0] + turn.y * plane[1];
+    return {std::sqrt(longest) * major, std::sqrt(shortest) * glm::cross(ray.normal, major)};
+}
+
+}  // namespace
+
+Photon photon_of(const Primary& primary, const Child& child, const glm::vec3& map_direction,
+                 float half_turn) {
+    const float cosine = glm::dot(primary.shading_ws, map_direction);
+    const bool along = cosine > 0;
+    const Ray ray{along ? map_direction : -map_direction, unpacked_direction(child.normal), child.distance};
+    const Rotation turned(primary.direction_ws, ray.direction);
+    Axes axes{transferred(primary.axis_u, turned(primary.turn_u), ray),
+              transferred(primary.axis_v, turned(primary.turn_v), ray)};
+    if (half_turn > 0) axes = widened(axes, ray, half_turn);
+    Photon result;
+    result.centre_ws = primary.position_ws + child.distance * ray.direction;
+    result.source = primary.source;
+    result.axis_u = axes.u;
+    result.axis_v = axes.v;
+    result.leg = child.map | (along ? leg_along : 0u) | primary.light << leg_light_shift;
+    result.path_length = primary.path_length + child.distance;
+    result.flux = reflected_flux(primary) * (std::abs(cosine) / primary.cosine_sum);
+    result.normal = child.normal;
+    return result;
+}
+
+}  // namespace ir::methods::ldm_indirect

@@ -1,0 +1,301 @@
+#include "renderers/methods/ldm-indirect/tracing/host/split_on_host.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/ldm-indirect/tracing/host/children.h"
+#include "renderers/methods/ldm-indirect/tracing/host/landings.h"
+#include "renderers/passes/ldm/host/first_hit.h"
+#include "renderers/passes/ldm/host/trace_on_host.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+namespace ldm = passes::ldm;
+using Clock = std::chrono::steady_clock;
+
+/// A primary photon that splits, as tracing needs it.
+struct Source {
+    glm::vec3 position_ws, normal_ws, shading_ws;
+    std::uint32_t primary;
+    float per_cosine;  ///< 1 / Σ|cosθ|
+    Spread spread;
+};
+
+/// A child that is stored.
+struct Hit {
+    std::uint32_t source;  ///< place among the sources
+    float distance;
+    std::uint32_t normal;
+};
+
+/// Of each source and cause: photons, and their part of the flux as a whole number. Any thread may add, and
+/// sums are the same in any order.
+class WholeShares {
+  public:
+    void assign(std::size_t sources) { sums_.assign(sources * causes, 0); }
+    void add(std::size_t source, Cause cause, float part) {
+        const auto place = source * causes + static_cast<std::size_t>(cause);
+        const auto amount = one_photon + static_cast<std::uint64_t>(part * scale + 0.5f);
+        std::atomic_ref(sums_[place]).fetch_add(amount, std::memory_order_relaxed);
+    }
+    Shares of(std::size_t source) const {
+        Shares result;
+        for (std::size_t cause = 0; cause < causes; ++cause) {
+            const auto sum = sums_[source * causes + cause];
+            result.photons[cause] = static_cast<std::uint32_t>(sum / one_photon);
+            result.part[cause] = static_cast<float>(sum % one_photon) / scale;
+        }
+        return result;
+    }
+
+  private:
+    /// All parts of a source add up to 1, and there are at most 65,536 maps.
+    static constexpr float scale = float(1u << 30);
+    static constexpr std::uint64_t one_photon = std::uint64_t{1} << 40;
+    std::vector<std::uint64_t> sums_;
+};
+
+/// What one thread works with.
+struct Worker {
+    explicit Worker(int resolution) : map(resolution, ldm::Holds::lists) {}
+    ldm::StreamedMap map;
+    ldm::BuildScratch scratch;
+    double build_ms = 0, ask_ms = 0;
+};
+
+/// Traces and stores the photons of a frame.
+class HostSplit {
+  public:
+    HostSplit(ldm::MapsPointer maps, const Parameters& parameters, int threads)
+        : maps_(std::move(maps)),
+          parameters_(parameters),
+          rule_(ldm::self_hit_rule(parameters.maps)),
+          half_turn_(parameters.footprint == Footprint::widened
+                         ? std::sqrt(2 / static_cast<float>(parameters.maps.directions))
+                         : 0.0f),
+          arena_(threads),
+          workers_(static_cast<std::size_t>(std::min(threads, maps_->layout.maps)),
+                   Worker(maps_->layout.resolution)) {}
+
+    std::int64_t first_slice() const { return static_cast<std::int64_t>(workers_.size()); }
+
+    void begin(std::span<const Primary> primaries) {
+        sources_.clear();
+        for (std::size_t i = 0; i < primaries.size(); ++i)
+            if (splits(primaries[i])) sources_.push_back(source_of(primaries[i], i));
+        shares_.assign(sources_.size());
+        for (auto& worker : workers_) {  // a frame begins anew where a buffer has to grow
+            worker.scratch.fragments_made = 0;
+            worker.build_ms = worker.ask_ms = 0;
+        }
+        hits_.assign(maps_->frames.size(), {});
+    }
+
+    /// Maps begin … end - 1.
+    void trace(const graph::PassContext& context, const ldm::HostScene& scene, const LandingView& view,
+               graph::Slice slice) {
+        std::atomic<std::int64_t> next{slice.begin};
+        arena_.execute([&] {
+            tbb::parallel_for(
+                std::size_t{0}, workers_.size(),
+                [&](std::size_t i) {
+                    for (auto map = next++; map < slice.end && !context.cancel().is_cancelled(); map = next++)
+                        trace_map(scene, view, workers_[i], static_cast<std::size_t>(map));
+                },
+                tbb::simple_partitioner());
+        });
+        context.cancel().check();
+    }
+
+    void write_shares(std::span<Shares> shares) const {
+        std::fill(shares.begin(), shares.end(), Shares{});
+        for (std::size_t i = 0; i < sources_.size(); ++i) shares[sources_[i].primary] = shares_.of(i);
+    }
+
+    /// Writes the records from place `first` on, as far as there is room, in the order of sources, then of
+    /// maps. Returns how many there are.
+    std::size_t store(std::span<const Primary> primaries, std::span<Photon> photons, std::size_t first) {
+        std::vector<std::size_t> places(sources_.size() + 1, 0);
+        for (const auto& hits : hits_)
+            for (const auto& hit : hits) ++places[hit.source + 1];
+        for (std::size_t i = 1; i < places.size(); ++i) places[i] += places[i - 1];
+        const auto count = places.back();
+        constexpr std::size_t grain = 256;
+        arena_.execute([&] {
+            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sources_.size(), grain),
+                              [&](const auto& range) {
+                                  store_range(primaries, photons, first, range.begin(), range.end(), places);
+                              });
+        });
+        return count;
+    }
+
+    void report(const graph::PassContext& context, const ldm::HostCounters& counters) const {
+        std::uint64_t made = 0, held = 0;
+        double build_ms = 0, ask_ms = 0;
+        for (const auto& worker : workers_) {
+            build_ms += worker.build_ms;
+            ask_ms += worker.ask_ms;
+            made += worker.scratch.fragments_made;
+            held += worker.scratch.bytes() + worker.map.bytes();
+        }
+        context.add(counters.fragments, static_cast<std::uint32_t>(made));
+        context.add(counters.texels,
+                    static_cast<std::uint32_t>(maps_->layout.map_texels() * maps_->layout.maps));
+        context.add(counters.bytes, static_cast<std::uint32_t>(held));
+        const auto threads = static_cast<double>(workers_.size());
+        context.notes().set_figure("ldm.build_ms", build_ms / threads);
+        context.notes().set_figure("ldm.ask_ms", ask_ms / threads);
+    }
+
+  private:
+    static bool splits(const Primary& p) {
+        return p.fate == primary_splits && reflected_flux(p) != glm::vec3(0);
+    }
+
+    Source source_of(const Primary& p, std::size_t index) const {
+        const float turn =
+            std::sqrt(glm::dot(p.turn_u, p.turn_u) + glm::dot(p.turn_v, p.turn_v) + half_turn_ * half_turn_);
+        const float axis = std::sqrt(glm::dot(p.axis_u, p.axis_u) + glm::dot(p.axis_v, p.axis_v));
+        return {p.position_ws,    p.normal_ws, p.shading_ws, static_cast<std::uint32_t>(index),
+                1 / p.cosine_sum, {axis, turn}};
+    }
+
+    void trace_map(const ldm::HostScene& scene, const LandingView& view, Worker& worker, std::size_t map) {
+        const int resolution = maps_->layout.resolution, rows = ldm::StreamedMap::band_rows(resolution);
+        auto& hits = hits_[map];
+        for (int row = 0; row < resolution; row += rows) {
+            const auto start = Clock::now();
+            ldm::build_map(scene.meshlets, scene.masks, maps_->frames[map], row,
+                           std::min(rows, resolution - row), worker.map, worker.scratch);
+            const auto built = Clock::now();
+            trace_band(view, worker, hits);
+            worker.build_ms += std::chrono::duration<double, std::milli>(built - start).count();
+            worker.ask_ms += std::chrono::duration<double, std::milli>(Clock::now() - built).count();
+        }
+        if (rows < resolution)  // bands know them in parts
+            std::sort(hits.begin(), hits.end(),
+                      [](const Hit& a, const Hit& b) { return a.source < b.source; });
+    }
+
+    void trace_band(const LandingView& view, Worker& worker, std::vector<Hit>& hits) {
+        const ldm::PointTracer tracer(worker.map, rule_);
+        const auto& frame = worker.map.frame;
+        const glm::vec3 v(frame.direction), step_u(frame.step_u), step_v(frame.step_v);
+        const bool is_first = worker.map.first_row == 0;
+        for (std::size_t i = 0; i < sources_.size(); ++i) {
+            const auto& s = sources_[i];
+            const float cosine = glm::dot(s.shading_ws, v);
+            const bool forward = cosine > 0;
+            const auto direction = forward ? v : -v;
+            Landing at{Cause::below, 0, {}};
+            if (glm::dot(s.normal_ws, direction) > 0) {
+                const auto hit = tracer.trace(s.position_ws, s.normal_ws, forward);
+                if (!hit.is_here) continue;
+                at.cause = Cause::left;
+                if (hit.is_found)
+                    at =
+                        view.land({s.position_ws, direction, std::max(hit.distance, 0.0f) * frame.direction.w,
+                                   entry_error(s.normal_ws, direction, step_u, step_v), step_u, step_v,
+                                   s.spread, -direction});
+            } else if (!is_first) {
+                continue;
+            }
+            shares_.add(i, at.cause, std::abs(cosine) * s.per_cosine);
+            if (at.cause >= Cause::stored)
+                hits.push_back({static_cast<std::uint32_t>(i), at.distance, packed_direction(at.normal_ws)});
+        }
+    }
+
+    void store_range(std::span<const Primary> primaries, std::span<Photon> photons, std::size_t first,
+                     std::size_t begin, std::size_t end, const std::vector<std::size_t>& starts) const {
+        std::vector<std::size_t> places(starts.begin() + static_cast<std::ptrdiff_t>(begin),
+                                        starts.begin() + static_cast<std::ptrdiff_t>(end));
+        for (std::size_t map = 0; map < hits_.size(); ++map) {
+            const auto& hits = hits_[map];
+            const glm::vec3 direction(maps_->frames[map].direction);
+            auto hit = std::lower_bound(hits.begin(), hits.end(), begin,
+                                        [](const Hit& h, std::size_t source) { return h.source < source; });
+            for (; hit != hits.end() && hit->source < end; ++hit) {
+                const auto place = first + places[hit->source - begin]++;
+                if (place >= photons.size()) continue;
+                const Child child{static_cast<std::uint32_t>(map), hit->distance, hit->normal};
+                photons[place] =
+                    photon_of(primaries[sources_[hit->source].primary], child, direction, half_turn_);
+            }
+        }
+    }
+
+    ldm::MapsPointer maps_;
+    Parameters parameters_;
+    ldm::SelfHitRule rule_;
+    float half_turn_;
+    tbb::task_arena arena_;
+    std::vector<Worker> workers_;
+    std::vector<Source> sources_;
+    WholeShares shares_;
+    std::vector<std::vector<Hit>> hits_;  ///< by map, in the order of the sources
+};
+
+/// Primary photons that were stored themselves.
+std::size_t count_direct(std::span<const std::uint32_t> fates) {
+    const auto first = static_cast<std::uint32_t>(Cause::stored);
+    return static_cast<std::size_t>(
+        std::ranges::count_if(fates, [&](std::uint32_t fate) { return fate == first || fate == first + 1; }));
+}
+
+}  // namespace
+
+void split_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const ldm::MapsPointer& maps,
+                   const Primaries& primaries, Photons& photons, std::optional<graph::BufferRef> direct_fates,
+                   const Parameters& parameters) {
+    const auto meshlets = ldm::declare_meshlets(builder);
+    const auto counters = ldm::declare_host_counters(builder);
+    const auto split = std::make_shared<HostSplit>(maps, parameters, ldm::host_threads(builder.inputs()));
+    const auto stored = builder.buffer({.text = {.key = "indirect.stored",
+                                                 .label = "Photons to read",
+                                                 .doc = "Those stored, as far as the buffer reaches.",
+                                                 .semantic = Semantic::count},
+                                        .fields = {{"photons", graph::FieldType::u32}},
+                                        .elements = 1});
+    photons.stored = stored;
+    auto pass = builder.pass("trace photons through maps", graph::Queue::cpu);
+    pass.has_two_bodies()
+        .reads(meshlets, primaries.records, gbuffer.position, gbuffer.geometric_normal)
+        .writes(primaries.shares, photons.records, stored)
+        .counts(photons.count)
+        .counts(counters.fragments)
+        .counts(counters.texels)
+        .counts(counters.bytes);
+    if (direct_fates) pass.reads(*direct_fates);
+    const auto run = [=, records = photons.records, count_of = photons.count](graph::PassContext& context,
+                                                                              graph::Slice slice) {
+        const auto all = context.elements<const Primary>(primaries.records);
+        if (slice.first) split->begin(all);
+        const auto& view = context.inputs().view;
+        const LandingView landing(landing_constants(context.inputs(), parameters), parameters,
+                                  {view.width, view.height},
+                                  context.pixels<const glm::vec4>(gbuffer.position),
+                                  context.pixels<const glm::vec4>(gbuffer.geometric_normal));
+        split->trace(context, *context.object<ldm::HostScene>(meshlets), landing, slice);
+        if (!slice.last) return;
+        split->write_shares(context.elements<Shares>(primaries.shares));
+        const auto before =
+            direct_fates ? count_direct(context.elements<const std::uint32_t>(*direct_fates)) : 0;
+        const auto count = split->store(all, context.elements<Photon>(records), before);
+        context.add(count_of, static_cast<std::uint32_t>(count));
+        context.elements<std::uint32_t>(stored)[0] =
+            static_cast<std::uint32_t>(std::min<std::uint64_t>(before + count, context.capacity(records)));
+        split->report(context, counters);
+    };
+    pass.execute_sliced(maps->layout.maps, run, split->first_slice());
+}
+
+}  // namespace ir::methods::ldm_indirect

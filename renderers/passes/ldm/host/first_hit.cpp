@@ -1,0 +1,110 @@
+#include "renderers/passes/ldm/host/first_hit.h"
+
+#include <cmath>
+
+namespace ir::passes::ldm {
+namespace {
+
+/// As in trace.glsl.
+constexpr float least_facing = 0.02f, most_tolerance = 1.5f;
+/// Beyond all depths, which have 16 bits.
+constexpr int none_before = -1000000, none_behind = 1000000;
+
+float projected(const glm::vec3& position_ws, const glm::vec4& row) {
+    return glm::dot(position_ws, glm::vec3(row)) + row.w;
+}
+
+/// Rounded down, for keys: all depths lie well within.
+int quantum(float depth) {
+    return static_cast<int>(std::floor(std::clamp(depth, -500000.0f, 500000.0f)));
+}
+
+/// The nearest entry beyond `key` along ω; none_behind or none_before where there is none.
+int next_beyond(std::span<const std::uint16_t> list, int key, bool forward) {
+    if (forward) {
+        int found = none_behind;
+        for (const int depth : list) found = depth > key ? std::min(found, depth) : found;
+        return found;
+    }
+    int found = none_before;
+    for (const int depth : list) found = depth < key ? std::max(found, depth) : found;
+    return found;
+}
+
+bool is_entry(int depth) {
+    return depth != none_before && depth != none_behind;
+}
+
+}  // namespace
+
+PointTracer::PointTracer(const StreamedMap& map, const SelfHitRule& rule) : map_(map), rule_(rule) {
+    const auto& frame = map.frame;
+    slope_u_ = glm::vec3(frame.step_u) / frame.direction.w;
+    slope_v_ = glm::vec3(frame.step_v) / frame.direction.w;
+    texel_size_ = std::max(glm::length(glm::vec3(frame.step_u)), glm::length(glm::vec3(frame.step_v)));
+    texel_quanta_ = texel_size_ / frame.direction.w;
+}
+
+std::span<const std::uint16_t> PointTracer::list(int column, int row) const {
+    const auto texel = static_cast<std::size_t>(row - map_.first_row) * map_.resolution + column;
+    return std::span(map_.depths).subspan(map_.begins[texel], map_.begins[texel + 1] - map_.begins[texel]);
+}
+
+FirstHit PointTracer::trace_tangent(const glm::vec3& position_ws, const glm::vec3& normal_ws,
+                                    bool forward) const {
+    const auto& frame = map_.frame;
+    const float u = projected(position_ws, frame.u), v = projected(position_ws, frame.v),
+                depth = projected(position_ws, frame.depth);
+    int column = static_cast<int>(std::floor(u)), row = static_cast<int>(std::floor(v));
+    if (is_outside(column, row)) return beside();
+    const float facing = std::max(std::abs(glm::dot(normal_ws, glm::vec3(frame.direction))), least_facing);
+    // Depth along ω that the tangent plane gains per texel.
+    const float slope_x = glm::dot(normal_ws, slope_u_) / -facing,
+                slope_y = glm::dot(normal_ws, slope_v_) / -facing;
+    const auto gain_at = [&] {
+        return slope_x * (static_cast<float>(column) + 0.5f - u) +
+               slope_y * (static_cast<float>(row) + 0.5f - v);
+    };
+    float gain = gain_at();
+    // The centre on the other side of x starts above the surface: see trace.glsl.
+    if (gain > rule_.max_dip * texel_quanta_) {
+        const bool along_u = std::abs(slope_x) > std::abs(slope_y);
+        const int back_x = along_u ? (slope_x > 0 ? -1 : 1) : 0;
+        const int back_y = along_u ? 0 : (slope_y > 0 ? -1 : 1);
+        if (!is_outside(column + back_x, row + back_y)) {
+            column += back_x, row += back_y;
+            gain = gain_at();
+        }
+    }
+    if (row < map_.first_row || row >= map_.first_row + map_.rows) return {false, false};
+    const float tolerance = rule_.quanta + std::min(rule_.slope * (std::abs(slope_x) + std::abs(slope_y)),
+                                                    most_tolerance * texel_quanta_);
+    const float along = forward ? 1.0f : -1.0f;
+    const float plane = depth + along * gain, start = depth + along * std::max(gain + tolerance, 0.0f);
+    const int key = forward ? quantum(start) : -quantum(-start);  // down along ω
+    const int found = next_beyond(list(column, row), key, forward);
+    return {true, is_entry(found), along * (static_cast<float>(found) - plane)};
+}
+
+FirstHit PointTracer::trace_offset(const glm::vec3& position_ws, const glm::vec3& normal_ws,
+                                   bool forward) const {
+    const auto& frame = map_.frame;
+    const float cosine = glm::dot(normal_ws, glm::vec3(frame.direction));
+    const float distance_ws = rule_.offset * texel_size_ * std::sqrt(std::max(0.0f, 1 - cosine * cosine));
+    const auto moved = position_ws + distance_ws * normal_ws;
+    const int column = static_cast<int>(std::floor(projected(moved, frame.u)));
+    const int row = static_cast<int>(std::floor(projected(moved, frame.v)));
+    if (is_outside(column, row)) return beside();
+    if (row < map_.first_row || row >= map_.first_row + map_.rows) return {false, false};
+    const float plane = projected(moved, frame.depth);
+    const auto entries = list(column, row);
+    // The entry nearest to x, once moved, is its own, and the next one is the hit.
+    const int key = -quantum(-plane);
+    const int before = next_beyond(entries, key, false), behind = next_beyond(entries, key - 1, true);
+    const int own = plane - static_cast<float>(before) < static_cast<float>(behind) - plane ? before : behind;
+    if (!is_entry(own)) return {true, false};
+    const int found = next_beyond(entries, own, forward);
+    return {true, is_entry(found), std::abs(static_cast<float>(found - own))};
+}
+
+}  // namespace ir::passes::ldm

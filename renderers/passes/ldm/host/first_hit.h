@@ -1,0 +1,41 @@
+#pragma once
+
+#include "renderers/passes/ldm/host/streamed_map.h"
+
+namespace ir::passes::ldm {
+
+/// What a band of a map answers to one point.
+struct FirstHit {
+    bool is_here;        ///< false: another band of the map has the answer
+    bool is_found;       ///< false: the way out of the map is open
+    float distance = 0;  ///< in quanta, along ω
+};
+
+/// Asks a band of a map that holds lists for single points, the same questions as
+/// shaders/passes/ldm/trace.glsl. What does not change within a map is worked out once.
+class PointTracer {
+  public:
+    PointTracer(const StreamedMap& map, const SelfHitRule& rule);
+    /// First hit from x along ω = v (`forward`) or -v; n is geometric, of unit length, and n·ω > 0.
+    FirstHit trace(const glm::vec3& position_ws, const glm::vec3& normal_ws, bool forward) const {
+        return rule_.tangent_plane ? trace_tangent(position_ws, normal_ws, forward)
+                                   : trace_offset(position_ws, normal_ws, forward);
+    }
+
+  private:
+    FirstHit trace_tangent(const glm::vec3& position_ws, const glm::vec3& normal_ws, bool forward) const;
+    FirstHit trace_offset(const glm::vec3& position_ws, const glm::vec3& normal_ws, bool forward) const;
+    bool is_outside(int column, int row) const {
+        return column < 0 || row < 0 || column >= map_.resolution || row >= map_.resolution;
+    }
+    std::span<const std::uint16_t> list(int column, int row) const;
+    /// Where the point is outside of the map the first band answers.
+    FirstHit beside() const { return {map_.first_row == 0, false}; }
+
+    const StreamedMap& map_;
+    SelfHitRule rule_;
+    glm::vec3 slope_u_, slope_v_;  ///< step / metres per quantum
+    float texel_size_, texel_quanta_;
+};
+
+}  // namespace ir::passes::ldm
