@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "renderers/core/error.h"
-#include "renderers/core/regular_file.h"
+#include "renderers/core/file_system.h"
 
 namespace ir::projects {
 std::string hash_file(const std::filesystem::path& file, const CancelToken* cancel) {

@@ -15,7 +15,7 @@
 
 #include "app/engine/state_layout.h"
 #include "renderers/core/error.h"
-#include "renderers/core/regular_file.h"
+#include "renderers/core/file_system.h"
 #include "renderers/image/exr_stream.h"
 
 namespace ir::engine {

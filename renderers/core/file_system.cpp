@@ -4,7 +4,6 @@
 #include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
@@ -16,6 +15,7 @@
 #include "renderers/core/output_buffer.h"
 
 namespace ir {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -219,6 +219,17 @@ void remove_left_overs(const fs::path& folder, bool and_below) {
 void copy_atomically(FileSystem& files, const fs::path& from, const fs::path& to) {
     files.create_directories(to.parent_path());
     write_atomically(files, to, [&](std::ostream& out) { files.pour(from, out); });
+}
+
+void require_regular_file(const std::filesystem::path& file) {
+    std::error_code failure;
+    const auto status = std::filesystem::status(file, failure);
+    if (std::filesystem::is_regular_file(status)) return;
+    if (std::filesystem::exists(status))
+        throw InputError(file.string(), "", "is no regular file; give the path of another");
+    if (failure && status.type() != std::filesystem::file_type::not_found)
+        throw InputError(file.string(), "", "cannot be read: " + failure.message());
+    throw InputError(file.string(), "", "there is no such file; check the path");
 }
 
 }  // namespace ir

@@ -62,4 +62,8 @@ void copy_atomically(FileSystem& files, const std::filesystem::path& from, const
 /// write there.
 void remove_left_overs(const std::filesystem::path& folder, bool and_below = false);
 
+/// Before reading: throws InputError where the file is not there, or is a folder, device or pipe, which may
+/// never end.
+void require_regular_file(const std::filesystem::path& file);
+
 }  // namespace ir

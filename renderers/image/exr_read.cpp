@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "renderers/core/error.h"
-#include "renderers/core/regular_file.h"
+#include "renderers/core/file_system.h"
 #include "renderers/image/exr.h"
 #include "renderers/image/exr_channels.h"
 

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "renderers/core/error.h"
-#include "renderers/core/regular_file.h"
+#include "renderers/core/file_system.h"
 #include "renderers/core/write_file.h"
 #include "renderers/image/codecs/codecs.h"
 #include "renderers/image/colour_map.h"

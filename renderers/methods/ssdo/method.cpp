@@ -5,11 +5,7 @@
 
 #include <algorithm>
 
-#include "renderers/methods/ssdo/benchmark.h"
-#include "renderers/methods/ssdo/environment.h"
-#include "renderers/methods/ssdo/explain.h"
-#include "renderers/methods/ssdo/gather.h"
-#include "renderers/methods/ssdo/light.h"
+#include "renderers/methods/ssdo/passes.h"
 #include "renderers/passes/direct/compose.h"
 
 namespace ir::methods::ssdo {
@@ -26,10 +22,11 @@ MethodDescription description() {
         "nothing, nothing in between shadows indirect light, and all surfaces are infinitely thick.";
     d.papers = {"Ritschel09"};
     d.selectors = {sample_selector()};
-    d.outputs = {passes::radiance_output()};
-    for (const auto& part : {light_outputs(), gathered_outputs(), explanation_outputs()})
-        d.outputs.insert(d.outputs.end(), part.begin(), part.end());
-    d.outputs.push_back(passes::valid_output());
+    d.outputs = joined({{passes::radiance_output()},
+                        light_outputs(),
+                        gathered_outputs(),
+                        explanation_outputs(),
+                        {passes::valid_output()}});
     d.stages = {{"ssdo.indirect.raw", 0, "Before the blur"}, {"ssdo.indirect", 0, "Blurred"}};
     return d;
 }
@@ -38,12 +35,7 @@ void note_what_is_left_out(graph::GraphBuilder& builder, const Inputs& inputs) {
     if (inputs.parameters.transport.max_distance == 0)
         builder.note("ssdo: max_distance is 0, so steps are up to " + std::to_string(inputs.reach) +
                      " m long, the diagonal of the scene's bounds: few of many samples find what is near");
-    std::size_t emissive = 0;
-    const auto& scene = *builder.inputs().scene;
-    for (const auto& range : builder.inputs().world->ranges) {
-        const auto& emission = scene.materials.at(static_cast<std::size_t>(range.material)).emission;
-        if (std::max({emission.r, emission.g, emission.b}) > 0) emissive += range.triangle_count;
-    }
+    const auto emissive = scene::emissive_triangles(*builder.inputs().scene, *builder.inputs().world);
     if (emissive > 0)
         builder.note("ssdo: " + std::to_string(emissive) +
                      " emissive triangles are seen but light nothing: only lights and the environment do");

@@ -28,7 +28,7 @@ std::vector<OutputDescription> surfel_outputs() {
          .semantic = Semantic::count,
          .doc = "triangles: of the scene; left: after culling; patches: after splitting; fine, kept: surfels "
                 "before and after thinning; fine_area, kept_area: their areas together, m²; fine_part, "
-                "kept_part: their area in parts of the ideal area, on average."}};
+                "kept_part: their area as a multiple of the ideal area, on average."}};
 }
 
 }  // namespace ir::methods::deep_screen_space

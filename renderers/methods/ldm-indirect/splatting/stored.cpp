@@ -1,6 +1,5 @@
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
 
-#include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/ldm-indirect/parameters.h"
 #include "renderers/passes/ldm/directions.h"
 
@@ -56,47 +55,26 @@ Mended declare_counters(graph::GraphBuilder& builder) {
                                     "their flux stays."}),
             builder.counter({.key = "splat.degenerate",
                              .label = "Degenerate footprints",
-                             .doc = "Photons whose axes span no area or are no numbers, given the least "
+                             .doc = "Photons whose axes span no area or are no numbers, given the minimum "
                                     "width; their flux stays."}),
             builder.counter({.key = "splat.not_finite",
                              .label = "Photons left out",
                              .doc = "Photons whose place or flux is no finite number: they add nothing."})};
 }
 
-/// Constants of stored.comp.
-struct CountStored {
-    unsigned capacity;
-    IR_FIELDS(capacity)
-};
-
-void count_stored(const graph::PassContext& p, const StoredPhotons& photons) {
-    const auto& program = p.use({{folder + "stored.comp"}});
-    program.set(CountStored{static_cast<unsigned>(p.capacity(photons.records))});
-    program.dispatch(1);
-    p.barrier();
-}
-
 void measure(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons) {
     const auto& program = p.use({{folder + "measure.comp"}});
     program.set(footprints(p.inputs(), photons.parameters));
-    const auto range = photons_of(p, photons, slice);
-    gl::dispatch_items(program, range.first, range.end);
+    passes::dispatch_photons(p, program, photons, slice);
 }
 
 }  // namespace
 
 StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photons,
                              const Parameters& parameters) {
-    StoredPhotons result{
-        photons.records, {}, upload_arrivals(builder, parameters), parameters, photons.count};
-    graph::BufferDesc desc;
-    desc.text = {.key = "splat.stored",
-                 .label = "Photons to splat",
-                 .doc = "Those stored, as far as the buffer reaches; passes read it on the device.",
-                 .semantic = Semantic::count};
-    desc.fields = {{"photons", graph::FieldType::u32}};
-    desc.elements = 1;
-    result.stored = builder.buffer(std::move(desc));
+    const auto arrivals = upload_arrivals(builder, parameters);
+    const StoredPhotons result{passes::photon_list(builder, photons.records), arrivals, parameters,
+                               photons.count};
     const auto mended = declare_counters(builder);
     builder.pass("measure footprints")
         .reads("Photons", photons.records)
@@ -107,16 +85,11 @@ StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photon
         .counts("Long", mended.axes_long)
         .counts("Degenerate", mended.degenerate)
         .counts("Broken", mended.broken)
-        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
-            if (slice.first) count_stored(p, result);
+        .execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+            if (slice.first) passes::count_stored(p, result);
             measure(p, slice, result);
         });
     return result;
-}
-
-PhotonRange photons_of(const graph::PassContext& context, const StoredPhotons& photons, graph::Slice slice) {
-    const auto capacity = static_cast<std::int64_t>(context.capacity(photons.records));
-    return {capacity * slice.begin / photon_parts, capacity * slice.end / photon_parts};
 }
 
 void reads_footprints(graph::PassBuilder& pass, const StoredPhotons& photons) {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/photon-mapping/filtering.h"
+#include "renderers/methods/photon-mapping/stages.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 
 /// The steps of the filter.

@@ -42,9 +42,7 @@ Signal declare_signal(graph::GraphBuilder& builder, const graph::ResourceText& t
 
 graph::ImageRef pack_surfaces(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer) {
     graph::ImageDesc desc;
-    desc.text = {"filter.surfaces", "Packed surfaces",
-                 "Geometric normal, octahedral in 2 x 16 bits, and the bits of the depth along the view axis "
-                 "(m); infinite where there is no surface"};
+    desc.text = {"filter.surfaces", "Packed surfaces", passes::packed_surface_doc};
     desc.format = gl::Format::rg32ui;
     const auto result = builder.image(desc);
     auto pass = builder.pass("filter surfaces");
