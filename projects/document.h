@@ -21,7 +21,7 @@
 /// the keys that this build does not know in `extra`, and writes them back.
 namespace ir::projects {
 
-inline constexpr int schema_version = 5;
+inline constexpr int schema_version = 6;
 /// Id that stands for the scene's own lights and environment wherever a set of lights is asked for.
 inline constexpr const char* scene_lights = "scene";
 

@@ -6,7 +6,6 @@
 #include "projects/names.h"
 #include "projects/text.h"
 #include "projects/validate.h"
-#include "renderers/core/carry_transport.h"
 #include "renderers/core/transport.h"
 
 namespace ir::projects::edits {

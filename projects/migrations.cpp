@@ -115,46 +115,56 @@ void project_3_to_4(Json& project) {
     for_each_object(project, "motion", motion_3_to_4);
 }
 
-/// Keys that schema 4 had by another name: of the parameters and outputs of some methods.
-const std::map<std::string, std::string>& renamed_4_to_5() {
-    static const std::map<std::string, std::string> names{
-        {"least_distance", "min_distance"},   {"least_roughness", "min_roughness"},
-        {"largest_dip", "max_dip"},           {"greatest_axis", "max_axis"},
-        {"hierarchy.least", "hierarchy.min"}, {"least_axis_pixels", "min_axis_pixels"},
-        {"hierarchy.most", "hierarchy.max"}};
-    return names;
-}
+/// Keys of parameters and outputs of some methods, by the name that they had.
+using Renamed = std::map<std::string, std::string>;
 
-void rename_keys_4_to_5(Json& values) {
+void rename_keys(Json& values, const Renamed& names) {
     if (!values.is_object()) return;
-    for (const auto& [from, to] : renamed_4_to_5())
+    for (const auto& [from, to] : names)
         if (values.contains(from) && !values.contains(to)) replace_member(values, from, to, values[from]);
 }
 
-void rename_text_4_to_5(Json& object, const char* member) {
+void rename_text(Json& object, const char* member, const Renamed& names) {
     const auto found = object.find(member);
     if (found == object.end() || !found->is_string()) return;
-    const auto name = renamed_4_to_5().find(found->get<std::string>());
-    if (name != renamed_4_to_5().end()) *found = name->second;
+    const auto name = names.find(found->get<std::string>());
+    if (name != names.end()) *found = name->second;
 }
 
-void experiment_4_to_5(Json& experiment) {
-    if (const auto values = experiment.find("values"); values != experiment.end())
-        rename_keys_4_to_5(*values);
-    const auto presets = experiment.find("presets");
-    if (presets == experiment.end() || !presets->is_object()) return;
-    for (auto& preset : *presets)
-        if (preset.is_object() && preset.contains("values")) rename_keys_4_to_5(preset["values"]);
+/// Wherever they stand.
+void rename(Json& project, const Renamed& names) {
+    for_each_object(project, "experiments", [&](Json& experiment) {
+        if (const auto values = experiment.find("values"); values != experiment.end())
+            rename_keys(*values, names);
+        const auto presets = experiment.find("presets");
+        if (presets == experiment.end() || !presets->is_object()) return;
+        for (auto& preset : *presets)
+            if (preset.is_object() && preset.contains("values")) rename_keys(preset["values"], names);
+    });
+    for_each_object(project, "comparisons",
+                    [&](Json& comparison) { rename_text(comparison, "output", names); });
+    for_each_object(project, "plots", [&](Json& plot) { rename_text(plot, "over", names); });
+    for_each_object(project, "sweeps", [&](Json& sweep) {
+        for_each_object(sweep, "axes", [&](Json& axis) { rename_text(axis, "key", names); });
+    });
 }
 
 void project_4_to_5(Json& project) {
-    for_each_object(project, "experiments", experiment_4_to_5);
-    for_each_object(project, "comparisons",
-                    [](Json& comparison) { rename_text_4_to_5(comparison, "output"); });
-    for_each_object(project, "plots", [](Json& plot) { rename_text_4_to_5(plot, "over"); });
-    for_each_object(project, "sweeps", [](Json& sweep) {
-        for_each_object(sweep, "axes", [](Json& axis) { rename_text_4_to_5(axis, "key"); });
-    });
+    rename(project, {{"least_distance", "min_distance"},
+                     {"least_roughness", "min_roughness"},
+                     {"largest_dip", "max_dip"},
+                     {"greatest_axis", "max_axis"},
+                     {"hierarchy.least", "hierarchy.min"},
+                     {"least_axis_pixels", "min_axis_pixels"},
+                     {"hierarchy.most", "hierarchy.max"}});
+}
+
+void project_5_to_6(Json& project) {
+    rename(project, {{"radius_min", "min_radius"},
+                     {"radius_max", "max_radius"},
+                     {"radius_texels", "min_radius_texels"},
+                     {"ray_length_floor", "min_ray_length_scale"},
+                     {"stretch_max", "max_stretch"}});
 }
 
 int schema_of(const Json& project, const std::string& file) {
@@ -181,6 +191,7 @@ const std::vector<Migration>& migrations() {
         {2, "projects have plots of the error", project_2_to_3},
         {3, "motions say what they move: cameras, lights or parts of scenes", project_3_to_4},
         {4, "keys of parameters and outputs say min and max", project_4_to_5},
+        {5, "keys of parameters begin with min and max", project_5_to_6},
     };
     return steps;
 }

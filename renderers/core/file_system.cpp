@@ -15,6 +15,7 @@
 #include "renderers/core/output_buffer.h"
 
 namespace ir {
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -17,6 +17,19 @@ std::string to_string(Semantic semantic) {
     return names.at(static_cast<std::size_t>(semantic));
 }
 
+std::vector<OutputDescription> joined(std::initializer_list<std::vector<OutputDescription>> parts) {
+    std::vector<OutputDescription> all;
+    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+OutputDescription accessibility_output(const std::string& more) {
+    return {.key = "accessibility",
+            .label = "Accessibility",
+            .semantic = Semantic::accessibility,
+            .doc = "Cosine-weighted openness of the hemisphere, 1 = open" + more};
+}
+
 std::string full_doc(const OutputDescription& output) {
     std::string text = output.doc;
     for (const auto& categories : output.categories) text += " " + category_doc(categories);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -44,13 +45,22 @@ struct OutputDescription {
     /// Fields whose numbers are names: they have colours of their own and no colour map.
     std::vector<Categories> categories = {};
     /// Of a set: where it has no elements although everything succeeded; of one that explains, although a
-    /// pixel is picked: "the pixel shows no surface". The rest of a sentence that says "Empty where".
+    /// pixel is picked, often no_surface. The rest of a sentence that says "Empty where".
     std::string when_empty = {};
     /// Depends on the inspection: computed only when asked for, and again when a person points elsewhere.
     bool explains = false;
     /// Under other settings the method has no such output.
     Condition active_when = {};
 };
+
+/// For OutputDescription::when_empty.
+inline constexpr const char* no_surface = "the pixel shows no surface";
+
+/// All of them, in order.
+std::vector<OutputDescription> joined(std::initializer_list<std::vector<OutputDescription>> parts);
+
+/// The main result of methods of ambient occlusion; `more` ends the sentence that says what it is.
+OutputDescription accessibility_output(const std::string& more = ".");
 
 /// `doc`, what the numbers of its categories mean, and when it is empty.
 std::string full_doc(const OutputDescription& output);

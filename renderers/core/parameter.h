@@ -94,8 +94,9 @@ bool is_active(const ParameterDescription& parameter, const Settings& settings);
 template <class Struct>
 class ParameterTable {
   public:
-    template <class Member>
-    ParameterTable& add(Member Struct::*member, ParameterText text) {
+    /// `member` may be one of a base of the struct.
+    template <class Member, class Owner>
+    ParameterTable& add(Member Owner::*member, ParameterText text) {
         return add_accessor<Member>([member](Struct& s) -> Member& { return s.*member; }, std::move(text));
     }
 

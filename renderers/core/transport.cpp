@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "renderers/core/error.h"
+
 namespace ir {
+
 namespace {
 
 void add_paths(ParameterTable<Transport>& table) {
@@ -26,14 +29,14 @@ void add_bounces(ParameterTable<Transport>& table) {
     table
         .add(&Transport::min_bounces,
              {.key = "min_bounces",
-              .label = "Fewest bounces",
+              .label = "Minimum bounces",
               .doc = "Indirect light: fewest surfaces that scatter light before the visible one does.",
               .hard = {1, 64},
               .soft = {1, 8},
               .active_when = only_indirect})
         .add(&Transport::max_bounces,
              {.key = "max_bounces",
-              .label = "Most bounces",
+              .label = "Maximum bounces",
               .doc = "Indirect light: most surfaces that scatter light before the visible one does.",
               .hard = {1, 64},
               .soft = {1, 8},
@@ -112,6 +115,31 @@ const std::vector<ParameterDescription>& transport_group() {
 
 bool is_transport_key(const std::string& key) {
     return find(transport_group(), key) != nullptr;
+}
+
+CarriedTransport carry_transport(const Settings& values, const std::vector<ParameterDescription>& from,
+                                 const std::vector<ParameterDescription>& to) {
+    CarriedTransport carried;
+    for (const auto& [key, value] : values) {
+        const auto *before = find(from, key), *after = find(to, key);
+        if (!is_transport_key(key)) continue;
+        const bool is_default = before && value == before->default_value;
+        if (!after) {
+            if (before && !is_default && is_active(*before, values))
+                carried.lost.push_back("parameter '" + key + "': '" + to_string(value) +
+                                       "' is lost, as the method has no such parameter");
+            continue;
+        }
+        carried.values[key] = after->default_value;
+        if (is_default) continue;
+        try {
+            carried.values[key] = after->checked(value);
+        } catch (const UsageError& error) {
+            carried.lost.push_back(std::string(error.what()) + "; its default '" +
+                                   to_string(after->default_value) + "' is taken");
+        }
+    }
+    return carried;
 }
 
 }  // namespace ir

@@ -47,4 +47,22 @@ inline const Condition only_full{"paths", {std::string("full")}};
 /// Whether `key` belongs to the transport group.
 bool is_transport_key(const std::string& key);
 
+/// What methods compute at their defaults, so that one can be put beside another as they are: those of
+/// ambient occlusion what is near, as nothing is open in a closed room; those of light the whole picture. A
+/// method's own struct begins with one of them.
+inline constexpr Transport default_occlusion{.paths = Transport::Paths::ao, .max_distance = 1};
+inline constexpr Transport default_light{.paths = Transport::Paths::full, .max_distance = 0};
+
+/// What one method takes over from another.
+struct CarriedTransport {
+    Settings values;
+    std::vector<std::string> lost;  ///< one line for each value that could not be taken over
+};
+
+/// The transport that a method with parameters `to` computes in place of one with parameters `from` (none
+/// where it is unknown), of the keys in `values` that it has. A value at the default of `from` becomes the
+/// default of `to`; any other is kept, or becomes that default where `to` does not allow it.
+CarriedTransport carry_transport(const Settings& values, const std::vector<ParameterDescription>& from,
+                                 const std::vector<ParameterDescription>& to);
+
 }  // namespace ir

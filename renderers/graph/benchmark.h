@@ -65,6 +65,13 @@ struct BenchmarkColumn {
     Best best = Best::lowest;
 };
 
+inline BenchmarkColumn memory_column() {
+    return {.label = "Memory",
+            .unit = "B",
+            .doc = "Of all buffers and images of a frame.",
+            .source = BenchmarkColumn::MemoryBytes{}};
+}
+
 /// A benchmark that a method brings along: its variants, each timed cold (everything built anew) and warm,
 /// and peers that answer the same question in another way in the same run.
 struct Benchmark {

@@ -181,6 +181,17 @@ void GraphBuilder::claim(const ResourceText& text) {
     keys_.push_back(key);
 }
 
+CountedBuffer GraphBuilder::explanation(const std::string& key, BufferDesc desc, CounterDesc counter) {
+    desc.growable = true;  // so that the counter tells how many elements are in use
+    CountedBuffer result{output(key, std::move(desc)), {}};
+    if (counter.key.empty()) counter.key = key + "_count";
+    if (counter.label.empty()) counter.label = output_of(key).label;
+    counter.doc = std::string("0 while no pixel is picked, and where ") + no_surface + ".";
+    counter.growth_of = result.elements;
+    result.count = this->counter(std::move(counter));
+    return result;
+}
+
 ImageRef GraphBuilder::image(ImageDesc desc) {
     claim(desc.text);
     // A pyramid of a small image may have one level, so only the sort of resource counts.

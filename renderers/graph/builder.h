@@ -38,6 +38,7 @@ struct Pass {
         enum class Kind { image, buffer, object } kind;
         int index;
         bool write = false, previous = false;
+        bool optional = false;  ///< no error where no program has it
     };
     std::vector<Access> accesses;
     std::vector<CounterRef> counters;
@@ -95,6 +96,12 @@ class PassBuilder {
         (access(refs, false, false), ...);
         return *this;
     }
+    /// What not all programs have that share a declaration, or what not every frame looks at.
+    template <ResourceRef... Refs>
+    PassBuilder& may_read(Refs... refs) {
+        ((access(refs, false, false), pass_->accesses.back().optional = true), ...);
+        return *this;
+    }
     /// Also for passes that modify what an earlier pass wrote.
     template <ResourceRef... Refs>
     PassBuilder& writes(Refs... refs) {
@@ -148,6 +155,12 @@ class PassBuilder {
     Pass* pass_;
 };
 
+/// A growable buffer, and how many of its elements are in use.
+struct CountedBuffer {
+    BufferRef elements;
+    CounterRef count;
+};
+
 /// Given to a method's setup, which declares resources and passes for one frame.
 class GraphBuilder {
   public:
@@ -162,6 +175,9 @@ class GraphBuilder {
     /// output.
     ImageRef output(const std::string& key, ImageDesc desc);
     BufferRef output(const std::string& key, BufferDesc desc);
+    /// An output that explains a picked pixel, with the counter of its elements. What `counter` does not say
+    /// is made from the output: KEY_count, with the same label.
+    CountedBuffer explanation(const std::string& key, BufferDesc desc, CounterDesc counter = {});
     /// What the description says of an output; throws as output() does.
     ResourceText text_of_output(const std::string& key) const;
 

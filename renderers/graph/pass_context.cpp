@@ -42,11 +42,15 @@ const gl::Api& PassContext::api() const {
     return frame_.cache.context->api();
 }
 
+// Passes of the cpu queue may come here from many threads, and have no programs: only the others note what
+// they touch.
+
 Physical& PassContext::physical(ImageRef ref, bool previous, bool write) const {
     auto& s = frame_;
     const auto& key = s.builder->images().at(ref.index).text.key;
     const auto& access = declared(pass_, Kind::image, ref.index, previous, key);
     if (write) require_write(pass_, access, key);
+    if (pass_.queue == Queue::gl) touched_.emplace(Pass::Binding::Kind::image, ref.index);
     return *s.images.at(ref.index);
 }
 
@@ -55,6 +59,7 @@ Physical& PassContext::physical(BufferRef ref, bool previous, bool write) const 
     const auto& key = s.builder->buffers().at(ref.index).text.key;
     const auto& access = declared(pass_, Kind::buffer, ref.index, previous, key);
     if (write) require_write(pass_, access, key);
+    if (pass_.queue == Queue::gl) touched_.emplace(Pass::Binding::Kind::buffer, ref.index);
     return *s.buffers.at(ref.index);
 }
 
@@ -176,6 +181,7 @@ std::span<std::byte> PassContext::host(BufferRef ref, bool previous) const {
 
 void PassContext::add(CounterRef ref, std::uint32_t amount) const {
     check_declared(ref);
+    if (pass_.queue == Queue::gl) touched_.emplace(Pass::Binding::Kind::counter, ref.index);
     frame_.host_counters[ref.index].fetch_add(amount, std::memory_order_relaxed);
 }
 
@@ -224,6 +230,7 @@ std::uint64_t PassContext::capacity(BufferRef ref) const {
     if (std::none_of(pass_.accesses.begin(), pass_.accesses.end(), declares))
         throw std::logic_error("pass '" + pass_.name + "' uses '" +
                                s.builder->buffers().at(ref.index).text.key + "' without declaring it");
+    if (pass_.queue == Queue::gl) touched_.emplace(Pass::Binding::Kind::buffer, ref.index);
     return s.buffers.at(ref.index)->capacity;
 }
 

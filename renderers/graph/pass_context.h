@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -125,7 +126,8 @@ class PassContext {
   private:
     friend struct Frame;
     PassContext(Frame& frame, const Pass& pass);
-    /// Throws Error for a declared name that no program of the pass has.
+    /// Throws Error for what a pass with programs declares for none of them: a name that no program has, or a
+    /// resource with a name of its own that no program has and the pass does not touch by itself.
     void check_names() const;
     const gl::Program& program(const gl::ProgramSource& source) const;
     const gl::Program& method_program(const gl::ProgramSource& source) const;
@@ -153,6 +155,7 @@ class PassContext {
     const Pass& pass_;
     mutable std::map<std::string, Pass::Binding> bindings_;
     mutable std::vector<const gl::Program*> programs_;  ///< that were used; the last is current
+    mutable std::set<std::pair<Pass::Binding::Kind, int>> touched_;
 };
 
 }  // namespace ir::graph

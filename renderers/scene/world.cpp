@@ -180,4 +180,13 @@ World flatten(const Scene& scene, double time, double previous_time) {
     return world;
 }
 
+std::size_t emissive_triangles(const Scene& scene, const World& world) {
+    std::size_t count = 0;
+    for (const auto& range : world.ranges) {
+        const auto& emission = scene.materials.at(static_cast<std::size_t>(range.material)).emission;
+        if (std::max({emission.r, emission.g, emission.b}) > 0) count += range.triangle_count;
+    }
+    return count;
+}
+
 }  // namespace ir::scene

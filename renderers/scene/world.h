@@ -50,6 +50,9 @@ struct World {
 /// `time` and `previous_time` in seconds.
 World flatten(const Scene& scene, double time, double previous_time);
 
+/// Triangles whose material shines.
+std::size_t emissive_triangles(const Scene& scene, const World& world);
+
 /// uv after the slot's transform.
 glm::vec2 transformed_uv(const TextureSlot& slot, glm::vec2 uv);
 

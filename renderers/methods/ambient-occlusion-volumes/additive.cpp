@@ -1,4 +1,4 @@
-#include "renderers/methods/ambient-occlusion-volumes/additive.h"
+#include "renderers/methods/ambient-occlusion-volumes/volumes.h"
 
 namespace ir::methods::ambient_occlusion_volumes {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderers/methods/ambient-occlusion-volumes/benchmark.h"
+#include "renderers/methods/ambient-occlusion-volumes/volumes.h"
 
 namespace ir::methods::ambient_occlusion_volumes {
 namespace {
@@ -39,10 +39,7 @@ std::vector<BenchmarkColumn> columns() {
          .doc = "Volumes that cover one pixel.",
          .source = BenchmarkColumn::LargestValue{"volumes.covering"},
          .best = BenchmarkColumn::Best::none},
-        {.label = "Memory",
-         .unit = "B",
-         .doc = "Of all buffers and images of a frame.",
-         .source = BenchmarkColumn::MemoryBytes{}},
+        graph::memory_column(),
     };
 }
 

@@ -1,4 +1,4 @@
-#include "renderers/methods/ambient-occlusion-volumes/bounced.h"
+#include "renderers/methods/ambient-occlusion-volumes/volumes.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "renderers/methods/ambient-occlusion-volumes/explain.h"
+#include "renderers/methods/ambient-occlusion-volumes/volumes.h"
 
 #include <algorithm>
 #include <optional>
@@ -23,7 +23,7 @@ struct Explanation {
     std::optional<passes::bounce::Directions> directions;
     std::optional<Bounced> bounced;
     graph::BufferRef concerned;  ///< 1 where the point lies in the triangle's volume
-    graph::BufferRef places, triangles;
+    graph::BufferRef places;
 
     void read_by(graph::PassBuilder& pass) const {
         read_volumes(pass, volumes);
@@ -44,7 +44,7 @@ struct Explanation {
 
 void explain(graph::GraphBuilder& builder, const Volumes& volumes,
              const passes::bounce::Directions* directions, const Bounced* bounced) {
-    Explanation e{volumes, {}, {}, {}, {}, {}};
+    Explanation e{volumes, {}, {}, {}, {}};
     if (directions) e.directions = *directions;
     if (bounced) e.bounced = *bounced;
     const auto count = static_cast<std::uint64_t>(std::max<std::int64_t>(1, volumes.triangles));
@@ -52,25 +52,18 @@ void explain(graph::GraphBuilder& builder, const Volumes& volumes,
         {.text = {.key = "volumes.explain.concerned", .label = "Volumes entered by the picked pixel's point"},
          .fields = {{"within", graph::FieldType::u32}},
          .elements = count});
-    const auto text = builder.text_of_output("volumes.explain.triangles");
-    e.triangles = builder.buffer({.text = text,
-                                  .kind = OutputKind::glyphs,
-                                  .fields = record_fields<TriangleNear>(),
-                                  .elements = std::min<std::uint64_t>(count, 4096),
-                                  .growable = true});
-    const auto total =
-        builder.counter({.key = "volumes.explain.triangles_count",
-                         .label = text.label,
-                         .doc = "0 while no pixel is picked, and where the pixel shows no surface.",
-                         .growth_of = e.triangles});
+    const auto triangles = builder.explanation(
+        "volumes.explain.triangles",
+        {.fields = record_fields<TriangleNear>(), .elements = std::min<std::uint64_t>(count, 4096)});
     auto find = builder.pass("explain: find volumes");
     e.read_by(find);
     find.writes("Found", e.concerned);
     e.compute(find, builder.inputs(), false);
-    e.places = passes::exclusive_scan(builder, "volumes.explain.concerned", e.concerned, count, total);
+    e.places =
+        passes::exclusive_scan(builder, "volumes.explain.concerned", e.concerned, count, triangles.count);
     auto write = builder.pass("explain: volumes");
     e.read_by(write);
-    write.reads("Concerned", e.concerned).reads("Places", e.places).writes("Explained", e.triangles);
+    write.reads("Concerned", e.concerned).reads("Places", e.places).writes("Explained", triangles.elements);
     e.compute(write, builder.inputs(), true);
 }
 
@@ -85,7 +78,7 @@ std::vector<OutputDescription> explanation_outputs() {
              "the mask; occlusion: their product, which the additive form adds up; hits: samples whose ray "
              "meets the triangle; won: those of which it is the nearest; distance: metres to the nearest "
              "of the hits, −1 without one.",
-         .when_empty = "the pixel shows no surface",
+         .when_empty = no_surface,
          .explains = true},
     };
 }

@@ -3,10 +3,7 @@
 // direction wins [Nalbach15 Fig. 2].
 #include "renderers/graph/method.h"
 
-#include "renderers/methods/ambient-occlusion-volumes/additive.h"
-#include "renderers/methods/ambient-occlusion-volumes/benchmark.h"
-#include "renderers/methods/ambient-occlusion-volumes/bounced.h"
-#include "renderers/methods/ambient-occlusion-volumes/explain.h"
+#include "renderers/methods/ambient-occlusion-volumes/volumes.h"
 #include "renderers/passes/direct/lit.h"
 
 namespace ir::methods::ambient_occlusion_volumes {
@@ -28,19 +25,15 @@ MethodDescription description() {
         "occludes counts as a whole.";
     d.papers = {"McGuire10", "Nalbach15"};
     d.background = 1;
-    d.outputs = {
-        {.key = "accessibility",
-         .label = "Accessibility",
-         .semantic = Semantic::accessibility,
-         .doc = "Cosine-weighted openness of the hemisphere, 1 = open."},
-        passes::lit_output(),
-        passes::valid_output(),
-    };
-    for (const auto& part :
-         {additive_outputs(), bounced_outputs(), passes::bounce::direction_outputs(bounced),
-          passes::bounce::sample_outputs(bounced), count_outputs(), explanation_outputs(),
-          passes::bounce::reconstruction_outputs(bounced), passes::direct_outputs()})
-        d.outputs.insert(d.outputs.end(), part.begin(), part.end());
+    d.outputs = joined({{accessibility_output(), passes::lit_output(), passes::valid_output()},
+                        additive_outputs(),
+                        bounced_outputs(),
+                        passes::bounce::direction_outputs(bounced),
+                        passes::bounce::sample_outputs(bounced),
+                        count_outputs(),
+                        explanation_outputs(),
+                        passes::bounce::reconstruction_outputs(bounced),
+                        passes::direct_outputs()});
     d.selectors = {{.key = "sample",
                     .label = "Sample",
                     .doc = "One of the pixel's directions, with visibility.",
@@ -72,8 +65,7 @@ graph::ImageRef without_visibility(graph::GraphBuilder& builder, const Volumes& 
                                    const Parameters& parameters, const graph::ResourceText& text) {
     const auto raw = add_up(builder, volumes);
     explain(builder, volumes, nullptr, nullptr);
-    return passes::blur(builder, volumes.gbuffer, raw, passes::options_of(parameters.reconstruction.blur),
-                        text);
+    return passes::blur(builder, volumes.gbuffer, raw, parameters.reconstruction.blur, text);
 }
 
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/core/default_transport.h"
+#include "renderers/core/transport.h"
 #include "renderers/passes/bounce/directions.h"
 #include "renderers/passes/bounce/reconstruction.h"
 #include "renderers/passes/direct/light_parameters.h"

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
+#include "renderers/core/output.h"
+#include "renderers/graph/benchmark.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/ambient-occlusion-volumes/parameters.h"
+#include "renderers/passes/bounce/samples.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 
 namespace ir::methods::ambient_occlusion_volumes {
@@ -54,5 +58,36 @@ gl::ProgramSource drawing_with(const std::string& fragments);
 /// Draws the volumes of the triangles from `begin` to `end` into the framebuffer that is bound, with a
 /// program that is in use and has its constants.
 void draw_volumes(const graph::PassContext& context, std::int64_t begin, std::int64_t end);
+
+/// Declares the passes "additive" and "compensate": "volumes.sum", the form factors of all triangles with
+/// their fall-off, and "volumes.raw", the accessibility that is made of it, which is returned. [McGuire10]
+graph::ImageRef add_up(graph::GraphBuilder& builder, const Volumes& volumes);
+
+/// Declares the pass "count volumes".
+void count_volumes(graph::GraphBuilder& builder, const Volumes& volumes);
+
+std::vector<OutputDescription> additive_outputs();
+std::vector<OutputDescription> count_outputs();
+
+struct Bounced {
+    graph::ImageRef distance;  ///< bounce::Samples
+    graph::ImageRef winner;    ///< "volumes.winner" r32ui stack: 1 + triangle, 0 none
+};
+
+/// Declares the pass "bounced z": for each sample the nearest triangle along its direction. [Nalbach15 §3.2]
+Bounced find_nearest(graph::GraphBuilder& builder, const Volumes& volumes,
+                     const passes::bounce::Directions& directions);
+
+std::vector<OutputDescription> bounced_outputs();
+
+/// Declares "volumes.explain.triangles", the triangles in whose volumes the picked pixel's point lies, in
+/// their order, and the passes that fill it. Without visibility `directions` and `bounced` are null.
+void explain(graph::GraphBuilder& builder, const Volumes& volumes,
+             const passes::bounce::Directions* directions, const Bounced* bounced);
+
+std::vector<OutputDescription> explanation_outputs();
+
+/// "ambient-occlusion-volumes": the additive and the bounced form on one scene, over samples and distances.
+std::vector<graph::Benchmark> benchmarks();
 
 }  // namespace ir::methods::ambient_occlusion_volumes

@@ -40,17 +40,14 @@ std::vector<Column> columns() {
         count("Patches", "Triangles and parts of triangles that are tessellated.", "surfels.patches"),
         count("Fine", "Surfels before thinning.", "surfels.fine"),
         count("Surfels", "After thinning.", "surfels.kept"),
-        bytes("MIP", "Pyramids of the least and greatest positions.", {"hierarchy.min", "hierarchy.max"}),
+        bytes("MIP", "Pyramids of the minimum and maximum positions.", {"hierarchy.min", "hierarchy.max"}),
         bytes("Layout", "Lookup images of shuffling and unshuffling.",
               {"hierarchy.layout", "hierarchy.places"}),
         bytes("Positions", "Shuffled positions.", {"hierarchy.positions"}),
         bytes("Directions", "The direction buffer.", {"bounce.directions"}),
         bytes("Layers", "Depth and winner for each sample and level.", {"splats.depth", "splats.winner"}),
         bytes("Surfel buffers", "Before and after thinning.", {"surfels", "surfels.fine"}),
-        {.label = "Memory",
-         .unit = "B",
-         .doc = "Of all buffers and images of a frame.",
-         .source = Column::MemoryBytes{}},
+        graph::memory_column(),
     };
 }
 

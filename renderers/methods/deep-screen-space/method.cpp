@@ -26,11 +26,9 @@ std::vector<OutputDescription> pictures() {
     auto radiance = passes::radiance_output(only_indirect);
     auto lit = passes::lit_output();
     lit.active_when = only_ao;
-    return {{.key = "accessibility",
-             .label = "Accessibility",
-             .semantic = Semantic::accessibility,
-             .doc = "Cosine-weighted openness of the hemisphere, 1 = open.",
-             .active_when = only_ao},
+    auto accessibility = accessibility_output();
+    accessibility.active_when = only_ao;
+    return {accessibility,
             radiance,
             {.key = "indirect.radiance",
              .label = "Indirect radiance",
@@ -43,14 +41,10 @@ std::vector<OutputDescription> pictures() {
 }
 
 std::vector<OutputDescription> outputs() {
-    std::vector<OutputDescription> all;
-    for (const auto& part :
-         {pictures(), bounce::direction_outputs(with_visibility), bounce::sample_outputs(with_visibility),
-          bounce::reconstruction_outputs(with_visibility), passes::direct_outputs(), surfel_outputs(),
-          hierarchy_outputs(), visible_outputs(), additive_outputs(), explanation_outputs(),
-          passes::reprojection_outputs()})
-        all.insert(all.end(), part.begin(), part.end());
-    return all;
+    return joined({pictures(), bounce::direction_outputs(with_visibility),
+                   bounce::sample_outputs(with_visibility), bounce::reconstruction_outputs(with_visibility),
+                   passes::direct_outputs(), surfel_outputs(), hierarchy_outputs(), visible_outputs(),
+                   additive_outputs(), explanation_outputs(), passes::reprojection_outputs()});
 }
 
 MethodDescription description() {
@@ -115,15 +109,6 @@ bool is_punctual(scene::LightType type) {
     return type != scene::LightType::rectangle && type != scene::LightType::disk;
 }
 
-std::size_t emissive_triangles(const graph::FrameInputs& inputs) {
-    std::size_t count = 0;
-    for (const auto& range : inputs.world->ranges) {
-        const auto emission = inputs.scene->materials.at(static_cast<std::size_t>(range.material)).emission;
-        if (std::max({emission.r, emission.g, emission.b}) > 0) count += range.triangle_count;
-    }
-    return count;
-}
-
 /// Senders are lit by shadow maps, which need lights without extent; what direct_light() notes is not
 /// repeated.
 void note_missing_light(graph::GraphBuilder& builder, const Transport& transport) {
@@ -136,7 +121,7 @@ void note_missing_light(graph::GraphBuilder& builder, const Transport& transport
         builder.note(
             "deep-screen-space: there is no point, spot or directional light, so surfaces have no light to "
             "pass on");
-    if (emissive_triangles(builder.inputs()) > 0)
+    if (scene::emissive_triangles(*builder.inputs().scene, *builder.inputs().world) > 0)
         builder.note(
             "deep-screen-space: what emissive triangles light is not reflected further; with paths=full they "
             "light what is within the reach of their surfels");

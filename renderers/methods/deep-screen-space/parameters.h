@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "renderers/core/default_transport.h"
+#include "renderers/core/transport.h"
 #include "renderers/graph/frame_inputs.h"
 #include "renderers/passes/bounce/directions.h"
 #include "renderers/passes/bounce/reconstruction.h"

@@ -1,4 +1,4 @@
-#include "renderers/methods/hbao/benchmark.h"
+#include "renderers/methods/hbao/passes.h"
 
 #include <array>
 

@@ -1,32 +1,10 @@
-#include "renderers/methods/hbao/explain.h"
+#include "renderers/methods/hbao/passes.h"
 
 #include "renderers/core/record.h"
-#include "renderers/methods/hbao/passes.h"
 #include "shaders/methods/hbao/explain.comp.h"
 
 namespace ir::methods::hbao {
 namespace {
-
-const std::string no_surface = "the pixel shows no surface";
-
-struct Explained {
-    graph::BufferRef elements;
-    graph::CounterRef count;
-};
-
-Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputKind kind,
-                  std::vector<graph::Field> fields, std::uint64_t elements) {
-    const auto text = builder.text_of_output("hbao.explain." + what);
-    Explained e;
-    // Growable, so that counters tell how many elements are in use.
-    e.elements = builder.buffer(
-        {.text = text, .kind = kind, .fields = std::move(fields), .elements = elements, .growable = true});
-    e.count = builder.counter({.key = "hbao.explain." + what + "_count",
-                               .label = text.label,
-                               .doc = "0 while no pixel is picked, and where the pixel shows no surface.",
-                               .growth_of = e.elements});
-    return e;
-}
 
 /// Constants of explain.comp.
 struct Explain {
@@ -86,12 +64,14 @@ SelectorDescription direction_selector() {
 
 void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Parameters& parameters) {
     const auto directions = static_cast<std::uint64_t>(parameters.directions);
-    const auto horizons =
-        declare(builder, "horizons", OutputKind::sphere_values, record_fields<Horizon>(), directions);
-    const auto lines =
-        declare(builder, "lines", OutputKind::line_set, record_fields<LineToHorizon>(), directions);
-    const auto samples = declare(builder, "samples", OutputKind::point_set, record_fields<SampleMarched>(),
-                                 directions * static_cast<std::uint64_t>(parameters.steps));
+    const auto horizons = builder.explanation("hbao.explain.horizons",
+                                              {.fields = record_fields<Horizon>(), .elements = directions}),
+               lines = builder.explanation(
+                   "hbao.explain.lines", {.fields = record_fields<LineToHorizon>(), .elements = directions}),
+               samples = builder.explanation(
+                   "hbao.explain.samples",
+                   {.fields = record_fields<SampleMarched>(),
+                    .elements = directions * static_cast<std::uint64_t>(parameters.steps)});
     const auto& view = builder.inputs().view;
     auto pass = builder.pass("explain");
     pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal);

@@ -2,8 +2,6 @@
 // What no pixel shows occludes nothing, and what one shows is as thick as the scene. [Bavoil08]
 #include "renderers/graph/method.h"
 
-#include "renderers/methods/hbao/benchmark.h"
-#include "renderers/methods/hbao/explain.h"
 #include "renderers/methods/hbao/parameters.h"
 #include "renderers/methods/hbao/passes.h"
 #include "renderers/passes/direct/lit.h"
@@ -24,17 +22,11 @@ MethodDescription description() {
     d.papers = {"Bavoil08", "Aalund15"};
     d.background = 1;
     d.selectors = {direction_selector()};
-    d.outputs = {
-        {.key = "accessibility",
-         .label = "Accessibility",
-         .semantic = Semantic::accessibility,
-         .doc = "Cosine-weighted openness of the hemisphere, 1 = open; with the published weighting openness "
-                "by solid angle."},
-        passes::lit_output(),
-        passes::valid_output(),
-    };
-    for (const auto& part : {passes::direct_outputs(), marched_outputs(), explanation_outputs()})
-        d.outputs.insert(d.outputs.end(), part.begin(), part.end());
+    d.outputs = joined({{accessibility_output("; with the published weighting openness by solid angle."),
+                         passes::lit_output(), passes::valid_output()},
+                        passes::direct_outputs(),
+                        marched_outputs(),
+                        explanation_outputs()});
     d.stages = {{"hbao.raw", 0, "Before the blur"}, {"accessibility", 0, "Blurred"}};
     return d;
 }
@@ -45,8 +37,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto direct = passes::direct_light(builder, scene, gbuffer, passes::lit_options(parameters.light));
     const auto marched = march(builder, gbuffer, parameters);
     const auto accessibility =
-        passes::blur(builder, gbuffer, marched.raw, passes::options_of(parameters.blur),
-                     builder.text_of_output("accessibility"));
+        passes::blur(builder, gbuffer, marched.raw, parameters.blur, builder.text_of_output("accessibility"));
     explain(builder, gbuffer, parameters);
     passes::lit(builder, gbuffer, direct, accessibility, parameters.ambient);
     if (parameters.transport.max_distance == 0)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/core/default_transport.h"
+#include "renderers/core/transport.h"
 #include "renderers/passes/blur/blur.h"
 #include "renderers/passes/direct/light_parameters.h"
 
@@ -18,7 +18,7 @@ struct Parameters {
     Weighting weighting = Weighting::cosine;
     Turning turning = Turning::pattern;
     float angle_bias = 5;
-    passes::BlurParameters blur{.blur_radius = 3};
+    passes::BlurParameters blur{.radius = 3};
     float ambient = 0.5f;
     passes::LightParameters light;
 };

@@ -44,8 +44,9 @@ std::vector<OutputDescription> marched_outputs() {
         {.key = "hbao.cut",
          .label = "Cut off by the picture's edge",
          .semantic = Semantic::probability,
-         .doc = "Part of the directions whose march ended at the edge of the picture before the radius did: "
-                "what lies beyond occludes nothing."},
+         .doc =
+             "Fraction of the directions whose march ended at the edge of the picture before the radius did: "
+             "what lies beyond occludes nothing."},
     };
 }
 

@@ -1,4 +1,4 @@
-#include "renderers/methods/ldm-ao/benchmark.h"
+#include "renderers/methods/ldm-ao/passes.h"
 
 #include <glm/glm.hpp>
 #include <limits>
@@ -168,7 +168,7 @@ graph::Benchmark every_storage() {
              {"Nodes", "", "Depths that are stored.", Column::Counter{"ldm.nodes"}, Column::Best::none},
              {"Mean layers", "", "Nodes per texel.", Column::CounterRatio{"ldm.nodes", "ldm.texels"},
               Column::Best::none},
-             {"Most layers", "", "At one texel, of all maps.", Column::LargestValue{"ldm.layers"},
+             {"Maximum layers", "", "At one texel, of all maps.", Column::LargestValue{"ldm.layers"},
               Column::Best::none},
              {"Dropped", "", "Fragments that had no room.", Column::Counter{"ldm.dropped"}},
              {"Difference", "", "RMS of accessibility to the first variant.", Column::Difference{}},

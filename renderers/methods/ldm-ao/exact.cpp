@@ -1,4 +1,4 @@
-#include "renderers/methods/ldm-ao/exact.h"
+#include "renderers/methods/ldm-ao/passes.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>

@@ -1,4 +1,4 @@
-#include "renderers/methods/ldm-ao/explain.h"
+#include "renderers/methods/ldm-ao/passes.h"
 
 #include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
@@ -15,11 +15,10 @@ using graph::FieldType;
 /// Entries that are reserved for each map chosen, and lines of the walk.
 constexpr std::uint64_t expected_entries = 64;
 
-const std::string no_surface = "the pixel shows no surface";
-
-const Categories what_was_hit{
-    "hit",
-    {{-1, "below the surface, not asked", tints::dark}, {0, "miss", tints::sky}, {1, "hit", tints::orange}}};
+const Categories what_was_hit{"hit",
+                              {{-1, "below the surface, not queried", tints::dark},
+                               {0, "miss", tints::sky},
+                               {1, "hit", tints::orange}}};
 
 Categories yes_or_no(const std::string& field, const std::string& no, const std::string& yes) {
     return {field, {{0, no, tints::grey}, {1, yes, tints::green}}};
@@ -55,8 +54,8 @@ void explain_hits(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, 
     auto pass = builder.pass("explain hits" + maps->batch_name(batch));
     ldm::reads_maps(pass, *maps);
     pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal).reads("Regions", directions);
-    pass.writes("Hits", explanation.hits).writes("Rays", explanation.rays);
-    pass.counts("HitCount", explanation.hit_count).counts("RayCount", explanation.ray_count);
+    pass.writes("Hits", explanation.hits.elements).writes("Rays", explanation.rays.elements);
+    pass.counts("HitCount", explanation.hits.count).counts("RayCount", explanation.rays.count);
     pass.execute([=](graph::PassContext& context) {
         gl::ProgramSource source{{"methods/ldm-ao/explain_hits.comp"}};
         source.defines = ldm::defines_of(context, *maps);
@@ -79,12 +78,12 @@ void explain_entries(graph::GraphBuilder& builder, const passes::GBuffer& gbuffe
     auto pass = builder.pass("explain entries" + maps->batch_name(batch));
     ldm::reads_maps(pass, *maps);
     pass.reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal);
-    pass.writes("Entries", explanation.entries)
-        .writes("Walk", explanation.walk)
-        .writes("Texels", explanation.texel);
-    pass.counts("EntryCount", explanation.entry_count)
-        .counts("WalkCount", explanation.walk_count)
-        .counts("TexelCount", explanation.texel_count);
+    pass.writes("Entries", explanation.entries.elements)
+        .writes("Walk", explanation.walk.elements)
+        .writes("Texels", explanation.texel.elements);
+    pass.counts("EntryCount", explanation.entries.count)
+        .counts("WalkCount", explanation.walk.count)
+        .counts("TexelCount", explanation.texel.count);
     pass.execute([=](graph::PassContext& context) {
         gl::ProgramSource source{{"methods/ldm-ao/explain_entries.comp"}};
         source.defines = ldm::defines_of(context, *maps);
@@ -97,14 +96,6 @@ void explain_entries(graph::GraphBuilder& builder, const passes::GBuffer& gbuffe
             context.barrier();
         }
     });
-}
-
-graph::CounterRef count_of(graph::GraphBuilder& builder, const std::string& what, const std::string& label,
-                           graph::BufferRef buffer) {
-    return builder.counter({.key = "ldm.explain." + what + "_count",
-                            .label = label,
-                            .doc = "0 while no pixel is picked, and where the pixel shows no surface.",
-                            .growth_of = buffer});
 }
 
 }  // namespace
@@ -128,10 +119,7 @@ std::vector<OutputDescription> explanation_outputs() {
          .doc =
              "One line per map: from the pixel's point along the direction above its surface to what it "
              "hits, or to the largest distance or the scene's end. Lines below the surface have no length.",
-         .categories = {what_was_hit,
-                        {"side",
-                         {{-1, "against the map's direction", tints::orange},
-                          {1, "along the map's direction", tints::sky}}}},
+         .categories = {what_was_hit, {"side", {ldm::against_map, ldm::along_map}}},
          .when_empty = no_surface,
          .explains = true},
         {.key = "ldm.explain.entries",
@@ -139,7 +127,7 @@ std::vector<OutputDescription> explanation_outputs() {
          .kind = OutputKind::point_set,
          .semantic = Semantic::position,
          .unit = "m",
-         .doc = "All depths at the texel that the map chosen is asked for the pixel's point. depth: metres "
+         .doc = "All depths at the texel that the map chosen is queried for the pixel's point. depth: metres "
                 "along the map's direction, from the point. layer: 0 is the first along that direction.",
          .categories = {{"role",
                          {{0, "none", tints::grey},
@@ -170,7 +158,7 @@ std::vector<OutputDescription> explanation_outputs() {
          .kind = OutputKind::glyphs,
          .unit = "m",
          .doc =
-             "The outline of the texel that the map chosen is asked, where the point's surface crosses its "
+             "The outline of the texel that the map chosen is queried, where the point's surface crosses its "
              "middle.",
          .when_empty = no_surface,
          .explains = true},
@@ -179,30 +167,24 @@ std::vector<OutputDescription> explanation_outputs() {
 
 Explanation declare_explanation(graph::GraphBuilder& builder, const ldm::Maps& maps, ldm::MapRange chosen) {
     const auto maps_chosen = static_cast<std::uint64_t>(chosen.count);
-    // Growable, so that counters tell how many elements are in use.
-    Explanation e;
+    const auto declare = [&](const std::string& output, std::vector<graph::Field> fields,
+                             std::uint64_t elements, const std::string& counter, const std::string& label) {
+        return builder.explanation("ldm.explain." + output,
+                                   {.fields = std::move(fields), .elements = elements},
+                                   {.key = "ldm.explain." + counter, .label = label});
+    };
     auto hit_fields = ldm::region_fields(maps);
     for (const char* name : {"hit", "distance", "contribution"}) hit_fields.push_back({name, FieldType::f32});
     hit_fields.push_back({"own_found", FieldType::u32});
-    e.hits = builder.output("ldm.explain.hits",
-                            {.fields = hit_fields, .elements = 2 * maps.directions.size(), .growable = true});
-    e.rays = builder.output(
-        "ldm.explain.rays",
-        {.fields = record_fields<AskedRay>(), .elements = maps.directions.size(), .growable = true});
-    e.entries = builder.output(
-        "ldm.explain.entries",
-        {.fields = record_fields<Entry>(), .elements = maps_chosen * expected_entries, .growable = true});
-    e.walk = builder.output(
-        "ldm.explain.walk",
-        {.fields = record_fields<WalkLine>(), .elements = maps_chosen * expected_entries, .growable = true});
-    e.texel = builder.output("ldm.explain.texel",
-                             {.fields = record_fields<Texel>(), .elements = maps_chosen, .growable = true});
-    e.hit_count = count_of(builder, "hit", "Directions explained", e.hits);
-    e.ray_count = count_of(builder, "ray", "Rays explained", e.rays);
-    e.entry_count = count_of(builder, "entry", "Entries under the pixel", e.entries);
-    e.walk_count = count_of(builder, "walk", "Lines of the walk", e.walk);
-    e.texel_count = count_of(builder, "texel", "Texels asked", e.texel);
-    return e;
+    return {
+        .hits = declare("hits", hit_fields, 2 * maps.directions.size(), "hit_count", "Directions explained"),
+        .rays =
+            declare("rays", record_fields<AskedRay>(), maps.directions.size(), "ray_count", "Rays explained"),
+        .entries = declare("entries", record_fields<Entry>(), maps_chosen * expected_entries, "entry_count",
+                           "Entries under the pixel"),
+        .walk = declare("walk", record_fields<WalkLine>(), maps_chosen * expected_entries, "walk_count",
+                        "Lines of the walk"),
+        .texel = declare("texel", record_fields<Texel>(), maps_chosen, "texel_count", "Texels queried")};
 }
 
 void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,

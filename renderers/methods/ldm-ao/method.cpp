@@ -3,9 +3,6 @@
 // the map along v. [Aalund15 §3.3]
 #include "renderers/graph/method.h"
 
-#include "renderers/methods/ldm-ao/benchmark.h"
-#include "renderers/methods/ldm-ao/exact.h"
-#include "renderers/methods/ldm-ao/explain.h"
 #include "renderers/methods/ldm-ao/parameters.h"
 #include "renderers/methods/ldm-ao/passes.h"
 #include "renderers/passes/direct/lit.h"
@@ -25,32 +22,30 @@ MethodDescription description() {
     d.papers = {"Aalund15", "Leopardi06", "Lefebvre14"};
     d.background = 1;
     d.selectors = {passes::ldm::map_selector_description()};
-    d.outputs = {
-        {.key = "accessibility",
-         .label = "Accessibility",
-         .semantic = Semantic::accessibility,
-         .doc = "Cosine-weighted openness of the hemisphere, 1 = open."},
-        passes::lit_output(),
-        passes::valid_output(),
-        {.key = "ldm.self_hits",
-         .label = "Own entry found",
-         .semantic = Semantic::probability,
-         .doc = "Part of the directions in which the point's own entry was found in the map."},
-        {.key = "ldm.missing",
-         .label = "Own entry missing",
-         .semantic = Semantic::probability,
-         .doc = "Part of the directions in which the point has no own entry, because its surface ends before "
-                "the texel's centre."},
-        {.key = "ldm.leaks",
-         .label = "Possible leaks",
-         .semantic = Semantic::probability,
-         .doc =
-             "Part of the directions in which an entry ahead of the tangent plane was taken for the point's "
-             "own: where light may leak."},
-        overlay_output(),
-    };
-    for (const auto& part : {passes::direct_outputs(), passes::ldm::map_outputs(), explanation_outputs()})
-        d.outputs.insert(d.outputs.end(), part.begin(), part.end());
+    d.outputs = joined(
+        {{accessibility_output(),
+          passes::lit_output(),
+          passes::valid_output(),
+          {.key = "ldm.self_hits",
+           .label = "Own entry found",
+           .semantic = Semantic::probability,
+           .doc = "Fraction of the directions in which the point's own entry was found in the map."},
+          {.key = "ldm.missing",
+           .label = "Own entry missing",
+           .semantic = Semantic::probability,
+           .doc =
+               "Fraction of the directions in which the point has no own entry, because its surface ends before "
+               "the texel's centre."},
+          {.key = "ldm.leaks",
+           .label = "Possible leaks",
+           .semantic = Semantic::probability,
+           .doc =
+               "Fraction of the directions in which an entry ahead of the tangent plane was taken for the point's "
+               "own: where light may leak."},
+          overlay_output()},
+         passes::direct_outputs(),
+         passes::ldm::map_outputs(),
+         explanation_outputs()});
     return d;
 }
 
@@ -66,7 +61,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto scene = passes::upload_scene(builder);
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     const auto direct = passes::direct_light(builder, scene, gbuffer, passes::lit_options(parameters.light));
-    auto options = passes::ldm::options_of(parameters.maps);
+    passes::ldm::Options options = parameters.maps;
     if (const auto reason = needs_lists(parameters);
         !reason.empty() && options.storage == passes::ldm::StorageKind::outermost) {
         builder.note("storage=outermost tells whether anything is hit, not where: arrays are used for " +

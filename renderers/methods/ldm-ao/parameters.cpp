@@ -18,11 +18,11 @@ void add_exact(ParameterTable<Parameters>& table) {
                           {"near", "Near hits",
                            "Hits up to a few texels away are exact, those beyond come "
                            "from the maps."},
-                          {"all", "All hits", "The maps are not asked."}}})
+                          {"all", "All hits", "The maps are not queried."}}})
         .add(&Parameters::exact_texels,
              {.key = "exact_texels",
               .label = "Reach of exact rays",
-              .doc = "Hits up to so far away are exact, in texels of the map asked.",
+              .doc = "Hits up to so far away are exact, in texels of the map queried.",
               .unit = "texels",
               .hard = {0, 4096},
               .soft = {0, 16},

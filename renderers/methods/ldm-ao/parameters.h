@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/core/default_transport.h"
+#include "renderers/core/transport.h"
 #include "renderers/passes/direct/light_parameters.h"
 #include "renderers/passes/ldm/parameters.h"
 

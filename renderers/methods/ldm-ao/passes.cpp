@@ -1,7 +1,6 @@
 #include "renderers/methods/ldm-ao/passes.h"
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/ldm-ao/exact.h"
 #include "renderers/passes/ldm/host/trace_on_host.h"
 #include "renderers/passes/scene/stands_still.h"
 
@@ -73,11 +72,11 @@ OutputDescription overlay_output() {
                 "Accessibility with colours for what the self-hit rule did. Grey: the point's own entry was "
                 "found in all directions. Blue: it was missing in some, because its surface ends before "
                 "the texel's centre. Orange-red: another's may have been taken for it, where light may "
-                "leak. Colours grow with the part of the directions, and are full from one half on."};
+                "leak. Colours grow with the fraction of the directions, and are full from one half on."};
 }
 
 bool has_host_body(const Parameters& parameters) {
-    return parameters.exact == Exact::none && ldm::has_host_body(ldm::options_of(parameters.maps));
+    return parameters.exact == Exact::none && ldm::has_host_body(parameters.maps);
 }
 
 void trace_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const MapsPointer& maps,
@@ -109,7 +108,7 @@ Images declare_images(graph::GraphBuilder& builder, const Parameters& parameters
     images.view_counts = builder.image(
         {.text = {.key = "ldm.self_hit_counts",
                   .label = "Counts of self-hits",
-                  .doc = "Directions in which the own entry was found; that were asked; in which it was "
+                  .doc = "Directions in which the own entry was found; that were queried; in which it was "
                          "missing; in which another's may have been taken for it.",
                   .semantic = Semantic::count},
          .format = gl::Format::rgba32f});

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "renderers/graph/benchmark.h"
 #include "renderers/graph/builder.h"
 #include "renderers/methods/ldm-ao/parameters.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 #include "renderers/passes/ldm/builder.h"
+#include "renderers/passes/ldm/points.h"
 
 namespace ir::methods::ldm_ao {
 
@@ -43,5 +46,56 @@ void trace_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
 void resolve(graph::GraphBuilder& builder, const Images& images, const Parameters& parameters);
 /// Passes "self-hit views" and "self-hit overlay".
 void resolve_views(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Images& images);
+
+/// First hits of exact rays in the directions of a batch of maps, to tell the causes of error apart.
+struct ExactHits {
+    graph::BufferRef hits;  ///< "ldm.exact_hits": see shaders/methods/ldm-ao/exact.glsl
+    graph::ObjectRef bvh;
+    Exact exact = Exact::none;
+    float texels = 0;  ///< reach of `near`
+};
+
+/// Declares the buffer, large enough for every batch; not to be called for Exact::none.
+ExactHits declare_exact_hits(graph::GraphBuilder& builder, const passes::ldm::Maps& maps,
+                             const Parameters& parameters);
+
+/// Pass "trace exact rays": fills the buffer for a batch.
+void trace_exact(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
+                 const ExactHits& exact, const Transport& transport);
+
+/// Constants of exact.glsl.
+struct ExactConstants {
+    unsigned exact_words = 0;
+    float exact_texels = 0;
+    IR_FIELDS(exact_words, exact_texels)
+};
+ExactConstants exact_constants(const ExactHits& exact, const passes::ldm::Maps& maps);
+
+/// Distance up to which hits of the map come from exact rays, m; infinite for all of them.
+float exact_reach(const passes::ldm::MapFrame& frame, Exact exact, float texels);
+
+/// What explains the pixel that a person points at. Everything is empty while nobody does, and where the
+/// pixel shows no surface.
+struct Explanation {
+    graph::CountedBuffer hits;     ///< "ldm.explain.hits": the pixel's accessibility, gathered by direction
+    graph::CountedBuffer rays;     ///< "ldm.explain.rays": the same as lines
+    graph::CountedBuffer entries;  ///< "ldm.explain.entries": the sequence at the texel that is queried
+    graph::CountedBuffer walk;     ///< "ldm.explain.walk": what was found from there, and the way there
+    graph::CountedBuffer texel;    ///< "ldm.explain.texel": its outline
+};
+
+/// Their descriptions.
+std::vector<OutputDescription> explanation_outputs();
+
+Explanation declare_explanation(graph::GraphBuilder& builder, const passes::ldm::Maps& maps,
+                                passes::ldm::MapRange chosen);
+
+/// Passes "explain hits" of all maps of the batch and "explain entries" of those chosen.
+void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, MapsPointer maps, int batch,
+             graph::BufferRef directions, passes::ldm::MapRange chosen, const Explanation& explanation);
+
+/// Build and trace by each builder and storage against ray tracing of the same directions, and the memory of
+/// the published settings.
+std::vector<graph::Benchmark> benchmarks();
 
 }  // namespace ir::methods::ldm_ao

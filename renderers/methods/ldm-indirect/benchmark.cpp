@@ -1,4 +1,4 @@
-#include "renderers/methods/ldm-indirect/benchmark.h"
+#include "renderers/methods/ldm-indirect/stages.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -71,10 +71,7 @@ graph::Benchmark in_atrium(const char* name, const char* doc, int width, int hei
          .doc = "That were stored.",
          .source = Column::Counter{"indirect.count"},
          .best = Column::Best::none},
-        {.label = "Memory",
-         .unit = "B",
-         .doc = "Of all buffers and images of a frame.",
-         .source = Column::MemoryBytes{}},
+        graph::memory_column(),
     };
     return benchmark;
 }

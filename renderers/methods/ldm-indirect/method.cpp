@@ -3,18 +3,10 @@
 // camera sees. [Aalund15 §3.4, §4.2]
 #include "renderers/graph/method.h"
 
-#include "renderers/methods/ldm-indirect/benchmark.h"
-#include "renderers/methods/ldm-indirect/splatting.h"
+#include "renderers/methods/ldm-indirect/stages.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
-
-std::vector<OutputDescription> outputs() {
-    std::vector<OutputDescription> all;
-    for (const auto& part : {splatting_outputs(), tracing_outputs()})
-        all.insert(all.end(), part.begin(), part.end());
-    return all;
-}
 
 MethodDescription description() {
     MethodDescription d;
@@ -26,7 +18,7 @@ MethodDescription description() {
         "nothing is precomputed. Errors come from the number of directions, from the maps' texels and from "
         "the footprints' size.";
     d.papers = {"Aalund15", "Igehy99", "Frisvad14"};
-    d.outputs = outputs();
+    d.outputs = joined({splatting_outputs(), tracing_outputs()});
     d.selectors = tracing_selectors();
     return d;
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderers/core/default_transport.h"
+#include "renderers/core/transport.h"
 #include "renderers/passes/direct/light_parameters.h"
 #include "renderers/passes/ldm/parameters.h"
 #include "renderers/scene/view.h"

@@ -1,4 +1,4 @@
-#include "renderers/methods/photon-mapping/benchmark.h"
+#include "renderers/methods/photon-mapping/stages.h"
 
 #include <string>
 

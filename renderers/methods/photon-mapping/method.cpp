@@ -4,18 +4,10 @@
 // [Smal19]
 #include "renderers/graph/method.h"
 
-#include "renderers/methods/photon-mapping/benchmark.h"
-#include "renderers/methods/photon-mapping/filtering.h"
+#include "renderers/methods/photon-mapping/stages.h"
 
 namespace ir::methods::photon_mapping {
 namespace {
-
-std::vector<OutputDescription> outputs() {
-    std::vector<OutputDescription> all;
-    for (auto part : {filtering_outputs(), splatting_outputs(), tracing_outputs(), emission_outputs()})
-        for (auto& output : part) all.push_back(std::move(output));
-    return all;
-}
 
 MethodDescription description() {
     MethodDescription d;
@@ -27,7 +19,7 @@ MethodDescription description() {
         "their variance. Nothing is precomputed. Errors come from noise (photons), from the kernels' width, "
         "from the filters, and from receivers being taken as diffuse.";
     d.papers = {"Smal19", "Clarberg05", "Dammertz10", "Heitz18"};
-    d.outputs = outputs();
+    d.outputs = joined({filtering_outputs(), splatting_outputs(), tracing_outputs(), emission_outputs()});
     d.selectors = emission_selectors();
     d.stages = filtering_stages();
     return d;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/core/default_transport.h"
+#include "renderers/core/transport.h"
 #include "renderers/passes/a_trous/a_trous.h"
 #include "renderers/passes/direct/light_parameters.h"
 #include "renderers/passes/raytracing/trace_rays.h"
@@ -47,13 +47,13 @@ struct Parameters {
     Precision sum_precision = Precision::half_float;
     int tile_size = 16;         ///< pixels of the splatting resolution
     float kernel_scale = 1;     ///< n_tile: photons that a kernel should hold, squared radius in proportion
-    float radius_min = 0.002f;  ///< r_min and r_max as parts of the radius of the scene's bounds
-    float radius_max = 0.05f;
-    float radius_texels = 0.71f;     ///< least s_l s_d, in texels of the splatting resolution
-    float ray_length_floor = 0.1f;   ///< least s_l
-    float ray_length_scale = 0.25f;  ///< l_max as part of the radius of the scene's bounds
-    float normal_axis = 0.25f;       ///< s_n
-    float stretch_max = 3;           ///< s_max
+    float min_radius = 0.002f;  ///< r_min and r_max as parts of the radius of the scene's bounds
+    float max_radius = 0.05f;
+    float min_radius_texels = 0.71f;    ///< least s_l s_d, in texels of the splatting resolution
+    float min_ray_length_scale = 0.1f;  ///< least s_l
+    float ray_length_scale = 0.25f;     ///< l_max as part of the radius of the scene's bounds
+    float normal_axis = 0.25f;          ///< s_n
+    float max_stretch = 3;              ///< s_max
 
     // filtering/parameters.cpp
     bool temporal = true;

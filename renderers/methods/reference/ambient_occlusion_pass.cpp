@@ -1,4 +1,4 @@
-#include "renderers/methods/reference/ambient_occlusion_pass.h"
+#include "renderers/methods/reference/passes.h"
 
 #include <chrono>
 #include <glm/gtc/packing.hpp>

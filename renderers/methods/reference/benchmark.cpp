@@ -1,4 +1,4 @@
-#include "renderers/methods/reference/benchmark.h"
+#include "renderers/methods/reference/passes.h"
 
 namespace ir::methods::reference {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderers/methods/reference/first_hits.h"
+#include "renderers/methods/reference/passes.h"
 
 #include <glm/gtc/packing.hpp>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "renderers/methods/reference/light_paths_pass.h"
+#include "renderers/methods/reference/passes.h"
 
 #include <tbb/enumerable_thread_specific.h>
 

@@ -3,11 +3,8 @@
 // averaged over samples and frames.
 #include "renderers/graph/method.h"
 
-#include "renderers/methods/reference/ambient_occlusion_pass.h"
-#include "renderers/methods/reference/benchmark.h"
-#include "renderers/methods/reference/light_paths_pass.h"
-#include "renderers/methods/reference/notes.h"
 #include "renderers/methods/reference/parameters.h"
+#include "renderers/methods/reference/passes.h"
 #include "renderers/methods/reference/path_world.h"
 
 namespace ir::methods::reference {
@@ -46,12 +43,8 @@ ParameterTable<Parameters> parameter_table() {
 }
 
 void add_main_outputs(MethodDescription& d) {
-    d.outputs.push_back({.key = "accessibility",
-                         .label = "Accessibility",
-                         .semantic = Semantic::accessibility,
-                         .doc = "Cosine-weighted openness of the hemisphere, 1 = open; the mean of all "
-                                "samples so far.",
-                         .active_when = only_ao});
+    d.outputs.push_back(accessibility_output("; the mean of all samples so far."));
+    d.outputs.back().active_when = only_ao;
     d.outputs.push_back({.key = "radiance",
                          .label = "Radiance",
                          .semantic = Semantic::radiance,

@@ -1,4 +1,4 @@
-#include "renderers/methods/reference/notes.h"
+#include "renderers/methods/reference/passes.h"
 
 #include <algorithm>
 

@@ -1,8 +1,7 @@
-#include "renderers/methods/reference/path_inputs.h"
+#include "renderers/methods/reference/passes.h"
 
 #include "renderers/core/error.h"
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/reference/first_hits.h"
 #include "renderers/passes/lights/light_sampler.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/scene/scene_buffers.h"

@@ -1,4 +1,4 @@
-#include "renderers/methods/ssdo/benchmark.h"
+#include "renderers/methods/ssdo/passes.h"
 
 namespace ir::methods::ssdo {
 namespace {
@@ -29,24 +29,23 @@ std::vector<graph::Benchmark> benchmarks() {
     benchmark.variants.push_back(variant(16, true, "published"));
     benchmark.total_of = {"directional occlusion", "add environment light", "indirect light"};
     benchmark.total_of.insert(benchmark.total_of.end(), blurring.begin(), blurring.end());
-    benchmark.columns = {
-        {.label = "Gathering",
-         .unit = "ms",
-         .doc = "Directional occlusion and indirect light.",
-         .source = Column::PassTime{{"directional occlusion", "indirect light"}}},
-        {.label = "Blur",
-         .unit = "ms",
-         .doc = "With materials taken out and put back.",
-         .source = Column::PassTime{blurring}},
-        {.label = "Total",
-         .unit = "ms",
-         .doc = "Without G-buffer and shadow maps.",
-         .source = Column::PassTime{}},
-        {.label = "RMS difference",
-         .unit = "W/(m² sr)",
-         .doc = "To the first variant.",
-         .source = Column::Difference{}},
-        {.label = "Memory", .unit = "B", .doc = "Of the whole execution.", .source = Column::MemoryBytes{}}};
+    benchmark.columns = {{.label = "Gathering",
+                          .unit = "ms",
+                          .doc = "Directional occlusion and indirect light.",
+                          .source = Column::PassTime{{"directional occlusion", "indirect light"}}},
+                         {.label = "Blur",
+                          .unit = "ms",
+                          .doc = "With materials taken out and put back.",
+                          .source = Column::PassTime{blurring}},
+                         {.label = "Total",
+                          .unit = "ms",
+                          .doc = "Without G-buffer and shadow maps.",
+                          .source = Column::PassTime{}},
+                         {.label = "RMS difference",
+                          .unit = "W/(m² sr)",
+                          .doc = "To the first variant.",
+                          .source = Column::Difference{}},
+                         graph::memory_column()};
     return {benchmark};
 }
 

@@ -1,4 +1,4 @@
-#include "renderers/methods/ssdo/environment.h"
+#include "renderers/methods/ssdo/passes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderers/methods/ssdo/explain.h"
+#include "renderers/methods/ssdo/passes.h"
 
 #include "renderers/core/record.h"
 #include "shaders/methods/ssdo/explain.comp.h"
@@ -6,7 +6,6 @@
 namespace ir::methods::ssdo {
 namespace {
 
-const std::string no_surface = "the pixel shows no surface";
 const Categories roles{"role",
                        {{0, "outside of the picture", tints::dark},
                         {1, "open", tints::sky},
@@ -19,28 +18,6 @@ const std::string sent =
 const std::string sky =
     " sky: likewise of the environment's light; with the density estimator by a step of another length along "
     "the same direction.";
-
-struct Explained {
-    graph::BufferRef elements;
-    graph::CounterRef count;
-};
-
-Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputKind kind,
-                  std::vector<graph::Field> fields, int elements) {
-    const auto text = builder.text_of_output("ssdo.explain." + what);
-    Explained e;
-    // Growable, so that counters tell how many elements are in use.
-    e.elements = builder.buffer({.text = text,
-                                 .kind = kind,
-                                 .fields = std::move(fields),
-                                 .elements = static_cast<std::uint64_t>(elements),
-                                 .growable = true});
-    e.count = builder.counter({.key = "ssdo.explain." + what + "_count",
-                               .label = text.label,
-                               .doc = "0 while no pixel is picked, and where the pixel shows no surface.",
-                               .growth_of = e.elements});
-    return e;
-}
 
 /// Constants of explain.comp.
 struct Explain {
@@ -85,9 +62,11 @@ SelectorDescription sample_selector() {
 }
 
 void explain(graph::GraphBuilder& builder, const Inputs& inputs, graph::ImageRef senders) {
-    const int all = inputs.parameters.samples;
-    const auto samples = declare(builder, "samples", OutputKind::point_set, record_fields<SampleEnd>(), all);
-    const auto lines = declare(builder, "lines", OutputKind::line_set, record_fields<LineToOccluder>(), all);
+    const auto all = static_cast<std::uint64_t>(inputs.parameters.samples);
+    const auto samples = builder.explanation("ssdo.explain.samples",
+                                             {.fields = record_fields<SampleEnd>(), .elements = all}),
+               lines = builder.explanation("ssdo.explain.lines",
+                                           {.fields = record_fields<LineToOccluder>(), .elements = all});
     const auto& frame = builder.inputs();
     auto pass = builder.pass("explain");
     declare_reads(pass, inputs, senders);

@@ -1,4 +1,4 @@
-#include "renderers/methods/ssdo/gather.h"
+#include "renderers/methods/ssdo/passes.h"
 
 #include <algorithm>
 
@@ -91,12 +91,13 @@ std::vector<OutputDescription> gathered_outputs() {
          .label = "Accessibility",
          .semantic = Semantic::accessibility,
          .doc =
-             "Cosine-weighted part of the samples that no surface of the picture hides. Where occluders "
+             "Cosine-weighted fraction of the samples that no surface of the picture hides. Where occluders "
              "are thick it tends to visibility that grows linearly with their distance, up to the radius."},
         {.key = "ssdo.cut",
          .label = "Cut off by the picture's edge",
          .semantic = Semantic::probability,
-         .doc = "Part of the samples that ended outside of the picture: nothing there occludes or sends."},
+         .doc =
+             "Fraction of the samples that ended outside of the picture: nothing there occludes or sends."},
     };
 }
 

@@ -1,4 +1,4 @@
-#include "renderers/methods/ssdo/light.h"
+#include "renderers/methods/ssdo/passes.h"
 
 #include "renderers/graph/pass_context.h"
 
@@ -32,7 +32,7 @@ graph::ImageRef blurred(graph::GraphBuilder& builder, const passes::GBuffer& gbu
     const auto bare =
         declare(builder, {key + ".bare", text.label + ", without materials", "Before the blur."});
     modulate(builder, "remove materials: " + key, gbuffer, raw, bare, true);
-    const auto even = passes::blur(builder, gbuffer, bare, passes::options_of(parameters.blur),
+    const auto even = passes::blur(builder, gbuffer, bare, parameters.blur,
                                    {key + ".even", text.label + ", blurred without materials"});
     const auto result = builder.output(key, {.format = gl::Format::rgba32f});
     modulate(builder, "put materials back: " + key, gbuffer, even, result, false);

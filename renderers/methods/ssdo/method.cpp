@@ -3,11 +3,7 @@
 // pixel's light. [Ritschel09]
 #include "renderers/graph/method.h"
 
-#include "renderers/methods/ssdo/benchmark.h"
-#include "renderers/methods/ssdo/environment.h"
-#include "renderers/methods/ssdo/explain.h"
-#include "renderers/methods/ssdo/gather.h"
-#include "renderers/methods/ssdo/light.h"
+#include "renderers/methods/ssdo/passes.h"
 #include "renderers/passes/direct/compose.h"
 
 namespace ir::methods::ssdo {
@@ -24,11 +20,12 @@ MethodDescription description() {
         "nothing, nothing in between shadows indirect light, and all surfaces are infinitely thick.";
     d.papers = {"Ritschel09"};
     d.selectors = {sample_selector()};
-    d.outputs = {passes::radiance_output()};
-    for (const auto& part :
-         {passes::direct_outputs(), light_outputs(), gathered_outputs(), explanation_outputs()})
-        d.outputs.insert(d.outputs.end(), part.begin(), part.end());
-    d.outputs.push_back(passes::valid_output());
+    d.outputs = joined({{passes::radiance_output()},
+                        passes::direct_outputs(),
+                        light_outputs(),
+                        gathered_outputs(),
+                        explanation_outputs(),
+                        {passes::valid_output()}});
     d.stages = {{"ssdo.indirect.raw", 0, "Before the blur"}, {"ssdo.indirect", 0, "Blurred"}};
     return d;
 }

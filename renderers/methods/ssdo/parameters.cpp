@@ -18,7 +18,7 @@ void add_estimator(ParameterTable<Parameters>& table) {
                           "the light from all that the picture shows within the radius, whatever is in "
                           "between."},
                          {"published", "Published",
-                          "Each stands for the area A_s = π r² / N, its distance no less than the least "
+                          "Each stands for the area A_s = π r² / N, its distance no less than the minimum "
                           "distance: converges to something else, which depends on the view."}}})
         .add(&Parameters::strength,
              {.key = "strength",
@@ -28,16 +28,17 @@ void add_estimator(ParameterTable<Parameters>& table) {
               .hard = {0, 1e3},
               .soft = {0, 4},
               .active_when = published})
-        .add(&Parameters::min_distance,
-             {.key = "min_distance",
-              .label = "Minimum distance",
-              .doc = "Distances below it count as it in the published estimator, as a part of the radius. "
-                     "The paper clamps to 1 of a unit that it does not name: if it is the radius, pictures "
-                     "are far too dark.",
-              .citation = "Ritschel09 §3.2",
-              .hard = {1e-4, 1},
-              .soft = {0.05, 1},
-              .active_when = published});
+        .add(
+            &Parameters::min_distance,
+            {.key = "min_distance",
+             .label = "Minimum distance",
+             .doc = "Distances below it count as it in the published estimator, as a fraction of the radius. "
+                    "The paper clamps to 1 of a unit that it does not name: if it is the radius, pictures "
+                    "are far too dark.",
+             .citation = "Ritschel09 §3.2",
+             .hard = {1e-4, 1},
+             .soft = {0.05, 1},
+             .active_when = published});
 }
 
 }  // namespace

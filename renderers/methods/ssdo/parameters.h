@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/core/default_transport.h"
+#include "renderers/core/transport.h"
 #include "renderers/passes/blur/blur.h"
 #include "renderers/passes/direct/light_parameters.h"
 
@@ -18,7 +18,7 @@ struct Parameters {
     float strength = 1;
     float min_distance = 0.2f;
     Turning turning = Turning::pattern;
-    passes::BlurParameters blur{.blur_radius = 3};
+    passes::BlurParameters blur{.radius = 3};
     passes::LightParameters light;
 };
 

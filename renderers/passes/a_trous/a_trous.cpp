@@ -125,9 +125,7 @@ Signal declare_signal(graph::GraphBuilder& builder, const graph::ResourceText& t
 
 graph::ImageRef pack_surfaces(graph::GraphBuilder& builder, const GBuffer& gbuffer) {
     graph::ImageDesc desc;
-    desc.text = {"filter.surfaces", "Packed surfaces",
-                 "Geometric normal, octahedral in 2 x 16 bits, and the bits of the depth along the view axis "
-                 "(m); infinite where there is no surface"};
+    desc.text = {"filter.surfaces", "Packed surfaces", packed_surface_doc};
     for (std::size_t i = 0; i < builder.images().size(); ++i)
         if (builder.images()[i].text.key == desc.text.key) return {static_cast<int>(i)};
     desc.format = gl::Format::rg32ui;

@@ -23,19 +23,19 @@ struct Blur {
 };
 
 void blur_axis(graph::GraphBuilder& builder, const std::string& name, const GBuffer& gbuffer, ImageRef from,
-               ImageRef to, const BlurOptions& options, glm::ivec2 axis) {
+               ImageRef to, const BlurParameters& parameters, glm::ivec2 axis) {
     auto pass = builder.pass(name);
     pass.reads("image", from)
         .reads(gbuffer.position, gbuffer.normal, gbuffer.geometric_normal)
         .writes("result", to);
     pass.compute({{"passes/blur/blur.comp"}}, to,
-                 Blur{axis, options.radius, options.plane_tolerance, options.normal_power});
+                 Blur{axis, parameters.used_radius(), parameters.plane_tolerance, parameters.normal_power});
 }
 
 }  // namespace
 
 ImageRef blur(graph::GraphBuilder& builder, const GBuffer& gbuffer, ImageRef image,
-              const BlurOptions& options, graph::ResourceText text) {
+              const BlurParameters& parameters, graph::ResourceText text) {
     const auto format = builder.images().at(static_cast<std::size_t>(image.index)).format;
     auto half = text;
     half.key += ".blurred_rows";
@@ -44,8 +44,8 @@ ImageRef blur(graph::GraphBuilder& builder, const GBuffer& gbuffer, ImageRef ima
     const auto key = text.key;
     const auto rows = declare(builder, std::move(half), format);
     const auto result = declare(builder, std::move(text), format);
-    blur_axis(builder, "blur rows: " + key, gbuffer, image, rows, options, {1, 0});
-    blur_axis(builder, "blur columns: " + key, gbuffer, rows, result, options, {0, 1});
+    blur_axis(builder, "blur rows: " + key, gbuffer, image, rows, parameters, {1, 0});
+    blur_axis(builder, "blur columns: " + key, gbuffer, rows, result, parameters, {0, 1});
     return result;
 }
 
@@ -58,14 +58,14 @@ ParameterTable<BlurParameters> blur_parameters(int max_radius) {
               .label = "Blur",
               .doc = "Averages over neighbouring pixels of the same surface, which takes away the pattern "
                      "that turned directions leave."})
-        .add(&BlurParameters::blur_radius, {.key = "blur_radius",
-                                            .label = "Blur radius",
-                                            .doc = "Pixels on either side that are averaged.",
-                                            .unit = "px",
-                                            .hard = {0, static_cast<double>(max_radius)},
-                                            .soft = {1, 16},
-                                            .active_when = blurred})
-        .add(&BlurParameters::blur_plane_tolerance,
+        .add(&BlurParameters::radius, {.key = "blur_radius",
+                                       .label = "Blur radius",
+                                       .doc = "Pixels on either side that are averaged.",
+                                       .unit = "px",
+                                       .hard = {0, static_cast<double>(max_radius)},
+                                       .soft = {1, 16},
+                                       .active_when = blurred})
+        .add(&BlurParameters::plane_tolerance,
              {.key = "blur_plane_tolerance",
               .label = "Blur off the plane",
               .doc = "Sine of the angle off the pixel's tangent plane at which a neighbour's weight has "
@@ -73,7 +73,7 @@ ParameterTable<BlurParameters> blur_parameters(int max_radius) {
               .hard = {1e-4, 1e3},
               .soft = {0.01, 1},
               .active_when = blurred})
-        .add(&BlurParameters::blur_normal_power,
+        .add(&BlurParameters::normal_power,
              {.key = "blur_normal_power",
               .label = "Blur across normals",
               .doc = "Power of the cosine between shading normals in a neighbour's weight. 0: normals do "
@@ -82,11 +82,6 @@ ParameterTable<BlurParameters> blur_parameters(int max_radius) {
               .soft = {0, 128},
               .active_when = blurred});
     return table;
-}
-
-BlurOptions options_of(const BlurParameters& parameters) {
-    return {parameters.blur ? parameters.blur_radius : 0, parameters.blur_plane_tolerance,
-            parameters.blur_normal_power};
 }
 
 }  // namespace ir::passes

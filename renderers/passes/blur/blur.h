@@ -6,12 +6,17 @@
 
 namespace ir::passes {
 
-/// How far, and over which differences of surfaces, values are averaged.
-struct BlurOptions {
-    int radius = 4;                ///< pixels on either side; 0 copies
+/// How far, and over which differences of surfaces, values are averaged: what every method that blurs lets
+/// people choose.
+struct BlurParameters {
+    bool blur = true;
+    int radius = 4;                ///< pixels on either side
     float plane_tolerance = 0.1f;  ///< sine of the angle off the tangent plane at which weights are 1/e
     float normal_power = 16;       ///< of the cosine between shading normals; 0: normals do not count
+
+    int used_radius() const { return blur ? radius : 0; }  ///< 0 copies
 };
+ParameterTable<BlurParameters> blur_parameters(int max_radius = 64);
 
 /// Declares the passes "blur rows: KEY" and "blur columns: KEY" and the image that `text` describes, of the
 /// format of `image`, which has one to four float channels and the size of the view.
@@ -22,18 +27,6 @@ struct BlurOptions {
 /// crosses edges and creases, and pixels without a surface keep what they have and give nothing. Not finite
 /// values give nothing, either.
 graph::ImageRef blur(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::ImageRef image,
-                     const BlurOptions& options, graph::ResourceText text);
-
-/// What every method that blurs lets people choose.
-struct BlurParameters {
-    bool blur = true;
-    int blur_radius = 4;
-    float blur_plane_tolerance = 0.1f;
-    float blur_normal_power = 16;
-};
-ParameterTable<BlurParameters> blur_parameters(int max_radius = 64);
-
-/// Radius 0 where the blur is off.
-BlurOptions options_of(const BlurParameters& parameters);
+                     const BlurParameters& parameters, graph::ResourceText text);
 
 }  // namespace ir::passes

@@ -8,26 +8,17 @@ namespace {
 using graph::FieldType;
 
 const std::string fields =
-    " hit: 1 where something was met; rays that met nothing are drawn as far as they were asked for. "
+    " hit: 1 where something was met; rays that met nothing are drawn as far as they were traced. "
     "distance: metres to it, negative without. density: with which the direction was chosen, 1/sr. incoming: "
     "openness, or the radiance that arrives, W/(m² sr). contribution: what the sample adds to the pixel, of "
     "both lists together the pixel. weight: of a sample beside those of the pixel itself. apart: pixels "
     "between the two.";
-const std::string no_surface = "the pixel shows no surface that is reconstructed";
-
-struct Lines {
-    graph::BufferRef elements;
-    graph::CounterRef count;
-};
+const std::string no_reconstruction = std::string(no_surface) + " that is reconstructed";
 
 /// Struct Line of shaders/passes/bounce/explain.comp.
-Lines declare(graph::GraphBuilder& builder, const std::string& key, int channels, int elements) {
-    const auto text = builder.text_of_output(key);
-    Lines lines;
-    // Growable, so that counters tell how many elements are in use.
-    lines.elements = builder.buffer({.text = text,
-                                     .kind = OutputKind::line_set,
-                                     .fields = {{"start", FieldType::f32, 3},
+graph::CountedBuffer declare(graph::GraphBuilder& builder, const std::string& key, int channels,
+                             int elements) {
+    return builder.explanation(key, {.fields = {{"start", FieldType::f32, 3},
                                                 {"end", FieldType::f32, 3},
                                                 {"distance", FieldType::f32},
                                                 {"density", FieldType::f32},
@@ -37,13 +28,7 @@ Lines declare(graph::GraphBuilder& builder, const std::string& key, int channels
                                                 {"apart", FieldType::f32},
                                                 {"hit", FieldType::u32},
                                                 {"sample", FieldType::u32}},
-                                     .elements = static_cast<std::uint64_t>(std::max(1, elements)),
-                                     .growable = true});
-    lines.count = builder.counter({.key = key + "_count",
-                                   .label = text.label,
-                                   .doc = "0 while no pixel is picked, and where the pixel shows no surface.",
-                                   .growth_of = lines.elements});
-    return lines;
+                                     .elements = static_cast<std::uint64_t>(std::max(1, elements))});
 }
 
 /// Constants of explain.comp.
@@ -67,7 +52,7 @@ std::vector<OutputDescription> reconstruction_outputs(const Condition& active_wh
          .kind = OutputKind::line_set,
          .unit = "m",
          .doc = "The picked pixel's own samples, from its point to what they met." + fields,
-         .when_empty = no_surface,
+         .when_empty = no_reconstruction,
          .explains = true,
          .active_when = active_when},
         {.key = "bounce.explain.neighbours",
@@ -77,7 +62,7 @@ std::vector<OutputDescription> reconstruction_outputs(const Condition& active_wh
          .doc = "The samples of other pixels that the reconstruction takes for the picked one, from their "
                 "points to what they met." +
                 fields,
-         .when_empty = no_surface,
+         .when_empty = no_reconstruction,
          .explains = true,
          .active_when = active_when}};
 }
@@ -86,7 +71,7 @@ void explain_rays(graph::GraphBuilder& builder, const SceneBuffers& scene, const
                   const Directions& directions, const Samples& samples,
                   const ReconstructionParameters& parameters, float miss_length) {
     const Filter filter{{scene, gbuffer, directions.options}, directions, samples, parameters};
-    const int side = 2 * options_of(parameters.blur).radius + 1;
+    const int side = 2 * parameters.blur.used_radius() + 1;
     const int channels = directions.options.light ? 3 : 1;
     const auto own = declare(builder, "bounce.explain.rays", channels, directions.samples),
                others = declare(builder, "bounce.explain.neighbours", channels,

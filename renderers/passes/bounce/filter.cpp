@@ -13,9 +13,9 @@ void Filter::declare_reads(graph::PassBuilder& pass) const {
 }
 
 FilterConstants Filter::constants(const graph::FrameInputs& inputs) const {
-    const auto blur = options_of(parameters.blur);
+    const auto& blur = parameters.blur;
     return {.receivers = receivers.constants(inputs),
-            .radius = blur.radius,
+            .radius = blur.used_radius(),
             .samples = directions.samples,
             .plane_tolerance = blur.plane_tolerance,
             .normal_power = blur.normal_power,

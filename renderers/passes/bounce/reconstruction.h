@@ -11,7 +11,7 @@ enum class Estimator { ratio, published };
 
 struct ReconstructionParameters {
     Estimator estimator = Estimator::ratio;
-    BlurParameters blur{.blur_radius = 3};
+    BlurParameters blur{.radius = 3};
     float material_tolerance = 0.1f;  ///< difference of roughness or metalness at which weights are 1/e
     float balance = 0;                ///< part of the pixel's own samples beside each neighbour's
 };

@@ -44,8 +44,9 @@ ParameterTable<ReprojectionParameters> reprojection_parameters() {
             &ReprojectionParameters::history,
             {.key = "history",
              .label = "Weight of history",
-             .doc = "Part of a pixel that past frames may make up. Up to 1 / (1 − weight) frames their plain "
-                    "mean is taken.",
+             .doc =
+                 "Fraction of a pixel that past frames may make up. Up to 1 / (1 − weight) frames their plain "
+                 "mean is taken.",
              .hard = {0, 0.9999},
              .soft = {0, 0.99},
              .active_when = reprojected});
@@ -70,12 +71,9 @@ graph::ImageRef reproject(graph::GraphBuilder& builder, const GBuffer& gbuffer,
     images.now = produce(of_this_frame(text));
     const auto format = builder.images().at(static_cast<std::size_t>(images.now.index)).format;
     images.average = builder.image({.text = std::move(text), .format = format});
-    images.surfaces = builder.image(
-        {.text =
-             {"reprojection.surfaces", "Surfaces for the next frame",
-              "Geometric normal, octahedral in 2 x 16 bits, and the bits of the depth along the view axis "
-              "(m); infinite where there is no surface"},
-         .format = gl::Format::rg32ui});
+    images.surfaces =
+        builder.image({.text = {"reprojection.surfaces", "Surfaces for the next frame", packed_surface_doc},
+                       .format = gl::Format::rg32ui});
     images.frames = builder.output("reprojection.frames", {.format = gl::Format::r32f});
     auto pass = builder.pass("reprojection");
     pass.reads("now", images.now)

@@ -80,7 +80,7 @@ void draw_surfaces(const PassContext& p, const SceneBuffers& s, const GBuffer& g
                         {g.valid}},
                        &depth);
     clear(gl, 8);
-    const auto& program = p.use({{"passes/gbuffer/gbuffer.vert", "passes/gbuffer/gbuffer.frag"}});
+    const auto& program = p.use({{"passes/scene/triangles.vert", "passes/gbuffer/gbuffer.frag"}});
     program.set(DrawSurfaces{
         .previous_clip_from_world = previous.clip_from_world(),
         .previous_depth_row = -glm::vec4(glm::transpose(previous.view_from_world)[2]),

@@ -49,4 +49,9 @@ GBufferOptions gbuffer_options(const Transport& transport);
 /// Declares the pass "G-buffer", drawn or on the host, and, where a material may be glass, "glass".
 GBuffer gbuffer(graph::GraphBuilder& builder, const SceneBuffers& scene, const GBufferOptions& options = {});
 
+/// Of images (rg32ui) that hold what filters compare of a pixel's surface.
+inline constexpr const char* packed_surface_doc =
+    "Geometric normal, octahedral in 2 x 16 bits, and the bits of the depth along the view axis (m); infinite "
+    "where there is no surface";
+
 }  // namespace ir::passes

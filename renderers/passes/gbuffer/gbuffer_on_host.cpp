@@ -18,7 +18,7 @@ namespace {
 /// Pixels of a side of the squares that a packet of rays goes through.
 constexpr int side = 4;
 
-SurfaceLookup::Textures with_all_levels(const scene::Scene& scene) {
+std::shared_ptr<std::vector<HostTexture>> with_all_levels(const scene::Scene& scene) {
     auto made = std::make_shared<std::vector<HostTexture>>();
     made->reserve(scene.textures.size());
     for (const auto& texture : scene.textures) made->emplace_back(texture, HostTexture::Levels::all);
@@ -30,12 +30,14 @@ graph::ObjectRef declare_textures(graph::GraphBuilder& builder) {
                                                  .label = "Textures with all levels",
                                                  .doc = "What the G-buffer's rays look up on the host."},
                                         .fingerprint = builder.inputs().scene->content_hash});
-    builder.pass("textures of the G-buffer", graph::Queue::cpu).writes(result).execute([=](graph::PassContext& context) {
-        const auto made = with_all_levels(*context.inputs().scene);
-        std::uint64_t bytes = 0;
-        for (const auto& texture : *made) bytes += texture.bytes();
-        context.store(result, std::const_pointer_cast<std::vector<HostTexture>>(made), bytes);
-    });
+    builder.pass("textures of the G-buffer", graph::Queue::cpu)
+        .writes(result)
+        .execute([=](graph::PassContext& context) {
+            const auto made = with_all_levels(*context.inputs().scene);
+            std::uint64_t bytes = 0;
+            for (const auto& texture : *made) bytes += texture.bytes();
+            context.store(result, made, bytes);
+        });
     return result;
 }
 

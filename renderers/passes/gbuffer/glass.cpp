@@ -29,7 +29,7 @@ void draw_glass(const PassContext& p, const SceneBuffers& s, const GBuffer& g, b
     p.bind_framebuffer({{*g.glass}, {g.valid}}, &depth);
     const float zero[4] = {0, 0, 0, 0};
     gl.ClearBufferfv(GL_COLOR, 0, zero);
-    const auto& program = p.use({{"passes/gbuffer/gbuffer.vert", "passes/gbuffer/glass.frag"}});
+    const auto& program = p.use({{"passes/scene/triangles.vert", "passes/gbuffer/glass.frag"}});
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthMask(GL_FALSE);
     gl.Enablei(GL_BLEND, 0);
@@ -58,12 +58,13 @@ std::optional<graph::ImageRef> glass_before(graph::GraphBuilder& builder, const 
     if (!has_glass(builder.inputs())) return {};
     auto g = gbuffer;
     g.glass = builder.image(
-        {.text = {.key = "gbuffer.glass",
-                  .label = "Glass",
-                  .doc =
-                      "The part of the light that glass before the visible surface lets straight through. A: "
-                      "how many surfaces of glass",
-                  .semantic = Semantic::albedo},
+        {.text =
+             {.key = "gbuffer.glass",
+              .label = "Glass",
+              .doc =
+                  "The fraction of the light that glass before the visible surface lets straight through. A: "
+                  "how many surfaces of glass",
+              .semantic = Semantic::albedo},
          .format = gl::Format::rgba32f});
     const auto pixels = builder.counter({.key = "gbuffer.glass_pixels",
                                          .label = "Glass pixels",

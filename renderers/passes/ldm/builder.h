@@ -19,12 +19,13 @@ namespace ir::passes::ldm {
 /// Counts from 0 in the order of the choices of parameter "builder".
 enum class BuilderKind { raster, compute };
 
+/// Which maps are built, and how; MapParameters says what each member is.
 struct Options {
     int directions = 128;
     int resolution = 200;
     StorageKind storage = StorageKind::arrays;
     BuilderKind builder = BuilderKind::compute;
-    int fixed_layers = 16;   ///< that each texel of a storage of fixed arrays has room for
+    int fixed_layers = 16;
     glm::dmat3 rotation{1};  ///< of the whole set of directions
 };
 

@@ -52,7 +52,7 @@ std::vector<std::uint32_t> regions(const Maps& maps) {
 SelectorDescription map_selector_description() {
     return {.key = map_selector,
             .label = "Map",
-            .doc = "The layered depth map that is shown, and asked for the pixel.",
+            .doc = "The layered depth map that is shown, and queried for the pixel.",
             .parameter = "directions"};
 }
 
@@ -61,7 +61,7 @@ std::vector<OutputDescription> map_outputs() {
         {.key = "ldm.layers",
          .label = "Layers of a map",
          .semantic = Semantic::count,
-         .doc = "Depths at each texel of the map chosen; of all maps the most.",
+         .doc = "Depths at each texel of the map chosen; of all maps the maximum.",
          .explains = true},
         {.key = "ldm.points",
          .label = "Points of maps",

@@ -9,6 +9,10 @@ namespace ir::passes::ldm {
 inline constexpr const char* map_selector = "map";
 SelectorDescription map_selector_description();
 
+/// Of a field `side`: along which of the two directions of a map.
+inline const Category against_map{-1, "against the map's direction", tints::orange};
+inline const Category along_map{1, "along the map's direction", tints::sky};
+
 /// Descriptions of "ldm.layers", "ldm.points" and "ldm.directions".
 std::vector<OutputDescription> map_outputs();
 

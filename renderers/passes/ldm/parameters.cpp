@@ -137,7 +137,7 @@ void add_self_hits(ParameterTable<MapParameters>& table) {
                                        .label = "Maximum dip",
                                        .doc = "A ray through the texel's centre may run below the point's "
                                               "surface for this much depth; beyond "
-                                              "it, the centre on the point's other side is asked. Up to 1, "
+                                              "it, the centre on the point's other side is queried. Up to 1, "
                                               "closed walls of two texels do not "
                                               "leak.",
                                        .unit = "texels",
@@ -166,16 +166,6 @@ ParameterTable<MapParameters> self_hit_parameters() {
     ParameterTable<MapParameters> table;
     add_self_hits(table);
     return table;
-}
-
-Options options_of(const MapParameters& parameters) {
-    Options options;
-    options.directions = parameters.directions;
-    options.resolution = parameters.resolution;
-    options.storage = parameters.storage;
-    options.builder = parameters.builder;
-    options.fixed_layers = parameters.fixed_layers;
-    return options;
 }
 
 }  // namespace ir::passes::ldm

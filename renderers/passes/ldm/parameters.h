@@ -8,13 +8,8 @@ namespace ir::passes::ldm {
 /// Counts from 0 in the order of the choices of parameter "self_hit".
 enum class SelfHit { tangent_plane, normal_offset };
 
-/// What every method that asks layered depth maps lets people choose.
-struct MapParameters {
-    int directions = 128;
-    int resolution = 200;
-    StorageKind storage = StorageKind::arrays;
-    int fixed_layers = 16;
-    BuilderKind builder = BuilderKind::compute;
+/// What every method that queries layered depth maps lets people choose.
+struct MapParameters : Options {
     SelfHit self_hit = SelfHit::tangent_plane;
     float self_hit_tolerance = 3;
     float slope_tolerance = 0.35f;
@@ -32,7 +27,5 @@ enum class Asks {
 ParameterTable<MapParameters> map_parameters(Asks asks = Asks::nearest);
 /// The self-hit rule: what shaders/passes/ldm/self_hit.glsl reads.
 ParameterTable<MapParameters> self_hit_parameters();
-
-Options options_of(const MapParameters& parameters);
 
 }  // namespace ir::passes::ldm

@@ -1,4 +1,4 @@
-#include "renderers/passes/ldm/sorted_depths.h"
+#include "renderers/passes/ldm/storages.h"
 
 namespace ir::passes::ldm {
 
@@ -38,17 +38,14 @@ SortedDepths declare_sorted_depths(graph::GraphBuilder& builder, const Layout& l
                         .growable = true,
                         .fingerprint = layout.fingerprint});
     sorted.deep_texels = declare_deep_texels(builder, layout);
-    sorted.words_requested = builder.counter({.key = "ldm.depth_words",
-                                              .name = "DepthsRequested",
-                                              .label = "Words of depths",
-                                              .doc = "Of the largest batch of maps.",
-                                              .growth_of = sorted.depths});
+    sorted.words_requested =
+        count_requested(builder, "ldm.depth_words", "DepthsRequested", "Words of depths", sorted.depths);
     sorted.unsorted_requested = builder.counter({.key = "ldm.chunk_depths",
                                                  .name = "UnsortedRequested",
                                                  .label = "Depths of the largest chunk",
                                                  .growth_of = sorted.unsorted});
     sorted.max_layers = builder.counter({.key = "ldm.max_layers",
-                                         .name = "MostLayers",
+                                         .name = "MaxLayers",
                                          .label = "Maximum layers",
                                          .doc = "Length of the longest sequence of depths."});
     return sorted;

@@ -2,16 +2,7 @@
 
 #include <stdexcept>
 
-#include "renderers/passes/ldm/array_storage.h"
-#include "renderers/passes/ldm/fixed_storage.h"
-#include "renderers/passes/ldm/hash_storage.h"
-#include "renderers/passes/ldm/list_storage.h"
-#include "renderers/passes/ldm/outermost_storage.h"
-#include "renderers/passes/ldm/packed_storage.h"
-#include "renderers/passes/ldm/page_storage.h"
-#include "renderers/passes/ldm/peel_storage.h"
-#include "renderers/passes/ldm/sorted_list_storage.h"
-#include "renderers/passes/ldm/sparse_storage.h"
+#include "renderers/passes/ldm/storages.h"
 
 namespace ir::passes::ldm {
 
@@ -23,31 +14,46 @@ ChunkConstants chunk_constants(const Chunk& chunk, const Layout& layout) {
             .resolution = static_cast<unsigned>(layout.resolution)};
 }
 
+graph::BufferRef Storage::declare(graph::GraphBuilder& builder, graph::BufferDesc desc) const {
+    desc.fingerprint = layout_.fingerprint;
+    return builder.buffer(std::move(desc));
+}
+
+graph::CounterRef count_requested(graph::GraphBuilder& builder, const std::string& key,
+                                  const std::string& name, const std::string& label,
+                                  graph::BufferRef buffer) {
+    return builder.counter({.key = key,
+                            .name = name,
+                            .label = label,
+                            .doc = "Of the largest batch of maps.",
+                            .growth_of = buffer});
+}
+
 std::shared_ptr<const Storage> make_storage(graph::GraphBuilder& builder, StorageKind kind,
                                             const Layout& layout) {
     switch (kind) {
         case StorageKind::linked_lists:
-            return std::make_shared<ListStorage>(builder, layout);
+            return make_lists(builder, layout);
         case StorageKind::arrays:
-            return std::make_shared<ArrayStorage>(builder, layout);
+            return make_arrays(builder, layout);
         case StorageKind::sparse_arrays:
-            return std::make_shared<SparseStorage>(builder, layout);
+            return make_sparse_arrays(builder, layout);
         case StorageKind::fixed_arrays:
-            return std::make_shared<FixedStorage>(builder, layout, FixedOrder::after);
+            return make_fixed_arrays(builder, layout, FixedOrder::after);
         case StorageKind::fixed_arrays_presorted:
-            return std::make_shared<FixedStorage>(builder, layout, FixedOrder::arrival);
+            return make_fixed_arrays(builder, layout, FixedOrder::arrival);
         case StorageKind::hash:
-            return std::make_shared<HashStorage>(builder, layout);
+            return make_hash_table(builder, layout);
         case StorageKind::depth_peeling:
-            return std::make_shared<PeelStorage>(builder, layout);
+            return make_planes(builder, layout);
         case StorageKind::lists_then_sort:
-            return std::make_shared<SortedListStorage>(builder, layout);
+            return make_sorted_lists(builder, layout);
         case StorageKind::pages:
-            return std::make_shared<PageStorage>(builder, layout);
+            return make_pages(builder, layout);
         case StorageKind::outermost:
-            return std::make_shared<OutermostStorage>(builder, layout);
+            return make_outermost(builder, layout);
         case StorageKind::packed_arrays:
-            return std::make_shared<PackedStorage>(builder, layout);
+            return make_packed_arrays(builder, layout);
     }
     throw std::logic_error("unknown storage of layered depth maps");
 }

@@ -91,7 +91,27 @@ class Storage {
     /// Bytes that the maps of one batch take: texel tables, and per fragment.
     virtual std::uint64_t table_bytes(const graph::PassContext& context) const = 0;
     virtual double fragment_bytes() const = 0;
+
+  protected:
+    explicit Storage(const Layout& layout) : layout_(layout) {}
+    /// As builder.buffer; its contents are kept while the layout's are.
+    graph::BufferRef declare(graph::GraphBuilder& builder, graph::BufferDesc desc) const;
+    Layout layout_;
 };
+
+/// How many elements of a buffer the largest batch of maps needs.
+graph::CounterRef count_requested(graph::GraphBuilder& builder, const std::string& key,
+                                  const std::string& name, const std::string& label, graph::BufferRef buffer);
+
+/// Runs a compute program, and waits for what it writes.
+template <HasFields Constants>
+void run_program(const graph::PassContext& context, const gl::ProgramSource& source,
+                 const Constants& constants, std::int64_t invocations) {
+    const auto& program = context.use(source);
+    program.set(constants);
+    program.dispatch(invocations);
+    context.barrier();
+}
 
 /// Declares the storage's resources.
 std::shared_ptr<const Storage> make_storage(graph::GraphBuilder& builder, StorageKind kind,

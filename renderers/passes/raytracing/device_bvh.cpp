@@ -35,11 +35,12 @@ graph::BufferRef declare_triangles(graph::GraphBuilder& builder, std::uint64_t t
 }
 
 graph::BufferRef declare_masks(graph::GraphBuilder& builder, std::uint64_t masked) {
-    return declare(builder,
-                   {.key = "scene.bvh.masks",
-                    .label = "Masked triangles of the BVH",
-                    .doc = "Texture coordinates of the corners, and the material whose alpha mask is asked."},
-                   record_fields<BvhMask>(), masked);
+    return declare(
+        builder,
+        {.key = "scene.bvh.masks",
+         .label = "Masked triangles of the BVH",
+         .doc = "Texture coordinates of the corners, and the material whose alpha mask is looked up."},
+        record_fields<BvhMask>(), masked);
 }
 
 /// The buffers of an earlier call for the same frame.

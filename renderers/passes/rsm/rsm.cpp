@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "renderers/passes/scene/draw_triangles.h"
+
 namespace ir::passes {
 namespace {
 
@@ -26,39 +28,17 @@ graph::ImageRef declare(graph::GraphBuilder& builder, const Rsm& rsm, const std:
     return builder.image(std::move(desc));
 }
 
-void reads_scene(graph::PassBuilder& pass, const SceneBuffers& s) {
-    pass.reads(s.positions, s.normals, s.tangents, s.uv0, s.uv1, s.colours, s.indices, s.opacity,
-               s.opacity_words, s.materials);
-}
-
-constexpr const char* texture_names[] = {"base_colour_texture", "metallic_roughness_texture",
-                                         "normal_texture", "transmission_texture"};
-
-/// Binds the textures that the material has; a bit for each.
-int bind_textures(const PassContext& p, const SceneBuffers& s, const scene::Material& material) {
-    const scene::TextureSlot* slots[] = {&material.base_colour_texture, &material.metallic_roughness_texture,
-                                         &material.normal_texture, &material.transmission_texture};
-    int bound = 0;
-    for (int i = 0; i < 4; ++i) {
-        if (slots[i]->texture < 0) continue;
-        const auto index = static_cast<std::size_t>(slots[i]->texture);
-        p.bind(texture_names[i], s.textures.at(index), p.inputs().scene->textures.at(index).sampler);
-        bound |= 1 << i;
-    }
-    return bound;
-}
-
-/// Constants of rsm.vert and texel.glsl.
+/// Constants of triangles.vert and texel.glsl.
 struct DrawDepth {
     glm::mat4 clip_from_world;
-    glm::vec3 view_origin_ws, view_right_ws, view_up_ws, view_forward_ws;
+    glm::vec3 eye_ws, view_right_ws, view_up_ws, view_axis_ws;
     float perspective, far, resolution;
     int material_index;
-    IR_FIELDS(clip_from_world, view_origin_ws, view_right_ws, view_up_ws, view_forward_ws, perspective, far,
-              resolution, material_index)
+    IR_FIELDS(clip_from_world, eye_ws, view_right_ws, view_up_ws, view_axis_ws, perspective, far, resolution,
+              material_index)
 };
 
-/// Constants of rsm.vert and rsm.frag.
+/// Constants of triangles.vert and rsm.frag.
 struct DrawSurfaces {
     DrawDepth depth;
     bool normal_maps, opaque_only;
@@ -68,19 +48,14 @@ struct DrawSurfaces {
 
 DrawDepth depth_constants(const ShadowViewData& view, int resolution) {
     return {.clip_from_world = view.clip_from_world,
-            .view_origin_ws = view.origin_ws,
+            .eye_ws = view.origin_ws,
             .view_right_ws = view.right_ws,
             .view_up_ws = view.up_ws,
-            .view_forward_ws = view.forward_ws,
+            .view_axis_ws = view.forward_ws,
             .perspective = view.perspective,
             .far = view.far,
             .resolution = static_cast<float>(resolution),
             .material_index = 0};
-}
-
-void draw_range(const PassContext& p, const scene::MaterialRange& range) {
-    p.api().DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first_triangle),
-                       static_cast<GLsizei>(3 * range.triangle_count));
 }
 
 void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, Slice slice) {
@@ -92,12 +67,12 @@ void draw_depth(const PassContext& p, const Drawing& d, graph::ImageRef target, 
         const float far = 1;
         p.api().ClearBufferfv(GL_DEPTH, 0, &far);
         if (static_cast<std::size_t>(layer) >= d.options.views.size()) continue;
-        const auto& program = p.use({{"passes/rsm/rsm.vert", "passes/rsm/depth.frag"}});
+        const auto& program = p.use({{"passes/scene/triangles.vert", "passes/rsm/depth.frag"}});
         auto constants = depth_constants(d.options.views[static_cast<std::size_t>(layer)], d.rsm.resolution);
         for (const auto& range : p.inputs().world->ranges) {
             constants.material_index = range.material;
             program.set(constants);
-            draw_range(p, range);
+            draw_triangles(p, range);
         }
     }
     p.api().Disable(GL_DEPTH_TEST);
@@ -118,7 +93,7 @@ void draw_surfaces(const PassContext& p, const Drawing& d, Slice slice) {
         for (int i = 0; i < static_cast<int>(colours.size()); ++i) p.api().ClearBufferfv(GL_COLOR, i, zero);
         p.api().ClearBufferfv(GL_DEPTH, 0, &far);
         if (static_cast<std::size_t>(layer) >= d.options.views.size()) continue;
-        gl::ProgramSource source{{"passes/rsm/rsm.vert", "passes/rsm/rsm.frag"}};
+        gl::ProgramSource source{{"passes/scene/triangles.vert", "passes/rsm/rsm.frag"}};
         if (d.options.depth_prepass) source.defines["DEPTH_PREPASS"] = "1";
         if (d.options.geometric_normal) source.defines["GEOMETRIC_NORMAL"] = "1";
         const auto& program = p.use(source);
@@ -133,7 +108,7 @@ void draw_surfaces(const PassContext& p, const Drawing& d, Slice slice) {
             constants.depth.material_index = range.material;
             constants.textures = bind_textures(p, d.scene, material);
             program.set(constants);
-            draw_range(p, range);
+            draw_triangles(p, range);
         }
     }
     p.api().Disable(GL_DEPTH_TEST);
@@ -149,7 +124,7 @@ graph::ImageRef draw_depth_first(graph::GraphBuilder& builder, const Drawing& dr
                                  .semantic = Semantic::depth},
                                 gl::Format::depth32f);
     auto pass = builder.pass("RSM depth");
-    reads_scene(pass, drawing.scene);
+    reads_triangles(pass, drawing.scene);
     pass.writes(target).execute_sliced(
         drawing.rsm.layers, [=](PassContext& p, Slice slice) { draw_depth(p, drawing, target, slice); }, 1);
     return target;
@@ -187,9 +162,8 @@ Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmO
     graph::ImageRef prepass;
     if (options.depth_prepass) prepass = draw_depth_first(builder, drawing);
     auto pass = builder.pass("RSM");
-    reads_scene(pass, scene);
-    for (const auto texture : scene.textures) pass.reads(texture);
-    for (const auto* name : texture_names) pass.reads(name, graph::ImageRef{});
+    reads_triangles(pass, scene);
+    reads_textures(pass, scene);
     if (options.depth_prepass) pass.reads(prepass);
     if (options.geometric_normal) pass.writes(rsm.geometric_normal);
     pass.writes(rsm.albedo_roughness, rsm.normal_metalness, rsm.depth, rsm.views)

@@ -6,7 +6,7 @@
 #include "renderers/graph/builder.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/scene/scene_buffers.h"
-#include "renderers/passes/shadow/shadow_views.h"
+#include "renderers/passes/shadow/shadow_maps.h"
 
 namespace ir::passes {
 
@@ -40,7 +40,7 @@ struct Rsm {
 /// Declares the pass "RSM" (and "RSM depth"), which draw only when world, resolution or materials change.
 Rsm draw_rsm(graph::GraphBuilder& builder, const SceneBuffers& scene, const RsmOptions& options);
 
-/// For shaders that include passes/rsm/texel.glsl.
+/// What programs that look an RSM up read.
 void reads_rsm(graph::PassBuilder& pass, const Rsm& rsm, const SceneBuffers& scene);
 
 std::vector<OutputDescription> rsm_outputs(const Condition& active_when = {}, bool geometric_normal = false);

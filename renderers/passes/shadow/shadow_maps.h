@@ -1,9 +1,18 @@
 #pragma once
 
+#include <vector>
+
+#include "renderers/core/fields.h"
 #include "renderers/graph/builder.h"
 #include "renderers/passes/scene/scene_buffers.h"
+#include "renderers/scene/world.h"
+#include "shaders/passes/shadow/shadow.glsl.h"
 
 namespace ir::passes {
+
+/// The views of all lights in order of layer. Perspective for spots (the outer cone) and the six faces of
+/// point lights (+x, -x, +y, -y, +z, -z); orthographic about the world's bounds for directional lights.
+std::vector<ShadowViewData> shadow_views(const scene::World& world, int resolution);
 
 /// What blocks the light of point, spot and directional lights; alpha masks are respected, glass blocks.
 struct ShadowMaps {

@@ -3,7 +3,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/scene/gltf/accessor.h"
-#include "renderers/scene/gltf/nodes.h"
+#include "renderers/scene/gltf/scene_parts.h"
 
 namespace ir::scene::gltf {
 namespace {

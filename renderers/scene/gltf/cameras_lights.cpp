@@ -5,7 +5,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/limits.h"
-#include "renderers/scene/gltf/nodes.h"
+#include "renderers/scene/gltf/scene_parts.h"
 #include "renderers/scene/placement.h"
 
 namespace ir::scene::gltf {

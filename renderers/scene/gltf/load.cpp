@@ -1,9 +1,7 @@
 #include <algorithm>
 
 #include "renderers/core/error.h"
-#include "renderers/scene/gltf/materials.h"
-#include "renderers/scene/gltf/nodes.h"
-#include "renderers/scene/gltf/primitives.h"
+#include "renderers/scene/gltf/scene_parts.h"
 #include "renderers/scene/opening_camera.h"
 #include "renderers/scene/scene.h"
 

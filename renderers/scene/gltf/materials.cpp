@@ -1,4 +1,4 @@
-#include "renderers/scene/gltf/materials.h"
+#include "renderers/scene/gltf/scene_parts.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "renderers/scene/gltf/nodes.h"
+#include "renderers/scene/gltf/scene_parts.h"
 
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>

@@ -1,4 +1,4 @@
-#include "renderers/scene/gltf/primitives.h"
+#include "renderers/scene/gltf/scene_parts.h"
 
 #include <algorithm>
 #include <cmath>

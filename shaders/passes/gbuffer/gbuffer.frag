@@ -48,5 +48,5 @@ void main() {
     out_velocity = velocity_px(position_ws);
     out_valid = glass > MOSTLY_GLASS ? 0.0 : 1.0;
     bool is_left_out = see_through != 0 && is_seen_through(glass, shining);
-    if (is_left_out || has_hole_here(material)) discard;
+    if (is_left_out || has_hole_here()) discard;
 }

@@ -9,19 +9,19 @@ uniform sampler2D gbuffer_position;
 layout(location = 0) out vec4 out_glass;  // a: 1, which counts
 layout(location = 1) out float out_valid;
 
-const float LEAST = 1e-6;  // keeps logarithms finite
+const float MIN_TRANSMITTED = 1e-6;  // keeps logarithms finite
 
 /// Along the view ray, whose direction has unit length.
 float distance_to(vec3 point_ws, vec3 direction) { return dot(point_ws - eye_ws, direction); }
 
-/// Of the way from this surface to what lies behind: a front face adds it, a back face takes it off again.
+/// Along the ray from this surface to what lies behind: a front face adds it, a back face takes it off again.
 /// [glTF2 KHR_materials_volume]
 vec3 log_attenuation(Material material, vec3 position_ws, vec3 direction, bool is_front) {
     if (material.thickness <= 0.0 || material.attenuation_distance <= 0.0) return vec3(0);
     vec4 behind = texelFetch(gbuffer_position, ivec2(gl_FragCoord.xy), 0);
     float end = behind.w > 0.0 ? distance_to(behind.xyz, direction) : 0.0;
-    float way = end - distance_to(position_ws, direction);
-    return log(max(material.attenuation_colour, LEAST)) * ((is_front ? way : -way) / material.attenuation_distance);
+    float thickness = end - distance_to(position_ws, direction);
+    return log(max(material.attenuation_colour, MIN_TRANSMITTED)) * ((is_front ? thickness : -thickness) / material.attenuation_distance);
 }
 
 float reflectance(Material material, float cosine) {
@@ -39,7 +39,7 @@ void main() {
     float cosine = max(-dot(n, direction), 1e-4);
     float glass = glass_fraction(material, metallic_roughness(material).x);
     vec3 through = base_colour(material).rgb * glass * (1.0 - reflectance(material, cosine));
-    out_glass = vec4(log(max(through, LEAST)) + log_attenuation(material, position_ws, direction, is_front), 1);
+    out_glass = vec4(log(max(through, MIN_TRANSMITTED)) + log_attenuation(material, position_ws, direction, is_front), 1);
     out_valid = 0.0;
-    if (!is_seen_through(glass, emission(material)) || has_hole_here(material)) discard;
+    if (!is_seen_through(glass, emission(material)) || has_hole_here()) discard;
 }

@@ -6,7 +6,7 @@ layout(local_size_x = 256) in;
 layout(std430) buffer DepthsRequested { uint depth_words_requested; };
 layout(std430) buffer OffsetsRequested { uint offset_words_requested; };
 layout(std430) buffer UnsortedRequested { uint unsorted_requested; };
-layout(std430) buffer MostLayers { uint all_max_layers; };
+layout(std430) buffer MaxLayers { uint all_max_layers; };
 
 shared uint sums[256];
 shared uint widest[256];

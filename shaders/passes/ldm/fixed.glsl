@@ -30,18 +30,6 @@ LdmNeighbours ldm_neighbours(uint map, ivec2 texel, int resolution, int depth) {
     return result;
 }
 
-LdmNeighbours ldm_any(uint map, ivec2 texel, int resolution, int depth, bool behind) {
-    if (behind) return ldm_neighbours(map, texel, resolution, depth);
-    LdmNeighbours result = LdmNeighbours(LDM_NONE_BEFORE, LDM_NONE_BEHIND);
-    int first = fixed_depth(fixed_first(map, texel, resolution));
-    if (first == FIXED_NONE) return result;
-    if (first < depth)
-        result.before = first;
-    else
-        result.behind = first;
-    return result;
-}
-
 LdmCursor ldm_first(uint map, ivec2 texel, int resolution) {
     uint first = fixed_first(map, texel, resolution);
     return LdmCursor(first, first + LDM_FIXED_LAYERS);

@@ -65,16 +65,3 @@ LdmCursor ldm_first(uint map, ivec2 texel, int resolution) {
 bool ldm_valid(LdmCursor cursor) { return cursor.at != 0u; }
 int ldm_depth(LdmCursor cursor) { return hash_depth(cursor.end, cursor.at); }
 LdmCursor ldm_next(LdmCursor cursor) { return hash_next(cursor.end, cursor.at + 1u); }
-
-LdmNeighbours ldm_any(uint map, ivec2 texel, int resolution, int depth, bool behind) {
-    if (behind) return ldm_neighbours(map, texel, resolution, depth);
-    LdmNeighbours result = LdmNeighbours(LDM_NONE_BEFORE, LDM_NONE_BEHIND);
-    LdmCursor first = ldm_first(map, texel, resolution);
-    if (!ldm_valid(first)) return result;
-    int found = ldm_depth(first);
-    if (found < depth)
-        result.before = found;
-    else
-        result.behind = found;
-    return result;
-}

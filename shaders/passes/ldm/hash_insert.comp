@@ -5,7 +5,7 @@ layout(local_size_x = 64) in;
 #include "passes/ldm/hash_cells.glsl"
 #include "passes/ldm/list_index.glsl"
 
-layout(std430) buffer MostAge { uint max_age; };
+layout(std430) buffer MaxAge { uint max_age; };
 layout(std430) coherent buffer LdmAges { uint ages[]; };
 layout(std430) coherent buffer LdmCells { uint cells[]; };
 

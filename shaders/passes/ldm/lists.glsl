@@ -18,19 +18,6 @@ LdmNeighbours ldm_neighbours(uint map, ivec2 texel, int resolution, int depth) {
     return result;
 }
 
-LdmNeighbours ldm_any(uint map, ivec2 texel, int resolution, int depth, bool behind) {
-    if (behind) return ldm_neighbours(map, texel, resolution, depth);
-    uint node = heads[(map * uint(resolution) + uint(texel.y)) * uint(resolution) + uint(texel.x)];
-    LdmNeighbours result = LdmNeighbours(LDM_NONE_BEFORE, LDM_NONE_BEHIND);
-    if (node == 0u) return result;
-    int first = int(nodes[node - 1u].y);
-    if (first < depth)
-        result.before = first;
-    else
-        result.behind = first;
-    return result;
-}
-
 LdmCursor ldm_first(uint map, ivec2 texel, int resolution) {
     uint node = heads[(map * uint(resolution) + uint(texel.y)) * uint(resolution) + uint(texel.x)];
     return LdmCursor(node, 0u);

@@ -17,10 +17,6 @@ LdmNeighbours ldm_neighbours(uint map, ivec2 texel, int resolution, int depth) {
     return result;
 }
 
-LdmNeighbours ldm_any(uint map, ivec2 texel, int resolution, int depth, bool behind) {
-    return ldm_neighbours(map, texel, resolution, depth);
-}
-
 // A cursor holds depths instead of places.
 LdmCursor ldm_first(uint map, ivec2 texel, int resolution) {
     uvec2 depths = uvec2(outermost_depths(map, texel, resolution));

@@ -36,20 +36,6 @@ LdmNeighbours ldm_neighbours(uint map, ivec2 texel, int resolution, int depth) {
     return result;
 }
 
-LdmNeighbours ldm_any(uint map, ivec2 texel, int resolution, int depth, bool behind) {
-    if (behind) return ldm_neighbours(map, texel, resolution, depth);
-    LdmNeighbours result = LdmNeighbours(LDM_NONE_BEFORE, LDM_NONE_BEHIND);
-    uint page = first_page(map, texel, resolution);
-    if (page == 0u) return result;
-    int first = int(page_depth(page, 0u));
-    if (first == int(NO_DEPTH)) return result;
-    if (first < depth)
-        result.before = first;
-    else
-        result.behind = first;
-    return result;
-}
-
 // Where a cursor has a slot that holds NO_DEPTH, the sequence is at its end.
 LdmCursor ldm_first(uint map, ivec2 texel, int resolution) {
     return LdmCursor(first_page(map, texel, resolution), 0u);

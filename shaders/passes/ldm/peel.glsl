@@ -36,19 +36,6 @@ LdmNeighbours ldm_neighbours(uint map, ivec2 texel, int resolution, int depth) {
     return result;
 }
 
-LdmNeighbours ldm_any(uint map, ivec2 texel, int resolution, int depth, bool behind) {
-    if (behind) return ldm_neighbours(map, texel, resolution, depth);
-    LdmNeighbours result = LdmNeighbours(LDM_NONE_BEFORE, LDM_NONE_BEHIND);
-    uvec2 range = peeled_range(map, texel, resolution);
-    if (range.x == range.y || peeled_planes[range.x] == 0u) return result;
-    int first = peeled_depth(range.x);
-    if (first < depth)
-        result.before = first;
-    else
-        result.behind = first;
-    return result;
-}
-
 LdmCursor ldm_first(uint map, ivec2 texel, int resolution) {
     uvec2 range = peeled_range(map, texel, resolution);
     return LdmCursor(range.x, range.y);

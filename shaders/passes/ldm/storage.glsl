@@ -17,11 +17,11 @@ struct LdmCursor {
 
 // Each storage defines, `map` counting from the batch's first one:
 //   LdmNeighbours ldm_neighbours(uint map, ivec2 texel, int resolution, int depth)
-//   LdmNeighbours ldm_any(uint map, ivec2 texel, int resolution, int depth, bool behind)
-//     Whether there is anything on the asked side, as any of its entries, for the least work. Where there is
-//     none, the other side's nearest entry is given.
 //   LdmCursor ldm_first(uint map, ivec2 texel, int resolution), ldm_next(LdmCursor)
 //   bool ldm_valid(LdmCursor); int ldm_depth(LdmCursor)
+//   LdmNeighbours ldm_any(uint map, ivec2 texel, int resolution, int depth, bool behind), or the one below:
+//     Whether there is anything on the asked side, as any of its entries, for the least work. Where there is
+//     none, the other side's nearest entry is given.
 #if defined(LDM_LINKED_LISTS)
 #include "passes/ldm/lists.glsl"
 #elif defined(LDM_ARRAYS)
@@ -44,4 +44,17 @@ struct LdmCursor {
 // A file is included once, whatever conditions it stands under: what several storages share stands here.
 #if defined(LDM_ARRAYS) || defined(LDM_SPARSE_ARRAYS) || defined(LDM_PACKED_BITS)
 #include "passes/ldm/depth_ranges.glsl"
+#else
+LdmNeighbours ldm_any(uint map, ivec2 texel, int resolution, int depth, bool behind) {
+    if (behind) return ldm_neighbours(map, texel, resolution, depth);
+    LdmNeighbours result = LdmNeighbours(LDM_NONE_BEFORE, LDM_NONE_BEHIND);
+    LdmCursor cursor = ldm_first(map, texel, resolution);
+    if (!ldm_valid(cursor)) return result;
+    int first = ldm_depth(cursor);
+    if (first < depth)
+        result.before = first;
+    else
+        result.behind = first;
+    return result;
+}
 #endif

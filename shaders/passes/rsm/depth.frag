@@ -3,6 +3,6 @@
 #include "passes/rsm/texel.glsl"
 
 void main() {
-    if (!texel_is_covered()) discard;
+    if (has_hole_here()) discard;
     gl_FragDepth = texel_depth();
 }

@@ -1,15 +1,10 @@
-// What both draws of an RSM share: where the texel's ray meets the triangle, and whether it is there.
-#include "lib/coverage.glsl"
-#include "lib/material.glsl"
+// What both draws of an RSM share: where the texel's ray meets the triangle.
+#include "passes/scene/drawn_material.glsl"
 
-layout(std430) readonly buffer Materials { Material materials[]; };
-
-uniform int material_index;
-uniform vec3 view_origin_ws, view_right_ws, view_up_ws, view_forward_ws;
+uniform vec3 eye_ws, view_right_ws, view_up_ws, view_axis_ws;
 uniform float perspective;  // 1 or 0
 uniform float far, resolution;
 
-layout(location = 2) in vec4 uv01;
 layout(location = 4) flat in vec3 plane_normal_ws;
 layout(location = 5) flat in vec3 plane_anchor_ws;
 layout(location = 6) flat in vec2 depth_range;
@@ -17,20 +12,15 @@ layout(location = 6) flat in vec2 depth_range;
 /// From the light through the texel's centre; advances by 1 along the map's axis.
 vec3 texel_direction() {
     vec2 ndc = (gl_FragCoord.xy / resolution * 2.0 - 1.0) * vec2(1, -1);
-    return view_forward_ws + perspective * (ndc.x * view_right_ws + ndc.y * view_up_ws);
+    return view_axis_ws + perspective * (ndc.x * view_right_ws + ndc.y * view_up_ws);
 }
 
-/// Along the map's axis in parts of its far distance. Edge-on the quotient is ill-conditioned, but never
+/// Along the map's axis as a fraction of its far distance. Edge-on the quotient is ill-conditioned, but never
 /// leaves the depths of the corners.
 float texel_depth() {
     vec2 ndc = (gl_FragCoord.xy / resolution * 2.0 - 1.0) * vec2(1, -1);
     vec3 lateral_ws = (1.0 - perspective) * (ndc.x * view_right_ws + ndc.y * view_up_ws);
-    precise float depth = dot(plane_normal_ws, plane_anchor_ws - (view_origin_ws + lateral_ws)) /
+    precise float depth = dot(plane_normal_ws, plane_anchor_ws - (eye_ws + lateral_ws)) /
                           dot(plane_normal_ws, texel_direction());
     return clamp(depth, depth_range.x, depth_range.y) / far;
-}
-
-bool texel_is_covered() {
-    vec2 mask_uv = uv_of_slot(materials[material_index].base_colour_slot, uv01.xy, uv01.zw);
-    return is_covered(uint(material_index), mask_uv);
 }

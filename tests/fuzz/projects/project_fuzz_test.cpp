@@ -250,13 +250,13 @@ class OneFile final : public FileSystem {
 // 10,000 mutations in all: of the project file and of what stands beside it.
 
 TEST(ProjectFuzz, SixThousandMutationsOpenOrAreRefusedWithOneLine) {
-    expect_both(fuzz({file_text("schema-5.json"), file_text("schema-4.json"), file_text("schema-3.json"),
+    expect_both(fuzz({file_text("schema-6.json"), file_text("schema-4.json"), file_text("schema-3.json"),
                       file_text("schema-2.json"), file_text("schema-1.json")},
                      6000, 20240501, survives));
 }
 
 TEST(AutosaveFuzz, FifteenHundredMutationsAreOfferedOrIgnored) {
-    const auto project = read_project(file_text("schema-5.json"), "seed", registry()).project;
+    const auto project = read_project(file_text("schema-6.json"), "seed", registry()).project;
     const Json autosave = {{"base_hash", hash_bytes("base")},
                            {"contains", {"project.json.recovery-1", "project.json.recovery-2"}},
                            {"project", to_json(project)}};

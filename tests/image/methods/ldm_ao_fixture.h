@@ -1,38 +1,15 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "renderers/core/resources_path.h"
-#include "renderers/graph/graph.h"
-#include "renderers/methods/all_methods.h"
+#include "tests/image/methods/ldm_ao_method.h"
 
 namespace ir::ldm_ao_test {
 
 /// Renders the method on one machine, without what an experiment brings along.
-class LdmAo : public testing::Test {
+class LdmAo : public test::LdmAoMethodTest {
   protected:
-    void SetUp() override {
-        gl::ContextOptions options;
-        options.debug = true;
-        context_ = gl::Context::create_best(options);
-        device_ = gl::make_gl_device(*context_);
-        programs_ = std::make_unique<gl::ProgramLibrary>(*context_, shader_directory());
-        reset();
-        for (const auto* method : methods::all_methods())
-            if (method->description.id == id()) method_ = method;
-        ASSERT_NE(method_, nullptr);
-    }
-    void TearDown() override {
-        graph_.reset();
-        for (const auto& message : context_->take_messages())
-            EXPECT_NE(message.severity, Severity::error) << message.text;
-    }
-    virtual std::string id() const { return "ldm-ao"; }
-    void reset() { graph_ = std::make_unique<graph::Graph>(*device_, context_.get(), programs_.get()); }
-
     void load(const std::string& name) {
         scene_ = scene::load_scene(name);
         world_ = scene::flatten(scene_, 0, 0);
@@ -42,8 +19,6 @@ class LdmAo : public testing::Test {
         if (!found) throw std::runtime_error("no camera " + name);
         return *found;
     }
-    /// Of the last render(), which wanted it.
-    Image image(const std::string& key) const { return graph_->read_image(key).value(); }
 
     Image render(const scene::Camera& camera, int width, int height, const Settings& settings,
                  graph::FrameOptions options = {}, int frame = 0, const std::string& key = "accessibility") {
@@ -57,11 +32,9 @@ class LdmAo : public testing::Test {
         inputs.processor = processor;
         inputs.geometry_fingerprint = geometry;
         options.wanted.push_back(key);
-        report = graph_->run(*method_, settings, inputs, options);
-        return graph_->read_image(key).value();
+        report = graph().run(method(), settings, inputs, options);
+        return graph().read_image(key).value();
     }
-
-    const graph::Method& method() const { return *method_; }
 
     FrameReport report;
     scene::World world_;
@@ -70,11 +43,6 @@ class LdmAo : public testing::Test {
     std::string geometry;  ///< fingerprint; empty: nothing is kept from frame to frame
 
   private:
-    std::unique_ptr<gl::Context> context_;
-    std::unique_ptr<gl::Device> device_;
-    std::unique_ptr<gl::ProgramLibrary> programs_;
-    std::unique_ptr<graph::Graph> graph_;
-    const graph::Method* method_ = nullptr;
     scene::Scene scene_;
 };
 

@@ -1,18 +1,13 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "renderers/core/resources_path.h"
-#include "renderers/graph/graph.h"
-#include "renderers/methods/all_methods.h"
+#include "tests/image/methods/ldm_ao_method.h"
 
 namespace ir::test {
 
@@ -54,26 +49,8 @@ class Elements {
 };
 
 /// Renders ldm-ao with an inspection.
-class LdmExplain : public testing::Test {
+class LdmExplain : public test::LdmAoMethodTest {
   protected:
-    void SetUp() override {
-        gl::ContextOptions options;
-        options.debug = true;
-        context_ = gl::Context::create_best(options);
-        device_ = gl::make_gl_device(*context_);
-        programs_ = std::make_unique<gl::ProgramLibrary>(*context_, shader_directory());
-        reset();
-        for (const auto* method : methods::all_methods())
-            if (method->description.id == "ldm-ao") method_ = method;
-        ASSERT_NE(method_, nullptr);
-    }
-    void TearDown() override {
-        graph_.reset();
-        for (const auto& message : context_->take_messages())
-            EXPECT_NE(message.severity, Severity::error) << message.text;
-    }
-    void reset() { graph_ = std::make_unique<graph::Graph>(*device_, context_.get(), programs_.get()); }
-
     void load(const std::string& name, const std::string& camera = "") {
         scene_ = scene::load_scene(name);
         world = scene::flatten(scene_, 0, 0);
@@ -95,21 +72,20 @@ class LdmExplain : public testing::Test {
     Image render(const Settings& settings, const Inspection& inspection, graph::FrameOptions options = {},
                  int frame = 0) {
         if (options.wanted.empty()) options.wanted = {"ldm.*", "gbuffer.*"};
-        report = graph_->run(*method_, settings, inputs_of(inspection, frame), options);
-        return graph_->read_image("accessibility").value();
+        report = graph().run(method(), settings, inputs_of(inspection, frame), options);
+        return graph().read_image("accessibility").value();
     }
     /// Explains something else of the last frame, without another one.
     bool explain(const Settings& settings, const Inspection& inspection, const graph::FrameOptions& options) {
-        const bool done = graph_->explain(*method_, settings, inputs_of(inspection, 0), options);
-        report = graph_->last_report();
+        const bool done = graph().explain(method(), settings, inputs_of(inspection, 0), options);
+        report = graph().last_report();
         return done;
     }
-    Image image(const std::string& key) const { return graph_->read_image(key).value(); }
     Elements elements(const std::string& key) const {
         std::uint64_t count = 0;
         for (const auto& resource : report.resources)
             if (resource.key == key) count = resource.elements;
-        return {*graph_->buffer_desc(key), graph_->read_buffer(key).value(), count};
+        return {*graph().buffer_desc(key), graph().read_buffer(key).value(), count};
     }
     glm::dvec3 vector_at(const std::string& key, int x, int y) const {
         const auto found = image(key);
@@ -119,13 +95,8 @@ class LdmExplain : public testing::Test {
     FrameReport report;
     scene::World world;
     int size = 32;
-    const graph::Method* method_ = nullptr;
 
   private:
-    std::unique_ptr<gl::Context> context_;
-    std::unique_ptr<gl::Device> device_;
-    std::unique_ptr<gl::ProgramLibrary> programs_;
-    std::unique_ptr<graph::Graph> graph_;
     scene::Scene scene_;
     scene::Camera camera_;
 };

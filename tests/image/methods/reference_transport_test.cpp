@@ -3,7 +3,7 @@
 // two-sided (2.3e-6 at 5.2).
 #include <gtest/gtest.h>
 
-#include "renderers/methods/reference/notes.h"
+#include "renderers/methods/reference/passes.h"
 #include "tests/image/methods/reference_lab.h"
 
 namespace ir::methods::reference {

@@ -45,11 +45,11 @@ Experiment photons(std::int64_t count, std::uint64_t seed) {
                                {"tracer", std::string("embree")},
                                {"rsm_resolution", std::string("1024")},
                                {"sum_precision", std::string("single-float")},
-                               {"radius_min", 0.01},
-                               {"radius_max", 0.01},
-                               {"radius_texels", 0.0},
+                               {"min_radius", 0.01},
+                               {"max_radius", 0.01},
+                               {"min_radius_texels", 0.0},
                                {"ray_length_scale", 1e-4},
-                               {"stretch_max", 1.0},
+                               {"max_stretch", 1.0},
                                {"directional", false},
                                {"temporal", false},
                                {"filter_passes", std::int64_t{0}}};
@@ -148,8 +148,8 @@ TEST_F(PhotonConvergence, HasTheSlopeOfIndependentPhotons) {
         flux.push_back(many.mean / expected_mean_);
         // the mutant: as many photons in a kernel, however many there are
         auto growing = photons(25000, seed);
-        growing.settings["radius_min"] = 0.0;
-        growing.settings["radius_max"] = 10.0;
+        growing.settings["min_radius"] = 0.0;
+        growing.settings["max_radius"] = 10.0;
         growing.settings["kernel_scale"] = 1.0;
         const auto few_adaptive = outcome(growing);
         growing.settings["photons"] = std::int64_t{400000};

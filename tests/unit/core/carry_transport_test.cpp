@@ -1,8 +1,6 @@
-#include "renderers/core/carry_transport.h"
+#include "renderers/core/transport.h"
 
 #include <gtest/gtest.h>
-
-#include "renderers/core/transport.h"
 
 namespace ir {
 namespace {

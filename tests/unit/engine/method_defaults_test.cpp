@@ -5,7 +5,7 @@
 
 #include "app/engine/execution.h"
 #include "projects/edits.h"
-#include "renderers/core/default_transport.h"
+#include "renderers/core/transport.h"
 
 namespace ir::engine {
 namespace {

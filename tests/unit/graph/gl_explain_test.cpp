@@ -1,6 +1,4 @@
-#include "renderers/gl/program.h"
-#include "tests/unit/gl/context_fixture.h"
-#include "tests/unit/graph/graph_fixture.h"
+#include "tests/unit/graph/gl_graph_fixture.h"
 
 namespace ir::graph {
 namespace {
@@ -30,15 +28,12 @@ void main() {
 )";
 
 /// Over real OpenGL: a picture with a history, and an explanation of one pixel of it.
-class GlExplainTest : public gl::ContextTest {
+class GlExplainTest : public GlGraphFixture {
   protected:
     void SetUp() override {
-        ContextTest::SetUp();
+        GlGraphFixture::SetUp();
         folder.write("paint.comp", paint_program);
         folder.write("explain.comp", explain_program);
-        device = gl::make_gl_device(*context);
-        programs = std::make_unique<gl::ProgramLibrary>(*context, folder.path());
-        graph = std::make_unique<Graph>(*device, context.get(), programs.get());
         inputs.view.width = 13;
         inputs.view.height = 9;
         inputs.inspection.x = inputs.inspection.y = 3;
@@ -47,12 +42,6 @@ class GlExplainTest : public gl::ContextTest {
             {.key = "picture", .label = "picture"},
             {.key = "why", .label = "why", .kind = OutputKind::table, .explains = true}};
         method.setup = [](GraphBuilder& builder, const Settings&) { declare(builder); };
-    }
-    void TearDown() override {
-        graph.reset();
-        programs.reset();
-        device.reset();
-        ContextTest::TearDown();
     }
 
     static void declare(GraphBuilder& builder) {
@@ -84,13 +73,6 @@ class GlExplainTest : public gl::ContextTest {
         return report;
     }
     std::vector<float> why_of(const Graph& from) const { return as<float>(from.read_buffer("why").value()); }
-
-    gl::ShaderFolder folder;
-    std::unique_ptr<gl::Device> device;
-    std::unique_ptr<gl::ProgramLibrary> programs;
-    std::unique_ptr<Graph> graph;
-    FrameInputs inputs;
-    FrameOptions options;
     Method method;
 };
 

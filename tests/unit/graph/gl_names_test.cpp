@@ -1,6 +1,4 @@
-#include "renderers/gl/program.h"
-#include "tests/unit/gl/context_fixture.h"
-#include "tests/unit/graph/graph_fixture.h"
+#include "tests/unit/graph/gl_graph_fixture.h"
 
 namespace ir::graph {
 namespace {
@@ -23,28 +21,13 @@ void main() {
 )";
 
 /// What a pass declares by name against what its program has.
-class GlNamesTest : public gl::ContextTest {
+class GlNamesTest : public GlGraphFixture {
   protected:
     void SetUp() override {
-        ContextTest::SetUp();
+        GlGraphFixture::SetUp();
         folder.write("add.comp", add_program);
-        device = gl::make_gl_device(*context);
-        programs = std::make_unique<gl::ProgramLibrary>(*context, folder.path());
-        graph = std::make_unique<Graph>(*device, context.get(), programs.get());
         inputs.view.width = 4;
         inputs.view.height = 1;
-        options.wanted = {"*"};
-    }
-    void TearDown() override {
-        graph.reset();
-        programs.reset();
-        device.reset();
-        ContextTest::TearDown();
-    }
-    FrameReport run(const Declare& declare) {
-        Method method;
-        method.setup = [&](GraphBuilder& builder, const Settings&) { declare(builder); };
-        return graph->run(method, {}, inputs, options);
     }
 
     struct Things {
@@ -85,13 +68,6 @@ class GlNamesTest : public gl::ContextTest {
     std::string refusal(const Declare& declare) {
         return message_of<Error>([&] { run(declare); });
     }
-
-    gl::ShaderFolder folder;
-    std::unique_ptr<gl::Device> device;
-    std::unique_ptr<gl::ProgramLibrary> programs;
-    std::unique_ptr<Graph> graph;
-    FrameInputs inputs;
-    FrameOptions options;
 };
 INSTANTIATE_ON_BOTH_BACKENDS(GlNamesTest);
 
@@ -135,6 +111,37 @@ TEST_P(GlNamesTest, RefusesWhatTheProgramDoesNotHave) {
                   execute(complete(builder, t).reads("taken", t.ones));
               }),
               "pass 'add' declares 'taken', which add.comp does not have");
+}
+
+TEST_P(GlNamesTest, RefusesWhatABundleDeclaresAndNoProgramHas) {
+    enum class Use { none, optional, by_the_body };
+    const auto refusal_of = [&](Use use) {
+        return refusal([use](GraphBuilder& builder) {
+            const auto t = declare_things(builder);
+            auto desc = buffer_of("spare", 4);
+            desc.name = "Spare";
+            const auto spare = builder.buffer(desc);
+            builder.pass("fill spare").writes(spare).execute([=](PassContext& p) { p.clear(spare); });
+            auto pass = complete(builder, t);
+            use == Use::optional ? pass.may_read(spare) : pass.reads(spare);
+            pass.execute([=](PassContext& p) {
+                if (use == Use::by_the_body) EXPECT_EQ(p.capacity(spare), 4u);
+                p.use({{"add.comp"}}).dispatch(4);
+            });
+        });
+    };
+    EXPECT_EQ(refusal_of(Use::none), "pass 'add' declares 'Spare', which add.comp does not have");
+    EXPECT_EQ(refusal_of(Use::optional), "");
+    EXPECT_EQ(refusal_of(Use::by_the_body), "");
+}
+
+TEST_P(GlNamesTest, RefusesACounterThatNoProgramHas) {
+    EXPECT_EQ(refusal([](GraphBuilder& builder) {
+                  const auto t = declare_things(builder);
+                  const auto other = builder.counter({.key = "other", .name = "Other", .label = "Other"});
+                  execute(complete(builder, t).counts(other));
+              }),
+              "pass 'add' declares 'Other', which add.comp does not have");
 }
 
 TEST_P(GlNamesTest, AllowsWhatTheCompilerRemoved) {

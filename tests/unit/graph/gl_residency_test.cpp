@@ -1,6 +1,4 @@
-#include "renderers/gl/program.h"
-#include "tests/unit/gl/context_fixture.h"
-#include "tests/unit/graph/graph_fixture.h"
+#include "tests/unit/graph/gl_graph_fixture.h"
 
 namespace ir::graph {
 namespace {
@@ -23,40 +21,18 @@ void main() {
 )";
 
 /// The graph over real OpenGL, with a program that doubles numbers and adds ½ to pixels.
-class GlGraphTest : public gl::ContextTest {
+class GlGraphTest : public GlGraphFixture {
   protected:
     void SetUp() override {
-        ContextTest::SetUp();
+        GlGraphFixture::SetUp();
         folder.write("double.comp", double_program);
-        device = gl::make_gl_device(*context);
-        programs = std::make_unique<gl::ProgramLibrary>(*context, folder.path());
-        graph = std::make_unique<Graph>(*device, context.get(), programs.get());
         inputs.view.width = 4;
         inputs.view.height = 2;
-        options.wanted = {"*"};
-    }
-    void TearDown() override {
-        graph.reset();
-        programs.reset();
-        device.reset();
-        ContextTest::TearDown();
-    }
-    FrameReport run(const Declare& declare) {
-        Method method;
-        method.setup = [&](GraphBuilder& builder, const Settings&) { declare(builder); };
-        return graph->run(method, {}, inputs, options);
     }
     static void run_double(const PassContext& p, BufferRef numbers) {
         const auto& program = p.use({{"double.comp"}});
         program.dispatch(static_cast<std::int64_t>(p.capacity(numbers)));
     }
-
-    gl::ShaderFolder folder;
-    std::unique_ptr<gl::Device> device;
-    std::unique_ptr<gl::ProgramLibrary> programs;
-    std::unique_ptr<Graph> graph;
-    FrameInputs inputs;
-    FrameOptions options;
 };
 
 TEST_P(GlGraphTest, ContentsGoFromHostToDeviceAndBack) {

@@ -104,13 +104,7 @@ class DeepScreenSpaceTest : public PassTest {
 
 inline scene::Camera dss_camera(glm::vec3 eye, glm::vec3 target, bool orthographic = false,
                                 float height = 4) {
-    scene::Camera camera;
-    camera.eye = eye;
-    camera.target = target;
-    camera.up = std::abs(glm::normalize(target - eye).y) > 0.9f ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
-    camera.orthographic = orthographic;
-    camera.height = height;
-    return camera;
+    return looking_at(eye, target, orthographic, height, {0, 0, -1});
 }
 
 }  // namespace ir::test

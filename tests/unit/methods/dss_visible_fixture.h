@@ -56,26 +56,7 @@ class VisibleTest : public DeepScreenSpaceTest {
     }
 
     FrameReport splat(const Shot& shot, const VisibleRun& run) {
-        graph::FrameOptions options;
-        options.wanted = run.wanted;
-        options.initial_capacity = run.initial_capacity;
-        auto inputs = shot.inputs();
-        inputs.seed = run.seed;
-        inputs.inspection = run.inspection;
-        const auto report = graph().run(method(run), {}, inputs, options);
-        for (const auto& message : report.messages)
-            EXPECT_NE(message.severity, Severity::error) << message.text;
-        return report;
-    }
-
-    template <class T>
-    std::vector<T> elements(const std::string& key) {
-        const auto device = graph().device_buffer(key);
-        const auto bytes = graph().read_buffer(key);
-        if (!device || !bytes) throw std::runtime_error("no buffer " + key);
-        std::vector<T> result(device->elements);
-        if (!result.empty()) std::memcpy(result.data(), bytes->data(), sizeof(T) * result.size());
-        return result;
+        return run_shot(shot, method(run), run, run.seed);
     }
 };
 

@@ -41,16 +41,6 @@ Settings exact(int directions, int steps, double radius) {
             {"angle_bias", 0.0}};
 }
 
-scene::Camera camera(glm::vec3 eye, glm::vec3 target, glm::vec3 up, float height) {
-    scene::Camera made;
-    made.eye = eye;
-    made.target = target;
-    made.up = up;
-    made.orthographic = height > 0;
-    made.height = height;
-    return made;
-}
-
 TEST_F(HbaoTest, OfAnOpenPlaneIsExactlyOne) {
     for (const char* name : {"top", "above"})
         for (const double radius : {0.0, 0.5})
@@ -92,7 +82,7 @@ struct Errors {
 
 Shot wide_corner(int size, bool orthographic) {
     const auto eye = glm::vec3(1, 1, 0) * (orthographic ? 6.0f : 3.0f);
-    auto view = camera(eye, {0, 0, 0}, {0, 1, 0}, orthographic ? 2.0f : 0.0f);
+    auto view = looking(eye, {0, 0, 0}, {0, 1, 0}, orthographic ? 2.0f : 0.0f);
     return {scene::load_scene("builtin:corner?size=8"), view, size, size};
 }
 
@@ -138,7 +128,7 @@ Shot trench(int size) {
         world.quad({a, 1, 20}, {b, 1, 20}, {b, 1, -20}, {a, 1, -20});
         world.quad({0.5f * side, 0, 20}, {0.5f * side, 0, -20}, {0.5f * side, 1, -20}, {0.5f * side, 1, 20});
     }
-    return {world.scene(), camera({0, 9, 0}, {0, 0, 0}, {0, 0, -1}, 8), size, size};
+    return {world.scene(), looking({0, 9, 0}, {0, 0, 0}, {0, 0, -1}, 8), size, size};
 }
 
 TEST_F(HbaoTest, InATrenchWhoseWallsAreSeenEdgeOnMatchesTheClosedForm) {
@@ -166,7 +156,7 @@ TEST_F(HbaoTest, WhatTheDepthImageDoesNotShowIsMissedAndWhatItShowsIsThick) {
     // The floor of a corner, the wall just outside the picture: the truth is the closed form, HBAO says open.
     const auto scene = scene::load_scene("builtin:corner?size=8");
     const auto outside =
-        render({scene, camera({0.3f, 5, 0}, {0.3f, 0, 0}, {0, 0, -1}, 0.5f), 32, 32}, exact(16, 12, 1));
+        render({scene, looking({0.3f, 5, 0}, {0.3f, 0, 0}, {0, 0, -1}, 0.5f), 32, 32}, exact(16, 12, 1));
     EXPECT_EQ(*std::min_element(outside.pixels.begin(), outside.pixels.end()), 1);
     EXPECT_LT(corner_accessibility(0.05), 0.6);
     const auto cut = read("hbao.cut");
@@ -178,7 +168,7 @@ TEST_F(HbaoTest, WhatTheDepthImageDoesNotShowIsMissedAndWhatItShowsIsThick) {
     plate.square({0, 0, 0}, {0, 1, 0}, 20);
     plate.quad({0.1f, 0.5f, 0.1f}, {0.2f, 0.5f, 0.1f}, {0.2f, 0.5f, -0.1f}, {0.1f, 0.5f, -0.1f});
     const auto image =
-        render({plate.scene(), camera({0, 5, 0}, {0, 0, 0}, {0, 0, -1}, 2), 64, 64}, exact(32, 64, 0));
+        render({plate.scene(), looking({0, 5, 0}, {0, 0, 0}, {0, 0, -1}, 2), 64, 64}, exact(32, 64, 0));
     double truth = 0;
     for (int i = 0; i < 40; ++i)
         for (int j = 0; j < 40; ++j) {

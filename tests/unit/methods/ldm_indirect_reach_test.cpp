@@ -1,5 +1,5 @@
 // Photons whose middle the view does not show light what it shows.
-#include "renderers/methods/ldm-indirect/splatting.h"
+#include "renderers/methods/ldm-indirect/stages.h"
 #include "tests/unit/methods/ldm_indirect_tracing_fixture.h"
 
 namespace ir::test {
@@ -27,10 +27,7 @@ class IndirectReachTest : public IndirectTracingTest {
             });
         graph::FrameOptions options;
         options.wanted = {"indirect.irradiance", "gbuffer.position"};
-        const auto report =
-            graph().run(method, completed(table.descriptions(), settings), shot.inputs(), options);
-        for (const auto& message : report.messages)
-            EXPECT_NE(message.severity, Severity::error) << message.text;
+        run_method(method, completed(table.descriptions(), settings), shot.inputs(), options);
         return read("indirect.irradiance");
     }
 

@@ -50,9 +50,9 @@ class IndirectExplained : public IndirectSplatTest {
     void expect_sums(glm::ivec2 pixel) {
         const auto irradiance = read("indirect.irradiance");
         const auto expected = rgb(irradiance, pixel.x, pixel.y);
-        const auto photons = explained<li::FoundPhoton>("indirect.explain.photons");
-        const auto sum = explained<li::PixelSum>("indirect.explain.sum").at(0);
-        const auto directions = explained<li::DirectionLight>("indirect.explain.directions");
+        const auto photons = elements<li::FoundPhoton>("indirect.explain.photons");
+        const auto sum = elements<li::PixelSum>("indirect.explain.sum").at(0);
+        const auto directions = elements<li::DirectionLight>("indirect.explain.directions");
         ASSERT_EQ(directions.size(), 2u * maps);
         EXPECT_EQ(float(photons.size()), irradiance.at(pixel.x, pixel.y, 3));
         ASSERT_GT(photons.size(), 10u);
@@ -94,7 +94,7 @@ TEST_F(IndirectExplained, PhotonsAndDirectionsSumToThePixel) {
 TEST_F(IndirectExplained, PhotonsAreThoseOfTheBufferByEnergy) {
     run_.inspection = {24, 24, {}};
     splat(shot(), run_);
-    const auto photons = explained<li::FoundPhoton>("indirect.explain.photons");
+    const auto photons = elements<li::FoundPhoton>("indirect.explain.photons");
     double last = 1e30;
     for (const auto& photon : photons) {
         const auto& of_buffer = run_.photons.at(photon.photon);
@@ -110,7 +110,7 @@ TEST_F(IndirectExplained, PhotonsAreThoseOfTheBufferByEnergy) {
 TEST_F(IndirectExplained, PathsBendWhereThePhotonWasSplit) {
     run_.inspection = {24, 24, {}};
     splat(shot(), run_);
-    const auto lines = explained<li::PathLine>("indirect.explain.paths");
+    const auto lines = elements<li::PathLine>("indirect.explain.paths");
     const auto point = [](const std::array<float, 3>& p) { return glm::vec3(p[0], p[1], p[2]); };
     ASSERT_GT(lines.size(), 20u);
     for (const auto& line : lines) {
@@ -129,10 +129,10 @@ TEST_F(IndirectExplained, NothingWhereNothingIsPicked) {
     for (const auto pixel : {glm::ivec2(-1), glm::ivec2(1000, 3), glm::ivec2(0, 0)}) {
         run_.inspection = {pixel.x, pixel.y, {}};
         splat(shot(), run_);
-        EXPECT_TRUE(explained<li::FoundPhoton>("indirect.explain.photons").empty());
-        EXPECT_TRUE(explained<li::PixelSum>("indirect.explain.sum").empty());
-        EXPECT_TRUE(explained<li::DirectionLight>("indirect.explain.directions").empty());
-        EXPECT_TRUE(explained<li::PathLine>("indirect.explain.paths").empty());
+        EXPECT_TRUE(elements<li::FoundPhoton>("indirect.explain.photons").empty());
+        EXPECT_TRUE(elements<li::PixelSum>("indirect.explain.sum").empty());
+        EXPECT_TRUE(elements<li::DirectionLight>("indirect.explain.directions").empty());
+        EXPECT_TRUE(elements<li::PathLine>("indirect.explain.paths").empty());
     }
 }
 

@@ -7,7 +7,7 @@
 
 #include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/ldm-indirect/splatting.h"
+#include "renderers/methods/ldm-indirect/stages.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 #include "tests/unit/passes/pass_fixture.h"
 #include "tests/unit/passes/small_world.h"
@@ -34,16 +34,6 @@ struct FreePhoton {
     std::uint32_t leg = 1u << 17, source = 0;
     float path_length = 1;
 };
-
-/// 2 x 16 bits SNORM. [Cigolle14 "oct"]
-inline std::uint32_t octahedral(glm::vec3 n) {
-    const auto sign = [](float v) { return v >= 0 ? 1.0f : -1.0f; };
-    n /= std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-    glm::vec2 p(n.x, n.y);
-    if (n.z < 0) p = {(1 - std::abs(n.y)) * sign(n.x), (1 - std::abs(n.x)) * sign(n.y)};
-    const auto bits = [](float v) { return static_cast<std::uint32_t>(std::lround(v * 32767)) & 0xffffu; };
-    return bits(p.x) | bits(p.y) << 16;
-}
 
 inline li::Photon record_of(const FreePhoton& photon) {
     return {photon.position_ws, photon.source,      photon.axis_u, photon.leg,
@@ -85,13 +75,7 @@ inline glm::dvec3 printed_contribution(const FreePhoton& photon, const li::Param
 }
 
 inline scene::Camera splat_camera(glm::vec3 eye, glm::vec3 target, bool orthographic = false) {
-    scene::Camera camera;
-    camera.eye = eye;
-    camera.target = target;
-    camera.up = std::abs(glm::normalize(target - eye).y) > 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
-    camera.orthographic = orthographic;
-    camera.height = 3;
-    return camera;
+    return looking_at(eye, target, orthographic, 3, {0, 0, 1});
 }
 
 /// A square of 2 half m around the origin in z = 0, and a lamp above it that photons with bit 17 come from.
@@ -119,23 +103,10 @@ class IndirectSplatTest : public PassTest {
     static li::Photons upload(graph::GraphBuilder& builder, const IndirectRun& run) {
         std::vector<li::Photon> records;
         for (const auto& photon : run.photons) records.push_back(record_of(photon));
-        graph::BufferDesc desc;
-        desc.text = {.key = "indirect.photons", .label = "Photons"};
-        desc.kind = OutputKind::glyphs;
-        desc.fields = record_fields<li::Photon>();
-        desc.elements = run.capacity ? run.capacity : std::max<std::size_t>(1, records.size());
-        li::Photons photons;
-        photons.records = builder.buffer(std::move(desc));
-        photons.count = builder.counter({.key = "indirect.photon_count", .label = "Photons"});
-        builder.pass("upload photons")
-            .writes(photons.records)
-            .counts("Counter", photons.count)
-            .execute([=](graph::PassContext& p) {
-                p.upload(photons.records, std::as_bytes(std::span(records)));
-                const auto count = static_cast<std::uint32_t>(records.size());
-                add_to_counter(p, count);
-            });
-        return photons;
+        const auto photons = upload_records(
+            builder, {.text = {.key = "indirect.photons", .label = "Photons"}, .kind = OutputKind::glyphs},
+            "indirect.photon_count", records, run.capacity);
+        return {photons.elements, photons.count};
     }
 
     static graph::Method method(const IndirectRun& run) {
@@ -154,27 +125,7 @@ class IndirectSplatTest : public PassTest {
     }
 
     FrameReport splat(const Shot& shot, const IndirectRun& run) {
-        graph::FrameOptions options;
-        options.wanted = run.wanted;
-        options.initial_capacity = run.initial_capacity;
-        auto inputs = shot.inputs();
-        inputs.inspection = run.inspection;
-        inputs.processor = run.processor;
-        inputs.threads = run.threads;
-        const auto report = graph().run(method(run), {}, inputs, options);
-        for (const auto& message : report.messages)
-            EXPECT_NE(message.severity, Severity::error) << message.text;
-        return report;
-    }
-
-    template <class T>
-    std::vector<T> explained(const std::string& key) {
-        const auto device = graph().device_buffer(key);
-        const auto bytes = graph().read_buffer(key);
-        if (!device || !bytes) throw std::runtime_error("no buffer " + key);
-        std::vector<T> elements(device->elements);
-        std::memcpy(elements.data(), bytes->data(), sizeof(T) * elements.size());
-        return elements;
+        return run_shot(shot, method(run), run, 0, run.processor, run.threads);
     }
 
     /// Σ E dA over the plane that all pixels show, W; areas are those at the pixels' middles.
@@ -226,9 +177,6 @@ class IndirectSplatTest : public PassTest {
             EXPECT_EQ(irradiance.at(middle, middle, 3), float(count));
         }
     }
-
-    const graph::Graph& graph() const { return const_cast<IndirectSplatTest*>(this)->PassTest::graph(); }
-    graph::Graph& graph() { return PassTest::graph(); }
 };
 
 }  // namespace ir::test

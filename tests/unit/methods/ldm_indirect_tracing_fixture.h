@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "renderers/graph/method.h"
-#include "renderers/methods/ldm-indirect/tracing.h"
+#include "renderers/methods/ldm-indirect/stages.h"
 #include "renderers/methods/ldm-indirect/tracing/energy.h"
 #include "renderers/passes/ldm/builder.h"
 #include "tests/unit/passes/pass_fixture.h"
@@ -112,20 +112,9 @@ class IndirectTracingTest : public PassTest {
         auto inputs = shot.inputs();
         inputs.processor = on;
         inputs.threads = threads;
-        const auto report = graph().run(method, completed(table.descriptions(), settings), inputs, options);
-        for (const auto& message : report.messages)
-            EXPECT_NE(message.severity, Severity::error) << message.text;
+        const auto report = run_method(method, completed(table.descriptions(), settings), inputs, options);
         count_ = static_cast<std::size_t>(report.counters.at("indirect.count"));
         return report;
-    }
-
-    template <class T>
-    std::vector<T> elements(const std::string& key) {
-        const auto bytes = graph().read_buffer(key);
-        if (!bytes) throw std::runtime_error("no buffer " + key);
-        std::vector<T> result(bytes->size() / sizeof(T));
-        std::memcpy(result.data(), bytes->data(), result.size() * sizeof(T));
-        return result;
     }
     std::vector<li::Primary> primaries() { return elements<li::Primary>("indirect.primary_photons"); }
     std::vector<li::Shares> shares() { return elements<li::Shares>("indirect.shares"); }

@@ -5,9 +5,9 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/record.h"
-#include "renderers/methods/photon-mapping/emission.h"
 #include "renderers/methods/photon-mapping/emission/histogram.h"
 #include "renderers/methods/photon-mapping/emission/sources.h"
+#include "renderers/methods/photon-mapping/stages.h"
 #include "renderers/passes/lights/punctual.h"
 #include "shaders/methods/photon-mapping/records.glsl.h"
 #include "tests/unit/methods/photon_mapping_packing.h"

@@ -107,7 +107,7 @@ TEST_F(ComposeTest, TheDirectionalTermLeavesFlatSurfacesAloneAndIsBounded) {
         EXPECT_LT(glm::distance(middle("irradiance"), {1, 2, 3}), 1e-4f) << angle;
     }
     compose(tilted, light_from({1, 0, 1e-3f}), p);
-    EXPECT_LT(middle("irradiance").r, 1 + p.stretch_max);
+    EXPECT_LT(middle("irradiance").r, 1 + p.max_stretch);
     EXPECT_GT(middle("irradiance").r, 1);
     compose(tilted, light_from({-1, 0, 1e-3f}), p);
     EXPECT_EQ(middle("irradiance"), glm::vec3(0)) << "behind the shading normal";

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/photon-mapping/filtering.h"
+#include "renderers/methods/photon-mapping/stages.h"
 #include "tests/unit/passes/pass_fixture.h"
 #include "tests/unit/passes/small_world.h"
 

@@ -120,13 +120,13 @@ TEST_F(SplattingExplained, NothingWhereNothingIsPicked) {
         run_.inspection = {pick.x, pick.y, {}};
         splat(view, run_);
         EXPECT_TRUE(explained_photons().empty());
-        EXPECT_TRUE(explained<ExplainedSum>("splat.explain.sum").empty());
+        EXPECT_TRUE(elements<ExplainedSum>("splat.explain.sum").empty());
     }
 }
 
 TEST_F(SplattingExplained, TooSmallBuffersGrow) {
     run_.inspection = {32, 32, {}};
-    run_.parameters.radius_min = run_.parameters.radius_max = 0.1f;
+    run_.parameters.min_radius = run_.parameters.max_radius = 0.1f;
     splat(shot(), run_);
     const auto expected = explained_photons();
     ASSERT_GT(expected.size(), 100u);

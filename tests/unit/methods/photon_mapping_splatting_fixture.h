@@ -6,7 +6,7 @@
 
 #include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/photon-mapping/splatting.h"
+#include "renderers/methods/photon-mapping/stages.h"
 #include "renderers/passes/gbuffer/pixel_rays.h"
 #include "shaders/methods/photon-mapping/records.glsl.h"
 #include "tests/unit/methods/photon_mapping_packing.h"
@@ -71,25 +71,13 @@ class SplatTest : public PassTest {
     static pm::Photons upload(graph::GraphBuilder& builder, const SplatRun& run) {
         std::vector<pm::Photon> records;
         for (const auto& photon : run.photons) records.push_back(packed(photon, run.power_unit));
+        const auto uploaded = upload_records(
+            builder, {.text = {.key = "photons.records", .label = "Photons"}, .kind = OutputKind::point_set},
+            "photons.count", records, run.capacity, run.uncounted);
         pm::Photons photons;
         photons.power_unit = run.power_unit;
-        graph::BufferDesc desc;
-        desc.text.key = "photons.records";
-        desc.text.label = "Photons";
-        desc.kind = OutputKind::point_set;
-        desc.fields = record_fields<pm::Photon>();
-        desc.elements = run.capacity ? run.capacity : std::max<std::size_t>(1, records.size());
-        photons.records = builder.buffer(std::move(desc));
-        photons.count = builder.counter({.key = "photons.count", .label = "Photons"});
-        builder.pass("upload photons")
-            .writes(photons.records)
-            .counts("Counter", photons.count)
-            .execute([=, uncounted = run.uncounted](graph::PassContext& p) {
-                const auto there = std::min<std::size_t>(records.size(), p.capacity(photons.records));
-                p.upload(photons.records, std::as_bytes(std::span(records).first(there)));
-                const auto count = static_cast<std::uint32_t>(records.size()) + uncounted;
-                add_to_counter(p, count);
-            });
+        photons.records = uploaded.elements;
+        photons.count = uploaded.count;
         return photons;
     }
 
@@ -104,34 +92,11 @@ class SplatTest : public PassTest {
         return method;
     }
 
-    FrameReport splat(const Shot& shot, const SplatRun& run) {
-        graph::FrameOptions options;
-        options.wanted = run.wanted;
-        options.initial_capacity = run.initial_capacity;
-        auto inputs = shot.inputs();
-        inputs.inspection = run.inspection;
-        const auto report = graph().run(method(run), {}, inputs, options);
-        for (const auto& message : report.messages)
-            EXPECT_NE(message.severity, Severity::error) << message.text;
-        return report;
-    }
-
-    template <class T>
-    std::vector<T> explained(const std::string& key) const {
-        const auto device = graph().device_buffer(key);
-        const auto bytes = graph().read_buffer(key);
-        if (!device || !bytes) throw std::runtime_error("no buffer " + key);
-        std::vector<T> elements(device->elements);
-        std::memcpy(elements.data(), bytes->data(), sizeof(T) * elements.size());
-        return elements;
-    }
+    FrameReport splat(const Shot& shot, const SplatRun& run) { return run_shot(shot, method(run), run); }
     std::vector<ExplainedPhoton> explained_photons() const {
-        return explained<ExplainedPhoton>("splat.explain.photons");
+        return elements<ExplainedPhoton>("splat.explain.photons");
     }
-    ExplainedSum explained_sum() const { return explained<ExplainedSum>("splat.explain.sum").at(0); }
-
-    const graph::Graph& graph() const { return const_cast<SplatTest*>(this)->PassTest::graph(); }
-    graph::Graph& graph() { return PassTest::graph(); }
+    ExplainedSum explained_sum() const { return elements<ExplainedSum>("splat.explain.sum").at(0); }
 
     /// Σ E dA over the plane, W; areas are those at the texels' middles.
     glm::dvec3 flux(const Shot& shot, glm::vec3 plane_normal, int divisor) const {
@@ -156,13 +121,7 @@ class SplatTest : public PassTest {
 };
 
 inline scene::Camera camera_at(glm::vec3 eye, glm::vec3 target, bool orthographic = false) {
-    scene::Camera camera;
-    camera.eye = eye;
-    camera.target = target;
-    camera.up = std::abs(glm::normalize(target - eye).y) > 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
-    camera.orthographic = orthographic;
-    camera.height = 4;
-    return camera;
+    return looking_at(eye, target, orthographic, 4, {0, 0, 1});
 }
 
 /// A square of 20 m around the origin in z = 0.
@@ -175,8 +134,8 @@ inline scene::Scene wide_square() {
 /// Kernels of this radius (m) everywhere, whatever the density.
 inline pm::Parameters with_radius(const Shot& shot, float radius) {
     pm::Parameters parameters;
-    parameters.radius_min = parameters.radius_max = radius / shot.world.bounds.radius();
-    parameters.radius_texels = 0;
+    parameters.min_radius = parameters.max_radius = radius / shot.world.bounds.radius();
+    parameters.min_radius_texels = 0;
     return parameters;
 }
 

@@ -32,9 +32,9 @@ class SplattingKernel : public SplatTest {
     }
     static pm::Parameters unbounded() {
         pm::Parameters parameters;
-        parameters.radius_min = 0;
-        parameters.radius_max = 10;
-        parameters.radius_texels = 0;
+        parameters.min_radius = 0;
+        parameters.max_radius = 10;
+        parameters.min_radius_texels = 0;
         return parameters;
     }
     /// In the tile right below the middle; s_l is 1.
@@ -65,14 +65,14 @@ TEST_F(SplattingKernel, RadiusGrowsWithTheRootOfThePhotonsAskedFor) {
 
 TEST_F(SplattingKernel, RadiusIsBounded) {
     auto parameters = unbounded();
-    parameters.radius_min = 0.1f;
+    parameters.min_radius = 0.1f;
     EXPECT_NEAR(kernel(parameters, middle(), 100).radius, 0.1 * radius_, 1e-4 * radius_);
     parameters = unbounded();
-    parameters.radius_max = 0.01f;
+    parameters.max_radius = 0.01f;
     EXPECT_NEAR(kernel(parameters, middle()).radius, 0.01 * radius_, 1e-5 * radius_);
     parameters.kernel_scale = 4;  // after the bounds
     EXPECT_NEAR(kernel(parameters, middle()).radius, 0.02 * radius_, 1e-5 * radius_);
-    parameters.radius_min = 0.5f;  // contradicting bounds: the least counts
+    parameters.min_radius = 0.5f;  // contradicting bounds: the least counts
     EXPECT_NEAR(kernel(parameters, middle()).radius, radius_, 1e-4 * radius_);
 }
 
@@ -93,8 +93,8 @@ TEST_F(SplattingKernel, ShortRaysHaveSmallKernelsDownToTheFloor) {
 
 TEST_F(SplattingKernel, KernelsAreNoSmallerThanTexels) {
     auto parameters = unbounded();
-    parameters.radius_max = 1e-4f;
-    parameters.radius_texels = 1.5f;
+    parameters.max_radius = 1e-4f;
+    parameters.min_radius_texels = 1.5f;
     EXPECT_NEAR(kernel(parameters, middle()).radius, 1.5 * width(distance) / kernel_size, 1e-5);
     parameters.splat_resolution = pm::SplatResolution::quarter;
     auto photon = middle();

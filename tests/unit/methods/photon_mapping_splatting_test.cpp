@@ -1,5 +1,4 @@
 // A photon's power arrives, whatever the resolution, the inside test, the precision and the view.
-#include "renderers/methods/photon-mapping/splatting/draw_kernels.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
 #include "renderers/methods/photon-mapping/splatting/stages.h"
 #include "tests/unit/methods/photon_mapping_splatting_fixture.h"
@@ -114,7 +113,7 @@ TEST_F(Splatting, KernelsBelowTexelsKeepTheFluxWithLessNoise) {
     for (const bool published : {false, true}) {
         SplatRun run{photons, with_radius(shot, 0.2f * texel)};
         run.parameters.sum_precision = Precision::single_float;
-        if (!published) run.parameters.radius_texels = 0.7072f;
+        if (!published) run.parameters.min_radius_texels = 0.7072f;
         run.wanted = {"splat.irradiance", "splat.depth"};
         splat(shot, run);
         EXPECT_NEAR(flux(shot, {0, 0, 1}, 1).r / 2000, 1, published ? 3.89 * 0.06 : 3.89 * 0.007);

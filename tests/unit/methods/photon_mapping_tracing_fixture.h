@@ -5,7 +5,7 @@
 
 #include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/photon-mapping/tracing.h"
+#include "renderers/methods/photon-mapping/stages.h"
 #include "renderers/passes/surface/triangle_plane.h"
 #include "shaders/methods/photon-mapping/records.glsl.h"
 #include "tests/unit/methods/photon_mapping_packing.h"
@@ -45,18 +45,6 @@ struct FirstHit {
     float roughness = 1, metallic = 0;
     glm::vec3 power{1};
 };
-
-inline std::uint32_t octahedral(glm::vec3 n) {
-    glm::vec2 p = glm::vec2(n) / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
-    if (n.z < 0) {
-        const glm::vec2 folded = 1.0f - glm::abs(glm::vec2(p.y, p.x));
-        p = {p.x >= 0 ? folded.x : -folded.x, p.y >= 0 ? folded.y : -folded.y};
-    }
-    const auto bits = [](float x) {
-        return static_cast<std::uint32_t>(static_cast<std::uint16_t>(std::lround(x * 32767)));
-    };
-    return bits(p.x) | bits(p.y) << 16;
-}
 
 inline SamplePoint sample_point(const FirstHit& hit, std::uint32_t seed) {
     SamplePoint point{};

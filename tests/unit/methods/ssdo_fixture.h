@@ -46,16 +46,6 @@ inline Settings many_samples(int samples, double radius) {
             {"blur", false}};
 }
 
-inline scene::Camera ssdo_camera(glm::vec3 eye, glm::vec3 target, glm::vec3 up, float height) {
-    scene::Camera made;
-    made.eye = eye;
-    made.target = target;
-    made.up = up;
-    made.orthographic = height > 0;
-    made.height = height;
-    return made;
-}
-
 /// A floor of 2 m × 2 m (x from 0 on) before a wall of 1 m × 1 m at x = 0, all white; a sun that shines on
 /// both.
 inline scene::Scene lit_wall() {

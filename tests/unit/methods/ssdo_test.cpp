@@ -44,7 +44,7 @@ TEST_F(SsdoTest, NearAWallAccessibilityTendsToALinearFallOff) {
     for (const bool orthographic : {true, false}) {
         const auto eye = glm::vec3(1, 1, 0) * (orthographic ? 6.0f : 3.0f);
         const Shot shot(scene::load_scene("builtin:corner?size=8"),
-                        ssdo_camera(eye, {0, 0, 0}, {0, 1, 0}, orthographic ? 2.0f : 0.0f), 64, 64);
+                        looking(eye, {0, 0, 0}, {0, 1, 0}, orthographic ? 2.0f : 0.0f), 64, 64);
         const auto open = render(shot, many_samples(256, 0.5), "ssdo.accessibility");
         const auto position = read("gbuffer.position"), normal = read("gbuffer.geometric_normal");
         double bias = 0, squares = 0;
@@ -73,9 +73,9 @@ struct Received {
 class SsdoWallTest : public SsdoTest {
   protected:
     Received received(bool orthographic, const Settings& settings, double radius) {
-        const Shot shot(
-            lit_wall(),
-            ssdo_camera({3.2f, 2.4f, 0.7f}, {0.6f, 0.3f, 0}, {0, 1, 0}, orthographic ? 2.6f : 0.0f), 96, 96);
+        const Shot shot(lit_wall(),
+                        looking({3.2f, 2.4f, 0.7f}, {0.6f, 0.3f, 0}, {0, 1, 0}, orthographic ? 2.6f : 0.0f),
+                        96, 96);
         const auto indirect = render(shot, settings);
         const auto position = read("gbuffer.position"), normal = read("gbuffer.geometric_normal"),
                    senders = read("ssdo.senders");
@@ -123,7 +123,7 @@ TEST_F(SsdoTest, SidesThatTheCameraDoesNotSeeOccludeButSendNothing) {
     world.quad({-0.3f, 0.3f, 0.3f}, {0.3f, 0.3f, 0.3f}, {0.3f, 0.3f, -0.3f}, {-0.3f, 0.3f, -0.3f});
     auto scene = world.scene();
     scene.lights = lit_wall().lights;
-    const Shot shot(scene, ssdo_camera({0, 5, 0}, {0, 0, 0}, {0, 0, -1}, 2), 64, 64);
+    const Shot shot(scene, looking({0, 5, 0}, {0, 0, 0}, {0, 0, -1}, 2), 64, 64);
     Inspection picked;
     picked.x = 18;
     picked.y = 32;
@@ -142,7 +142,7 @@ TEST_F(SsdoTest, SidesThatTheCameraDoesNotSeeOccludeButSendNothing) {
 }
 
 TEST_F(SsdoTest, WhatLiesOutsideOfThePictureIsMissedAndCounted) {
-    const Shot shot(lit_wall(), ssdo_camera({0.35f, 3, 0}, {0.35f, 0, 0}, {0, 0, -1}, 0.5f), 32, 32);
+    const Shot shot(lit_wall(), looking({0.35f, 3, 0}, {0.35f, 0, 0}, {0, 0, -1}, 0.5f), 32, 32);
     const auto indirect = render(shot, many_samples(64, 1));
     EXPECT_EQ(*std::max_element(indirect.pixels.begin(), indirect.pixels.end()), 0);
     EXPECT_GT(read("ssdo.cut").at(0, 16), 0.3f);
@@ -208,7 +208,7 @@ TEST_F(SsdoTest, AnEnvironmentMapLightsAnOpenSlopeByItsIntegral) {
     world.square({0, 0, 0}, normal, 1);
     auto scene = world.scene();
     scene.environment = {{}, std::make_shared<Image>(map)};
-    const Shot shot(scene, ssdo_camera(3.0f * normal, {0, 0, 0}, {1, 0, 0}, 1), 16, 16);
+    const Shot shot(scene, looking(3.0f * normal, {0, 0, 0}, {1, 0, 0}, 1), 16, 16);
     const auto sky = render(shot, many_samples(4096, 1), "ssdo.sky.raw");
     const passes::EnvironmentLight light(scene.environment);
     glm::dvec3 expected(0);

@@ -42,20 +42,7 @@ class SurfelTest : public PassTest {
         options.progress = run.progress;
         auto inputs = shot.inputs();
         inputs.seed = run.seed;
-        const auto report = graph().run(method, {}, inputs, options);
-        for (const auto& message : report.messages)
-            EXPECT_NE(message.severity, Severity::error) << message.text;
-        return report;
-    }
-
-    template <class T>
-    std::vector<T> elements(const std::string& key) {
-        const auto device = graph().device_buffer(key);
-        const auto bytes = graph().read_buffer(key);
-        if (!device || !bytes) throw std::runtime_error("no buffer " + key);
-        std::vector<T> result(device->elements);
-        std::memcpy(result.data(), bytes->data(), sizeof(T) * result.size());
-        return result;
+        return run_method(method, {}, inputs, options);
     }
     std::vector<dss::Surfel> surfels() { return elements<dss::Surfel>("surfels.records"); }
     /// As people see them, with their light.

@@ -31,13 +31,7 @@ class VolumesTest : public PassTest {
 };
 
 inline scene::Camera volumes_camera(glm::vec3 eye, glm::vec3 target, float orthographic_height = 0) {
-    scene::Camera made;
-    made.eye = eye;
-    made.target = target;
-    made.up = std::abs(glm::normalize(target - eye).y) > 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
-    made.orthographic = orthographic_height > 0;
-    made.height = orthographic_height;
-    return made;
+    return looking_at(eye, target, orthographic_height > 0, orthographic_height, {0, 0, 1});
 }
 
 inline Settings additive_volumes(double reach, const char* sides = "both", const char* falloff = "hard") {

@@ -13,7 +13,7 @@ namespace {
 class BlurTest : public PassTest {
   protected:
     /// Blurs a picture of the view's size that `value(x, y, channel)` gives.
-    Image blurred(const Shot& shot, const passes::BlurOptions& options,
+    Image blurred(const Shot& shot, const passes::BlurParameters& options,
                   const std::function<float(int, int, int)>& value, gl::Format format = gl::Format::r32f) {
         run(shot, [&](graph::GraphBuilder& builder) {
             const auto gbuffer = passes::gbuffer(builder, passes::upload_scene(builder));

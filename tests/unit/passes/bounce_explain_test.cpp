@@ -29,9 +29,7 @@ class BounceExplainTest : public BounceTest {
   protected:
     template <int channels>
     std::vector<Line<channels>> lines(const std::string& key) {
-        const auto bytes = graph().read_buffer(key);
-        std::vector<Line<channels>> all(bytes->size() / sizeof(Line<channels>));
-        std::memcpy(all.data(), bytes->data(), all.size() * sizeof(Line<channels>));
+        auto all = elements<Line<channels>>(key);
         all.resize(std::min<std::size_t>(all.size(), count_.at(key)));
         return all;
     }
@@ -86,7 +84,7 @@ TEST_F(BounceExplainTest, TheWidestFilterIsComplete) {
     small.square({0, 0, 0}, {0, 0, 1}, 50);
     const Shot shot(small.scene(), scene::Camera{}, 59, 59);
     auto r = BounceRun::with(bounce::max_samples, Spread::stratified, 29);
-    r.reconstruction.blur.blur_plane_tolerance = 1e3f;
+    r.reconstruction.blur.plane_tolerance = 1e3f;
     r.meeting = [](glm::ivec2 pixel, int sample, glm::vec4) {
         return Met{pixel.y == 58 && pixel.x > 40 && sample > 7 ? 0.5f
                                                                : -1.0f};  // among the last that are looked at
@@ -124,8 +122,7 @@ TEST_F(BounceExplainTest, WeightsAreTheBlurs) {
                 texels[static_cast<std::size_t>(40 * pixel.y + at)] = 1;
                 context.upload(given, std::as_bytes(std::span(texels)));
             });
-            passes::blur(builder, gbuffer, given, passes::options_of(r.reconstruction.blur),
-                         {"blurred", "Blurred"});
+            passes::blur(builder, gbuffer, given, r.reconstruction.blur, {"blurred", "Blurred"});
         });
         EXPECT_NEAR(weight / whole, read("blurred.blurred_rows").at(pixel.x, pixel.y), 1e-5 * weight / whole)
             << offset;

@@ -80,7 +80,7 @@ struct BounceRun {
         run.options.parameters.samples = samples;
         run.options.parameters.spread = spread;
         run.reconstruction.blur.blur = blur_radius > 0;
-        run.reconstruction.blur.blur_radius = blur_radius;
+        run.reconstruction.blur.radius = blur_radius;
         return run;
     }
 };

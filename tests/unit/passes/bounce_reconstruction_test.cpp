@@ -87,7 +87,7 @@ TEST_F(ReconstructionTest, OfAHalfOpenHemisphereTheProjectedPartIsLeft) {
 
             // The ratio's bias falls with the number of samples, here 4 · 7².
             r.reconstruction.estimator = Estimator::ratio;
-            r.reconstruction.blur = {.blur = true, .blur_radius = 3};
+            r.reconstruction.blur = {.blur = true, .radius = 3};
             reconstruct(wall.shot(64, 64), r);
             EXPECT_NEAR(Moments(result()).mean, expected, 0.01);
         }

@@ -3,7 +3,7 @@
 
 #include "renderers/passes/direct/direct_light.h"
 #include "renderers/passes/scene/light_data.h"
-#include "renderers/passes/shadow/shadow_views.h"
+#include "renderers/passes/shadow/shadow_maps.h"
 #include "tests/unit/passes/pass_fixture.h"
 #include "tests/unit/passes/small_world.h"
 

@@ -1,7 +1,7 @@
 #include "renderers/core/record.h"
 #include "renderers/passes/scene/light_data.h"
 #include "renderers/passes/scene/material_data.h"
-#include "renderers/passes/shadow/shadow_views.h"
+#include "renderers/passes/shadow/shadow_maps.h"
 #include "tests/unit/passes/pass_fixture.h"
 
 namespace ir::test {
@@ -53,7 +53,7 @@ TEST_F(LayoutTest, ShadowViews) {
 }
 
 TEST_F(LayoutTest, OpacityBitmaps) {
-    expect_layout({"passes/gbuffer/gbuffer.vert", "passes/gbuffer/gbuffer.frag"}, "opacity",
+    expect_layout({"passes/scene/triangles.vert", "passes/gbuffer/gbuffer.frag"}, "opacity",
                   record_fields<passes::OpacityData>(), sizeof(passes::OpacityData));
 }
 

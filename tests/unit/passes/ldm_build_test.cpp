@@ -7,22 +7,6 @@ namespace {
 
 constexpr StorageKind storages[] = {StorageKind::linked_lists, StorageKind::arrays};
 
-/// At most `fraction` of the fragments may differ. Depths may by what a shift of 1/256 texel makes of the
-/// slope: builders differ in whether the corners' depths move with them when they are snapped.
-void expect_similar(const Lists& found, const Lists& expected, double fraction) {
-    ASSERT_EQ(found.size(), expected.size());
-    EXPECT_LE(different_fragments(found, expected), fraction * total(expected));
-    std::size_t far = 0, compared = 0;
-    for (std::size_t t = 0; t < found.size(); ++t) {
-        if (found[t].size() != expected[t].size()) continue;
-        for (std::size_t i = 0; i < found[t].size(); ++i) {
-            ++compared;
-            far += std::abs(int(found[t][i]) - int(expected[t][i])) > 32;
-        }
-    }
-    EXPECT_LT(far, 0.01 * compared);
-}
-
 TEST(LdmBuild, MatchesScanConversionOnTheHost) {
     const auto world = random_world(3000, 1);
     const auto frames = fit_frames(leopardi_directions(20), glm::dmat3(1), world.world.bounds, 64);

@@ -232,4 +232,22 @@ inline std::size_t different_fragments(const Lists& a, const Lists& b) {
     return sum;
 }
 
+/// At most `fraction` of the fragments may differ, and few depths by more than some quanta: by what a shift
+/// of 1/256 texel makes of the slope: builders differ in whether the corners' depths move with them when they
+/// are snapped.
+inline void expect_similar(const Lists& found, const Lists& expected, double fraction, int quanta = 32,
+                           double far_fraction = 0.01) {
+    ASSERT_EQ(found.size(), expected.size());
+    EXPECT_LE(different_fragments(found, expected), fraction * total(expected));
+    std::size_t far = 0, compared = 0;
+    for (std::size_t t = 0; t < found.size(); ++t) {
+        if (found[t].size() != expected[t].size()) continue;
+        for (std::size_t i = 0; i < found[t].size(); ++i) {
+            ++compared;
+            far += std::abs(int(found[t][i]) - int(expected[t][i])) > quanta;
+        }
+    }
+    EXPECT_LE(far, far_fraction * compared);
+}
+
 }  // namespace ir::passes::ldm

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "ldm_fixture.h"
-#include "renderers/passes/ldm/packed_storage.h"
+#include "renderers/passes/ldm/storages.h"
 #include "small_world.h"
 
 namespace ir::passes::ldm {

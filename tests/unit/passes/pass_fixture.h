@@ -9,13 +9,12 @@
 #include <functional>
 #include <memory>
 #include <sstream>
-#include <stdexcept>
 
-#include "renderers/core/resources_path.h"
-#include "renderers/graph/graph.h"
+#include "renderers/core/record.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
 #include "renderers/passes/scene/scene_buffers.h"
+#include "tests/device_fixture.h"
 
 namespace ir::test {
 
@@ -57,6 +56,34 @@ inline scene::Camera looking(glm::vec3 eye, glm::vec3 target, glm::vec3 up = {0,
     return camera;
 }
 
+/// The same, orthographic where it has a height, m.
+inline scene::Camera looking(glm::vec3 eye, glm::vec3 target, glm::vec3 up, float height) {
+    auto camera = looking(eye, target, up);
+    camera.orthographic = height > 0;
+    camera.height = height;
+    return camera;
+}
+
+/// As `looking`; from above or below, up is `vertical_up`. `height` of an orthographic one, m.
+inline scene::Camera looking_at(glm::vec3 eye, glm::vec3 target, bool orthographic, float height,
+                                glm::vec3 vertical_up) {
+    const bool is_vertical = std::abs(glm::normalize(target - eye).y) > 0.9f;
+    auto camera = looking(eye, target, is_vertical ? vertical_up : glm::vec3(0, 1, 0));
+    camera.orthographic = orthographic;
+    camera.height = height;
+    return camera;
+}
+
+/// 2 x 16 bits SNORM. [Cigolle14 "oct"]
+inline std::uint32_t octahedral(glm::vec3 n) {
+    const auto sign = [](float v) { return v >= 0 ? 1.0f : -1.0f; };
+    n /= std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+    glm::vec2 p(n.x, n.y);
+    if (n.z < 0) p = {(1 - std::abs(n.y)) * sign(n.x), (1 - std::abs(n.x)) * sign(n.y)};
+    const auto bits = [](float v) { return static_cast<std::uint32_t>(std::lround(v * 32767)) & 0xffffu; };
+    return bits(p.x) | bits(p.y) << 16;
+}
+
 /// Constants of set_count.comp.
 struct SetCount {
     unsigned amount;
@@ -70,27 +97,35 @@ inline void add_to_counter(const graph::PassContext& context, std::uint32_t amou
     program.dispatch(1);
 }
 
-/// Runs passes on the best device; any error that OpenGL reports fails the test.
-class PassTest : public testing::Test {
+/// Declares a buffer with these records, and their counter. `capacity` 0: as many as there are; `uncounted`
+/// is added to the counter: records that found no place.
+template <class Record>
+graph::CountedBuffer upload_records(graph::GraphBuilder& builder, graph::BufferDesc desc,
+                                    const std::string& counter, const std::vector<Record>& records,
+                                    std::uint64_t capacity = 0, std::uint32_t uncounted = 0) {
+    desc.fields = record_fields<Record>();
+    desc.elements = capacity ? capacity : std::max<std::size_t>(1, records.size());
+    const graph::CountedBuffer result{builder.buffer(std::move(desc)),
+                                      builder.counter({.key = counter, .label = "Records"})};
+    builder.pass("upload records")
+        .writes(result.elements)
+        .counts("Counter", result.count)
+        .execute([=](graph::PassContext& p) {
+            const auto there = std::min<std::size_t>(records.size(), p.capacity(result.elements));
+            p.upload(result.elements, std::as_bytes(std::span(records).first(there)));
+            add_to_counter(p, static_cast<std::uint32_t>(records.size()) + uncounted);
+        });
+    return result;
+}
+
+/// Runs passes on the best device.
+class PassTest : public DeviceTest {
   protected:
     using Setup = std::function<void(graph::GraphBuilder&)>;
 
     /// Those of the method that run() runs.
     virtual std::vector<OutputDescription> outputs() const { return {}; }
-    static std::vector<OutputDescription> joined(
-        std::initializer_list<std::vector<OutputDescription>> parts) {
-        std::vector<OutputDescription> all;
-        for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-        return all;
-    }
 
-    void SetUp() override {
-        gl::ContextOptions options;
-        options.debug = true;
-        context_ = gl::Context::create_best(options);
-        device_ = gl::make_gl_device(*context_);
-        use_shaders(shader_directory());
-    }
     /// From here on `right` reads `wrong` in a shader: what a test asserts must fail then.
     void break_shader(const std::string& file, const std::string& right, const std::string& wrong) {
         const auto copy = broken_shaders();
@@ -106,14 +141,8 @@ class PassTest : public testing::Test {
     }
     void mend_shaders() { use_shaders(shader_directory()); }
     void TearDown() override {
-        if (!context_) return;
         std::filesystem::remove_all(broken_shaders());
-        for (const auto& message : context_->take_messages())
-            EXPECT_NE(message.severity, Severity::error) << message.text;
-        graph_.reset();
-        programs_.reset();
-        device_.reset();
-        context_->release();
+        DeviceTest::TearDown();
     }
 
     /// On which the passes of a shot run that have two bodies.
@@ -131,10 +160,21 @@ class PassTest : public testing::Test {
         method.setup = [&](graph::GraphBuilder& builder, const Settings&) { setup(builder); };
         graph::FrameOptions options;
         options.wanted = {"*"};
-        const auto report = graph_->run(method, {}, inputs, options);
-        for (const auto& message : report.messages)
-            EXPECT_NE(message.severity, Severity::error) << message.text;
-        return report;
+        return run_method(method, {}, inputs, options);
+    }
+    /// `run`: what tests differ in, with wanted, initial_capacity and inspection.
+    template <class Run>
+    FrameReport run_shot(const Shot& shot, const graph::Method& method, const Run& run,
+                         std::uint64_t seed = 0, Processor on = Processor::gl, int threads = 0) {
+        graph::FrameOptions options;
+        options.wanted = run.wanted;
+        options.initial_capacity = run.initial_capacity;
+        auto inputs = shot.inputs();
+        inputs.seed = seed;
+        inputs.processor = on;
+        inputs.threads = threads;
+        inputs.inspection = run.inspection;
+        return run_method(method, {}, inputs, options);
     }
     void run_gbuffer(const Shot& shot, const passes::GBufferOptions& options = {}) {
         run(shot, [&](graph::GraphBuilder& builder) {
@@ -142,34 +182,10 @@ class PassTest : public testing::Test {
         });
     }
 
-    /// Throws where the image does not exist.
-    Image read(const std::string& key, int layer = 0) const {
-        auto image = graph_->read_image(key, 0, layer);
-        if (!image) throw std::runtime_error("no image " + key);
-        return std::move(*image);
-    }
-    static glm::vec3 rgb(const Image& image, int x, int y) {
-        return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
-    }
-
-    graph::Graph& graph() { return *graph_; }
-    const gl::Api& api() const { return context_->api(); }
-    gl::ProgramLibrary& programs() { return *programs_; }
-
   private:
     static std::filesystem::path broken_shaders() {
         return std::filesystem::path(testing::TempDir()) / ("shaders" + std::to_string(getpid()));
     }
-    void use_shaders(const std::filesystem::path& folder) {
-        graph_.reset();
-        programs_ = std::make_unique<gl::ProgramLibrary>(*context_, folder);
-        graph_ = std::make_unique<graph::Graph>(*device_, context_.get(), programs_.get());
-    }
-
-    std::unique_ptr<gl::Context> context_;
-    std::unique_ptr<gl::Device> device_;
-    std::unique_ptr<gl::ProgramLibrary> programs_;
-    std::unique_ptr<graph::Graph> graph_;
 };
 
 /// The file of a scene that the project does not ship, or empty.

@@ -41,7 +41,7 @@ TEST(Document, RoundTripIsStableToTheByte) {
 }
 
 TEST(Document, MatchesTheFrozenFileOfSchema5) {
-    const auto text = testing::read_text(TEST_DATA "/projects/schema-5.json");
+    const auto text = testing::read_text(TEST_DATA "/projects/schema-6.json");
     EXPECT_EQ(write_project(read(text).project), text);
     EXPECT_EQ(read(text).project, sample_project());
 }

@@ -59,7 +59,7 @@ TEST(Migrations, FrozenFileOfSchema2Opens) {
     expected.plots.clear();
     expected.motion.resize(1);
     EXPECT_EQ(old.project, expected);
-    ASSERT_EQ(old.messages.size(), 3u);
+    ASSERT_EQ(old.messages.size(), 4u);
     EXPECT_EQ(old.messages[0].text, "upgraded from schema 2 to 3: projects have plots of the error");
 }
 
@@ -69,7 +69,7 @@ TEST(Migrations, FrozenFileOfSchema3Opens) {
     auto expected = testing::sample_project();
     expected.motion.resize(1);
     EXPECT_EQ(old.project, expected);
-    ASSERT_EQ(old.messages.size(), 2u);
+    ASSERT_EQ(old.messages.size(), 3u);
     EXPECT_EQ(old.messages[0].text,
               "upgraded from schema 3 to 4: motions say what they move: cameras, lights or parts of scenes");
 }
@@ -78,6 +78,31 @@ TEST(Migrations, FrozenFileOfSchema4Opens) {
     const auto old = read(testing::read_text(TEST_DATA "/projects/schema-4.json"));
     EXPECT_EQ(old.schema_in_file, 4);
     EXPECT_EQ(old.project, testing::sample_project());
+}
+
+TEST(Migrations, FileOfSchema5Opens) {
+    // Of what is in the file, schema 6 has nothing by another name.
+    auto text = testing::read_text(TEST_DATA "/projects/schema-6.json");
+    text.replace(text.find("6"), 1, "5");
+    const auto old = read(text);
+    EXPECT_EQ(old.schema_in_file, 5);
+    EXPECT_EQ(old.project, testing::sample_project());
+}
+
+TEST(Migrations, KeysOfSchema5HaveTheirNewNamesWhereverTheyStand) {
+    const auto project = read(R"({"schema": 5,
+        "experiments": [{"id": "a", "method": "fog", "values": {"radius_min": 0.5, "stretch_max": 3.0},
+                         "presets": {"p": {"values": {"radius_max": 2.0}}}}],
+        "plots": [{"id": "d", "over": "radius_texels"}],
+        "sweeps": [{"id": "e", "experiment": "a", "axes": [{"key": "ray_length_floor", "values": [1]}]}]})")
+                             .project;
+    const auto& values = project.experiments.at(0).values;
+    EXPECT_EQ(values.at("min_radius"), Value{0.5});
+    EXPECT_EQ(values.at("max_stretch"), Value{3.0});
+    EXPECT_FALSE(values.contains("radius_min"));
+    EXPECT_TRUE(project.experiments[0].presets.at("p").values.contains("max_radius"));
+    EXPECT_EQ(project.plots.at(0).over, "min_radius_texels");
+    EXPECT_EQ(project.sweeps.at(0).axes.at(0).key, "min_ray_length_scale");
 }
 
 TEST(Migrations, KeysOfSchema4HaveTheirNewNamesWhereverTheyStand) {
@@ -132,7 +157,7 @@ TEST(Migrations, UpgradedTextIsStableAndNotes) {
 
 TEST(Migrations, WrongSchemasAreRefused) {
     for (const char* text : {"{}", R"({"schema": "2"})", R"({"schema": 0})", R"({"schema": -1})",
-                             R"({"schema": 6})", R"({"schema": 1.5})", R"({"schema": 18446744073709551615})"})
+                             R"({"schema": 7})", R"({"schema": 1.5})", R"({"schema": 18446744073709551615})"})
         EXPECT_THROW(read(text), InputError) << text;
 }
 

@@ -7,6 +7,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/scene/scene.h"
+#include "tests/unit/scene/first_hit.h"
 
 namespace ir::scene {
 namespace {
@@ -20,27 +21,6 @@ std::size_t triangle_count(const Scene& scene) {
 const Scene& atrium() {
     static const Scene scene = make_builtin("atrium");
     return scene;
-}
-
-/// Distance to the first triangle along a ray, by brute force; infinite for none.
-float first_hit(const Scene& scene, glm::vec3 origin, glm::vec3 direction) {
-    float nearest = std::numeric_limits<float>::infinity();
-    for (const auto& mesh : scene.meshes) {
-        if (scene.materials[mesh.material].alpha_mode == AlphaMode::mask) continue;
-        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-            const glm::vec3 a = mesh.positions[mesh.indices[i]];
-            const glm::vec3 ab = mesh.positions[mesh.indices[i + 1]] - a;
-            const glm::vec3 ac = mesh.positions[mesh.indices[i + 2]] - a;
-            const glm::vec3 p = glm::cross(direction, ac);
-            const float determinant = glm::dot(ab, p);
-            if (std::abs(determinant) < 1e-12f) continue;
-            const float u = glm::dot(origin - a, p) / determinant;
-            const glm::vec3 q = glm::cross(origin - a, ab);
-            const float v = glm::dot(direction, q) / determinant, t = glm::dot(ac, q) / determinant;
-            if (u >= 0 && v >= 0 && u + v <= 1 && t > 0) nearest = std::min(nearest, t);
-        }
-    }
-    return nearest;
 }
 
 TEST(Atrium, HasAbout260000TrianglesAndScales) {
@@ -137,22 +117,23 @@ TEST(Atrium, CamerasStandInTheOpen) {
                         up = glm::cross(right, forward);
         for (const float x : {-0.8f, 0.0f, 0.8f})
             for (const float y : {-0.5f, 0.0f, 0.5f})
-                EXPECT_GT(first_hit(atrium(), camera->eye, glm::normalize(forward + x * right + y * up)),
-                          0.3f)
+                EXPECT_GT(
+                    first_hit(atrium(), camera->eye, glm::normalize(forward + x * right + y * up), false),
+                    0.3f)
                     << name << " " << x << " " << y;
     }
 }
 
 TEST(Atrium, HasFloorsUnderItsStoreysAndSkyOverTheCourt) {
     const glm::vec3 down(0, -1, 0), up(0, 1, 0);
-    const auto below = [&](glm::vec3 p) { return p.y - first_hit(atrium(), p, down); };
+    const auto below = [&](glm::vec3 p) { return p.y - first_hit(atrium(), p, down, false); };
     EXPECT_NEAR(below({3, 1.5f, 6.3f}), 0, 1e-3);
     EXPECT_NEAR(below({3, 7, 6.3f}), 5.6f, 1e-3);
     EXPECT_NEAR(below({-13, 7, 0.3f}), 5.6f, 1e-3);
     EXPECT_NEAR(below({5, 1.5f, 1.2f}), -0.34f, 1e-3);
-    EXPECT_TRUE(std::isinf(first_hit(atrium(), {5, 1.5f, 1.2f}, up)));
-    EXPECT_LT(first_hit(atrium(), {3, 7, 6.3f}, up), 5);     // the roof
-    EXPECT_LT(first_hit(atrium(), {3, 1.5f, 6.3f}, up), 4);  // a vault
+    EXPECT_TRUE(std::isinf(first_hit(atrium(), {5, 1.5f, 1.2f}, up, false)));
+    EXPECT_LT(first_hit(atrium(), {3, 7, 6.3f}, up, false), 5);     // the roof
+    EXPECT_LT(first_hit(atrium(), {3, 1.5f, 6.3f}, up, false), 4);  // a vault
 }
 
 TEST(Atrium, ColumnsStandOnTheFloorAndCarryTheArches) {
@@ -179,7 +160,7 @@ TEST(Atrium, SunReachesTheCourt) {
         if (light.type != LightType::directional) continue;
         found = true;
         EXPECT_NEAR(glm::length(light.direction), 1, 1e-5);
-        EXPECT_TRUE(std::isinf(first_hit(atrium(), {6, 0, -2.2f}, -light.direction)));
+        EXPECT_TRUE(std::isinf(first_hit(atrium(), {6, 0, -2.2f}, -light.direction, false)));
     }
     EXPECT_TRUE(found);
 }

@@ -13,6 +13,7 @@
 #include "renderers/scene/builtin/dominoes.h"
 #include "renderers/scene/scene.h"
 #include "tests/unit/scene/closed_mesh.h"
+#include "tests/unit/scene/first_hit.h"
 
 namespace ir::scene {
 namespace {
@@ -23,25 +24,6 @@ const Scene& scene_of(const std::string& name) {
     static std::map<std::string, Scene> scenes;
     const auto found = scenes.find(name);
     return found != scenes.end() ? found->second : scenes.emplace(name, make_builtin(name)).first->second;
-}
-
-/// Distance to the first triangle along a ray; infinite for none.
-float first_hit_of_any(const Scene& scene, glm::vec3 origin, glm::vec3 direction) {
-    float nearest = std::numeric_limits<float>::infinity();
-    for (const auto& mesh : scene.meshes)
-        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-            const glm::vec3 a = mesh.positions[mesh.indices[i]];
-            const glm::vec3 ab = mesh.positions[mesh.indices[i + 1]] - a;
-            const glm::vec3 ac = mesh.positions[mesh.indices[i + 2]] - a;
-            const glm::vec3 p = glm::cross(direction, ac);
-            const float determinant = glm::dot(ab, p);
-            if (std::abs(determinant) < 1e-14f) continue;
-            const float u = glm::dot(origin - a, p) / determinant;
-            const glm::vec3 q = glm::cross(origin - a, ab);
-            const float v = glm::dot(direction, q) / determinant, t = glm::dot(ac, q) / determinant;
-            if (u >= 0 && v >= 0 && u + v <= 1 && t > 0) nearest = std::min(nearest, t);
-        }
-    return nearest;
 }
 
 class Figures : public ::testing::TestWithParam<std::string> {};
@@ -79,8 +61,8 @@ TEST_P(Figures, CamerasStandInTheOpenAndSeeSurfaces) {
         int seen = 0;
         for (const float x : {-1.3f, 0.02f, 1.3f})
             for (const float y : {-0.8f, -0.4f, 0.01f}) {
-                const float distance = first_hit_of_any(
-                    scene, camera.eye, glm::normalize(forward + half * (x * right + y * up)));
+                const float distance =
+                    first_hit(scene, camera.eye, glm::normalize(forward + half * (x * right + y * up)));
                 EXPECT_GT(distance, 0.01f * size) << camera.name;
                 seen += std::isfinite(distance);
             }
@@ -198,10 +180,10 @@ TEST(Cathedral, VaultsCoverNaveAislesAndApse) {
     for (int i = 0; i < 40; ++i)
         for (const float z : {-6.77f, -3.31f, -0.13f, 2.57f, 7.91f}) {
             const float x = -13.3f + 0.66f * static_cast<float>(i) + 0.011f * z;
-            EXPECT_LT(first_hit_of_any(scene, {x, 3.4f, z}, {0, 1, 0}), 11) << x << " " << z;
+            EXPECT_LT(first_hit(scene, {x, 3.4f, z}, {0, 1, 0}), 11) << x << " " << z;
         }
     for (const float x : {13.9f, 15.1f, 16.4f})
-        EXPECT_LT(first_hit_of_any(scene, {x, 3.4f, 0.21f}, {0, 1, 0}), 11) << x;
+        EXPECT_LT(first_hit(scene, {x, 3.4f, 0.21f}, {0, 1, 0}), 11) << x;
 }
 
 }  // namespace

@@ -338,11 +338,11 @@ TEST_F(LayersTest, DrawsTheSceneFromTheGraphsBuffersAsFromItsOwn) {
     const auto own = draw({{.key = "row"}}, layer_width, layer_height);
     run({row()},
         [](graph::GraphBuilder& builder) { passes::gbuffer(builder, passes::upload_scene(builder), {}); });
-    const auto before = graph_->read_image("gbuffer.position");
+    const auto before = graph().read_image("gbuffer.position");
     EXPECT_EQ(draw({{.key = "row"}}, layer_width, layer_height).colour.pixels, own.colour.pixels);
     run({row()},
         [](graph::GraphBuilder& builder) { passes::gbuffer(builder, passes::upload_scene(builder), {}); });
-    EXPECT_EQ(graph_->read_image("gbuffer.position")->pixels, before->pixels)
+    EXPECT_EQ(graph().read_image("gbuffer.position")->pixels, before->pixels)
         << "passes find the state they expect";
 }
 

@@ -89,12 +89,12 @@ TEST_F(RobustnessTest, TheWorldIsUploadedAgainWhenItChanges) {
     auto in = inputs();
     in.geometry_fingerprint = "first";
     Scene3D view{.width = tiny_width, .height = tiny_height};
-    const auto first = viewer_->draw(*graph_, in, camera_, view).colour.pixels;
-    EXPECT_EQ(viewer_->draw(*graph_, in, camera_, view).colour.pixels, first);
+    const auto first = viewer_->draw(graph(), in, camera_, view).colour.pixels;
+    EXPECT_EQ(viewer_->draw(graph(), in, camera_, view).colour.pixels, first);
     add_square({1.2, 0, 1}, {0, 0, 1}, 0.4f);
     in = inputs();
     in.geometry_fingerprint = "second";
-    EXPECT_NE(viewer_->draw(*graph_, in, camera_, view).colour.pixels, first);
+    EXPECT_NE(viewer_->draw(graph(), in, camera_, view).colour.pixels, first);
 }
 
 TEST_F(RobustnessTest, DrawsBetweenTheSlicesOfAFrame) {
@@ -134,9 +134,9 @@ TEST_F(RobustnessTest, DrawsBetweenTheSlicesOfAFrame) {
         ++pictures;
     };
     const auto in = inputs();
-    graph_->run(method, {}, in, options);
+    graph().run(method, {}, in, options);
     EXPECT_GT(pictures, 0);
-    const auto bytes = graph_->read_buffer("copy");
+    const auto bytes = graph().read_buffer("copy");
     ASSERT_TRUE(bytes);
     std::vector<glm::vec3> copied(count);
     std::memcpy(copied.data(), bytes->data(), 12 * count);

@@ -1,19 +1,14 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <bit>
-#include <cstring>
 #include <functional>
 #include <glm/glm.hpp>
-#include <memory>
 #include <span>
 
-#include "renderers/core/resources_path.h"
-#include "renderers/graph/graph.h"
 #include "renderers/graph/pass_context.h"
 #include "renderers/passes/viewers/draw.h"
 #include "renderers/scene/view.h"
+#include "tests/device_fixture.h"
 
 namespace ir::test {
 
@@ -54,28 +49,17 @@ struct TestBuffer {
 
 inline const Field position_field{"position", FieldType::f32, 3};
 
-/// Draws buffers that a cpu pass wrote; any error that OpenGL reports fails the test.
-class ViewerTest : public testing::Test {
+/// Draws buffers that a cpu pass wrote.
+class ViewerTest : public DeviceTest {
   protected:
     void SetUp() override {
-        gl::ContextOptions options;
-        options.debug = true;
-        context_ = gl::Context::create_best(options);
-        device_ = gl::make_gl_device(*context_);
-        programs_ = std::make_unique<gl::ProgramLibrary>(*context_, shader_directory());
-        graph_ = std::make_unique<graph::Graph>(*device_, context_.get(), programs_.get());
-        viewer_ = std::make_unique<passes::viewers::Viewer>(*context_, *device_, *programs_);
+        DeviceTest::SetUp();
+        viewer_ = std::make_unique<passes::viewers::Viewer>(context(), device(), programs());
         world_ = scene::flatten(scene_, 0, 0);
     }
     void TearDown() override {
-        if (!context_) return;
-        for (const auto& message : context_->take_messages())
-            EXPECT_NE(message.severity, Severity::error) << message.text;
         viewer_.reset();
-        graph_.reset();
-        programs_.reset();
-        device_.reset();
-        context_->release();
+        DeviceTest::TearDown();
     }
 
     /// Runs a frame whose cpu passes write these buffers; `more` may declare further passes.
@@ -89,7 +73,7 @@ class ViewerTest : public testing::Test {
         };
         graph::FrameOptions options;
         options.wanted = {"*"};
-        graph_->run(method, {}, inputs(), options);
+        graph().run(method, {}, inputs(), options);
     }
 
     graph::FrameInputs inputs() const {
@@ -100,7 +84,7 @@ class ViewerTest : public testing::Test {
         return inputs;
     }
 
-    Picture3D draw(const Scene3D& view) { return viewer_->draw(*graph_, inputs(), camera_, view); }
+    Picture3D draw(const Scene3D& view) { return viewer_->draw(graph(), inputs(), camera_, view); }
     Picture3D draw(std::vector<Layer> layers, int width = 160, int height = 120, bool show_scene = true) {
         Scene3D view;
         view.width = width;
@@ -153,10 +137,6 @@ class ViewerTest : public testing::Test {
     scene::Scene scene_;
     scene::World world_;
     scene::Camera camera_;  ///< from (0, 0, 5) to the origin
-    std::unique_ptr<gl::Context> context_;
-    std::unique_ptr<gl::Device> device_;
-    std::unique_ptr<gl::ProgramLibrary> programs_;
-    std::unique_ptr<graph::Graph> graph_;
     std::unique_ptr<passes::viewers::Viewer> viewer_;
 
   private:

@@ -37,14 +37,14 @@ ImageRef unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, Im
 
 LevelSums blur_levels(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
                       const Hierarchy& hierarchy, ImageRef stack, const Parameters& parameters) {
-    const auto options = passes::options_of(parameters.reconstruction.blur);
+    const auto& options = parameters.reconstruction.blur;
     const auto& name = builder.images().at(static_cast<std::size_t>(stack.index)).text.key;
     LevelSums sums{stack, {}};
     for (int level = 0; level < hierarchy.levels; ++level) {
         const auto key = name + ".level_" + std::to_string(level);
         const auto image = unshuffled(builder, hierarchy, stack, key, level);
         auto wider = options;
-        wider.radius = std::min(options.radius << level, largest_radius);
+        wider.radius = std::min(options.used_radius() << level, largest_radius);
         sums.levels.push_back(
             passes::blur(builder, gbuffer, image, wider,
                          {.key = key + ".blurred",

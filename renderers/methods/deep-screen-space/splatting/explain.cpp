@@ -15,26 +15,10 @@ constexpr std::uint64_t expected_candidates = 4096;
 /// Candidates and sums are first what the device found, and then what the host made of it: buffers of their
 /// own in between would be kept where their keys are asked for, and the explanation of another pixel would
 /// find them done.
-struct Explained {
-    graph::BufferRef elements;
-    graph::CounterRef count;
-};
-
-Explained declare(graph::GraphBuilder& builder, const std::string& what, OutputKind kind,
-                  std::vector<graph::Field> fields, std::uint64_t elements) {
-    const auto text = builder.text_of_output("splats.explain." + what);
-    Explained e;
-    e.elements = builder.buffer({.text = text,
-                                 .kind = kind,
-                                 .fields = std::move(fields),
-                                 .elements = elements,
-                                 .growable = true,
-                                 .cleared = true});
-    e.count = builder.counter({.key = "splats.explain." + what + "_count",
-                               .label = text.label,
-                               .doc = "0 while nothing is picked, and where the pixel shows no surface.",
-                               .growth_of = e.elements});
-    return e;
+graph::CountedBuffer declare(graph::GraphBuilder& builder, const std::string& what,
+                             std::vector<graph::Field> fields, std::uint64_t elements) {
+    return builder.explanation("splats.explain." + what,
+                               {.fields = std::move(fields), .elements = elements, .cleared = true});
 }
 
 void dispatch_surfels(const graph::PassContext& p, const gl::Program& program, const Splats& splats,
@@ -95,8 +79,8 @@ void search(const graph::PassContext& p, graph::Slice slice, const VisibleSplats
     dispatch_surfels(p, program, visible.splats, slice);
 }
 
-void judge_found(const graph::PassContext& p, const Explained& candidates, const Explained& levels,
-                 const Splats& splats) {
+void judge_found(const graph::PassContext& p, const graph::CountedBuffer& candidates,
+                 const graph::CountedBuffer& levels, const Splats& splats) {
     const int level_count = splats.hierarchy.levels;
     const auto rows = static_cast<std::size_t>(splats.samples * level_count);
     const auto all_sums = p.elements<LevelSum>(levels.elements);
@@ -110,9 +94,9 @@ void judge_found(const graph::PassContext& p, const Explained& candidates, const
 
 void explain_pixel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
     const int levels = visible.splats.hierarchy.levels;
-    const auto candidates = declare(builder, "candidates", OutputKind::glyphs,
-                                    record_fields<SplatCandidate>(), expected_candidates);
-    const auto sums = declare(builder, "levels", OutputKind::table, record_fields<LevelSum>(),
+    const auto candidates =
+        declare(builder, "candidates", record_fields<SplatCandidate>(), expected_candidates);
+    const auto sums = declare(builder, "levels", record_fields<LevelSum>(),
                               static_cast<std::uint64_t>(visible.splats.samples * levels));
     auto pass = builder.pass("explain splats onto the pixel");
     read_splats(pass, visible);
@@ -154,8 +138,8 @@ graph::BufferRef choose_surfel(graph::GraphBuilder& builder, const VisibleSplats
 void explain_surfel(graph::GraphBuilder& builder, const VisibleSplats& visible) {
     const int levels = visible.splats.hierarchy.levels;
     const auto choice = choose_surfel(builder, visible);
-    const auto sums = declare(builder, "surfel", OutputKind::glyphs, record_fields<SurfelSum>(),
-                              static_cast<std::uint64_t>(levels));
+    const auto sums =
+        declare(builder, "surfel", record_fields<SurfelSum>(), static_cast<std::uint64_t>(levels));
     const auto cover = builder.output("splats.explain.cover", {.format = gl::Format::r16f, .layers = levels});
     auto pass = builder.pass("explain splats of the surfel");
     read_splats(pass, visible);

@@ -3,8 +3,6 @@
 namespace ir::methods::deep_screen_space {
 namespace {
 
-const std::string no_surface = "the pixel shows no surface";
-
 /// By SplatOutcome.
 const std::vector<Category> outcomes{{0, "does not cover the pixel", tints::dark},
                                      {1, "the pixel's point lies in no shell of the level", tints::grey},

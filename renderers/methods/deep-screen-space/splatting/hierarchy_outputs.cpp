@@ -40,7 +40,7 @@ std::vector<OutputDescription> hierarchy_outputs() {
          .semantic = Semantic::position,
          .unit = "m",
          .doc =
-             "Least x, y and z of all surfaces seen below a texel, on each mip level: with the greatest ones "
+             "Minimum x, y and z of all surfaces seen below a texel, on each mip level: with the maximum ones "
              "the box that splats are culled against. 3e38: no surface."},
         {.key = "hierarchy.max",
          .label = "Maximum positions",
@@ -48,7 +48,7 @@ std::vector<OutputDescription> hierarchy_outputs() {
          .semantic = Semantic::position,
          .unit = "m",
          .doc =
-             "Greatest x, y and z of all surfaces seen below a texel, on each mip level; -3e38: no surface."},
+             "Maximum x, y and z of all surfaces seen below a texel, on each mip level; -3e38: no surface."},
     };
 }
 

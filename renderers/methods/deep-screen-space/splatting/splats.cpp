@@ -167,7 +167,7 @@ void draw_splats(graph::PassBuilder pass, const Splats& splats, const BindLayer&
     if (splats.dark_is_idle()) pass.reads("SurfelLights", splats.surfels.lights);
     pass.reads("Surfels", splats.surfels.records)
         .reads("Stored", splats.surfels.stored)
-        .reads(splats.hierarchy.layout, splats.hierarchy.positions, splats.hierarchy.normals)
+        .may_read(splats.hierarchy.layout, splats.hierarchy.positions, splats.hierarchy.normals)
         .reads("min_texture", splats.hierarchy.min, all_levels)
         .reads("max_texture", splats.hierarchy.max, all_levels)
         .writes("Rectangles", splats.rectangles)

@@ -39,41 +39,41 @@ std::vector<OutputDescription> of_samples() {
     };
 }
 
+const std::string nearest_z =
+    "t²/r² of the nearest surfel along the pixel's ray, r the reach of all levels; 1: none.";
+const std::string winners_radiance =
+    "What the winners store for the side that was hit: without their highlights, 0 for ambient occlusion. "
+    "Alpha 0: none.";
+
 std::vector<OutputDescription> of_levels() {
     return {
         {.key = "splats.depth",
          .label = "Bounced z in sub-images",
          .kind = OutputKind::stack,
          .semantic = Semantic::depth,
-         .doc = "t²/r² of the nearest surfel along the pixel's ray, r the reach of all levels; 1: none." +
-                sub_images + layer_order},
+         .doc = nearest_z + sub_images + layer_order},
         {.key = "splats.winner",
          .label = "Winners in sub-images",
          .kind = OutputKind::stack,
          .semantic = Semantic::id,
-         .doc = "1 + index of the surfel with the least z; 0: none." + sub_images + layer_order},
+         .doc = "1 + index of the surfel with the smallest z; 0: none." + sub_images + layer_order},
         {.key = "splats.radiance",
          .label = "Radiance in sub-images",
          .kind = OutputKind::stack,
          .semantic = Semantic::radiance,
          .unit = "W/(m² sr)",
-         .doc = "What the winners store for the side that was hit: without their highlights, 0 for ambient "
-                "occlusion. Alpha 0: none." +
-                sub_images + layer_order},
+         .doc = winners_radiance + sub_images + layer_order},
         {.key = "splats.level_depth",
          .label = "Bounced z by level",
          .kind = OutputKind::stack,
          .semantic = Semantic::depth,
-         .doc = "t²/r² of the nearest surfel along the pixel's ray, r the reach of all levels; 1: none." +
-                where_seen + layer_order},
+         .doc = nearest_z + where_seen + layer_order},
         {.key = "splats.level_radiance",
          .label = "Radiance by level",
          .kind = OutputKind::stack,
          .semantic = Semantic::radiance,
          .unit = "W/(m² sr)",
-         .doc = "What the winners store for the side that was hit: without their highlights, 0 for ambient "
-                "occlusion. Alpha 0: none." +
-                where_seen + layer_order},
+         .doc = winners_radiance + where_seen + layer_order},
     };
 }
 

@@ -27,11 +27,10 @@ std::vector<OutputDescription> surfel_outputs() {
          .label = "Counts of surfels",
          .kind = OutputKind::table,
          .semantic = Semantic::count,
-         .doc =
-             "triangles: of the scene; left: after culling; patches: after splitting; fine, kept: surfels "
-             "before and after thinning (fine: 0 with systematic placement); fine_area, kept_area: their areas "
-             "together, m²; fine_part, "
-             "kept_part: their area in parts of the ideal area, on average."}};
+         .doc = "triangles: of the scene; left: after culling; patches: after splitting; fine, kept: surfels "
+                "before and after thinning (fine: 0 with systematic placement); fine_area, kept_area: their "
+                "areas together, m²; fine_part, kept_part: their area as a multiple of the ideal area, on "
+                "average."}};
 }
 
 }  // namespace ir::methods::deep_screen_space

@@ -30,16 +30,17 @@ void add_sizes(ParameterTable<Parameters>& table) {
                     "One at random in each piece of a curve through all triangles that is worth a surfel. "
                     "The curve follows space, so that surfels are spread evenly also over many small "
                     "triangles. No tessellation and no thinning."}}})
-        .add(&Parameters::fine_area,
-             {.key = "fine_area",
-              .label = "Fine area",
-              .doc =
-                  "Area that tessellation aims at before thinning, in parts of the ideal one. Smaller: less "
-                  "regular surfels of more equal area; more work.",
-              .citation = "Nalbach15 §4.3",
-              .hard = {0.02, 1},
-              .soft = {0.1, 1},
-              .active_when = {"placement", {std::string("random")}}});
+        .add(
+            &Parameters::fine_area,
+            {.key = "fine_area",
+             .label = "Fine area",
+             .doc =
+                 "Area that tessellation aims at before thinning, as a multiple of the ideal one. Smaller: less "
+                 "regular surfels of more equal area; more work.",
+             .citation = "Nalbach15 §4.3",
+             .hard = {0.02, 1},
+             .soft = {0.1, 1},
+             .active_when = {"placement", {std::string("random")}}});
 }
 
 void add_thinning(ParameterTable<Parameters>& table) {

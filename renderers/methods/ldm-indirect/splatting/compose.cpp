@@ -1,6 +1,6 @@
 #include <optional>
 
-#include "renderers/methods/ldm-indirect/splatting.h"
+#include "renderers/methods/ldm-indirect/stages.h"
 #include "renderers/passes/direct/direct_light.h"
 #include "renderers/passes/direct/seen_light.h"
 #include "renderers/passes/gbuffer/glass.h"

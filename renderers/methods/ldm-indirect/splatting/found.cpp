@@ -60,15 +60,6 @@ PathLine line(const FoundPhoton& photon, std::uint32_t leg, glm::dvec3 start, gl
 
 }  // namespace
 
-void sort_found(std::span<FoundPhoton> photons) {
-    const auto total = [](const FoundPhoton& p) {
-        return double(p.contribution[0]) + p.contribution[1] + p.contribution[2];
-    };
-    std::sort(photons.begin(), photons.end(), [&](const FoundPhoton& a, const FoundPhoton& b) {
-        return total(a) != total(b) ? total(a) > total(b) : a.photon < b.photon;
-    });
-}
-
 void add_up(std::span<const FoundPhoton> photons, PixelSum& sum) {
     glm::dvec3 all(0), direct(0);
     for (const auto& photon : photons) {

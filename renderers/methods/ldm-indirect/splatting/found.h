@@ -39,9 +39,6 @@ struct PathLine {
     IR_FIELDS(start, end, contribution, leg, map, side, photon)
 };
 
-/// The largest contribution first, equal ones in the order of the photons.
-void sort_found(std::span<FoundPhoton> photons);
-
 /// Sets gathered, direct and difference.
 void add_up(std::span<const FoundPhoton> photons, PixelSum& sum);
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "renderers/gl/dispatch_items.h"
-#include "renderers/methods/ldm-indirect/splatting/ways.h"
+#include "renderers/methods/ldm-indirect/splatting/stored.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -42,7 +42,7 @@ void splat_atomically(const graph::PassContext& p, graph::Slice slice, const Spl
     const auto& view = p.inputs().view;
     const auto pixels = std::int64_t{view.width} * view.height;
     const auto outlined = outlines(p.inputs(), task.photons.parameters);
-    const auto range = photons_of(p, task.photons, slice);
+    const auto range = passes::photons_of(p, task.photons, slice);
     for (std::int64_t pixel = 0; pixel < pixels; pixel += pixels_at_once) {
         for (auto first = range.first; first < range.end; first += groups_at_once) {
             const auto end = std::min(range.end, first + groups_at_once);
@@ -61,9 +61,10 @@ void splat_image_atomics(graph::GraphBuilder& builder, const SplatTask& task) {
     const auto sums = declare_sums(builder);
     auto pass = builder.pass("splat photons atomically");
     reads_task(pass, task);
-    pass.writes("sums", sums).execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
-        splat_atomically(p, slice, task, sums);
-    });
+    pass.writes("sums", sums)
+        .execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+            splat_atomically(p, slice, task, sums);
+        });
     builder.pass("atomic sums")
         .reads("sums", sums)
         .writes("irradiance", task.irradiance)

@@ -1,6 +1,5 @@
-#include "renderers/methods/ldm-indirect/splatting.h"
+#include "renderers/methods/ldm-indirect/stages.h"
 
-#include "renderers/methods/ldm-indirect/sides.h"
 #include "renderers/passes/direct/direct_light.h"
 
 namespace ir::methods::ldm_indirect {
@@ -30,8 +29,6 @@ std::vector<OutputDescription> pictures() {
     all.insert(all.end(), direct.begin(), direct.end());
     return all;
 }
-
-const std::string no_surface = "the pixel shows no surface";
 
 std::vector<OutputDescription> explanations() {
     return {
@@ -85,9 +82,7 @@ std::vector<OutputDescription> explanations() {
 }  // namespace
 
 std::vector<OutputDescription> splatting_outputs() {
-    auto all = pictures();
-    for (auto& output : explanations()) all.push_back(std::move(output));
-    return all;
+    return joined({pictures(), explanations()});
 }
 
 }  // namespace ir::methods::ldm_indirect

@@ -65,7 +65,7 @@ void add_footprints(ParameterTable<Parameters>& table) {
              {.key = "max_axis",
               .label = "Maximum semi-axis",
               .doc = "Longer semi-axes, as of light that grazes its receiver or of few directions, are cut "
-                     "to this part of the radius of the scene's bounds, and the photon is as much "
+                     "to this fraction of the radius of the scene's bounds, and the photon is as much "
                      "brighter; splat.long counts them.",
               .unit = "radii",
               .hard = {1e-4, 10},

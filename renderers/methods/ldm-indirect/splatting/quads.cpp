@@ -1,5 +1,5 @@
 #include "renderers/gl/dispatch_items.h"
-#include "renderers/methods/ldm-indirect/splatting/ways.h"
+#include "renderers/methods/ldm-indirect/splatting/stored.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -18,7 +18,7 @@ graph::BufferRef declare_command(graph::GraphBuilder& builder) {
     return builder.buffer(desc);
 }
 
-void write_command(const graph::PassContext& p, PhotonRange range) {
+void write_command(const graph::PassContext& p, passes::PhotonRange range) {
     const auto& program = p.use({{folder + "draw.comp"}});
     program.set(gl::Items{static_cast<unsigned>(range.first), static_cast<unsigned>(range.end)});
     program.dispatch(1);
@@ -28,7 +28,7 @@ void write_command(const graph::PassContext& p, PhotonRange range) {
 void splat_quads(const graph::PassContext& p, graph::Slice slice, const SplatTask& task,
                  graph::BufferRef command) {
     if (slice.first) p.clear(task.irradiance);
-    const auto range = photons_of(p, task.photons, slice);
+    const auto range = passes::photons_of(p, task.photons, slice);
     if (range.first == range.end) return;
     write_command(p, range);
     p.bind_framebuffer({{task.irradiance}});
@@ -52,7 +52,7 @@ void splat_quads(graph::GraphBuilder& builder, const SplatTask& task) {
     auto pass = builder.pass("splat photons");
     reads_task(pass, task);
     pass.writes("Draw", command).writes(task.irradiance);
-    pass.execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+    pass.execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
         splat_quads(p, slice, task, command);
     });
 }

@@ -1,6 +1,6 @@
-#include "renderers/methods/ldm-indirect/splatting.h"
+#include "renderers/methods/ldm-indirect/stages.h"
 
-#include "renderers/methods/ldm-indirect/splatting/ways.h"
+#include "renderers/methods/ldm-indirect/splatting/stored.h"
 
 namespace ir::methods::ldm_indirect {
 

@@ -1,6 +1,5 @@
 #include "renderers/methods/ldm-indirect/splatting/stored.h"
 
-#include "renderers/gl/dispatch_items.h"
 #include "renderers/methods/ldm-indirect/parameters.h"
 #include "renderers/passes/ldm/directions.h"
 
@@ -29,24 +28,12 @@ graph::BufferRef upload_arrivals(graph::GraphBuilder& builder, const Parameters&
     return buffer;
 }
 
-/// Constants of stored.comp.
-struct CountStored {
-    unsigned capacity;
-    IR_FIELDS(capacity)
-};
-
-void count_stored(const graph::PassContext& p, const StoredPhotons& photons) {
-    const auto& program = p.use({{folder + "stored.comp"}});
-    program.set(CountStored{static_cast<unsigned>(p.capacity(photons.records))});
-    program.dispatch(1);
-    p.barrier();
 }
 
 void measure(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons) {
     const auto& program = p.use({{folder + "measure.comp"}});
     program.set(footprints(p.inputs(), photons.parameters));
-    const auto range = photons_of(p, photons, slice);
-    gl::dispatch_items(program, range.first, range.end);
+    passes::dispatch_photons(p, program, photons, slice);
 }
 
 }  // namespace
@@ -73,7 +60,7 @@ MendedCounters declare_mended(graph::GraphBuilder& builder) {
                                     "their flux stays."}),
             builder.counter({.key = "splat.degenerate",
                              .label = "Degenerate footprints",
-                             .doc = "Photons whose axes span no area or are no numbers, given the least "
+                             .doc = "Photons whose axes span no area or are no numbers, given the minimum "
                                     "width; their flux stays."}),
             builder.counter({.key = "splat.not_finite",
                              .label = "Photons left out",
@@ -82,25 +69,15 @@ MendedCounters declare_mended(graph::GraphBuilder& builder) {
 
 StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photons,
                              const Parameters& parameters) {
-    StoredPhotons result{
-        photons.records, {}, upload_arrivals(builder, parameters), parameters, photons.count};
-    if (photons.stored) {
-        result.stored = *photons.stored;
-        return result;
-    }
-    graph::BufferDesc desc;
-    desc.text = {.key = "splat.stored",
-                 .label = "Photons to splat",
-                 .doc = "Those stored, as far as the buffer reaches; passes read it on the device.",
-                 .semantic = Semantic::count};
-    desc.fields = {{"photons", graph::FieldType::u32}};
-    desc.elements = 1;
-    result.stored = builder.buffer(std::move(desc));
+    const auto arrivals = upload_arrivals(builder, parameters);
+    if (photons.stored) return {{photons.records, *photons.stored}, arrivals, parameters, photons.count};
+    const StoredPhotons result{passes::photon_list(builder, photons.records), arrivals, parameters,
+                               photons.count};
     builder.pass("stored photons")
         .reads(photons.records)
         .writes("Stored", result.stored)
         .counts("Count", photons.count)
-        .execute([=](graph::PassContext& p) { count_stored(p, result); });
+        .execute([=](graph::PassContext& p) { passes::count_stored(p, result); });
     return result;
 }
 
@@ -114,13 +91,8 @@ void measure_footprints(graph::GraphBuilder& builder, const StoredPhotons& photo
         .counts("Long", mended.axes_long)
         .counts("Degenerate", mended.degenerate)
         .counts("Broken", mended.broken)
-        .execute_sliced(photon_parts,
+        .execute_sliced(passes::photon_parts,
                         [=](graph::PassContext& p, graph::Slice slice) { measure(p, slice, photons); });
-}
-
-PhotonRange photons_of(const graph::PassContext& context, const StoredPhotons& photons, graph::Slice slice) {
-    const auto capacity = static_cast<std::int64_t>(context.capacity(photons.records));
-    return {capacity * slice.begin / photon_parts, capacity * slice.end / photon_parts};
 }
 
 void reads_footprints(graph::PassBuilder& pass, const StoredPhotons& photons) {

@@ -1,16 +1,15 @@
 #pragma once
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/ldm-indirect/tracing.h"
+#include "renderers/methods/ldm-indirect/stages.h"
+#include "renderers/passes/photons/photon_list.h"
 
 namespace ir::methods::ldm_indirect {
 
 inline const std::string folder = "methods/ldm-indirect/splatting/";  ///< of its shaders
 
 /// The photons that are there to be splatted.
-struct StoredPhotons {
-    graph::BufferRef records;
-    graph::BufferRef stored;    ///< "splat.stored": how many, at most the capacity of records
+struct StoredPhotons : passes::PhotonList {
     graph::BufferRef arrivals;  ///< "splat.arrivals": where light comes from
     Parameters parameters;
     graph::CounterRef count = {};  ///< of records; may exceed their capacity
@@ -31,15 +30,6 @@ void measure_footprints(graph::GraphBuilder& builder, const StoredPhotons& photo
 
 /// As footprint.glsl reads them: directions of the maps, then of the lights.
 std::vector<glm::vec4> arrivals_of(const Parameters& parameters, const scene::World& world);
-
-/// Passes over photons are divided into this many parts of the buffer, as how many there are is known on the
-/// device only.
-inline constexpr std::int64_t photon_parts = 1024;
-
-struct PhotonRange {
-    std::int64_t first, end;
-};
-PhotonRange photons_of(const graph::PassContext& context, const StoredPhotons& photons, graph::Slice slice);
 
 /// Declares what splatting/footprint.glsl reads.
 void reads_footprints(graph::PassBuilder& pass, const StoredPhotons& photons);
@@ -63,5 +53,24 @@ struct Outlines {
     IR_FIELDS(footprints, clip_from_world, size_px)
 };
 Outlines outlines(const graph::FrameInputs& inputs, const Parameters& parameters);
+
+/// What all forms of splatting have in common: photons, the surfaces that they light, and the picture of
+/// sums.
+struct SplatTask {
+    StoredPhotons photons;
+    graph::ImageRef position, normal;  ///< of the G-buffer; normal is the geometric one
+    graph::ImageRef irradiance;        ///< rgba32f
+};
+
+void reads_task(graph::PassBuilder& pass, const SplatTask& task);
+
+/// Points that a geometry shader makes rectangles of, added by blending in the order of the photons.
+void splat_quads(graph::GraphBuilder& builder, const SplatTask& task);
+/// Photons are sorted into bins of tiles, and pixels sum those of their bin in the order of the photons.
+void splat_tiles(graph::GraphBuilder& builder, const SplatTask& task);
+/// In place of splat_tiles: threads add photons to tiles of pixels in the caches of the host, in their order.
+void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const SplatTask& task);
+/// A compute shader adds each photon to its pixels by atomic additions, in no order.
+void splat_image_atomics(graph::GraphBuilder& builder, const SplatTask& task);
 
 }  // namespace ir::methods::ldm_indirect

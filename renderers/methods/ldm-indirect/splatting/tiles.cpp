@@ -1,7 +1,6 @@
 #include <algorithm>
 
-#include "renderers/gl/dispatch_items.h"
-#include "renderers/methods/ldm-indirect/splatting/ways.h"
+#include "renderers/methods/ldm-indirect/splatting/stored.h"
 #include "renderers/passes/scan/scan.h"
 
 namespace ir::methods::ldm_indirect {
@@ -69,9 +68,9 @@ void bin(const graph::PassContext& p, graph::Slice slice, const SplatTask& task,
                            .end_of_column = 0};
     const auto capacity = static_cast<std::int64_t>(p.capacity(task.photons.records));
     const std::int64_t per_column = (capacity + columns - 1) / columns;
-    const auto end = per_column * slice.end / photon_parts;
+    const auto end = per_column * slice.end / passes::photon_parts;
     const auto step = std::max<std::int64_t>(1, max_turns / (lists.bins.count() + lists.bins.down + 32));
-    for (auto first = per_column * slice.begin / photon_parts; first < end; first += step) {
+    for (auto first = per_column * slice.begin / passes::photon_parts; first < end; first += step) {
         constants.first_of_column = static_cast<unsigned>(first);
         constants.end_of_column = static_cast<unsigned>(std::min(end, first + step));
         program.set(constants);
@@ -96,12 +95,11 @@ graph::BufferRef make_kernels(graph::GraphBuilder& builder, const StoredPhotons&
     auto pass = builder.pass("make kernels");
     reads_footprints(pass, photons);
     pass.counts("Count", photons.count).counts("KernelCount", count).writes("Kernels", kernels);
-    pass.execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+    pass.execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
         const auto& program = p.use({{folder + "make_kernels.comp"}});
         program.set(MakeKernels{footprints(p.inputs(), photons.parameters),
                                 static_cast<unsigned>(p.capacity(kernels))});
-        const auto range = photons_of(p, photons, slice);
-        gl::dispatch_items(program, range.first, range.end);
+        passes::dispatch_photons(p, program, photons, slice);
     });
     return kernels;
 }
@@ -121,7 +119,7 @@ Lists sort_into_bins(graph::GraphBuilder& builder, const SplatTask& task) {
     auto count = builder.pass("count photons of tiles");
     reads_footprints(count, task.photons);
     count.writes("Counts", lists.counts)
-        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+        .execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
             bin(p, slice, task, lists, "count_bins.comp");
         });
     lists.entries = builder.buffer({.text = {.key = "splat.bin_lists",
@@ -139,7 +137,7 @@ Lists sort_into_bins(graph::GraphBuilder& builder, const SplatTask& task) {
     reads_footprints(fill, task.photons);
     fill.writes("Places", lists.places)
         .writes("Lists", lists.entries)
-        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+        .execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
             bin(p, slice, task, lists, "fill_bins.comp");
         });
     return lists;

@@ -3,11 +3,33 @@
 #include <array>
 
 #include "renderers/core/record.h"
-#include "renderers/methods/ldm-indirect/tracing/light_images.h"
+#include "renderers/methods/ldm-indirect/parameters.h"
+#include "renderers/methods/ldm-indirect/stages.h"
 #include "renderers/passes/ldm/builder.h"
+#include "renderers/passes/photons/other_lights.h"
+#include "renderers/passes/rsm/rsm.h"
 #include "shaders/methods/ldm-indirect/tracing/primary.glsl.h"
 
 namespace ir::methods::ldm_indirect {
+
+/// Lights that a photon's record can name.
+inline constexpr int max_lights = 256;
+/// Layers that every device has in an image.
+inline constexpr int max_layers = 1024;
+
+/// The views of the lights that emit photons, and what is left out.
+struct LightViews : passes::OtherLights {
+    std::vector<passes::ShadowViewData> views;
+
+    std::vector<std::string> notes() const;
+};
+
+/// Whole lights, in their order, as long as records and layers name them.
+LightViews views_of_lights(const scene::Scene& scene, const scene::World& world, int resolution);
+
+/// What each point, spot and directional light sees, `emission`² pixels per image; notes what emits nothing.
+passes::Rsm draw_light_images(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                              const Parameters& parameters);
 
 inline constexpr int causes = 8;  ///< of primary.glsl
 
@@ -21,5 +43,15 @@ struct Primaries {
 /// The pass "emit photons".
 Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                        const passes::Rsm& images, const passes::ldm::Maps& maps);
+
+/// Declares "indirect.primary", the photons at the first surface, as glyphs.
+void show_primaries(graph::GraphBuilder& builder, const Primaries& primaries);
+
+/// Declares "indirect.footprints", the stored photons with their legs told apart. `reserved` elements at
+/// first, `most` at all.
+void show_photons(graph::GraphBuilder& builder, const Photons& photons, std::uint64_t reserved,
+                  std::uint64_t most);
+
+std::vector<OutputDescription> view_outputs();
 
 }  // namespace ir::methods::ldm_indirect

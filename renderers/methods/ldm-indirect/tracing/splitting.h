@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/methods/ldm-indirect/tracing.h"
+#include "renderers/methods/ldm-indirect/stages.h"
 #include "renderers/methods/ldm-indirect/tracing/emission.h"
 
 namespace ir::methods::ldm_indirect {

@@ -1,14 +1,14 @@
-#include "renderers/methods/ldm-indirect/tracing.h"
+#include "renderers/methods/ldm-indirect/stages.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "renderers/core/error.h"
 #include "renderers/core/record.h"
+#include "renderers/methods/ldm-indirect/tracing/emission.h"
 #include "renderers/methods/ldm-indirect/tracing/energy.h"
 #include "renderers/methods/ldm-indirect/tracing/host/split_on_host.h"
 #include "renderers/methods/ldm-indirect/tracing/splitting.h"
-#include "renderers/methods/ldm-indirect/tracing/views.h"
 #include "renderers/passes/ldm/host/trace_on_host.h"
 #include "renderers/passes/ldm/map_views.h"
 
@@ -70,7 +70,7 @@ void begin_photons(graph::GraphBuilder& builder, const Photons& photons) {
 Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                       const passes::GBuffer& gbuffer, const Parameters& parameters) {
     const auto images = draw_light_images(builder, scene, parameters);
-    const auto maps = ldm::declare_maps(builder, ldm::options_of(parameters.maps));
+    const auto maps = ldm::declare_maps(builder, parameters.maps);
     const auto primaries = emit_photons(builder, scene, images, *maps);
     const auto most = max_photons(primaries, parameters);
     refuse_beyond_counters(primaries, most, parameters);
@@ -114,10 +114,8 @@ std::vector<OutputDescription> tracing_outputs() {
                 "axes. leg: bits 0-15 map; bit 16: 1 along its direction, 0 against it; bit 17: directly "
                 "from the light; bits 24-31: light. flux: W. normal: of the receiver, octahedral in 2 x 16 "
                 "bits."}};
-    for (const auto& part :
-         {energy_outputs(), view_outputs(), passes::rsm_outputs({}, true), ldm::map_outputs()})
-        outputs.insert(outputs.end(), part.begin(), part.end());
-    return outputs;
+    return joined(
+        {outputs, energy_outputs(), view_outputs(), passes::rsm_outputs({}, true), ldm::map_outputs()});
 }
 
 std::vector<SelectorDescription> tracing_selectors() {

@@ -1,7 +1,7 @@
-#include "renderers/methods/ldm-indirect/tracing/views.h"
+#include "renderers/methods/ldm-indirect/tracing/emission.h"
 
 #include "renderers/core/record.h"
-#include "renderers/methods/ldm-indirect/sides.h"
+#include "renderers/passes/ldm/map_views.h"
 #include "renderers/passes/scan/scan.h"
 #include "shaders/methods/ldm-indirect/tracing/show_photons.comp.h"
 #include "shaders/methods/ldm-indirect/tracing/show_primary.comp.h"
@@ -32,6 +32,11 @@ graph::BufferRef glyphs(graph::GraphBuilder& builder, const std::string& key,
 }
 
 }  // namespace
+
+Categories side_categories() {
+    return {"side",
+            {passes::ldm::against_map, {0, "from the light itself", tints::yellow}, passes::ldm::along_map}};
+}
 
 void show_primaries(graph::GraphBuilder& builder, const Primaries& primaries) {
     const auto shown = glyphs(builder, "indirect.primary", record_fields<ShownPrimary>(), primaries.count);
@@ -101,8 +106,7 @@ std::vector<OutputDescription> view_outputs() {
                 "map and side: the direction that they came along. flux: W. path_length: m from the light.",
          .categories = {side_categories(),
                         {"direct",
-                         {{0, "by way of a surface", tints::sky},
-                          {1, "from the light itself", tints::yellow}}}},
+                         {{0, "from a surface", tints::sky}, {1, "from the light itself", tints::yellow}}}},
          .explains = true}};
 }
 

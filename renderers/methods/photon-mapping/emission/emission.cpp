@@ -1,4 +1,4 @@
-#include "renderers/methods/photon-mapping/emission.h"
+#include "renderers/methods/photon-mapping/stages.h"
 
 #include "renderers/core/error.h"
 #include "renderers/methods/photon-mapping/emission/points.h"

@@ -133,7 +133,8 @@ void add_sets(ParameterTable<Parameters>& table) {
         .add(&Parameters::reserve,
              {.key = "reserve",
               .label = "Memory reserved",
-              .doc = "Part of the photons that memory is reserved for at first. It grows where more arrive.",
+              .doc =
+                  "Fraction of the photons that memory is reserved for at first. It grows where more arrive.",
               .hard = {0, 1},
               .soft = {0.001, 1},
               .effect = Effect::cost,

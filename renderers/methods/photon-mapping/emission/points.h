@@ -1,7 +1,7 @@
 #pragma once
 
-#include "renderers/methods/photon-mapping/emission.h"
 #include "renderers/methods/photon-mapping/emission/probability.h"
+#include "renderers/methods/photon-mapping/stages.h"
 
 namespace ir::methods::photon_mapping {
 

@@ -13,10 +13,6 @@ namespace {
 
 using passes::ShadowViewData;
 
-bool is_punctual(const scene::Light& light) {
-    return passes::shadow_layers(light) > 0;
-}
-
 float mean(glm::vec3 rgb) {
     return (rgb.r + rgb.g + rgb.b) / 3;
 }
@@ -67,37 +63,14 @@ glm::vec3 near_plane_of(const scene::World& world, int light) {
 }
 
 void count_others(Sources& sources, const scene::Scene& scene, const scene::World& world) {
-    for (const auto& light : world.lights) sources.areas += !is_punctual(light);
-    for (const auto& range : world.ranges) {
-        const auto& emission = scene.materials.at(static_cast<std::size_t>(range.material)).emission;
-        if (std::max({emission.r, emission.g, emission.b}) > 0)
-            sources.emissive_triangles += static_cast<int>(range.triangle_count);
-    }
-    const auto& environment = scene.environment;
-    sources.has_environment = environment.map != nullptr || environment.constant != glm::vec3(0);
+    sources.count(scene, world);
     for (const auto& source : sources.elements) sources.flux += source.flux;
-}
-
-std::string counted(int count, const std::string& what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 }  // namespace
 
 std::vector<std::string> Sources::notes() const {
-    std::vector<std::string> result;
-    std::string missing;
-    const auto add = [&](const std::string& part) { missing += (missing.empty() ? "" : ", ") + part; };
-    if (areas > 0) add(counted(areas, "rectangle or disk light"));
-    if (emissive_triangles > 0) add(counted(emissive_triangles, "emissive triangle"));
-    if (has_environment) add("the environment");
-    if (elements.empty()) result.push_back("no point, spot or directional light: there are no photons");
-    if (!missing.empty())
-        result.push_back("photons come from point, spot and directional lights only; none from " + missing);
-    if (beyond > 0)
-        result.push_back("photons come from the first " + std::to_string(max_sources) + " maps of lights; " +
-                         counted(beyond, "light") + " beyond emit none");
-    return result;
+    return OtherLights::notes(!elements.empty(), std::to_string(max_sources) + " maps of lights");
 }
 
 Sources layers_of_lights(const scene::Scene& scene, const scene::World& world, int resolution) {
@@ -131,7 +104,7 @@ Sources traced_lights(const scene::Scene& scene, const scene::World& world) {
     const float radius = world.bounds.radius();
     for (int i = 0; i < static_cast<int>(world.lights.size()); ++i) {
         const auto& light = world.lights[static_cast<std::size_t>(i)];
-        if (!is_punctual(light)) continue;
+        if (passes::shadow_layers(light) == 0) continue;
         if (sources.elements.size() == max_sources) {
             ++sources.beyond;
             continue;

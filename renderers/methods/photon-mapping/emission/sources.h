@@ -9,7 +9,8 @@
 #include "renderers/core/condition.h"
 #include "renderers/core/record.h"
 #include "renderers/graph/builder.h"
-#include "renderers/passes/shadow/shadow_views.h"
+#include "renderers/passes/photons/other_lights.h"
+#include "renderers/passes/shadow/shadow_maps.h"
 #include "renderers/scene/world.h"
 #include "shaders/methods/photon-mapping/records.glsl.h"
 
@@ -24,14 +25,11 @@ inline Condition from_rsm() {
 inline constexpr int max_sources = 64;
 
 /// The lights that emit photons, and why others do not.
-struct Sources {
-    std::vector<SourceData> elements;                   ///< at most max_sources
-    std::vector<passes::ShadowViewData> views;          ///< of the RSM's layers, as many; empty where traced
-    float flux = 0;                                     ///< W, of all together
-    int areas = 0, emissive_triangles = 0, beyond = 0;  ///< lights that are left out; see notes()
-    bool has_environment = false;
+struct Sources : passes::OtherLights {
+    std::vector<SourceData> elements;           ///< at most max_sources
+    std::vector<passes::ShadowViewData> views;  ///< of the RSM's layers, as many; empty where traced
+    float flux = 0;                             ///< W, of all together
 
-    /// What a person should know about light that is missing.
     std::vector<std::string> notes() const;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/methods/photon-mapping/emission.h"
+#include "renderers/methods/photon-mapping/stages.h"
 
 namespace ir::methods::photon_mapping {
 

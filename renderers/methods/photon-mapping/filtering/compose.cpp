@@ -28,13 +28,13 @@ void declare_irradiance_reads(graph::PassBuilder& pass, const ComposeInputs& in)
 
 /// Constants of directional.glsl.
 struct Directional {
-    float stretch_max;
+    float max_stretch;
     bool directional;
-    IR_FIELDS(stretch_max, directional)
+    IR_FIELDS(max_stretch, directional)
 };
 
 Directional directional(const Parameters& parameters) {
-    return {parameters.stretch_max, parameters.directional};
+    return {parameters.max_stretch, parameters.directional};
 }
 
 /// The final irradiance, or what its directions say.

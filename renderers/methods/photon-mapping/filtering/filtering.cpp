@@ -1,4 +1,4 @@
-#include "renderers/methods/photon-mapping/filtering.h"
+#include "renderers/methods/photon-mapping/stages.h"
 
 #include "renderers/methods/photon-mapping/filtering/stages.h"
 #include "renderers/passes/direct/direct_light.h"
@@ -44,32 +44,33 @@ std::vector<OutputDescription> results() {
 }
 
 std::vector<OutputDescription> temporal_views() {
-    return {{.key = "filter.temporal",
-             .label = "After the temporal filter",
-             .semantic = Semantic::irradiance,
-             .unit = "W/m²",
-             .doc = "The estimate at the view's resolution, averaged over frames. The fourth channel is the "
-                    "x component of the sum of directions to the light."},
-            {.key = "history.weight",
-             .label = "Weight of history",
-             .semantic = Semantic::probability,
-             .doc = "α: how much of the pixel comes from earlier frames. 0: what was there is another "
-                    "surface, or was not in the picture.",
-             .active_when = while_temporal},
-            {.key = "history.ghosting",
-             .label = "Ghosting",
-             .semantic = Semantic::probability,
-             .doc = "Part of the pixel that comes from earlier frames and that this frame's estimate around "
-                    "it does not explain: α max(0, |S - μ| - σ) / max(S, μ) with history S and the mean μ "
-                    "and deviation σ of the estimate on the same surface, up to eight pixels away. It is "
-                    "what clipping to the neighbourhood's variance would take away [Salvi16].",
-             .active_when = while_temporal},
-            {.key = "history.flicker",
-             .label = "Spread of directions",
-             .semantic = Semantic::probability,
-             .doc = "1 minus the length of the mean direction to the light. Where it is large, the mean "
-                    "stands for light from several sides, and what depends on it flickers "
-                    "[Smal19 fig. 8.7]."}};
+    return {
+        {.key = "filter.temporal",
+         .label = "After the temporal filter",
+         .semantic = Semantic::irradiance,
+         .unit = "W/m²",
+         .doc = "The estimate at the view's resolution, averaged over frames. The fourth channel is the "
+                "x component of the sum of directions to the light."},
+        {.key = "history.weight",
+         .label = "Weight of history",
+         .semantic = Semantic::probability,
+         .doc = "α: how much of the pixel comes from earlier frames. 0: what was there is another "
+                "surface, or was not in the picture.",
+         .active_when = while_temporal},
+        {.key = "history.ghosting",
+         .label = "Ghosting",
+         .semantic = Semantic::probability,
+         .doc = "Fraction of the pixel that comes from earlier frames and that this frame's estimate around "
+                "it does not explain: α max(0, |S - μ| - σ) / max(S, μ) with history S and the mean μ "
+                "and deviation σ of the estimate on the same surface, up to eight pixels away. It is "
+                "what clipping to the neighbourhood's variance would take away [Salvi16].",
+         .active_when = while_temporal},
+        {.key = "history.flicker",
+         .label = "Spread of directions",
+         .semantic = Semantic::probability,
+         .doc = "1 minus the length of the mean direction to the light. Where it is large, the mean "
+                "stands for light from several sides, and what depends on it flickers "
+                "[Smal19 fig. 8.7]."}};
 }
 
 std::vector<OutputDescription> spatial_views() {
@@ -95,10 +96,7 @@ Filtered filter_irradiance(graph::GraphBuilder& builder, const passes::GBuffer& 
 }
 
 std::vector<OutputDescription> filtering_outputs() {
-    auto all = results();
-    for (const auto& part : {passes::direct_outputs(), temporal_views(), spatial_views()})
-        all.insert(all.end(), part.begin(), part.end());
-    return all;
+    return joined({results(), passes::direct_outputs(), temporal_views(), spatial_views()});
 }
 
 std::vector<Stage> filtering_stages() {

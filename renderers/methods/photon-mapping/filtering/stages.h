@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "renderers/methods/photon-mapping/filtering.h"
+#include "renderers/methods/photon-mapping/stages.h"
 #include "renderers/passes/a_trous/a_trous.h"
 
 /// The steps of the filter.

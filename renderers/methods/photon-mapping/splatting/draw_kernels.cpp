@@ -1,7 +1,6 @@
-#include "renderers/methods/photon-mapping/splatting/draw_kernels.h"
+#include "renderers/methods/photon-mapping/splatting/stages.h"
 
 #include "renderers/graph/pass_context.h"
-#include "renderers/methods/photon-mapping/splatting/icosahedron.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
 
 namespace ir::methods::photon_mapping {
@@ -35,7 +34,7 @@ struct WriteCommand {
     IR_FIELDS(first, end, vertices_of_kernel)
 };
 
-void write_command(const graph::PassContext& p, const Kernels& kernels, PhotonRange range) {
+void write_command(const graph::PassContext& p, const Kernels& kernels, passes::PhotonRange range) {
     const auto& program = p.use({{"methods/photon-mapping/splatting/draw.comp"}});
     program.set(WriteCommand{static_cast<unsigned>(range.first), static_cast<unsigned>(range.end),
                              is_flat(kernels) ? corners_of_square : corners_of_icosahedron});
@@ -91,7 +90,7 @@ void run(const graph::PassContext& p, graph::Slice slice, const Kernels& kernels
          graph::BufferRef command) {
     if (slice.first)
         for (const auto target : pass.targets) p.clear(target);
-    const auto range = photons_of(p, kernels.photons, slice);
+    const auto range = passes::photons_of(p, kernels.photons, slice);
     if (range.first == range.end) return;
     write_command(p, kernels, range);
     bind_targets(p, kernels, pass);
@@ -154,7 +153,7 @@ void draw_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const Ke
         .writes("Draw", command);
     for (const auto target : pass.targets) declared.writes(target);
     if (pass.depth_test) declared.writes(kernels.surfaces.stencil);
-    declared.execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+    declared.execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
         run(p, slice, kernels, pass, command);
     });
 }

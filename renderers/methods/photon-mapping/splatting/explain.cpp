@@ -24,26 +24,17 @@ struct Sum {
 /// Both are first what the device found, and then what the host made of it: buffers of their own in between
 /// would be kept where their keys are asked for, and the explanation of another pixel would find them done.
 struct Explanation {
-    graph::BufferRef photons, sum;
-    graph::CounterRef photon_count, sum_count;
+    graph::CountedBuffer photons, sum;
 };
 
 Explanation declare(graph::GraphBuilder& builder) {
-    Explanation e;
-    e.photons = builder.output(
-        "splat.explain.photons",
-        {.fields = record_fields<FoundPhoton>(), .elements = expected_photons, .growable = true});
-    e.sum =
-        builder.output("splat.explain.sum",
-                       {.fields = record_fields<Sum>(), .elements = 1, .growable = true, .cleared = true});
-    e.photon_count = builder.counter({.key = "splat.explain.photon_count",
-                                      .label = "Photons that light the pixel",
-                                      .growth_of = e.photons});
-    e.sum_count = builder.counter({.key = "splat.explain.sum_count",
-                                   .label = "Pixels explained",
-                                   .doc = "0 while no pixel is picked, and where it shows no surface.",
-                                   .growth_of = e.sum});
-    return e;
+    return {
+        .photons = builder.explanation("splat.explain.photons",
+                                       {.fields = record_fields<FoundPhoton>(), .elements = expected_photons},
+                                       {.key = "splat.explain.photon_count"}),
+        .sum = builder.explanation("splat.explain.sum",
+                                   {.fields = record_fields<Sum>(), .elements = 1, .cleared = true},
+                                   {.key = "splat.explain.sum_count", .label = "Pixels explained"})};
 }
 
 glm::ivec2 picked_texel(const graph::FrameInputs& inputs, int divisor) {
@@ -64,15 +55,7 @@ void gather(const graph::PassContext& p, graph::Slice slice, const Kernels& kern
     const auto& program = p.use(source);
     program.set(ExplainPixel{kernel_rules(p.inputs(), kernels.parameters, kernels.photons.power_unit),
                              picked_texel(p.inputs(), kernels.surfaces.divisor)});
-    dispatch_photons(p, program, kernels.photons, slice);
-}
-
-/// The largest contribution first, equal ones in the order of the photons.
-bool comes_before(const FoundPhoton& a, const FoundPhoton& b) {
-    const auto total = [](const FoundPhoton& p) {
-        return double(p.contribution[0]) + p.contribution[1] + p.contribution[2];
-    };
-    return total(a) != total(b) ? total(a) > total(b) : a.photon < b.photon;
+    passes::dispatch_photons(p, program, kernels.photons, slice);
 }
 
 void add_up(std::span<const FoundPhoton> photons, Sum& sum) {
@@ -85,11 +68,11 @@ void add_up(std::span<const FoundPhoton> photons, Sum& sum) {
 }
 
 void sort_and_add_up(const graph::PassContext& p, const Kernels& kernels, const Explanation& e) {
-    const auto sums = p.elements<Sum>(e.sum);
-    const auto photons = p.elements<FoundPhoton>(e.photons);
+    const auto sums = p.elements<Sum>(e.sum.elements);
+    const auto photons = p.elements<FoundPhoton>(e.photons.elements);
     if (sums.empty()) return;
     const auto found = photons.first(std::min<std::size_t>(photons.size(), sums[0].photons));
-    std::sort(found.begin(), found.end(), comes_before);
+    passes::sort_found(found);
     const auto texel = picked_texel(p.inputs(), kernels.surfaces.divisor);
     sums[0].texel_x = static_cast<std::uint32_t>(texel.x);
     sums[0].texel_y = static_cast<std::uint32_t>(texel.y);
@@ -106,15 +89,15 @@ void explain_pixel(graph::GraphBuilder& builder, const Kernels& kernels, graph::
         .reads("tiles", kernels.tiles)
         .reads("surfaces", kernels.surfaces.surfaces)
         .reads("irradiance", irradiance)
-        .writes("FoundPhotons", e.photons)
-        .writes("PixelSum", e.sum)
-        .counts("PhotonCount", e.photon_count)
-        .counts("SumCount", e.sum_count)
-        .execute_sliced(photon_parts,
+        .writes("FoundPhotons", e.photons.elements)
+        .writes("PixelSum", e.sum.elements)
+        .counts("PhotonCount", e.photons.count)
+        .counts("SumCount", e.sum.count)
+        .execute_sliced(passes::photon_parts,
                         [=](graph::PassContext& p, graph::Slice slice) { gather(p, slice, kernels); });
     builder.pass("sort photons of the pixel", graph::Queue::cpu)
-        .reads(e.photons, e.sum)
-        .writes(e.photons, e.sum)
+        .reads(e.photons.elements, e.sum.elements)
+        .writes(e.photons.elements, e.sum.elements)
         .execute([=](graph::PassContext& p) { sort_and_add_up(p, kernels, e); });
 }
 

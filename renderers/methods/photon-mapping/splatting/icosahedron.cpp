@@ -1,4 +1,4 @@
-#include "renderers/methods/photon-mapping/splatting/icosahedron.h"
+#include "renderers/methods/photon-mapping/splatting/stages.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #include "renderers/methods/photon-mapping/bounces.h"
-#include "renderers/methods/photon-mapping/splatting.h"
+#include "renderers/methods/photon-mapping/stages.h"
 
 namespace ir::methods::photon_mapping {
 

@@ -44,7 +44,7 @@ void mark_dots(const graph::PassContext& p, graph::Slice slice, const StoredPhot
     const auto& program = p.use({{"methods/photon-mapping/splatting/overlay_dots.comp"}});
     const auto& view = p.inputs().view;
     program.set(MarkPhotons{splat_view(view, 1), std::max(min_dot, view.height / rows_of_a_dot)});
-    dispatch_photons(p, program, photons, slice);
+    passes::dispatch_photons(p, program, photons, slice);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ void draw_overlay(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
         .reads("Photons", photons.records)
         .reads("Stored", photons.stored)
         .writes("dots", dots)
-        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+        .execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
             mark_dots(p, slice, photons, dots);
         });
     builder.pass("photons over the picture")

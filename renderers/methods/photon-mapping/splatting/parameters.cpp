@@ -3,6 +3,10 @@
 namespace ir::methods::photon_mapping {
 namespace {
 
+const std::string bound_of_radius =
+    "Bound of the radius that comes from the density, as a fraction of the radius of the scene's bounds. Not "
+    "printed; the default is ";
+
 void add_targets(ParameterTable<Parameters>& table) {
     table
         .add(&Parameters::splat_resolution,
@@ -57,24 +61,20 @@ void add_size(ParameterTable<Parameters>& table) {
               .citation = "Smal19 eq. 6.2",
               .hard = {1e-3, 1e4},
               .soft = {0.25, 16}})
-        .add(&Parameters::radius_min,
-             {.key = "radius_min",
-              .label = "Minimum radius",
-              .doc = "Bound of the radius that comes from the density, as part of the radius of the scene's "
-                     "bounds. Not printed; the default is 1/500.",
-              .citation = "Smal19 eq. 6.2",
-              .hard = {0, 1},
-              .soft = {0, 0.1}})
-        .add(&Parameters::radius_max,
-             {.key = "radius_max",
-              .label = "Maximum radius",
-              .doc = "Bound of the radius that comes from the density, as part of the radius of the scene's "
-                     "bounds. Not printed; the default is 1/20.",
-              .citation = "Smal19 eq. 6.2",
-              .hard = {0, 10},
-              .soft = {0.002, 0.2}})
-        .add(&Parameters::radius_texels,
-             {.key = "radius_texels",
+        .add(&Parameters::min_radius, {.key = "min_radius",
+                                       .label = "Minimum radius",
+                                       .doc = bound_of_radius + "1/500.",
+                                       .citation = "Smal19 eq. 6.2",
+                                       .hard = {0, 1},
+                                       .soft = {0, 0.1}})
+        .add(&Parameters::max_radius, {.key = "max_radius",
+                                       .label = "Maximum radius",
+                                       .doc = bound_of_radius + "1/20.",
+                                       .citation = "Smal19 eq. 6.2",
+                                       .hard = {0, 10},
+                                       .soft = {0.002, 0.2}})
+        .add(&Parameters::min_radius_texels,
+             {.key = "min_radius_texels",
               .label = "Minimum radius, texels",
               .doc = "Kernels are no smaller than this many texels of the splatting resolution, where a "
                      "texel faces the viewer. √½ lets each be seen by a texel; 0, as published, lets "
@@ -86,8 +86,8 @@ void add_size(ParameterTable<Parameters>& table) {
 
 void add_shape(ParameterTable<Parameters>& table) {
     table
-        .add(&Parameters::ray_length_floor,
-             {.key = "ray_length_floor",
+        .add(&Parameters::min_ray_length_scale,
+             {.key = "min_ray_length_scale",
               .label = "Minimum scale of short rays",
               .doc = "Lower bound of the factor l / l_max by which photons at the end of short rays have "
                      "smaller kernels.",
@@ -111,8 +111,8 @@ void add_shape(ParameterTable<Parameters>& table) {
               .citation = "Smal19 §6.1.2",
               .hard = {1e-3, 10},
               .soft = {0.05, 1}})
-        .add(&Parameters::stretch_max,
-             {.key = "stretch_max",
+        .add(&Parameters::max_stretch,
+             {.key = "max_stretch",
               .label = "Maximum stretch",
               .doc = "s_max: how far kernels of light at grazing incidence are stretched along it at most.",
               .citation = "Smal19 eq. 6.3",

@@ -59,13 +59,13 @@ KernelRules kernel_rules(const graph::FrameInputs& inputs, const Parameters& par
             .c_texel = area_constant(inputs.view, divisor),
             .tile_size = parameters.tile_size,
             .l_max = parameters.ray_length_scale * radius,
-            .r_min = parameters.radius_min * radius,
-            .r_max = std::max(parameters.radius_min, parameters.radius_max) * radius,
-            .ray_length_floor = parameters.ray_length_floor,
+            .r_min = parameters.min_radius * radius,
+            .r_max = std::max(parameters.min_radius, parameters.max_radius) * radius,
+            .min_ray_length_scale = parameters.min_ray_length_scale,
             .n_tile = parameters.kernel_scale,
             .s_n = parameters.normal_axis,
-            .s_max = parameters.stretch_max,
-            .radius_texels = parameters.radius_texels};
+            .s_max = parameters.max_stretch,
+            .min_radius_texels = parameters.min_radius_texels};
 }
 
 }  // namespace ir::methods::photon_mapping

@@ -37,9 +37,9 @@ struct KernelRules {
     passes::PixelRays rays;
     float power_unit, c_tile, c_texel;
     int tile_size;
-    float l_max, r_min, r_max, ray_length_floor, n_tile, s_n, s_max, radius_texels;
-    IR_FIELDS(view, rays, power_unit, c_tile, c_texel, tile_size, l_max, r_min, r_max, ray_length_floor,
-              n_tile, s_n, s_max, radius_texels)
+    float l_max, r_min, r_max, min_ray_length_scale, n_tile, s_n, s_max, min_radius_texels;
+    IR_FIELDS(view, rays, power_unit, c_tile, c_texel, tile_size, l_max, r_min, r_max, min_ray_length_scale,
+              n_tile, s_n, s_max, min_radius_texels)
 };
 KernelRules kernel_rules(const graph::FrameInputs& inputs, const Parameters& parameters, float power_unit);
 

@@ -1,4 +1,4 @@
-#include "renderers/methods/photon-mapping/splatting.h"
+#include "renderers/methods/photon-mapping/stages.h"
 
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"
 #include "renderers/methods/photon-mapping/splatting/stages.h"

@@ -1,10 +1,66 @@
 #pragma once
 
-#include "renderers/methods/photon-mapping/splatting/draw_kernels.h"
-#include "renderers/methods/photon-mapping/splatting/stored.h"
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+
+#include "renderers/methods/photon-mapping/stages.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
+#include "renderers/passes/photons/photon_list.h"
 
 namespace ir::methods::photon_mapping {
+
+/// The photons that are there to be read.
+struct StoredPhotons : passes::PhotonList {
+    float power_unit = 1;
+};
+
+/// Declares the pass "count photons".
+StoredPhotons stored_photons(graph::GraphBuilder& builder, const Photons& photons);
+
+/// What kernels are tested against, at the splatting resolution.
+struct SplatSurfaces {
+    graph::ImageRef depth;     ///< "splat.depth", see struct Splat
+    graph::ImageRef surfaces;  ///< depth, or at lower resolutions "splat.surfaces"
+    graph::ImageRef stencil;   ///< "splat.stencil": for the depth test
+    int divisor = 1;
+};
+
+/// Declares the pass "surfaces to splat on".
+SplatSurfaces splat_surfaces(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, int divisor);
+
+/// A regular icosahedron with its vertices on the unit sphere; corners run anticlockwise seen from outside.
+struct Icosahedron {
+    std::array<glm::vec3, 12> vertices;
+    std::array<std::uint32_t, 60> corners;
+};
+Icosahedron icosahedron();
+
+/// What the kernels of all photons are drawn from.
+struct Kernels {
+    StoredPhotons photons;
+    graph::ImageRef tiles;
+    SplatSurfaces surfaces;
+    graph::BufferRef vertices, corners;  ///< of the icosahedron
+    Parameters parameters;
+};
+
+/// Declares "splat.icosahedron.vertices" and "…corners".
+Kernels declare_kernels(graph::GraphBuilder& builder, const StoredPhotons& photons, graph::ImageRef tiles,
+                        const SplatSurfaces& surfaces, const Parameters& parameters);
+
+/// The defines of inside.glsl.
+std::map<std::string, std::string> kernel_defines(const Kernels& kernels);
+
+/// Declares a pass that adds a value for every kernel that covers a texel.
+struct KernelPass {
+    std::string name, command_key;  ///< of the pass; of the buffer with the draw's command
+    std::vector<graph::ImageRef> targets;
+    std::map<std::string, std::string> defines = {};
+    bool depth_test = true;  ///< only faster: the shader tests again
+};
+void draw_kernels(graph::GraphBuilder& builder, const Kernels& kernels, const KernelPass& pass);
 
 /// Declares "splat.tiles" and the pass that counts the photons of each tile.
 graph::ImageRef count_tiles(graph::GraphBuilder& builder, const StoredPhotons& photons,

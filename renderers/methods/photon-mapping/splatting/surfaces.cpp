@@ -1,4 +1,4 @@
-#include "renderers/methods/photon-mapping/splatting/surfaces.h"
+#include "renderers/methods/photon-mapping/splatting/stages.h"
 
 #include "renderers/graph/pass_context.h"
 #include "renderers/methods/photon-mapping/splatting/splat_view.h"

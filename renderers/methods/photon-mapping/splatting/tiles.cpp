@@ -28,11 +28,11 @@ graph::ImageRef count_tiles(graph::GraphBuilder& builder, const StoredPhotons& p
         .reads("Photons", photons.records)
         .reads("Stored", photons.stored)
         .writes("tiles", image)
-        .execute_sliced(photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
+        .execute_sliced(passes::photon_parts, [=](graph::PassContext& p, graph::Slice slice) {
             if (slice.first) p.clear(image);
             const auto& program = p.use({{"methods/photon-mapping/splatting/tiles.comp"}});
             program.set(constants);
-            dispatch_photons(p, program, photons, slice);
+            passes::dispatch_photons(p, program, photons, slice);
         });
     return image;
 }

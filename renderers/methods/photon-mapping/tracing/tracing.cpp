@@ -1,4 +1,4 @@
-#include "renderers/methods/photon-mapping/tracing.h"
+#include "renderers/methods/photon-mapping/stages.h"
 
 #include <algorithm>
 

@@ -97,13 +97,13 @@ Culling culling_by(const scene::View& view, const Parameters& parameters, float 
     const bool is_perspective = rows[3] != glm::vec4(0, 0, 0, 1);
     const auto backwards = glm::vec3(glm::transpose(view.view_from_world)[2]);
     result.eye_ws = is_perspective ? glm::vec4(view.eye_ws, 1) : glm::vec4(backwards, 0);
-    const float longest = std::max({1.0f, parameters.stretch_max, parameters.normal_axis});
-    const float radius = std::max(parameters.radius_min, parameters.radius_max) * scene_radius;
+    const float longest = std::max({1.0f, parameters.max_stretch, parameters.normal_axis});
+    const float radius = std::max(parameters.min_radius, parameters.max_radius) * scene_radius;
     result.kernel_reach = longest * radius * std::sqrt(parameters.kernel_scale);
     const auto divisor = static_cast<float>(1 << index_of(parameters.splat_resolution));
     const float texel = divisor * 2 / (std::abs(view.clip_from_view[1][1]) * static_cast<float>(view.height));
     // at the right and lower edge a texel may end outside of the picture
-    result.texel_reach = longest * std::max(1.0f, parameters.radius_texels) * texel;
+    result.texel_reach = longest * std::max(1.0f, parameters.min_radius_texels) * texel;
     return result;
 }
 

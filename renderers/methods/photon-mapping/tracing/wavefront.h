@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderers/methods/photon-mapping/tracing.h"
+#include "renderers/methods/photon-mapping/stages.h"
 #include "renderers/passes/scene/hit_surfaces.h"
 
 namespace ir::methods::photon_mapping {

@@ -1,4 +1,4 @@
-// A splat's level. Constants: VisibleLevel of renderers/methods/deep-screen-space/splatting/visible.h.
+// A splat's level. Constants: VisibleLevel of renderers/methods/deep-screen-space/splatting/steps.h.
 // Include records.glsl before it.
 #include "methods/deep-screen-space/splatting/influence.glsl"
 #include "methods/deep-screen-space/splatting/visible_hit.glsl"

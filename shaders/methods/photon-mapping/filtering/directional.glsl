@@ -5,7 +5,7 @@ uniform sampler2D direction_image;  // y and z of it
 uniform sampler2D gbuffer_normal;
 uniform sampler2D gbuffer_geometric_normal;
 
-uniform float stretch_max;
+uniform float max_stretch;
 uniform bool directional;
 
 vec3 direction_sum(ivec2 pixel) {
@@ -26,7 +26,7 @@ vec3 mean_direction(ivec2 pixel) {
 /// surfaces that have no normal map: half of it at 80 degrees and s_max = 3.
 float directional_factor(vec3 direction, vec3 shading_n, vec3 geometric_n) {
     float mapped = dot(direction, shading_n), plain = dot(direction, geometric_n);
-    float inverse = plain * stretch_max > 1.0 ? 1.0 / plain : stretch_max;
+    float inverse = plain * max_stretch > 1.0 ? 1.0 / plain : max_stretch;
     return max(1.0 + (mapped - plain) * inverse, 0.0);
 }
 

@@ -12,7 +12,7 @@ uniform float power_unit;  // W
 uniform float c_tile, c_texel;
 uniform int tile_size;
 uniform float l_max, r_min, r_max;  // m
-uniform float ray_length_floor, n_tile, s_n, s_max, radius_texels;
+uniform float min_ray_length_scale, n_tile, s_n, s_max, min_radius_texels;
 
 struct Kernel {
     vec3 centre_ws;
@@ -29,15 +29,15 @@ float photons_of_tile(vec3 position_ws) {
 }
 
 /// s_l s_d.
-/// DEVIATION [Smal19 §6.1]: never below radius_texels. A kernel that is smaller than a texel is seen by few
+/// DEVIATION [Smal19 §6.1]: never below min_radius_texels. A kernel that is smaller than a texel is seen by few
 /// texels' middles and there counts for all of the texel: the mean is the same, with more noise, and such peaks
 /// overflow half floats. With 0.71 texels in place of 0.2 the noise is 3.4 times less.
 float kernel_radius(Photon photon) {
     float depth = view_depth(photon.position_ws);
     float r = density_radius(tile_area(depth, c_tile, perspective), photons_of_tile(photon.position_ws));
-    float s_l = ray_length_scale(photon.ray_length, l_max, ray_length_floor);
+    float s_l = ray_length_scale(photon.ray_length, l_max, min_ray_length_scale);
     float texel = sqrt(tile_area(depth, c_texel, perspective));
-    return max(s_l * density_scale(r, r_min, r_max, n_tile), radius_texels * texel);
+    return max(s_l * density_scale(r, r_min, r_max, n_tile), min_radius_texels * texel);
 }
 
 /// [Smal19 §6.1.2]

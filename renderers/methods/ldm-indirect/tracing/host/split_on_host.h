@@ -1,6 +1,5 @@
 #pragma once
 
-#include "renderers/methods/ldm-indirect/tracing.h"
 #include "renderers/methods/ldm-indirect/tracing/emission.h"
 
 namespace ir::methods::ldm_indirect {

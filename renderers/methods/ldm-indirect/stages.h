@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "renderers/graph/benchmark.h"
+#include "renderers/graph/builder.h"
+#include "renderers/methods/ldm-indirect/parameters.h"
+#include "renderers/passes/gbuffer/gbuffer.h"
+#include "renderers/passes/scene/scene_buffers.h"
+#include "shaders/methods/ldm-indirect/records.glsl.h"
+
+namespace ir::methods::ldm_indirect {
+
+/// The photons of a frame that the camera sees.
+struct Photons {
+    graph::BufferRef records;  ///< "indirect.photons": Photon, growable, glyphs; in the order of batches of
+                               ///< maps, then of sources, then of maps
+    graph::CounterRef count;   ///< of records; may exceed the buffer's capacity while it grows
+    /// How many there are to read, where the host stored some: passes on the device see no counter of its.
+    std::optional<graph::BufferRef> stored = {};
+};
+
+/// Declares the lights' images, the maps, and the passes that emit, split, trace, reject and store photons,
+/// with the outputs below. [Aalund15 §3.4, §4.2]
+Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                      const passes::GBuffer& gbuffer, const Parameters& parameters);
+
+/// Of the field `side`: along which of the two directions of a map a photon came.
+Categories side_categories();
+/// Among them the maps' own, and the table of energy: what was emitted, stored, and lost by each cause.
+std::vector<OutputDescription> tracing_outputs();
+std::vector<SelectorDescription> tracing_selectors();
+
+/// Irradiance of each pixel by density estimation. [Aalund15 eq. 4-7]
+struct Splat {
+    graph::ImageRef irradiance;  ///< "indirect.irradiance" rgba32f: RGB E, W/m²; A: photons that added to it
+    graph::BufferRef stored;     ///< "splat.stored": photons that there are to be read
+    graph::BufferRef arrivals;   ///< "splat.arrivals": where light comes from
+};
+
+/// By the way that the parameter `splatting` names. Photons that came directly from the light go to the same
+/// image.
+Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
+                    const Parameters& parameters);
+
+/// "radiance", the main result: emission, direct light (by rasterisation with shadow maps, or by photons) and
+/// the splatted light, as the transport's paths say. [Aalund15 §4.2, §5.2]
+void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::GBuffer& gbuffer,
+             const Splat& splat, const Parameters& parameters);
+
+/// What explains the picked pixel: its photons by energy, and their sum by a separate gather against what was
+/// splatted; what each direction of the maps contributes to it; the paths of its photons.
+void explain(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const Photons& photons,
+             const Splat& splat, const Parameters& parameters);
+
+std::vector<OutputDescription> splatting_outputs();
+
+/// What grows with directions, photons and texels, and the published setting.
+std::vector<graph::Benchmark> benchmarks();
+
+}  // namespace ir::methods::ldm_indirect
