@@ -263,8 +263,8 @@ TEST_F(ReconstructionTest, BalanceBoundsWhatANeighboursSampleGivesAndLeavesTheMe
     auto r = BounceRun::with(2, Spread::independent, 3);
     r.options.light = true;
     r.options.parameters.min_roughness = 0.1f;
-    r.reconstruction.blur.blur_normal_power = 1;
-    r.reconstruction.blur.blur_plane_tolerance = 10;
+    r.reconstruction.blur.normal_power = 1;
+    r.reconstruction.blur.plane_tolerance = 10;
     r.meeting = [](glm::ivec2, int, glm::vec4) { return Met{1, glm::vec3(1)}; };
     const auto run_with = [&](float balance) {
         r.reconstruction.balance = balance;

@@ -28,8 +28,6 @@ graph::BufferRef upload_arrivals(graph::GraphBuilder& builder, const Parameters&
     return buffer;
 }
 
-}
-
 void measure(const graph::PassContext& p, graph::Slice slice, const StoredPhotons& photons) {
     const auto& program = p.use({{folder + "measure.comp"}});
     program.set(footprints(p.inputs(), photons.parameters));
