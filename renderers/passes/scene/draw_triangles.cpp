@@ -3,15 +3,15 @@
 namespace ir::passes {
 namespace {
 
-struct Slot {
+struct NamedSlot {
     const char* name;
     scene::TextureSlot scene::Material::*slot;
 };
-constexpr Slot slots[] = {{"base_colour_texture", &scene::Material::base_colour_texture},
-                          {"metallic_roughness_texture", &scene::Material::metallic_roughness_texture},
-                          {"normal_texture", &scene::Material::normal_texture},
-                          {"emission_texture", &scene::Material::emission_texture},
-                          {"transmission_texture", &scene::Material::transmission_texture}};
+constexpr NamedSlot slots[] = {{"base_colour_texture", &scene::Material::base_colour_texture},
+                               {"metallic_roughness_texture", &scene::Material::metallic_roughness_texture},
+                               {"normal_texture", &scene::Material::normal_texture},
+                               {"emission_texture", &scene::Material::emission_texture},
+                               {"transmission_texture", &scene::Material::transmission_texture}};
 
 }  // namespace
 

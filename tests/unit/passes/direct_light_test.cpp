@@ -284,8 +284,8 @@ TEST_F(DirectLightTest, LightsWithExtentAreCountedNotForgotten) {
     Light panel;
     panel.type = LightType::rectangle;
     scene.lights.insert(scene.lights.begin(), {panel, panel});
-    const auto report = render(Shot(scene, from_above(), pixels, pixels),
-                               {.extended = {.parameters = {.light_samples = 0}}});
+    const auto report =
+        render(Shot(scene, from_above(), pixels, pixels), {.extended = {.parameters = {.light_samples = 0}}});
     bool said = false;
     for (const auto& message : report.messages)
         said = said || message.text.find("2 rectangle or disk lights") != std::string::npos;

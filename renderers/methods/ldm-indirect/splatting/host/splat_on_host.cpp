@@ -103,7 +103,8 @@ void splat_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
             // Slices in whole rounds: how much is added at once does not depend on what a slice takes.
             constexpr auto round = static_cast<std::int64_t>(KernelRound::kernels);
             const auto rounds = (stored + round - 1) / round;
-            for (auto i = rounds * slice.begin / passes::photon_parts; i < rounds * slice.end / passes::photon_parts; ++i) {
+            for (auto i = rounds * slice.begin / passes::photon_parts;
+                 i < rounds * slice.end / passes::photon_parts; ++i) {
                 p.cancel().check();
                 splat->add(photons.subspan(static_cast<std::size_t>(i * round),
                                            static_cast<std::size_t>(std::min(round, stored - i * round))));
