@@ -103,9 +103,11 @@ class IndirectSplatTest : public PassTest {
     static li::Photons upload(graph::GraphBuilder& builder, const IndirectRun& run) {
         std::vector<li::Photon> records;
         for (const auto& photon : run.photons) records.push_back(record_of(photon));
-        const auto photons = upload_records(
-            builder, {.text = {.key = "indirect.photons", .label = "Photons"}, .kind = OutputKind::glyphs},
-            "indirect.photon_count", records, run.capacity);
+        const auto photons = upload_records(builder,
+                                            {.text = {.key = "indirect.photons", .label = "Photons"},
+                                             .kind = OutputKind::glyphs,
+                                             .fields = {}},
+                                            "indirect.photon_count", records, run.capacity);
         return {photons.elements, photons.count};
     }
 

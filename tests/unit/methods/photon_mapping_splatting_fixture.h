@@ -71,9 +71,11 @@ class SplatTest : public PassTest {
     static pm::Photons upload(graph::GraphBuilder& builder, const SplatRun& run) {
         std::vector<pm::Photon> records;
         for (const auto& photon : run.photons) records.push_back(packed(photon, run.power_unit));
-        const auto uploaded = upload_records(
-            builder, {.text = {.key = "photons.records", .label = "Photons"}, .kind = OutputKind::point_set},
-            "photons.count", records, run.capacity, run.uncounted);
+        const auto uploaded = upload_records(builder,
+                                             {.text = {.key = "photons.records", .label = "Photons"},
+                                              .kind = OutputKind::point_set,
+                                              .fields = {}},
+                                             "photons.count", records, run.capacity, run.uncounted);
         pm::Photons photons;
         photons.power_unit = run.power_unit;
         photons.records = uploaded.elements;
