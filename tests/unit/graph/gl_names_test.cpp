@@ -125,7 +125,9 @@ TEST_P(GlNamesTest, RefusesWhatABundleDeclaresAndNoProgramHas) {
             auto pass = complete(builder, t);
             use == Use::optional ? pass.may_read(spare) : pass.reads(spare);
             pass.execute([=](PassContext& p) {
-                if (use == Use::by_the_body) EXPECT_EQ(p.capacity(spare), 4u);
+                if (use == Use::by_the_body) {
+                    EXPECT_EQ(p.capacity(spare), 4u);
+                }
                 p.use({{"add.comp"}}).dispatch(4);
             });
         });
