@@ -283,16 +283,21 @@ graph::ImageRef sample_and_filter(graph::GraphBuilder& builder, const GBuffer& g
                                   const ExtendedLightOptions& options) {
     const auto images = sample_sources(builder, gbuffer, options);
     const auto result = images.results.radiance;
-    auto pass = builder.pass("extended light");
     gl::ProgramSource source{{"passes/direct/extended_light.comp"}};
-    if (options.parameters.light_filter) {
-        source.defines["FILTERED"] = "1";
-        pass.reads("even_image", filter_light(builder, gbuffer, images, options.parameters))
-            .reads("reflectance_image", images.reflectance);
-    } else {
-        pass.reads("unfiltered_image", images.results.unfiltered);
+    if (!options.parameters.light_filter) {
+        builder.pass("extended light")
+            .reads("unfiltered_image", images.results.unfiltered)
+            .writes("result", result)
+            .compute(source, result);
+        return result;
     }
-    pass.writes("result", result).compute(source, result);
+    source.defines["FILTERED"] = "1";
+    const auto even = filter_light(builder, gbuffer, images, options.parameters);
+    builder.pass("extended light")
+        .reads("even_image", even)
+        .reads("reflectance_image", images.reflectance)
+        .writes("result", result)
+        .compute(source, result);
     return result;
 }
 

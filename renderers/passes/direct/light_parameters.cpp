@@ -19,8 +19,8 @@ ParameterTable<LightParameters> light_parameters() {
              {.key = "light_filter",
               .label = "Filter of sampled light",
               .doc = "Takes the noise of the light samples away, by an edge-avoiding filter that lets pixels "
-                     "differ as far as their variance does not explain. What it blurs vanishes with the "
-                     "noise as frames add up.",
+                     "differ as far as their variance does not explain. Light of few samples becomes a "
+                     "little too dark; this and the blur vanish as frames add up.",
               .citation = "Schied17 §4.3"})
         .add(&LightParameters::light_filter_strength,
              {.key = "light_filter_strength",

