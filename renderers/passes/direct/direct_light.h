@@ -22,8 +22,8 @@ OutputDescription direct_output();  ///< "direct.radiance"
 std::vector<OutputDescription> direct_outputs();
 
 struct DirectLightOptions {
-    int shadow_resolution = 1024;   ///< texels along each side of a layer
-    int shadow_filter_radius = 0;   ///< averages (2 r + 1)² texels; 0: hard edges
+    int shadow_resolution = 1024;        ///< texels along each side of a layer
+    int shadow_filter_radius = 0;        ///< averages (2 r + 1)² texels; 0: hard edges
     ExtendedLightOptions extended = {};  ///< and the materials of all light
 };
 
