@@ -37,9 +37,9 @@ std::string splat_fingerprint(const graph::FrameInputs& inputs, const std::strin
     std::ostringstream text;
     text << surfels << " splats " << static_cast<int>(inputs.processor) << ' ' << inputs.seed;
     add(text, parameter_table().settings(parameters),
-        {"light_offset", "glossy_senders", "reserve", "falloff", "environment_light", "splat_culling",
-         "ambient", "estimator", "blur", "blur_radius", "blur_plane_tolerance", "blur_normal_power",
-         "material_tolerance", "balance", "history"});
+        {"light_offset", "glossy_senders", "reserve", "falloff", "environment_light", "ambient", "estimator",
+         "blur", "blur_radius", "blur_plane_tolerance", "blur_normal_power", "material_tolerance", "balance",
+         "history"});
     return text.str();
 }
 

@@ -198,8 +198,19 @@ bool is_way_to_the_same(const ParameterDescription& p, const Value& value) {
 bool changes_outputs(std::vector<Studio>& studios, const ParameterDescription& p) {
     const auto& method = studios.front().method().description;
     const auto quick = quick_settings(method);
-    for (const bool middle : {false, true}) {
-        auto settings = middle ? middle_settings(method, quick) : quick;
+    auto unlimited = quick;  // light from any distance, where the method has it
+    for (const auto& [key, value] : {std::pair<const char*, Value>{"paths", std::string("full")},
+                                     std::pair<const char*, Value>{"max_distance", 0.0}})
+        if (const auto* each = find(method.parameters, key)) {
+            const auto tried = tried_values(*each);
+            if (each->type == ParameterType::number ||
+                std::find(tried.begin(), tried.end(), value) != tried.end())
+                unlimited[key] = value;
+        }
+    const auto middle_of_all = middle_settings(method, quick);
+    for (const auto* start : std::initializer_list<const Settings*>{&quick, &middle_of_all, &unlimited}) {
+        const bool middle = start == &middle_of_all;
+        auto settings = *start;
         if (!activate(method, p, settings)) return false;
         for (auto& studio : studios) {
             std::vector<Frame> frames;

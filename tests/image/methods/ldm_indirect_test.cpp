@@ -155,7 +155,9 @@ TEST(LdmIndirectPicture, BuffersThatStartAThousandTimesTooSmallGiveTheSamePictur
 }
 
 TEST(LdmIndirectPicture, BatchesOfMapsChangeNothingButRounding) {
-    auto setting = cornell("ldm-indirect", indirect_maps(64, 160, 16));
+    // On the device: the host streams its maps, which are arrays.
+    auto setting =
+        cornell("ldm-indirect", with(indirect_maps(64, 160, 16), {{"storage", std::string("linked-lists")}}));
     const auto whole = render(setting);
     setting.options.memory_budget = whole.report.peak_memory_bytes * 6 / 10;
     const auto divided = render(setting);

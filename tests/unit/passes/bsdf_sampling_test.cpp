@@ -44,7 +44,8 @@ float plain_ggx_pdf(const Patch& patch, glm::vec3 wo, glm::vec3 wi) {
     const auto sine = glm::cross(n, h);
     const float alpha = patch.surface.roughness * patch.surface.roughness;
     if (glm::dot(n, wi) <= 0) return 0;
-    return passes::ggx_distribution_of_sine(glm::dot(sine, sine), alpha) * glm::dot(n, h) / (4 * glm::dot(wo, h));
+    return passes::ggx_distribution_of_sine(glm::dot(sine, sine), alpha) * glm::dot(n, h) /
+           (4 * glm::dot(wo, h));
 }
 
 template <class Use>

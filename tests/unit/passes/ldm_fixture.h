@@ -179,7 +179,7 @@ class LdmBuild {
         for (int batch = 0; batch < maps->layout.batches(); ++batch) {
             build_maps(builder, scene, maps, batch);
             auto pass = builder.pass("read" + maps->batch_name(batch));
-            reads_maps(pass, *maps);
+            for (const auto buffer : maps->storage->buffers()) pass.reads(buffer);
             pass.writes("Texels", texels).writes("Out", depths);
             pass.counts("Copied", copied).counts("Wrong", wrong);
             pass.execute([=](graph::PassContext& context) {
