@@ -38,7 +38,7 @@ ImageRef unshuffled(graph::GraphBuilder& builder, const Hierarchy& hierarchy, Im
 LevelSums blur_levels(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
                       const Hierarchy& hierarchy, ImageRef stack, const Parameters& parameters) {
     const auto& options = parameters.reconstruction.blur;
-    const auto& name = builder.images().at(static_cast<std::size_t>(stack.index)).text.key;
+    const auto name = builder.images().at(static_cast<std::size_t>(stack.index)).text.key;
     LevelSums sums{stack, {}};
     for (int level = 0; level < hierarchy.levels; ++level) {
         const auto key = name + ".level_" + std::to_string(level);
