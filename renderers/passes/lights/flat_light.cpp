@@ -5,24 +5,10 @@
 #include <numbers>
 
 #include "renderers/passes/lights/spherical_rectangle.h"
+#include "renderers/passes/sampling/concentric_disk.h"
 #include "renderers/scene/frame.h"
 
 namespace ir::passes {
-namespace {
-
-/// Uniform on the unit disk; squares become sectors of rings.  [Shirley97 §2]
-glm::vec2 concentric_disk(glm::vec2 u) {
-    constexpr float quarter = std::numbers::pi_v<float> / 4;
-    const glm::vec2 p = 2.0f * u - 1.0f;
-    if (p.x == 0 && p.y == 0) return p;
-    const bool wide = std::abs(p.x) > std::abs(p.y);
-    const float radius = wide ? p.x : p.y;
-    const float angle = wide ? quarter * (p.y / p.x) : quarter * (2 - p.x / p.y);
-    return radius * glm::vec2(std::cos(angle), std::sin(angle));
-}
-
-}  // namespace
-
 FlatLight::FlatLight(const scene::Light& light)
     : centre_(light.position),
       normal_(light.direction),
@@ -33,6 +19,15 @@ FlatLight::FlatLight(const scene::Light& light)
     width_ = frame.width;
     height_ = frame.height;
     area_ = (is_disk_ ? std::numbers::pi_v<float> : 4.0f) * half_size_.x * half_size_.y;
+}
+
+glm::vec2 FlatLight::on_plane(glm::vec2 u) const {
+    return half_size_ * (is_disk_ ? concentric_disk(u) : 2.0f * u - 1.0f);
+}
+
+glm::vec3 FlatLight::point_ws(glm::vec2 u) const {
+    const glm::vec2 p = on_plane(u);
+    return centre_ + p.x * width_ + p.y * height_;
 }
 
 bool FlatLight::uses_solid_angle(glm::vec3 position_ws) const {
@@ -47,7 +42,7 @@ std::optional<FlatLightPoint> FlatLight::sample(glm::vec3 position_ws, glm::vec2
     const float height = glm::dot(from_centre, normal_);
     if (!(height > 0) || !(area_ > 0)) return std::nullopt;
     const glm::vec2 foot(glm::dot(from_centre, width_), glm::dot(from_centre, height_));
-    glm::vec2 p = half_size_ * (is_disk_ ? concentric_disk(u) : 2.0f * u - 1.0f) - foot;
+    glm::vec2 p = on_plane(u) - foot;
     const bool by_solid_angle = uses_solid_angle(position_ws);
     double solid_angle = 0;
     if (by_solid_angle) {

@@ -27,8 +27,10 @@ class FlatLight {
     glm::vec3 half_height_ws() const { return half_size_.y * height_; }
     float area() const { return area_; }  ///< m²
 
-    /// A point on it, by u in [0, 1)²: rectangles that are near uniformly in solid angle [Urena13], others
-    /// and disks uniformly in area. Nothing from behind and in its plane.
+    /// A point of it by u in [0, 1)², uniformly in area.
+    glm::vec3 point_ws(glm::vec2 u) const;
+    /// A point on it as it is seen, by u in [0, 1)²: rectangles that are near uniformly in solid angle
+    /// [Urena13], others and disks uniformly in area. Nothing from behind and in its plane.
     std::optional<FlatLightPoint> sample(glm::vec3 position_ws, glm::vec2 u) const;
     /// Density per solid angle with which sample() chooses the direction; 0 where it misses the light.
     float pdf(glm::vec3 position_ws, glm::vec3 direction_ws) const;
@@ -36,6 +38,7 @@ class FlatLight {
     std::optional<float> intersect(glm::vec3 origin_ws, glm::vec3 direction_ws, float far) const;
 
   private:
+    glm::vec2 on_plane(glm::vec2 u) const;  ///< m from the centre, along width and height
     bool uses_solid_angle(glm::vec3 position_ws) const;
     glm::vec3 centre_, normal_, width_, height_, radiance_;
     glm::vec2 half_size_;

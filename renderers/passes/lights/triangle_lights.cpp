@@ -71,18 +71,25 @@ TriangleLights::TriangleLights(const SurfaceLookup& surfaces)
     if (triangles_.back().index >= opaque_triangles_) masks_.emplace(scene, world);
 }
 
-std::optional<TriangleLights::Point> TriangleLights::sample(std::size_t i, glm::vec3 position_ws,
-                                                            glm::vec2 u) const {
+std::optional<TriangleLights::Origin> TriangleLights::origin(std::size_t i, glm::vec2 u) const {
     const auto& t = triangles_[i];
     const auto at = low_distortion_map(u);
     if (t.index >= opaque_triangles_ && !masks_->is_covered(t.index - opaque_triangles_, at.x, at.y))
         return std::nullopt;
-    const auto offset = t.corner + at.x * t.edge_u + at.y * t.edge_v - position_ws;
+    Origin origin{t.corner + at.x * t.edge_u + at.y * t.edge_v, at, surfaces_->emission(t.index, at.x, at.y)};
+    if (origin.radiance == glm::vec3(0)) return std::nullopt;
+    return origin;
+}
+
+std::optional<TriangleLights::Point> TriangleLights::sample(std::size_t i, glm::vec3 position_ws,
+                                                            glm::vec2 u) const {
+    const auto from = origin(i, u);
+    if (!from) return std::nullopt;
     Point point;
-    point.pdf = pdf(i, position_ws, at.x, at.y);
+    point.pdf = pdf(i, position_ws, from->barycentric.x, from->barycentric.y);
     if (!(point.pdf > 0)) return std::nullopt;
-    point.radiance = surfaces_->emission(t.index, at.x, at.y);
-    if (point.radiance == glm::vec3(0)) return std::nullopt;
+    const auto offset = from->position_ws - position_ws;
+    point.radiance = from->radiance;
     point.distance = glm::length(offset);
     point.direction_ws = offset / point.distance;
     return point;

@@ -37,8 +37,15 @@ class TriangleLights {
         return world_triangle < numbers_.size() ? numbers_[world_triangle] : -1;
     }
 
-    /// A point on triangle i by u in [0, 1)²; nothing edge-on and where no light is sent: in the holes of
-    /// alpha masks and dark texels.
+    /// A point on triangle i by u in [0, 1)², uniformly in area; nothing where no light is sent: in the holes
+    /// of alpha masks and dark texels.
+    struct Origin {
+        glm::vec3 position_ws{0};
+        glm::vec2 barycentric{0};
+        glm::vec3 radiance{0};
+    };
+    std::optional<Origin> origin(std::size_t i, glm::vec2 u) const;
+    /// The same as it is seen from a point; nothing edge-on and where no light is sent.
     std::optional<Point> sample(std::size_t i, glm::vec3 position_ws, glm::vec2 u) const;
     /// Density per solid angle with which sample() chooses the point with these barycentric coordinates.
     float pdf(std::size_t i, glm::vec3 position_ws, float u, float v) const;

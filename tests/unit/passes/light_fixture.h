@@ -42,10 +42,13 @@ class LightScene {
 
     /// Nothing may be added afterwards.
     const passes::LightSampler& sampler(const passes::LightSampler::Options& options = {}) {
+        sampler_ = std::make_unique<passes::LightSampler>(surfaces(), options);
+        return *sampler_;
+    }
+    const passes::SurfaceLookup& surfaces() {
         world_ = std::make_unique<scene::World>(scene::flatten(scene_, 0, 0));
         surfaces_ = std::make_unique<passes::SurfaceLookup>(scene_, *world_, true);
-        sampler_ = std::make_unique<passes::LightSampler>(*surfaces_, options);
-        return *sampler_;
+        return *surfaces_;
     }
     const scene::World& world() const { return *world_; }
 

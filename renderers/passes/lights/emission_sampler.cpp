@@ -1,0 +1,241 @@
+#include "renderers/passes/lights/emission_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderers/core/constants.h"
+#include "renderers/passes/lights/discrete_distribution.h"
+#include "renderers/passes/lights/environment_light.h"
+#include "renderers/passes/lights/flat_light.h"
+#include "renderers/passes/lights/luminance.h"
+#include "renderers/passes/lights/punctual.h"
+#include "renderers/passes/lights/triangle_lights.h"
+#include "renderers/passes/raytracing/ray_offset.h"
+#include "renderers/passes/sampling/concentric_disk.h"
+#include "renderers/passes/scattering/microfacets.h"
+#include "renderers/scene/frame.h"
+
+namespace ir::passes {
+namespace {
+
+/// The environment is chosen at most so many times as often as all other emitters.
+constexpr float most_environment = 3;
+
+float mean(glm::vec3 rgb) {
+    return (rgb.r + rgb.g + rgb.b) / 3;
+}
+
+bool is_flat(const scene::Light& light) {
+    return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
+}
+
+glm::vec3 cosine_about(glm::vec3 normal_ws, glm::vec2 u) {
+    return glm::normalize(scene::frame_around(normal_ws) * sample_cosine_ts(u));
+}
+
+float cosine_pdf(glm::vec3 normal_ws, glm::vec3 direction_ws) {
+    return std::max(glm::dot(normal_ws, direction_ws), 0.0f) / pi;
+}
+
+/// 1 - c of the cosine c to a spot's axis, distributed as its profile: 1 inside the inner cone,
+/// ((c - o) / (i - o))² between the cones. Neighbours stay neighbours.
+float spot_height(const scene::Light& light, float u) {
+    const float half_sine = std::sin(0.5f * light.inner_angle), whole = 2 * half_sine * half_sine;
+    const float inner = std::cos(light.inner_angle), outer = std::cos(light.outer_angle);
+    const float rest = std::max(inner - outer, 0.0f) / 3, at = u * (whole + rest);
+    if (at < whole || !(rest > 0)) return std::min(at, whole);
+    return whole + (inner - outer) * (1 - std::cbrt(std::max(1 - (at - whole) / rest, 0.0f)));
+}
+
+/// The cosine to the axis is 1 - height, which is exact near the axis.
+glm::vec3 direction_at(glm::vec3 axis_ws, float height, float turn) {
+    const float sine = std::sqrt(std::max(height * (2 - height), 0.0f)), phi = 2 * pi * turn;
+    return glm::normalize(scene::frame_around(axis_ws) *
+                          glm::vec3(sine * std::cos(phi), sine * std::sin(phi), 1 - height));
+}
+
+float mean_radiance(const SurfaceLookup& surfaces, const TriangleLights::Triangle& t) {
+    const auto& world = surfaces.world();
+    const auto& factor = surfaces.scene().materials[world.triangle_materials[t.index]].emission;
+    return t.radiance * mean(factor) / luminance(factor);
+}
+
+}  // namespace
+
+float emission_disk_radius(const scene::World& world) {
+    constexpr float least = 1e-3f, wider = 1.001f;  // a scene of one point, and rounding
+    return wider * std::max(world.bounds.radius(), least);
+}
+
+struct EmissionSampler::Impl {
+    Impl(const SurfaceLookup& surfaces, const Options& options);
+
+    std::optional<EmittedLight> from_light(std::size_t i, glm::vec2 place, glm::vec2 direction) const;
+    std::optional<EmittedLight> from_triangle(std::size_t i, glm::vec2 place, glm::vec2 direction) const;
+    std::optional<EmittedLight> from_sky(glm::vec2 place, glm::vec2 direction) const;
+    EmittedLight from_far(glm::vec3 direction_ws, glm::vec2 place) const;
+
+    float power_of(const scene::Light& light) const {
+        const float strength = mean(light.colour * light.intensity);
+        if (is_flat(light)) return pi * FlatLight(light).area() * strength;
+        return (light.type == scene::LightType::directional ? disk_area() : punctual_solid_angle(light)) *
+               strength;
+    }
+    float disk_area() const { return pi * radius * radius; }
+
+    std::vector<scene::Light> lights;
+    std::vector<int> numbers;  ///< of lights in the world
+    std::optional<TriangleLights> triangles;
+    std::optional<EnvironmentLight> sky;
+    glm::vec3 centre{0};
+    float radius = 0;
+    std::vector<float> powers;  ///< of lights; then of triangles; then of the environment
+    DiscreteDistribution choice;
+    float power = 0;
+};
+
+EmissionSampler::Impl::Impl(const SurfaceLookup& surfaces, const Options& options)
+    : centre(surfaces.world().bounds.centre()), radius(emission_disk_radius(surfaces.world())) {
+    for (const int i : options.lights) {
+        lights.push_back(surfaces.world().lights.at(static_cast<std::size_t>(i)));
+        numbers.push_back(i);
+        powers.push_back(power_of(lights.back()));
+    }
+    if (options.emissive_meshes) {
+        triangles.emplace(surfaces);
+        for (std::size_t i = 0; i < triangles->size(); ++i) {
+            const auto& t = (*triangles)[i];
+            powers.push_back(2 * pi * t.area * mean_radiance(surfaces, t));  // both sides
+        }
+    }
+    double sum = 0;
+    for (const float p : powers) sum += p;
+    auto weights = powers;
+    if (options.environment) {
+        sky.emplace(surfaces.scene().environment);
+        powers.push_back(4 * pi * sky->mean_luminance() * disk_area());
+        const float most = sum > 0 ? static_cast<float>(most_environment * sum) : powers.back();
+        weights.push_back(std::min(powers.back(), most));
+        sum += powers.back();
+    }
+    power = static_cast<float>(sum);
+    choice = DiscreteDistribution(weights.size(), [&](std::size_t i) { return weights[i]; });
+}
+
+std::optional<EmittedLight> EmissionSampler::Impl::from_light(std::size_t i, glm::vec2 place,
+                                                              glm::vec2 direction) const {
+    const auto& light = lights[i];
+    if (light.type == scene::LightType::directional) {
+        auto emitted = from_far(light.direction, place);
+        emitted.flux = light.colour * light.intensity * disk_area();
+        return emitted;
+    }
+    EmittedLight emitted;
+    if (is_flat(light)) {
+        const FlatLight shape(light);
+        emitted.normal_ws = shape.normal_ws();
+        emitted.origin_ws = offset_origin(shape.point_ws(place), emitted.normal_ws);
+        emitted.direction_ws = cosine_about(emitted.normal_ws, direction);
+        emitted.flux = pi * shape.area() * shape.radiance();
+        emitted.area_pdf = 1 / shape.area();
+        emitted.direction_pdf = cosine_pdf(emitted.normal_ws, emitted.direction_ws);
+        return emitted;
+    }
+    const bool is_spot = light.type == scene::LightType::spot;
+    const float height = is_spot ? spot_height(light, direction.x) : 2 * direction.x;
+    emitted.origin_ws = light.position;
+    emitted.direction_ws = emitted.normal_ws = direction_at(light.direction, height, direction.y);
+    emitted.flux = light.colour * light.intensity * punctual_solid_angle(light);
+    emitted.range = light.range;
+    const float profile =
+        is_spot ? spot_profile(1 - height, std::cos(light.inner_angle), std::cos(light.outer_angle)) : 1;
+    emitted.direction_pdf = profile / punctual_solid_angle(light);
+    return emitted;
+}
+
+/// The first half of the directions is the winding's side.
+std::optional<EmittedLight> EmissionSampler::Impl::from_triangle(std::size_t i, glm::vec2 place,
+                                                                 glm::vec2 direction) const {
+    const auto from = triangles->origin(i, place);
+    if (!from) return std::nullopt;
+    const auto& t = (*triangles)[i];
+    const bool is_front = direction.x < 0.5f;
+    const auto normal = glm::normalize(glm::cross(t.edge_u, t.edge_v));
+    EmittedLight emitted;
+    emitted.normal_ws = is_front ? normal : -normal;
+    emitted.origin_ws = offset_origin(from->position_ws, emitted.normal_ws);
+    emitted.direction_ws =
+        cosine_about(emitted.normal_ws, {is_front ? 2 * direction.x : 2 * direction.x - 1, direction.y});
+    emitted.flux = 2 * pi * t.area * from->radiance;
+    emitted.emitter = emissive_mesh;
+    emitted.area_pdf = 1 / t.area;
+    emitted.direction_pdf = cosine_pdf(emitted.normal_ws, emitted.direction_ws) / 2;
+    return emitted;
+}
+
+EmittedLight EmissionSampler::Impl::from_far(glm::vec3 direction_ws, glm::vec2 place) const {
+    const auto on_disk = radius * concentric_disk(place);
+    EmittedLight emitted;
+    emitted.direction_ws = emitted.normal_ws = direction_ws;
+    emitted.origin_ws = centre + scene::frame_around(direction_ws) * glm::vec3(on_disk.x, on_disk.y, -radius);
+    emitted.area_pdf = 1 / disk_area();
+    return emitted;
+}
+
+std::optional<EmittedLight> EmissionSampler::Impl::from_sky(glm::vec2 place, glm::vec2 direction) const {
+    const auto sample = sky->sample(glm::vec3(0), direction);
+    if (!(sample.pdf > 0) || sample.radiance == glm::vec3(0)) return std::nullopt;
+    auto emitted = from_far(-sample.direction_ws, place);
+    emitted.flux = sample.radiance * (disk_area() / sample.pdf);
+    emitted.emitter = environment;
+    emitted.direction_pdf = sample.pdf;
+    return emitted;
+}
+
+EmissionSampler::EmissionSampler(const SurfaceLookup& surfaces, const Options& options)
+    : impl_(std::make_unique<Impl>(surfaces, options)) {}
+
+EmissionSampler::~EmissionSampler() = default;
+
+bool EmissionSampler::empty() const {
+    return impl_->choice.empty();
+}
+
+float EmissionSampler::power() const {
+    return impl_->power;
+}
+
+float EmissionSampler::power(int emitter) const {
+    const auto lights = impl_->lights.size();
+    if (emitter >= 0) {
+        const auto at = std::ranges::find(impl_->numbers, emitter) - impl_->numbers.begin();
+        return static_cast<std::size_t>(at) < lights ? impl_->powers[static_cast<std::size_t>(at)] : 0;
+    }
+    if (emitter == environment) return impl_->sky ? impl_->powers.back() : 0;
+    double sum = 0;
+    const auto count = impl_->triangles ? impl_->triangles->size() : 0;
+    for (std::size_t i = 0; i < count; ++i) sum += impl_->powers[lights + i];
+    return static_cast<float>(sum);
+}
+
+std::optional<EmittedLight> EmissionSampler::sample(float choice, glm::vec2 place,
+                                                    glm::vec2 direction) const {
+    if (empty()) return std::nullopt;
+    const auto chosen = impl_->choice.sample(choice);
+    const auto lights = impl_->lights.size(), triangles = impl_->triangles ? impl_->triangles->size() : 0;
+    std::optional<EmittedLight> emitted;
+    if (chosen.index < lights) {
+        emitted = impl_->from_light(chosen.index, place, direction);
+        if (emitted) emitted->emitter = impl_->numbers[chosen.index];
+    } else if (chosen.index < lights + triangles) {
+        emitted = impl_->from_triangle(chosen.index - lights, place, direction);
+    } else {
+        emitted = impl_->from_sky(place, direction);
+    }
+    if (!emitted) return std::nullopt;
+    emitted->probability = chosen.probability;
+    emitted->flux /= chosen.probability;
+    return emitted;
+}
+
+}  // namespace ir::passes
