@@ -2,6 +2,7 @@
 // sampled for from the other side.
 #include "renderers/passes/lights/emission_sampler.h"
 
+#include "renderers/core/constants.h"
 #include "renderers/passes/raytracing/bvh.h"
 #include "renderers/passes/sampling/point_sequence.h"
 #include "tests/unit/passes/light_fixture.h"
@@ -86,8 +87,8 @@ TEST(EmissionSampler, RaysCarryThePowerOfTheirSource) {
 class Received : public testing::Test {
   protected:
     /// W that the floor gets, red: of n rays with the standard error.
-    static Estimate by_photons(const LightScene&, const passes::SurfaceLookup& surfaces,
-                               const EmissionSampler::Options& options, int n) {
+    static Estimate by_photons(const passes::SurfaceLookup& surfaces, const EmissionSampler::Options& options,
+                               int n) {
         const EmissionSampler sampler(surfaces, options);
         const passes::Bvh bvh(surfaces.scene(), surfaces.world());
         Uniform uniform(11);
@@ -128,7 +129,7 @@ class Received : public testing::Test {
         EmissionSampler::Options options;
         for (int i = 0; i < static_cast<int>(scene.scene().lights.size()); ++i) options.lights.push_back(i);
         const auto& surfaces = scene.surfaces();
-        const auto photons = by_photons(scene, surfaces, options, 100'000);
+        const auto photons = by_photons(surfaces, options, 100'000);
         const auto samples = by_light_samples(surfaces, 100'000);
         const double error = std::hypot(photons.error, samples.error);
         ASSERT_GT(samples.mean, 0) << name;
