@@ -302,14 +302,36 @@ void PassContext::bind(const std::string& name, BufferRef ref) const {
 
 void PassContext::check_names() const {
     if (programs_.empty()) return;
-    for (const auto& [name, binding] : pass_.bindings) {
-        const auto has_it = [&, resource = without_index(name)](const gl::Program* program) {
-            return program->declares(resource);
+    const auto& builder = *frame_.builder;
+    const auto require = [&](const std::string& name) {
+        const auto has_it = [&](const gl::Program* program) {
+            return program->declares(without_index(name));
         };
         if (std::none_of(programs_.begin(), programs_.end(), has_it))
             throw Error("pass '" + pass_.name + "' declares '" + name + "', which " +
                         programs_.back()->label() + " does not have");
+    };
+    for (const auto& [name, binding] : pass_.bindings) require(name);
+    const auto require_own = [&](BindingKind kind, int index, const std::string& name) {
+        const auto is_it = [&](const auto& entry) {
+            return entry.second.kind == kind && entry.second.index == index;
+        };
+        if (name.empty() || touched_.contains({kind, index}) ||
+            std::any_of(pass_.bindings.begin(), pass_.bindings.end(), is_it))
+            return;
+        require(name);
+    };
+    for (const auto& access : pass_.accesses) {
+        if (access.previous || access.optional) continue;
+        const auto index = static_cast<std::size_t>(access.index);
+        if (access.kind == Pass::Access::Kind::image)
+            require_own(BindingKind::image, access.index, builder.images().at(index).name);
+        if (access.kind == Pass::Access::Kind::buffer)
+            require_own(BindingKind::buffer, access.index, builder.buffers().at(index).name);
     }
+    for (const auto counter : pass_.counters)
+        require_own(BindingKind::counter, counter.index,
+                    builder.counters().at(static_cast<std::size_t>(counter.index)).name);
 }
 
 }  // namespace ir::graph

@@ -65,8 +65,8 @@ class HashStorage : public Storage {
     }
     void store(const graph::PassContext& context, const FragmentList& list,
                const Chunk& chunk) const override {
+        const auto& insert = context.use({{"passes/ldm/hash_insert.comp"}});
         if (!is_too_small(context)) {
-            const auto& insert = context.use({{"passes/ldm/hash_insert.comp"}});
             insert.set(chunk_constants(chunk, layout_));
             dispatch_indirect(context, list.state, fragment_groups_word);
             context.barrier();

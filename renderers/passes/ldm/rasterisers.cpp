@@ -21,11 +21,12 @@ gl::ProgramSource source_for(const Maps& maps, std::vector<std::string> files, b
     return source;
 }
 
-/// Calls `run(first, end, masked)` for the opaque and for the masked part of a range of triangles.
+/// Calls `run(first, end, masked)` for the opaque and for the masked part of a range of triangles, and once
+/// where there is none: a pass uses its programs in every frame, which is how its declarations are checked.
 void for_both_kinds(const graph::PassContext& context, std::int64_t first, std::int64_t end,
                     const std::function<void(std::int64_t, std::int64_t, bool)>& run) {
     const std::int64_t opaque = context.inputs().world->opaque_triangles;
-    if (first < opaque) run(first, std::min(end, opaque), false);
+    if (first < opaque || first == end) run(first, std::min(end, opaque), false);
     if (end > opaque) run(std::max(first, opaque), end, true);
 }
 

@@ -139,7 +139,7 @@ TEST_F(DraftsWindowTest, ExportsWait) {
     EXPECT_NO_THROW(window.exports().save_view(file));
 }
 
-/// They show no drafts: what they show stays, and says so.
+/// They show no drafts: what they show stays, says so, and goes with its method.
 TEST_F(DraftsWindowTest, SpaceSaysThatNewerBuffersAreRendered) {
     open_scene();
     window.views().show_output("cloud");
@@ -154,6 +154,9 @@ TEST_F(DraftsWindowTest, SpaceSaysThatNewerBuffersAreRendered) {
     answer_in_full();
     ASSERT_TRUE(settle());
     EXPECT_FALSE(space.is_stale());
+    renderer.hold_views = true;
+    set_method("fake");
+    EXPECT_NE(space.snapshot(false), bare) << "the old method's picture";
 }
 
 TEST_F(DraftsWindowTest, TablesSayThatNewerBuffersAreRendered) {
@@ -174,6 +177,8 @@ TEST_F(DraftsWindowTest, TablesSayThatNewerBuffersAreRendered) {
     answer_in_full();
     ASSERT_TRUE(settle());
     EXPECT_FALSE(says_so());
+    set_method("fake");
+    EXPECT_NE(table.reason(), QString()) << "the old method's numbers";
 }
 
 /// Its place and values are the full picture's, which are asked for by probes.

@@ -113,6 +113,39 @@ TEST_P(GlNamesTest, RefusesWhatTheProgramDoesNotHave) {
               "pass 'add' declares 'taken', which add.comp does not have");
 }
 
+TEST_P(GlNamesTest, RefusesWhatABundleDeclaresAndNoProgramHas) {
+    enum class Use { none, optional, by_the_body };
+    const auto refusal_of = [&](Use use) {
+        return refusal([use](GraphBuilder& builder) {
+            const auto t = declare_things(builder);
+            auto desc = buffer_of("spare", 4);
+            desc.name = "Spare";
+            const auto spare = builder.buffer(desc);
+            builder.pass("fill spare").writes(spare).execute([=](PassContext& p) { p.clear(spare); });
+            auto pass = complete(builder, t);
+            use == Use::optional ? pass.may_read(spare) : pass.reads(spare);
+            pass.execute([=](PassContext& p) {
+                if (use == Use::by_the_body) {
+                    EXPECT_EQ(p.capacity(spare), 4u);
+                }
+                p.use({{"add.comp"}}).dispatch(4);
+            });
+        });
+    };
+    EXPECT_EQ(refusal_of(Use::none), "pass 'add' declares 'Spare', which add.comp does not have");
+    EXPECT_EQ(refusal_of(Use::optional), "");
+    EXPECT_EQ(refusal_of(Use::by_the_body), "");
+}
+
+TEST_P(GlNamesTest, RefusesACounterThatNoProgramHas) {
+    EXPECT_EQ(refusal([](GraphBuilder& builder) {
+                  const auto t = declare_things(builder);
+                  const auto other = builder.counter({.key = "other", .name = "Other", .label = "Other"});
+                  execute(complete(builder, t).counts(other));
+              }),
+              "pass 'add' declares 'Other', which add.comp does not have");
+}
+
 TEST_P(GlNamesTest, AllowsWhatTheCompilerRemoved) {
     EXPECT_EQ(refusal([](GraphBuilder& builder) {
                   const auto t = declare_things(builder);
