@@ -54,19 +54,22 @@ struct Surface {
     float metallic, roughness, ior;
 };
 
+/// Microfacets without Fresnel reflectance; `h` halfway between l and v, above n both.
+float gltf_microfacets(float alpha, vec3 n, vec3 l, vec3 v, vec3 h) {
+    return ggx_distribution(clamp(dot(n, h), 0.0, 1.0), alpha) *
+           smith_visibility(dot(n, l), max(dot(n, v), 1e-4), alpha);
+}
+
 /// The metallic-roughness material of glTF 2.0, Appendix B.3.5: Lambert below a GGX interface; metals have no
 /// Lambert part and their colour as reflectance.  [glTF2 B.3.5]
 vec3 gltf_brdf(Surface surface, vec3 n, vec3 l, vec3 v) {
-    float n_dot_l = dot(n, l), n_dot_v = max(dot(n, v), 1e-4);
-    if (n_dot_l <= 0.0) return vec3(0);
+    if (dot(n, l) <= 0.0) return vec3(0);
     vec3 h = normalize(l + v);
-    float n_dot_h = clamp(dot(n, h), 0.0, 1.0), v_dot_h = clamp(dot(v, h), 0.0, 1.0);
     float alpha = max(surface.roughness * surface.roughness, MIRROR_ALPHA);
     vec3 f0 = mix(vec3(dielectric_f0(surface.ior)), surface.base_colour, surface.metallic);
-    vec3 fresnel = schlick_fresnel(f0, v_dot_h);
+    vec3 fresnel = schlick_fresnel(f0, clamp(dot(v, h), 0.0, 1.0));
     vec3 diffuse = (1.0 - fresnel) * (1.0 - surface.metallic) * surface.base_colour / PI;
-    float specular = ggx_distribution(n_dot_h, alpha) * smith_visibility(n_dot_l, n_dot_v, alpha);
-    return diffuse + fresnel * specular;
+    return diffuse + fresnel * gltf_microfacets(alpha, n, l, v, h);
 }
 
 /// Diffuse, whatever metallic and roughness say.
@@ -80,16 +83,19 @@ float smith_masking_over_2_cosine(float n_dot_v, float alpha) {
     return 1.0 / (n_dot_v + sqrt(squared + (1.0 - squared) * n_dot_v * n_dot_v));
 }
 
+/// The same as gltf_microfacets, with the product of two maskings.  [Smal19 eq. 3.6]
+float blended_microfacets(float alpha, vec3 n, vec3 l, vec3 v, vec3 h) {
+    return ggx_distribution(clamp(dot(n, h), 0.0, 1.0), alpha) * smith_masking_over_2_cosine(dot(n, l), alpha) *
+           smith_masking_over_2_cosine(max(dot(n, v), 1e-4), alpha);
+}
+
 /// k f_Lambert + (1 - k) f_CookTorrance with k = 1 - metallic, and the base colour as reflectance.
 /// [Smal19 eqs. 3.4-3.8]
 vec3 metalness_blend_brdf(Surface surface, vec3 n, vec3 l, vec3 v) {
-    float n_dot_l = dot(n, l), n_dot_v = max(dot(n, v), 1e-4);
-    if (n_dot_l <= 0.0) return vec3(0);
+    if (dot(n, l) <= 0.0) return vec3(0);
     vec3 h = normalize(l + v);
-    float n_dot_h = clamp(dot(n, h), 0.0, 1.0), v_dot_h = clamp(dot(v, h), 0.0, 1.0);
     float alpha = max(surface.roughness * surface.roughness, MIRROR_ALPHA);
-    float specular = ggx_distribution(n_dot_h, alpha) * smith_masking_over_2_cosine(n_dot_l, alpha) *
-                     smith_masking_over_2_cosine(n_dot_v, alpha);
     return (1.0 - surface.metallic) * lambert_brdf(surface) +
-           surface.metallic * schlick_fresnel(surface.base_colour, v_dot_h) * specular;
+           surface.metallic * schlick_fresnel(surface.base_colour, clamp(dot(v, h), 0.0, 1.0)) *
+               blended_microfacets(alpha, n, l, v, h);
 }

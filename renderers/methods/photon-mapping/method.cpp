@@ -14,10 +14,12 @@ MethodDescription description() {
     d.id = "photon-mapping";
     d.title = "Real-time photon mapping";
     d.summary =
-        "Draws photons from reflective shadow maps by importance, traces them for some bounces, splats them "
+        "Draws photons from reflective shadow maps by importance and from lights with an extent, emissive "
+        "meshes and the environment by power, traces them for some bounces, splats them "
         "as ellipsoids onto what the camera sees, and filters over time and space with details clipped by "
         "their variance. Nothing is precomputed. Errors come from noise (photons), from the kernels' width, "
-        "from the filters, and from receivers being taken as diffuse.";
+        "from the filters, and from highlights that know a mean direction of the light alone.";
+    d.version = 2;
     d.papers = {"Smal19", "Clarberg05", "Dammertz10", "Heitz18"};
     d.outputs = joined({filtering_outputs(), splatting_outputs(), tracing_outputs(), emission_outputs()});
     d.selectors = emission_selectors();

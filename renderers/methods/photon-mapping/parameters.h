@@ -17,6 +17,7 @@ enum class MicrofacetSampling { visible_normals, ggx, ggx_printed };
 enum class SplatResolution { full, half, quarter };
 enum class InsideTest { ellipsoid, linear_depth };
 enum class Precision { half_float, single_float };
+enum class Receiver { diffuse, mean_direction, widened };
 using FilterKernel = passes::a_trous::Kernel;
 
 /// Groups stand in the order of the pipeline; each is described in the file that is named beside it.
@@ -63,6 +64,7 @@ struct Parameters {
     float sigma_depth = 1, sigma_normal = 32;
     float detail_clip = 0.045f;  ///< γ
     passes::LightParameters light;
+    Receiver receiver = Receiver::widened;
     bool directional = true;  ///< the cosine to the shading normal by the mean direction of the photons
 };
 

@@ -15,14 +15,14 @@ namespace ir::methods::photon_mapping {
 struct SamplePoints {
     graph::BufferRef points;   ///< "photons.samples": SamplePoint, growable, in the order of their seeds
     graph::CounterRef count;   ///< of points; may exceed the buffer's capacity while it grows
-    graph::BufferRef sources;  ///< "photons.sources": one element per layer of the RSM, see records.glsl
+    graph::BufferRef sources;  ///< "photons.sources": layers of the RSM, then what rays were traced from
     float power_unit = 1;      ///< W: mean power that a photon is emitted with
     int photons_per_point = 1;
     std::uint64_t paths = 0;  ///< most photons that can leave: photons_per_point * points emitted
 };
 
 /// Declares the RSMs, the probability maps, the Haar pyramids, the warping and the sample points, with the
-/// outputs below. With FirstHit::traced rays from the lights find the points instead.
+/// outputs below. Rays find the points of lights that have no RSM, with FirstHit::traced of all.
 SamplePoints emit(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                   const Parameters& parameters);
 

@@ -7,7 +7,7 @@
 namespace ir::passes {
 
 /// What has a larger fraction of glass is mostly glass. As MOSTLY_GLASS of
-/// shaders/passes/gbuffer/surface.glsl.
+/// shaders/passes/scene/drawn_material.glsl.
 inline constexpr float mostly_glass = 0.5f;
 
 /// Whether a triangle may be mostly glass.

@@ -5,6 +5,7 @@
 
 #include "renderers/core/constants.h"
 #include "renderers/passes/lights/discrete_distribution.h"
+#include "renderers/passes/lights/emitted_power.h"
 #include "renderers/passes/lights/environment_light.h"
 #include "renderers/passes/lights/flat_light.h"
 #include "renderers/passes/lights/luminance.h"
@@ -62,11 +63,6 @@ float mean_radiance(const SurfaceLookup& surfaces, const TriangleLights::Triangl
 
 }  // namespace
 
-float emission_disk_radius(const scene::World& world) {
-    constexpr float least = 1e-3f, wider = 1.001f;  // a scene of one point, and rounding
-    return wider * std::max(world.bounds.radius(), least);
-}
-
 struct EmissionSampler::Impl {
     Impl(const SurfaceLookup& surfaces, const Options& options);
 
@@ -75,12 +71,6 @@ struct EmissionSampler::Impl {
     std::optional<EmittedLight> from_sky(glm::vec2 place, glm::vec2 direction) const;
     EmittedLight from_far(glm::vec3 direction_ws, glm::vec2 place) const;
 
-    float power_of(const scene::Light& light) const {
-        const float strength = mean(light.colour * light.intensity);
-        if (is_flat(light)) return pi * FlatLight(light).area() * strength;
-        return (light.type == scene::LightType::directional ? disk_area() : punctual_solid_angle(light)) *
-               strength;
-    }
     float disk_area() const { return pi * radius * radius; }
 
     std::vector<scene::Light> lights;
@@ -99,7 +89,7 @@ EmissionSampler::Impl::Impl(const SurfaceLookup& surfaces, const Options& option
     for (const int i : options.lights) {
         lights.push_back(surfaces.world().lights.at(static_cast<std::size_t>(i)));
         numbers.push_back(i);
-        powers.push_back(power_of(lights.back()));
+        powers.push_back(emitted_power(lights.back(), radius));
     }
     if (options.emissive_meshes) {
         triangles.emplace(surfaces);
@@ -216,6 +206,12 @@ float EmissionSampler::power(int emitter) const {
     const auto count = impl_->triangles ? impl_->triangles->size() : 0;
     for (std::size_t i = 0; i < count; ++i) sum += impl_->powers[lights + i];
     return static_cast<float>(sum);
+}
+
+int EmissionSampler::emitter(float choice) const {
+    const auto index = impl_->choice.sample(choice).index, lights = impl_->lights.size();
+    if (index < lights) return impl_->numbers[index];
+    return impl_->triangles && index < lights + impl_->triangles->size() ? emissive_mesh : environment;
 }
 
 std::optional<EmittedLight> EmissionSampler::sample(float choice, glm::vec2 place,

@@ -49,6 +49,8 @@ class EmissionSampler {
     float power() const;
     float power(int emitter) const;  ///< of one light, of all emissive triangles, of the environment
 
+    /// Which emitter a number chooses: in order the lights, emissive meshes, the environment.
+    int emitter(float choice) const;
     /// `choice` and both pairs in [0, 1): neighbouring numbers give neighbouring rays. Nothing where the
     /// emitter sends no light there: in the holes of alpha masks and dark texels.
     std::optional<EmittedLight> sample(float choice, glm::vec2 place, glm::vec2 direction) const;
@@ -57,8 +59,5 @@ class EmissionSampler {
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
-
-/// What "the environment shines through a disk" means: its radius, m.
-float emission_disk_radius(const scene::World& world);
 
 }  // namespace ir::passes

@@ -94,7 +94,8 @@ void trace_on_device(graph::GraphBuilder& builder, const std::string& name, cons
 
 }  // namespace
 
-RayBuffers declare_rays(graph::GraphBuilder& builder, const std::string& key, std::uint64_t rays) {
+RayBuffers declare_rays(graph::GraphBuilder& builder, const std::string& key, std::uint64_t rays,
+                        const std::string& fingerprint) {
     RayBuffers result;
     result.capacity = rays;
     result.rays = builder.buffer({.text = {.key = key + ".rays",
@@ -104,7 +105,8 @@ RayBuffers declare_rays(graph::GraphBuilder& builder, const std::string& key, st
                                            .semantic = Semantic::position,
                                            .unit = "m"},
                                   .fields = record_fields<RayRecord>(),
-                                  .elements = rays});
+                                  .elements = rays,
+                                  .fingerprint = fingerprint});
     result.hits = builder.buffer({.text = {.key = key + ".hits",
                                            .label = "Hits of rays",
                                            .doc = "First hit of each ray: distance (infinite: none), "

@@ -12,12 +12,14 @@ namespace ir::passes {
 /// What finds the first hits of rays that are in a buffer.
 enum class Tracer { compute, embree };
 
-/// "KEY.rays" and "KEY.hits" with room for `rays`.
+/// "KEY.rays" and "KEY.hits" with room for `rays`. Where all that they depend on stays, the rays may, too
+/// (BufferDesc::fingerprint).
 struct RayBuffers {
     graph::BufferRef rays, hits;
     std::uint64_t capacity = 0;
 };
-RayBuffers declare_rays(graph::GraphBuilder& builder, const std::string& key, std::uint64_t rays);
+RayBuffers declare_rays(graph::GraphBuilder& builder, const std::string& key, std::uint64_t rays,
+                        const std::string& fingerprint = {});
 
 /// Declares the pass NAME: the first hit of each ray of the buffer, alpha masks respected. `compute` walks a
 /// BVH on the device ("scene.bvh", built on the host once per world), `embree` asks the oracle on the host.

@@ -206,7 +206,7 @@ std::vector<OutputDescription> rsm_outputs(const Condition& active_when, bool ge
              .kind = OutputKind::stack,
              .semantic = Semantic::normal,
              .doc = "Normal of the triangle's plane in world space, on the light's side; 0 where "
-                    "there is nothing." +
+                    "there is nothing. A: the part that is no glass." +
                     layers,
              .active_when = active_when});
     return outputs;

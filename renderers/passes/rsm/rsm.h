@@ -29,7 +29,8 @@ struct Rsm {
     graph::ImageRef normal_metalness;  ///< "rsm.normal_metalness" rgba16f: shading normal on the light's
                                        ///< side; w: 1 + metalness, negative where nothing is scattered
     graph::ImageRef geometric_normal;  ///< "rsm.geometric_normal" rgba32f: of the triangle's plane, on the
-                                       ///< light's side; invalid where it was not asked for
+                                       ///< light's side; a: the part that is no glass; invalid where it
+                                       ///< was not asked for
     graph::ImageRef depth;             ///< "rsm.depth" depth32f: as "shadow.maps"
     graph::BufferRef views;            ///< "rsm.views": a ShadowViewData for each layer
     int resolution = 0, layers = 0;    ///< without views one empty layer

@@ -1,20 +1,26 @@
-// Records that the passes of photon mapping hand on, as renderers/methods/photon-mapping/records.h describes
-// them. Declare the buffers where they are used.
+// Records that the passes of photon mapping hand on. Declare the buffers where they are used.
 
 #include "lib/spaces.glsl"
 
-/// A point from which photons leave: where light arrived first, after the roulette there. 32 bytes.
-/// DEVIATION [Smal19 table 5.1]: the table has normal (6 bytes), seed and padding; the material and the texel take
-/// their place, as the first scattering needs them.
+/// A point from which photons leave: where light arrived first, after the roulette there. 48 bytes.
+/// DEVIATION [Smal19 table 5.1]: the table has 32 bytes with normal (6 bytes), seed and padding. The material, from
+/// where the light came and the texel are here, too, as the first scattering needs them.
 // C++: ir::methods::photon_mapping::SamplePoint
 struct SamplePoint {
     vec3 position_ws;
     uint power;    // RGB9E5, in power units: of each photon that leaves, roulette included
     uint normal;   // shading normal, on the side of the light; octahedral, 2 x 16 bits SNORM (packed_direction)
-    uint surface;  // packUnorm4x8: base colour, roughness
-    uint origin;   // bits 0-9 texel x, 10-19 texel y, 20-25 layer of the RSM, 26-31 metalness in 63rds
+    uint geometric_normal;  // likewise
+    uint arrived_from;      // unit direction to where the light came from, likewise
     uint seed;     // index in the emission set: what all random numbers of its paths come from
+    uint surface;  // packUnorm4x8: base colour, roughness
+    uint light;    // bits 0-5 light_name(); 16-31 metalness, UNORM
+    uint interface_;  // packHalf2x16: index of refraction, and the part of the surface that is no glass
+    uint origin;   // bits 0-9 texel x, 10-19 texel y, 20-25 layer of the RSM; or NO_TEXEL: traced from the light
 };
+
+/// Of points whose light has no image.
+const uint NO_TEXEL = 0xffffffffu;
 
 /// A photon where it arrived. 32 bytes.  [Smal19 table 4.1]
 // C++: ir::methods::photon_mapping::Photon
@@ -24,25 +30,29 @@ struct Photon {
     uint normal;       // geometric, on the side that was hit; stereographic, packHalf2x16
     uint direction;    // from the surface to where the photon came from; stereographic, packHalf2x16
     float ray_length;  // m
-    uint bits;         // 0: normal is below z = 0; 1: direction is; 2-5 bounce, from 1; 6-11 light;
+    uint bits;         // 0: normal is below z = 0; 1: direction is; 2-5 bounce, from 1; 6-11 light_name();
                        // 12-31 low bits of the path's seed
 };
 
-/// Where photons come from: a layer of the RSM, or a light whose rays are traced.
+/// Where photons come from: a layer of the RSM; behind these, what their first hits are traced from.
 // C++: ir::methods::photon_mapping::SourceData
 struct Source {
     vec3 origin_ws;     // the light's place; directional lights: the middle of the map's near plane
-    float perspective;  // 1, or 0 for a directional light
+    float perspective;  // 1, or 0 for what is infinitely far
     vec3 direction_ws;  // of travel: the light's axis
-    uint light;         // index into "scene.lights"
-    vec3 intensity;     // W/sr, or W/m² of a directional light
+    uint light;         // light_name() of renderers/methods/photon-mapping/emission/sources.h
+    vec3 intensity;     // W/sr; W/m² of a directional light; W/(m² sr) of what has an extent
     float flux;         // W of all channels' mean within the layer, before the surface
-    uint first_point, points;  // of the emission set, found on the device: first_point up to first_point + points
-    uint unused[2];
+    uint first_point, points;  // of the frame's emission sets: first_point up to first_point + points
+    uint is_traced;     // 1 behind the layers of the RSM
+    uint unused;
 };
 
-uint source_of(SamplePoint point) { return point.origin >> 20u & 63u; }
-float metalness_of(SamplePoint point) { return float(point.origin >> 26u) / 63.0; }
+uint light_of(SamplePoint point) { return point.light & 63u; }
+float metalness_of(SamplePoint point) { return float(point.light >> 16u) / 65535.0; }
+uint packed_light(uint light, float metalness) {
+    return light | uint(round(clamp(metalness, 0.0, 1.0) * 65535.0)) << 16u;
+}
 
 uint bounce_of(Photon photon) { return photon.bits >> 2u & 15u; }
 uint light_of(Photon photon) { return photon.bits >> 6u & 63u; }

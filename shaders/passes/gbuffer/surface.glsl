@@ -20,9 +20,4 @@ vec3 position_on_plane(vec3 direction) {
     return origin + clamp(depth, depth_range.x, depth_range.y) * direction;
 }
 
-/// The fraction of the surface that is glass.  [glTF2 KHR_materials_transmission]
-float glass_fraction(Material material, float metallic) {
-    return (material.flags & MATERIAL_UNLIT) != 0u ? 0.0 : transmission(material) * (1.0 - metallic);
-}
-
 bool is_seen_through(float glass, vec3 emission) { return glass > MOSTLY_GLASS && emission == vec3(0); }

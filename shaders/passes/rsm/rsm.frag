@@ -30,13 +30,14 @@ void main() {
 
     Material material = materials[material_index];
     vec2 reflection = metallic_roughness(material);
+    float glass = glass_fraction(material, reflection.x);
     bool scatters = (material.flags & MATERIAL_UNLIT) == 0u &&
-                    (opaque_only != 0 || transmission(material) <= MOSTLY_GLASS);
+                    (opaque_only != 0 || glass <= MOSTLY_GLASS);
     // On the side of the light, as the G-buffer turns it to the viewer.
     vec3 geometric_normal_ws =
         dot(plane_normal_ws, texel_direction()) > 0.0 ? -plane_normal_ws : plane_normal_ws;
 #ifdef GEOMETRIC_NORMAL
-    triangle_normal = vec4(geometric_normal_ws, 0.0);
+    triangle_normal = vec4(geometric_normal_ws, opaque_only != 0 ? 1.0 : 1.0 - glass);
 #endif
     albedo_roughness = vec4(base_colour(material).rgb, reflection.y);
     normal_metalness = vec4(shading_normal(material, geometric_normal_ws),

@@ -92,6 +92,11 @@ float transmission(Material material) {
 /// What is mostly glass is drawn as what lies behind it, except where it shines.
 const float MOSTLY_GLASS = 0.5;
 
+/// The fraction of the surface that is glass.  [glTF2 KHR_materials_transmission]
+float glass_fraction(Material material, float metallic) {
+    return (material.flags & MATERIAL_UNLIT) != 0u ? 0.0 : transmission(material) * (1.0 - metallic);
+}
+
 /// Whether the surface's alpha mask has a hole here. To be asked last, so that all texture look-ups have all
 /// neighbours, except after take_footprints().
 bool has_hole_here() {

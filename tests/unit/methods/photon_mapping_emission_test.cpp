@@ -147,8 +147,9 @@ class EmissionOrderTest : public EmissionTest {
             std::memcpy(&value, bytes.data() + first / 4 * 4, 4);
             return std::to_string(value);
         };
-        return "sample " + std::to_string(first / 32) + ", word " + std::to_string(first % 32 / 4) + ": " +
-               word(a) + " and " + word(b);
+        constexpr auto bytes = static_cast<std::ptrdiff_t>(sizeof(pm::SamplePoint));
+        return "sample " + std::to_string(first / bytes) + ", word " + std::to_string(first % bytes / 4) +
+               ": " + word(a) + " and " + word(b);
     }
 };
 
@@ -288,17 +289,14 @@ TEST_F(EmissionBudgetTest, ByProbabilityMapsThatSeeNothingGetNothing) {
 
 TEST_F(EmissionBudgetTest, WithoutLightsThereAreNoPhotonsAndANote) {
     for (const auto first_hit : {pm::FirstHit::rsm, pm::FirstHit::traced}) {
-        scene::Light area;
-        area.type = scene::LightType::rectangle;
         auto parameters = quick();
         parameters.first_hit = first_hit;
-        const auto report = emit(room({area}), parameters);
+        const auto report = emit(room({}), parameters);
         EXPECT_EQ(count(), 0u);
         EXPECT_EQ(emitted().paths, 0u);
         std::string notes;
         for (const auto& message : report.messages) notes += message.text + "\n";
         EXPECT_NE(notes.find("there are no photons"), std::string::npos) << notes;
-        EXPECT_NE(notes.find("1 rectangle or disk light"), std::string::npos) << notes;
     }
 }
 

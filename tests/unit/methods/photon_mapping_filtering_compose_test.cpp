@@ -67,7 +67,9 @@ TEST_F(ComposeTest, IndirectLightIsReflectedByTheDiffusePartOfEachModel) {
     const auto shot = seen(square(0, material));
     const glm::vec3 e(1, 2, 3), base(material.base_colour);
     const auto expect = [&](Materials materials, glm::vec3 reflectance) {
-        compose(shot, light_from({0, 0, 1}), parameters(Paths::indirect, materials));
+        auto p = parameters(Paths::indirect, materials);
+        p.receiver = pm::Receiver::diffuse;
+        compose(shot, light_from({0, 0, 1}), p);
         EXPECT_LT(glm::distance(middle("radiance"), reflectance * e / ir::pi), 1e-3f);
         EXPECT_LT(glm::distance(middle("irradiance"), e), 2e-3f);
         EXPECT_EQ(rgb(read("radiance"), 0, 0), glm::vec3(0));
@@ -77,6 +79,58 @@ TEST_F(ComposeTest, IndirectLightIsReflectedByTheDiffusePartOfEachModel) {
     expect(Materials::metalness_blend, 0.75f * base);
     const auto f0 = glm::mix(glm::vec3(0.04f), base, 0.25f);  // the light comes from where the eye is
     expect(Materials::gltf, 0.75f * base * (1.0f - f0));
+}
+
+/// Of light from one direction: the whole BRDF. Of light from several: that of a rougher surface, whose α² is
+/// larger by 1/(2κ), with κ = R (3 - R²)/(1 - R²).
+TEST_F(ComposeTest, ReceiversReflectByTheWholeBrdf) {
+    auto material = grey();
+    material.metallic = 0.6f;
+    material.roughness = 0.4f;
+    const auto shot = seen(square(0, material));
+    const auto l = glm::normalize(glm::vec3(0.15f, -0.1f, 1));
+    for (const auto materials : {Materials::gltf, Materials::metalness_blend})
+        for (const float length : {1.0f, 0.8f}) {
+            auto estimate = light_from(l);
+            for (auto& value : estimate.value) value.a *= length;
+            for (auto& d : estimate.direction) d *= length;
+            const auto reflected = [&](pm::Receiver receiver) {
+                auto p = parameters(Paths::indirect, materials);
+                p.receiver = receiver;
+                compose(shot, estimate, p);
+                return middle("radiance");
+            };
+            const auto expected = [&](float squared_alpha) {
+                const auto at = rgb(read("gbuffer.position"), compose_size / 2, compose_size / 2);
+                passes::Surface surface;
+                surface.geometric_normal_ws = surface.shading_normal_ws = {0, 0, 1};
+                surface.base_colour = glm::vec3(material.base_colour);
+                surface.metallic = material.metallic;
+                surface.roughness = std::sqrt(std::sqrt(squared_alpha));
+                const auto v = glm::normalize(glm::vec3(0, 0, 4) - at);
+                return passes::Bsdf(surface, material, materials).evaluate(v, l) * glm::vec3(1, 2, 3) / l.z;
+            };
+            const float alpha = 0.4f * 0.4f,
+                        spread = (1 - length * length) / (length * (3 - length * length));
+            const auto plain = expected(alpha * alpha), wide = expected(alpha * alpha + spread / 2);
+            EXPECT_LT(glm::distance(reflected(pm::Receiver::mean_direction), plain),
+                      5e-3f * glm::length(plain));
+            EXPECT_LT(glm::distance(reflected(pm::Receiver::widened), wide), 5e-3f * glm::length(wide));
+            if (length < 1) {
+                EXPECT_LT(wide.r, 0.7f * plain.r);
+            }
+        }
+}
+
+/// What has no interface is the same to all receivers.
+TEST_F(ComposeTest, LambertReceiversHaveNoHighlights) {
+    const auto shot = seen(square(0, grey()));
+    auto p = parameters(Paths::indirect);
+    compose(shot, light_from({0, 0, 1}), p);
+    const auto widened = middle("radiance");
+    p.receiver = pm::Receiver::diffuse;
+    compose(shot, light_from({0, 0, 1}), p);
+    EXPECT_EQ(middle("radiance"), widened);
 }
 
 TEST_F(ComposeTest, TheDirectionalTermTurnsTheCosineToTheShadingNormal) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstring>
+#include <optional>
 #include <random>
 
 #include "renderers/core/record.h"
@@ -20,18 +21,6 @@ using methods::photon_mapping::Photon;
 using methods::photon_mapping::Roulette;
 using methods::photon_mapping::SamplePoint;
 
-/// struct Source of records.glsl.
-struct TestSource {
-    glm::vec3 origin_ws{0};
-    float perspective = 1;
-    glm::vec3 direction_ws{0, -1, 0};
-    std::uint32_t light = 0;
-    glm::vec3 intensity{1};
-    float flux = 1;
-    std::uint32_t first_point = 0, points = 0, unused[2] = {};
-};
-static_assert(sizeof(TestSource) == 64);
-
 /// A row of "photons.tally".
 struct TallyRow {
     std::uint32_t bounce, rays, missed, stored, culled, absorbed, cut;
@@ -44,17 +33,20 @@ struct FirstHit {
     glm::vec3 position_ws, normal_ws, base_colour{1};
     float roughness = 1, metallic = 0;
     glm::vec3 power{1};
+    std::optional<glm::vec3> arrived_from = {};  ///< unit, towards the light; none: a lamp at the origin
 };
 
 inline SamplePoint sample_point(const FirstHit& hit, std::uint32_t seed) {
     SamplePoint point{};
     point.position_ws = hit.position_ws;
     point.power = methods::photon_mapping::packed_power(hit.power);
-    point.normal = octahedral(hit.normal_ws);
+    point.normal = point.geometric_normal = octahedral(hit.normal_ws);
+    point.arrived_from = octahedral(hit.arrived_from.value_or(glm::normalize(-hit.position_ws)));
     const auto byte = [](float x) { return static_cast<std::uint32_t>(std::lround(x * 255)); };
     point.surface = byte(hit.base_colour.r) | byte(hit.base_colour.g) << 8 | byte(hit.base_colour.b) << 16 |
                     byte(hit.roughness) << 24;
-    point.origin = static_cast<std::uint32_t>(std::lround(hit.metallic * 63)) << 26;
+    point.light = static_cast<std::uint32_t>(std::lround(hit.metallic * 65535)) << 16;
+    point.interface = glm::packHalf2x16({1.5f, 1});
     point.seed = seed;
     return point;
 }
@@ -116,16 +108,15 @@ class TracingTest : public PassTest {
         }
     };
 
-    Outcome trace(const Shot& shot, const std::vector<SamplePoint>& points, const Parameters& parameters,
-                  const TestSource& source = {}) {
-        return trace(shot.inputs(), points, parameters, source);
+    Outcome trace(const Shot& shot, const std::vector<SamplePoint>& points, const Parameters& parameters) {
+        return trace(shot.inputs(), points, parameters);
     }
     Outcome trace(const graph::FrameInputs& inputs, const std::vector<SamplePoint>& points,
-                  const Parameters& parameters, const TestSource& source = {}) {
+                  const Parameters& parameters) {
         Outcome outcome;
         outcome.report = run(inputs, [&](graph::GraphBuilder& builder) {
             const auto scene = passes::upload_scene(builder);
-            const auto samples = upload(builder, points, source, parameters);
+            const auto samples = upload(builder, points, parameters);
             methods::photon_mapping::trace_photons(builder, scene, samples, parameters);
         });
         outcome.tally = elements<TallyRow>("photons.tally");
@@ -153,25 +144,20 @@ class TracingTest : public PassTest {
   private:
     static methods::photon_mapping::SamplePoints upload(graph::GraphBuilder& builder,
                                                         const std::vector<SamplePoint>& points,
-                                                        const TestSource& source,
                                                         const Parameters& parameters) {
         methods::photon_mapping::SamplePoints samples;
         samples.points = builder.buffer({.text = {.key = "photons.samples", .label = "Sample points"},
                                          .fields = record_fields<SamplePoint>(),
                                          .elements = points.size()});
-        samples.sources = builder.buffer({.text = {.key = "photons.sources", .label = "Sources"},
-                                          .fields = record_fields<methods::photon_mapping::SourceData>(),
-                                          .elements = 1});
         samples.count = builder.counter({.key = "photons.sample_count", .label = "Sample points"});
         samples.photons_per_point = parameters.photons_per_point;
         samples.power_unit = 2;
         samples.paths = points.size() * static_cast<std::uint64_t>(parameters.photons_per_point);
         builder.pass("upload samples")
-            .writes(samples.points, samples.sources)
+            .writes(samples.points)
             .counts("Counter", samples.count)
             .execute([=](graph::PassContext& context) {
                 context.upload(samples.points, std::as_bytes(std::span(points)));
-                context.upload(samples.sources, std::as_bytes(std::span(&source, 1)));
                 add_to_counter(context, static_cast<std::uint32_t>(points.size()));
             });
         return samples;

@@ -122,15 +122,13 @@ class GlossyPhotons : public TracingTest {
         hit.normal_ws = {0, 1, 0};
         hit.roughness = roughness;
         hit.metallic = 1;
+        hit.arrived_from = {-std::sqrt(1 - 0.04f), 0.2f, 0};
         std::vector<SamplePoint> points;
         for (int i = 0; i < paths; ++i) points.push_back(sample_point(hit, static_cast<std::uint32_t>(i)));
         auto parameters = plain(1);
         parameters.transport.materials = model;
         parameters.microfacet_sampling = sampling;
-        TestSource source;
-        source.perspective = 0;
-        source.direction_ws = {std::sqrt(1 - 0.04f), -0.2f, 0};
-        const auto outcome = trace(shot, points, parameters, source);
+        const auto outcome = trace(shot, points, parameters);
         double squares = 0;
         for (const auto& photon : outcome.photons) {
             const double power = methods::photon_mapping::unpacked_power(photon.power).r;

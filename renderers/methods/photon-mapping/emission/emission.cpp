@@ -20,24 +20,19 @@ void check(const Parameters& parameters) {
                          std::to_string(parameters.photon_far) + " m; raise photon_far or lower photon_near");
 }
 
-SamplePoints emit_from_rsm(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                           const Parameters& parameters) {
-    const auto& inputs = builder.inputs();
-    const auto sources = layers_of_lights(*inputs.scene, *inputs.world, texels(parameters.rsm_resolution));
-    for (const auto& note : sources.notes()) builder.note(note);
-    const auto rsm =
+MappedEmission draw_maps(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
+                         const Sources& sources, const Parameters& parameters) {
+    MappedEmission mapped;
+    mapped.rsm =
         passes::draw_rsm(builder, scene,
                          {.views = sources.views,
                           .resolution = texels(parameters.rsm_resolution),
                           .opaque_only = parameters.transport.materials == Transport::Materials::lambert,
                           .normal_maps = parameters.transport.normal_maps,
-                          .depth_prepass = parameters.depth_prepass});
-    const auto maps = emission_maps(builder, scene, rsm, parameters);
-    auto points = declare_points(builder, sources, parameters);
-    divide_points(builder, sources, points, &maps, parameters);
-    find_points(builder, scene, sources, rsm, maps, points, parameters);
-    show_emission(builder, sources, maps, points, parameters);
-    return points.samples;
+                          .depth_prepass = parameters.depth_prepass,
+                          .geometric_normal = true});
+    mapped.maps = emission_maps(builder, scene, mapped.rsm, parameters);
+    return mapped;
 }
 
 }  // namespace
@@ -45,12 +40,29 @@ SamplePoints emit_from_rsm(graph::GraphBuilder& builder, const passes::SceneBuff
 SamplePoints emit(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                   const Parameters& parameters) {
     check(parameters);
-    return parameters.first_hit == FirstHit::traced ? emit_traced(builder, scene, parameters)
-                                                    : emit_from_rsm(builder, scene, parameters);
+    const bool has_maps = parameters.first_hit == FirstHit::rsm;
+    const auto sources = find_sources(builder.inputs(), parameters, texels(parameters.rsm_resolution));
+    auto points = declare_points(builder, sources, parameters);
+    if (points.count == 0) builder.note("nothing shines: there are no photons");
+
+    std::optional<MappedEmission> mapped;
+    std::optional<TracedEmission> traced;
+    if (has_maps) mapped = draw_maps(builder, scene, sources, parameters);
+    if (sources.has_traced() || !has_maps)
+        traced = trace_emission(builder, scene, sources, points, parameters);
+    divide_points(builder, sources, points, mapped ? &mapped->maps : nullptr,
+                  traced ? std::optional(traced->rows) : std::nullopt, parameters);
+    if (mapped) warp_points(builder, scene, sources, *mapped, points, parameters);
+    if (traced) survive_hits(builder, *traced, sources, points, parameters);
+    find_places(builder, points);
+    if (mapped) pack_points(builder, scene, sources, *mapped, points, parameters);
+    if (traced) pack_hits(builder, *traced, sources, points, parameters);
+    if (mapped) show_emission(builder, sources, mapped->maps, points, parameters);
+    return points.samples;
 }
 
 std::vector<OutputDescription> emission_outputs() {
-    auto outputs = passes::rsm_outputs(from_rsm());
+    auto outputs = passes::rsm_outputs(from_rsm(), true);
     for (const auto& more : {probability_outputs(), point_outputs(), view_outputs()})
         outputs.insert(outputs.end(), more.begin(), more.end());
     return outputs;

@@ -27,12 +27,13 @@ void add_rsm(ParameterTable<Parameters>& table) {
         .add(&Parameters::first_hit,
              {.key = "first_hit",
               .label = "First hit",
-              .doc = "How the surfaces are found that the lights see, where photons start.",
+              .doc = "How the surfaces are found that point, spot and directional lights see, where photons "
+                     "start. From rectangles, disks, emissive surfaces and the environment, and from lights "
+                     "beyond 64 maps, rays are traced in any case.",
               .citation = "Smal19 §5",
               .choices = {{"rsm", "Reflective shadow map",
-                           "What each light sees is drawn once; photons start at the middles of texels."},
-                          {"traced", "Traced",
-                           "A ray from the light for each point, evenly over its directions."}},
+                           "What each light sees is drawn once; photons start where its texels are."},
+                          {"traced", "Traced", "A ray from the light for each point, by its intensity."}},
               .on_change = OnChange::reallocate})
         .add(&Parameters::rsm_resolution,
              {.key = "rsm_resolution",
@@ -73,7 +74,8 @@ void add_emission(ParameterTable<Parameters>& table) {
              {.key = "photon_near",
               .label = "Photon near plane",
               .doc = "Surfaces closer to the light than this start no photons; their light is missing. For "
-                     "directional lights from the near plane of the map.",
+                     "directional lights from the near plane of the map, for those and the environment where "
+                     "rays are traced from the sphere about the scene.",
               .unit = "m",
               .citation = "Smal19 §5.2",
               .hard = {0, 1e9},

@@ -100,12 +100,17 @@ EmissionMaps emission_maps(graph::GraphBuilder& builder, const passes::SceneBuff
                                      .layers = rsm.layers,
                                      .fingerprint = fingerprint.str()});
     auto pass = builder.pass("emission probability");
-    passes::reads_rsm(pass, rsm, scene);
+    reads_map(pass, rsm, scene);
     pass.writes("probability", map)
         .execute_sliced(
             rsm.layers,
             [=](PassContext& p, graph::Slice slice) { find_probabilities(p, rsm, parameters, slice); }, 1);
     return haar_pyramid(builder, map, rsm.resolution, rsm.layers, fingerprint.str());
+}
+
+void reads_map(graph::PassBuilder& pass, const passes::Rsm& rsm, const passes::SceneBuffers& scene) {
+    passes::reads_rsm(pass, rsm, scene);
+    pass.reads(rsm.geometric_normal);
 }
 
 SurfaceRules surface_rules(const Parameters& parameters) {
@@ -120,7 +125,7 @@ std::vector<OutputDescription> probability_outputs() {
          .semantic = Semantic::probability,
          .doc = "Probability that a photon survives its first surface, times the light's fall-off and the "
                 "texel's extent relative to the map's middle; 0 outside the photon planes and where "
-                "nothing is. Not normalised.",
+                "nothing is. Not normalised. Lights without a map, whose rays are traced, have none.",
          .active_when = from_rsm()},
         {.key = "emission.haar",
          .label = "Haar pyramid",

@@ -32,6 +32,9 @@ struct SurfaceRules {
 };
 SurfaceRules surface_rules(const Parameters& parameters);
 
+/// What programs that include rsm.glsl read.
+void reads_map(graph::PassBuilder& pass, const passes::Rsm& rsm, const passes::SceneBuffers& scene);
+
 std::vector<OutputDescription> probability_outputs();
 
 }  // namespace ir::methods::photon_mapping

@@ -1,10 +1,10 @@
 #include "renderers/methods/photon-mapping/emission/sources.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
+#include "renderers/core/constants.h"
+#include "renderers/passes/lights/emitted_power.h"
 #include "renderers/passes/lights/punctual.h"
 #include "renderers/passes/scene/light_data.h"
 
@@ -12,6 +12,9 @@ namespace ir::methods::photon_mapping {
 namespace {
 
 using passes::ShadowViewData;
+
+/// The environment's part of what rays are divided by: most of its light misses what the bounds hold.
+constexpr float most_environment = 3;
 
 float mean(glm::vec3 rgb) {
     return (rgb.r + rgb.g + rgb.b) / 3;
@@ -39,84 +42,108 @@ float solid_angle_of_face(const scene::Light& light, const ShadowViewData& view)
 /// What the layer's intensity is multiplied by for its flux: sr, or m² of a directional light.
 float extent_of_layer(const scene::Light& light, const ShadowViewData& view) {
     if (view.perspective == 0) return 4 * glm::length(view.right_ws) * glm::length(view.up_ws);
-    if (light.type == scene::LightType::point) return 4 * std::numbers::pi_v<float> / 6;
+    if (light.type == scene::LightType::point) return 4 * pi / 6;
     return passes::shadow_layers(light) == 1 ? passes::punctual_solid_angle(light)
                                              : solid_angle_of_face(light, view);
 }
 
-SourceData source_of(const scene::Light& light, int index, float extent) {
-    SourceData source;
+SourceData source_of(const scene::Light& light, int index) {
+    SourceData source{};
     source.origin_ws = light.position;
     source.perspective = light.type == scene::LightType::directional ? 0 : 1;
     source.direction_ws = light.direction;
-    source.light = static_cast<std::uint32_t>(index);
+    source.light = light_name(index);
     source.intensity = light.colour * light.intensity;
-    source.flux = mean(source.intensity) * extent;
     return source;
 }
 
-/// The middle of a directional light's map, wherever its photons are found.
-glm::vec3 near_plane_of(const scene::World& world, int light) {
-    for (const auto& view : passes::shadow_views(world, 64))
-        if (view.light == light) return view.origin_ws;
-    return world.bounds.centre();
+SourceData layer_of(const scene::Light& light, const ShadowViewData& view) {
+    auto source = source_of(light, view.light);
+    if (view.perspective == 0) source.origin_ws = view.origin_ws;
+    if (light.type == scene::LightType::point) source.direction_ws = view.forward_ws;
+    source.flux = mean(source.intensity) * extent_of_layer(light, view);
+    return source;
 }
 
-void count_others(Sources& sources, const scene::Scene& scene, const scene::World& world) {
-    sources.count(scene, world);
-    for (const auto& source : sources.elements) sources.flux += source.flux;
+/// Gives each light all of its layers or none.
+void add_layers(Sources& sources, const scene::World& world, int resolution) {
+    int layers = 0, light = -1;
+    bool has_room = false;
+    for (const auto& view : passes::shadow_views(world, resolution)) {
+        const auto& source = world.lights[static_cast<std::size_t>(view.light)];
+        if (view.light != light) {
+            light = view.light;
+            has_room = layers + passes::shadow_layers(source) <= max_layers;
+            if (has_room) layers += passes::shadow_layers(source);
+        }
+        if (!has_room) continue;
+        sources.views.push_back(view);
+        sources.layers.push_back(layer_of(source, view));
+        sources.layer_flux += sources.layers.back().flux;
+    }
+}
+
+void add_traced(Sources& sources, SourceData row, float power) {
+    row.flux = power;
+    row.is_traced = 1;
+    sources.traced_rows.push_back(row);
+}
+
+void add_traced_lights(Sources& sources, const scene::World& world, float disk_radius) {
+    for (int i = 0; i < static_cast<int>(world.lights.size()); ++i) {
+        if (std::ranges::any_of(sources.views, [&](const auto& view) { return view.light == i; })) continue;
+        const auto& light = world.lights[static_cast<std::size_t>(i)];
+        const float power = passes::emitted_power(light, disk_radius);
+        if (!(power > 0)) continue;
+        sources.traced.lights.push_back(i);
+        sources.traced_flux += power;
+        add_traced(sources, source_of(light, i), power);
+    }
+}
+
+/// Of what is no light of the scene.
+SourceData unplaced(std::uint32_t light, const scene::World& world, float perspective) {
+    SourceData source{};
+    source.origin_ws = world.bounds.centre();
+    source.perspective = perspective;
+    source.light = light;
+    return source;
+}
+
+void add_environment(Sources& sources, const scene::Scene& scene, const scene::World& world,
+                     float disk_radius) {
+    const float power = passes::emitted_power(scene.environment, disk_radius), others = sources.flux();
+    // of a map what shines may lie between the texels that were looked at
+    if (!(power > 0) && !scene.environment.map) return;
+    sources.traced.environment = true;
+    sources.traced_flux += others > 0 ? std::min(power, most_environment * others) : std::max(power, 1e-6f);
+    sources.largest_flux = power;
+    add_traced(sources, unplaced(light_sky, world, 0), power);
 }
 
 }  // namespace
 
-std::vector<std::string> Sources::notes() const {
-    return OtherLights::notes(!elements.empty(), std::to_string(max_sources) + " maps of lights");
+std::uint32_t light_name(int emitter) {
+    if (emitter == passes::EmissionSampler::emissive_mesh) return light_mesh;
+    if (emitter == passes::EmissionSampler::environment) return light_sky;
+    return std::min(static_cast<std::uint32_t>(emitter), light_beyond);
 }
 
-Sources layers_of_lights(const scene::Scene& scene, const scene::World& world, int resolution) {
+Sources find_sources(const graph::FrameInputs& inputs, const Parameters& parameters, int resolution) {
+    const auto& scene = *inputs.scene;
+    const auto& world = *inputs.world;
+    const float disk_radius = passes::emission_disk_radius(world);
     Sources sources;
-    int layers = 0, light_beyond = -1;
-    for (const auto& view : passes::shadow_views(world, resolution)) {
-        const auto& light = world.lights[static_cast<std::size_t>(view.light)];
-        // a light has all of its layers or none
-        const bool is_first = sources.views.empty() || sources.views.back().light != view.light;
-        if (is_first && view.light != light_beyond) {
-            layers += passes::shadow_layers(light);
-            if (layers > max_sources) {
-                light_beyond = view.light;
-                layers -= passes::shadow_layers(light);
-                ++sources.beyond;
-            }
-        }
-        if (view.light == light_beyond) continue;
-        sources.views.push_back(view);
-        auto source = source_of(light, view.light, extent_of_layer(light, view));
-        if (view.perspective == 0) source.origin_ws = view.origin_ws;
-        if (light.type == scene::LightType::point) source.direction_ws = view.forward_ws;
-        sources.elements.push_back(source);
+    sources.traced = {.environment = false, .emissive_meshes = false};
+    if (parameters.first_hit == FirstHit::rsm) add_layers(sources, world, resolution);
+    add_traced_lights(sources, world, disk_radius);
+    if (const float power = passes::emitted_power_of_meshes(scene, world); power > 0) {
+        sources.traced.emissive_meshes = true;
+        sources.traced_flux += power;
+        add_traced(sources, unplaced(light_mesh, world, 1), power);
     }
-    count_others(sources, scene, world);
-    return sources;
-}
-
-Sources traced_lights(const scene::Scene& scene, const scene::World& world) {
-    Sources sources;
-    const float radius = world.bounds.radius();
-    for (int i = 0; i < static_cast<int>(world.lights.size()); ++i) {
-        const auto& light = world.lights[static_cast<std::size_t>(i)];
-        if (passes::shadow_layers(light) == 0) continue;
-        if (sources.elements.size() == max_sources) {
-            ++sources.beyond;
-            continue;
-        }
-        const bool is_sun = light.type == scene::LightType::directional;
-        const float extent =
-            is_sun ? std::numbers::pi_v<float> * radius * radius : passes::punctual_solid_angle(light);
-        auto source = source_of(light, i, extent);
-        if (is_sun) source.origin_ws = near_plane_of(world, i);
-        sources.elements.push_back(source);
-    }
-    count_others(sources, scene, world);
+    if (parameters.transport.environment_light) add_environment(sources, scene, world, disk_radius);
+    sources.largest_flux = std::max(sources.largest_flux, sources.flux());
     return sources;
 }
 

@@ -1,41 +1,51 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
 #include "renderers/core/condition.h"
-#include "renderers/core/record.h"
 #include "renderers/graph/builder.h"
-#include "renderers/passes/photons/other_lights.h"
+#include "renderers/methods/photon-mapping/parameters.h"
+#include "renderers/passes/lights/emission_sampler.h"
 #include "renderers/passes/shadow/shadow_maps.h"
-#include "renderers/scene/world.h"
 #include "shaders/methods/photon-mapping/records.glsl.h"
 
 namespace ir::methods::photon_mapping {
 
-/// Of outputs that exist where the RSM finds first hits.
+/// Of outputs that exist where an RSM finds first hits.
 inline Condition from_rsm() {
     return {"first_hit", {std::string("rsm")}};
 }
 
 /// Layers that a sample point's record can name (6 bits).
-inline constexpr int max_sources = 64;
+inline constexpr int max_layers = 64;
 
-/// The lights that emit photons, and why others do not.
-struct Sources : passes::OtherLights {
-    std::vector<SourceData> elements;           ///< at most max_sources
-    std::vector<passes::ShadowViewData> views;  ///< of the RSM's layers, as many; empty where traced
-    float flux = 0;                             ///< W, of all together
+/// How photons name, in six bits, the light that they come from: its number, or one of these.
+inline constexpr std::uint32_t light_beyond = 61,  ///< a light that comes later
+    light_mesh = 62,                               ///< an emissive surface
+    light_sky = 63;                                ///< the environment
+/// `emitter` as passes::EmittedLight has it.
+std::uint32_t light_name(int emitter);
 
-    std::vector<std::string> notes() const;
+/// Everything that emits photons. Point, spot and directional lights have layers of an RSM as long as there
+/// is room and the parameters ask for it; rays are traced from all others.
+struct Sources {
+    std::vector<SourceData> layers;             ///< at most max_layers
+    std::vector<passes::ShadowViewData> views;  ///< of the layers
+    passes::EmissionOptions traced;             ///< what rays start from
+    std::vector<SourceData> traced_rows;        ///< one for each light of those, emissive meshes, environment
+    float layer_flux = 0;                       ///< W, of all layers together
+    float traced_flux = 0;   ///< W of what is traced, textures and maps estimated, as far as it counts: the
+                             ///< environment at most three times what everything else has
+    float largest_flux = 0;  ///< W of the environment where that is more, else of all
+
+    float flux() const { return layer_flux + traced_flux; }
+    bool has_traced() const { return !traced_rows.empty(); }
 };
 
-/// One source per layer of an RSM with this resolution.
-Sources layers_of_lights(const scene::Scene& scene, const scene::World& world, int resolution);
-/// One source per light, for rays from the lights.
-Sources traced_lights(const scene::Scene& scene, const scene::World& world);
+/// `resolution` of the RSM.
+Sources find_sources(const graph::FrameInputs& inputs, const Parameters& parameters, int resolution);
 
 }  // namespace ir::methods::photon_mapping

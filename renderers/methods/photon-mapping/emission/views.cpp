@@ -29,18 +29,25 @@ struct Shown {
 Shown shown_points(const Inspection& inspection, const Sources& sources, const EmissionMaps& maps,
                    const EmissionPoints& points, bool all_steps) {
     Shown shown;
-    const int last = std::max(0, static_cast<int>(sources.elements.size()) - 1);
+    const int last = std::max(0, static_cast<int>(sources.layers.size()) - 1);
     shown.source = inspection.item(source_selector);
     if (shown.source != Inspection::all) shown.source = std::clamp(shown.source, 0, last);
     const int step = inspection.item(warp_selector), count = 2 * maps.levels + 1;
     const bool all = all_steps || step == Inspection::all;
     shown.first_step = all ? 0 : std::clamp(step, 0, count - 1);
     shown.steps = all ? count : 1;
-    shown.points = points.count > 0 ? points.count : points_without_light;
+    shown.points = points.from_maps > 0 ? points.from_maps : points_without_light;
     if (!all_steps)
         while (shown.points / shown.stride * static_cast<std::uint64_t>(shown.steps) > max_elements)
             shown.stride += 2;
     return shown;
+}
+
+/// Said by the passes: they run where the points are wanted.
+void note_traced(const PassContext& p, const EmissionPoints& points) {
+    if (const auto traced = points.count - points.from_maps; traced > 0)
+        p.notes().warn(std::to_string(traced) + " of " + std::to_string(points.count) +
+                       " emission points are not in the maps shown: rays were traced for them");
 }
 
 /// Constants of steps.glsl.
@@ -85,6 +92,7 @@ void show_samples(graph::GraphBuilder& builder, const Sources& sources, const Em
         .writes("Shown", buffer)
         .counts("ShownCount", count)
         .execute([=](PassContext& p) {
+            note_traced(p, points);
             if (shown.stride > 1)  // said by the pass: it runs where points are wanted
                 p.notes().warn("of the emission points shown, one in " + std::to_string(shown.stride) +
                                " is, so that at most a million result");
@@ -113,6 +121,7 @@ void show_picture(graph::GraphBuilder& builder, const Sources& sources, const Em
         .reads("haar_pyramid", maps.haar)
         .writes("picture", image)
         .execute([=](PassContext& p) {
+            note_traced(p, points);
             const auto& map = p.use(map_source);
             map.set(constants);
             map.dispatch(size, size, shown.steps);
@@ -144,8 +153,9 @@ void show_histogram(graph::GraphBuilder& builder, const Sources& sources, const 
         .reads(maps.probability, points.candidates)
         .writes(table)
         .execute([=](PassContext& p) {
+            note_traced(p, points);
             const auto all = p.elements<const std::uint32_t>(points.candidates);
-            const auto used = all.first(std::min<std::size_t>(all.size(), points.count));
+            const auto used = all.first(std::min<std::size_t>(all.size(), points.from_maps));
             const auto texels = texels_of(used, source, maps.resolution);
             const auto drawn = p.pixels<const float>(maps.probability, source);
             const std::vector<float> map = warps ? std::vector<float>(drawn.begin(), drawn.end())
@@ -198,15 +208,18 @@ std::vector<OutputDescription> view_outputs() {
 }
 
 std::vector<SelectorDescription> emission_selectors() {
-    return {{.key = source_selector,
-             .label = "Map of a light",
-             .doc = "The layer of the reflective shadow map whose emission points are shown.",
-             .count = max_sources},
-            {.key = warp_selector,
-             .label = "Step of warping",
-             .doc = "0: the emission set as it is; then horizontally and vertically in turns, from the whole "
-                    "map to its texels.",
-             .count = 21}};
+    return {
+        {.key = source_selector,
+         .label = "Map of a light",
+         .doc = "The layer of the reflective shadow map whose emission points are shown. Lights without a "
+                "layer have none: rectangles, disks, emissive surfaces, the environment, and point, spot "
+                "and directional lights beyond 64 layers.",
+         .count = max_layers},
+        {.key = warp_selector,
+         .label = "Step of warping",
+         .doc = "0: the emission set as it is; then horizontally and vertically in turns, from the whole "
+                "map to its texels.",
+         .count = 21}};
 }
 
 }  // namespace ir::methods::photon_mapping

@@ -51,6 +51,7 @@ void show(graph::GraphBuilder& builder, const ComposeInputs& in, graph::ImageRef
 gl::ProgramSource radiance_source(const ComposeInputs& in) {
     gl::ProgramSource source{{folder + "radiance.comp"}};
     source.defines["MATERIALS"] = std::to_string(static_cast<int>(in.parameters.transport.materials));
+    source.defines["RECEIVER"] = std::to_string(static_cast<int>(in.parameters.receiver));
     if (in.has_indirect) source.defines["INDIRECT"] = "1";
     if (in.direct) source.defines["DIRECT"] = "1";
     if (in.has_emission) source.defines["EMISSION"] = "1";

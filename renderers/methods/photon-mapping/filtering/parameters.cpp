@@ -3,6 +3,7 @@
 namespace ir::methods::photon_mapping {
 namespace {
 
+const Condition has_microfacets{"materials", {std::string("gltf"), std::string("metalness-blend")}};
 const Condition with_history{"temporal", {true}};
 const Condition with_passes{
     "filter_passes",
@@ -81,6 +82,19 @@ void add_filtering_parameters(ParameterTable<Parameters>& table) {
     add_temporal(table);
     add_edges(table);
     add_spatial(table);
+    table.add(
+        &Parameters::receiver,
+        {.key = "receiver",
+         .label = "Receivers",
+         .doc = "How the surfaces that are seen reflect the filtered light, of which each pixel knows "
+                "the irradiance and the mean direction.",
+         .citation = "Smal19 §8.3",
+         .choices = {{"diffuse", "Diffuse", "Without highlights; metals are black."},
+                     {"mean-direction", "Mean direction",
+                      "The whole BRDF, as if all light came from its mean direction. Highlights flicker."},
+                     {"widened", "Widened",
+                      "The same with highlights as wide as the directions of the light are apart."}},
+         .active_when = has_microfacets});
     table.add(&Parameters::directional,
               {.key = "directional",
                .label = "Directional term",

@@ -40,7 +40,8 @@ std::vector<OutputDescription> splatting_outputs() {
          .unit = "m",
          .doc = "The kernels that cover the picked pixel's texel, the largest contribution first. "
                 "contribution: RGB, W/m², to the unfiltered irradiance. power: W. distance: from the surface "
-                "to the photon, m. radius: of the kernel across the light, m. photon: its place in the "
+                "to the photon, m. radius: of the kernel across the light, m. light: as of photon locations. "
+                "photon: its place in the "
                 "photon buffer.",
          .categories = {bounce_categories("bounce")},
          .when_empty = "no kernel covers the texel in this frame: the light there comes from neighbours and "

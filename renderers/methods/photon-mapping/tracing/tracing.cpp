@@ -116,7 +116,8 @@ std::vector<OutputDescription> tracing_outputs() {
          .doc =
              "All photons that are stored. normal: of the triangle, on the side that was hit. direction: to "
              "where the photon came from. power: W, red, green and blue. ray_length: metres "
-             "since the last scattering. light: number of the light source. seed: the low 20 bits of the "
+             "since the last scattering. light: number of the light (61: a later one, 62: an emissive "
+             "surface, 63: the environment). seed: the low 20 bits of the "
              "sample point's seed; photons of one seed share their path.",
          .categories = {bounce_categories("bounce")},
          .explains = true},

@@ -160,7 +160,6 @@ void Wavefront::leave(GraphBuilder& builder, const Photons& photons) const {
     // where no bounce is stored the list of photons is empty, and still there
     auto pass = builder.pass("leave sample points");
     pass.reads("Samples", samples_.points)
-        .reads("Sources", samples_.sources)
         .writes("Rays", rays_.rays)
         .writes("Paths", paths_)
         .writes("Tally", sums_)

@@ -1,10 +1,15 @@
-// How many points of the emission set each source gets: in proportion to weights, by largest remainders, so
-// that the parts sum to the number of points. One invocation.
+// How many points of the emission sets each layer of the RSM gets: in proportion to weights, by largest
+// remainders, so that the parts sum to the number of points. Behind the layers come the sources that rays were
+// traced from. One invocation.
 layout(local_size_x = 1) in;
 #include "methods/photon-mapping/records.glsl"
 
 layout(std430) buffer Sources { Source sources[]; };
 layout(std430) buffer WithoutPoints { uint sources_without_points; };
+#if TRACED
+layout(std430) readonly buffer TracedSources { Source traced_sources[]; };
+uniform uint traced_count;
+#endif
 #if BY_PROBABILITY
 uniform sampler2DArray haar_pyramid;
 uniform int levels;
@@ -16,6 +21,10 @@ const uint MAX_SOURCES = 64u;
 
 float weight_of(uint source) {
     float weight = max(sources[source].flux, 0.0);
+#if TRACED
+layout(std430) readonly buffer TracedSources { Source traced_sources[]; };
+uniform uint traced_count;
+#endif
 #if BY_PROBABILITY
     weight *= texelFetch(haar_pyramid, ivec3(0, 0, source), levels - 1).r;
 #endif
@@ -52,4 +61,10 @@ void main() {
         first += sources[i].points;
         if (weights[i] > 0.0 && sources[i].points == 0u) atomicAdd(sources_without_points, 1u);
     }
+#if TRACED
+    for (uint i = 0u; i < traced_count; ++i) {
+        sources[source_count + i] = traced_sources[i];
+        if (traced_sources[i].flux > 0.0 && traced_sources[i].points == 0u) atomicAdd(sources_without_points, 1u);
+    }
+#endif
 }

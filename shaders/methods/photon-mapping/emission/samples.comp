@@ -39,6 +39,22 @@ vec3 power_of(Source source, RsmTexel t, ivec2 texel, int layer) {
     return source.intensity * (t.part * t.extent / (points * normalised));
 }
 
+/// Where in its texel the point came to.
+vec2 within_texel(uint item, int layer) {
+    vec2 point = emission_point(emission_set_of(uint(layer)), item - sources[layer].first_point);
+    int resolution = textureSize(probability_map, 0).x;
+#if WARPS
+    return warped_to_texel(point, layer, findMSB(resolution)).within;
+#else
+    return unwarped_texel(point, resolution).within;
+#endif
+}
+
+/// Towards the light.
+vec3 arrived_from(vec3 position_ws, Source source) {
+    return source.perspective > 0.0 ? normalize(source.origin_ws - position_ws) : -source.direction_ws;
+}
+
 void main() {
     uint item = first_item + gl_GlobalInvocationID.x;
     if (item >= end_item) return;
@@ -52,11 +68,15 @@ void main() {
     vec3 power = power_of(sources[layer], t, ivec2(texel), int(layer)) / (rsm_survival(t) * photons_per_point);
 
     SamplePoint point;
-    point.position_ws = t.position_ws;
+    point.position_ws = jittered_position(t, within_texel(item, int(layer)), ivec2(texel), int(layer));
     point.power = packed_power(power / power_unit);
     point.normal = packed_direction(t.normal_ws);
-    point.surface = packUnorm4x8(vec4(t.base_colour, t.roughness));
-    point.origin = texel.x | texel.y << 10u | layer << 20u | uint(round(t.metalness * 63.0)) << 26u;
+    point.geometric_normal = packed_direction(t.geometric_normal_ws);
+    point.arrived_from = packed_direction(arrived_from(point.position_ws, sources[layer]));
     point.seed = seed_of_item(item);
+    point.surface = packUnorm4x8(vec4(t.base_colour, t.roughness));
+    point.light = packed_light(sources[layer].light, t.metalness);
+    point.interface_ = packHalf2x16(vec2(1.5, t.opaque));  // the maps have no index of refraction
+    point.origin = texel.x | texel.y << 10u | layer << 20u;
     samples[place] = point;
 }

@@ -2,8 +2,10 @@
 // including, declare records.glsl's `Source sources[]`.
 
 #include "methods/photon-mapping/emission/emission_set.glsl"
+#include "methods/photon-mapping/emission/seeds.glsl"
 
-uniform uint source_count, all_points, strata, stratum, seed_low, seed_high;
+uniform uint source_count;  // layers of the RSM
+uniform uint strata;
 
 /// The same number of turns for all items: llvmpipe (Mesa 22.3) gave neighbours of a source's first point wrong
 /// results after a search that ended when it had found.
@@ -16,13 +18,6 @@ uint source_of_item(uint item) {
 EmissionSet emission_set_of(uint source) {
     return EmissionSet(sources[source].points, stratum, strata,
                        emission_shift(source, uvec2(seed_low, seed_high)));
-}
-
-/// Index in the emission set of all sources and the whole cycle.
-uint seed_of_item(uint item) { return stratum * all_points + item; }
-
-float roulette_of_item(uint item) {
-    return unit_float(pcg4d(uvec4(seed_of_item(item), seed_low, seed_high, EMISSION_ROULETTE)).x);
 }
 
 const uint CANDIDATE_SURVIVES = 1u << 26u;

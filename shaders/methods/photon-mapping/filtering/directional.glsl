@@ -19,6 +19,13 @@ vec3 mean_direction(ivec2 pixel) {
     return size > 0.0 ? sum / size : vec3(0);
 }
 
+/// Length of the mean of the directions to the light, each weighted by what comes from there; 1 where it all comes
+/// from one. Clipped details may make it larger.
+float coherence(ivec2 pixel) {
+    float weight = dot(texelFetch(value_image, pixel, 0).rgb, vec3(1));
+    return weight > 0.0 ? min(length(direction_sum(pixel)) / weight, 1.0) : 1.0;
+}
+
 /// From the cosine with which photons arrive on the geometric surface to that with the shading normal.
 /// [Smal19 §7.4] follows the text: eq. 7.10 has the two normals in each other's place.
 /// DEVIATION [Smal19 eq. 7.10]: 1 + (ω·n_s - ω·n_g) min(1/(ω·n_g), s_max), which equals the product

@@ -14,9 +14,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, first_row);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
 #ifdef FLICKER
-    float weight = dot(texelFetch(value_image, pixel, 0).rgb, vec3(1));
-    float coherence = weight > 0.0 ? length(direction_sum(pixel)) / weight : 1.0;
-    imageStore(result, pixel, vec4(clamp(1.0 - coherence, 0.0, 1.0)));
+    imageStore(result, pixel, vec4(1.0 - coherence(pixel)));
 #else
     imageStore(result, pixel, vec4(shaded_irradiance(pixel), 1));
 #endif

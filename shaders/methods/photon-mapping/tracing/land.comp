@@ -21,9 +21,6 @@ uniform mat4 frustum_sides;
 uniform vec4 eye_ws;
 uniform float kernel_reach, texel_reach;
 
-/// Where interpolated or mapped normals lean away, light at grazing angles would be multiplied without bound.
-const float MAX_CORRECTION = 8.0;
-
 Photon photon_at(HitSurface surface, Path path, Ray ray) {
     bool normal_below, direction_below;
     Photon photon;

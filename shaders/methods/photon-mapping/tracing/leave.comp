@@ -6,48 +6,46 @@ layout(local_size_x = 64) in;
 #include "methods/photon-mapping/tracing/tally.glsl"
 
 layout(std430) readonly buffer Samples { SamplePoint samples[]; };
-layout(std430) readonly buffer Sources { Source sources[]; };
 layout(std430) readonly buffer SampleCount { uint sample_count; };
 
 uniform uint repeats;          // photons that leave a sample point
 uniform uint sample_capacity;
 
-/// Towards the light.
-vec3 arrived_from(SamplePoint point, Source source) {
-    return source.perspective > 0.0 ? normalize(source.origin_ws - point.position_ws) : -source.direction_ws;
-}
-
-Path path_from(SamplePoint point, Source source, uint repeat) {
+Path path_from(SamplePoint point, uint repeat) {
     vec3 power = unpacked_power(point.power);
-    return Path(floats(power), 0.0, (source.light & 63u) << 8u | repeat << 16u, point.seed);
+    return Path(floats(power), 0.0, light_of(point) << 8u | repeat << 16u, point.seed);
 }
 
 Ray leave(uint index) {
     uint number = index / repeats;
     if (number >= min(sample_count, sample_capacity)) return no_ray();
     SamplePoint point = samples[number];
-    Source source = sources[source_of(point)];
     vec4 surface = unpackUnorm4x8(point.surface);
-    vec3 n = unpacked_direction(point.normal);
-    Path path = path_from(point, source, index % repeats);
+    vec3 n = unpacked_direction(point.normal), geometric_n = unpacked_direction(point.geometric_normal);
+    vec3 arrived_from = unpacked_direction(point.arrived_from);
+    vec2 interface_ = unpackHalf2x16(point.interface_);  // index of refraction, opaque part
+    Path path = path_from(point, index % repeats);
     count(0u, TALLY_RAYS);
     count_power(0u, power_of(path));
 
-    // DEVIATION [own]: sample points have no geometric normal and no index of refraction; the shading normal
-    // and 1.5 take their place. Rays into the surface are found when they land.
-    Scatterer scatterer = make_scatterer(n, n, surface.rgb, metalness_of(point), surface.a, 1.5, materials);
+    Scatterer scatterer =
+        make_scatterer(n, geometric_n, surface.rgb, metalness_of(point), surface.a, interface_.x, materials);
     uvec4 words = random_words(path, 0u, DIRECTION);
-    Scattered scattered = scatter(scatterer, arrived_from(point, source), unit_float(words.x),
-                                  unit_float(words.yz), microfacet_sampling);
+    Scattered scattered =
+        scatter(scatterer, arrived_from, unit_float(words.x), unit_float(words.yz), microfacet_sampling);
+    if (!scattered.is_specular)
+        scattered.weight *=
+            shading_normal_correction(n, geometric_n, arrived_from, scattered.direction_ws, MAX_CORRECTION);
+    scattered.weight *= interface_.y;
     // the roulette at the sample point divided the power by its probability already
-    float passed =
-        survival_probability(first_reflectance(surface.rgb, metalness_of(point), surface.a, materials));
+    float passed = survival_probability(
+        interface_.y * first_reflectance(surface.rgb, metalness_of(point), surface.a, materials));
     if (!scatter_path(path, scattered, power_of(path) * passed, 0u, unit_float(words.w))) {
         count(0u, TALLY_ABSORBED);
         return no_ray();
     }
     paths[index] = path;
-    vec3 origin_ws = point.position_ws + offset_of_rays(point.position_ws) * n;
+    vec3 origin_ws = point.position_ws + offset_of_rays(point.position_ws) * geometric_n;
     return Ray(origin_ws, far_of(path), scattered.direction_ws, 0.0);
 }
 

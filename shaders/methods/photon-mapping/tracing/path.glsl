@@ -39,6 +39,9 @@ uvec4 random_words(Path path, uint surface, uint purpose) {
     return pcg4d(uvec4(path.seed, frame_seed, (path.bits & 0xffff0000u) | surface, purpose));
 }
 
+/// Where interpolated or mapped normals lean away, light at grazing angles would be multiplied without bound.
+const float MAX_CORRECTION = 8.0;
+
 float offset_of_rays(vec3 position_ws) {
     vec3 size = abs(position_ws);
     // min_ray_offset_m and relative_ray_offset of renderers/passes/raytracing/ray_offset.h
