@@ -68,6 +68,9 @@ struct Parameters {
     bool directional = true;  ///< the cosine to the shading normal by the mean direction of the photons
 };
 
+/// Of parameters of what no Lambert surface has.
+inline const Condition has_microfacets{"materials", {std::string("gltf"), std::string("metalness-blend")}};
+
 ParameterTable<Parameters> parameter_table();
 
 void add_emission_parameters(ParameterTable<Parameters>& table);

@@ -22,11 +22,7 @@ namespace {
 /// The environment is chosen at most so many times as often as all other emitters.
 constexpr float most_environment = 3;
 
-float mean(glm::vec3 rgb) {
-    return (rgb.r + rgb.g + rgb.b) / 3;
-}
-
-bool is_flat(const scene::Light& light) {
+bool has_area(const scene::Light& light) {
     return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
 }
 
@@ -58,7 +54,7 @@ glm::vec3 direction_at(glm::vec3 axis_ws, float height, float turn) {
 float mean_radiance(const SurfaceLookup& surfaces, const TriangleLights::Triangle& t) {
     const auto& world = surfaces.world();
     const auto& factor = surfaces.scene().materials[world.triangle_materials[t.index]].emission;
-    return t.radiance * mean(factor) / luminance(factor);
+    return t.radiance * channel_mean(factor) / luminance(factor);
 }
 
 }  // namespace
@@ -121,7 +117,7 @@ std::optional<EmittedLight> EmissionSampler::Impl::from_light(std::size_t i, glm
         return emitted;
     }
     EmittedLight emitted;
-    if (is_flat(light)) {
+    if (has_area(light)) {
         const FlatLight shape(light);
         emitted.normal_ws = shape.normal_ws();
         emitted.origin_ws = offset_origin(shape.point_ws(place), emitted.normal_ws);

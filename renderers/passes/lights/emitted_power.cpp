@@ -5,14 +5,11 @@
 
 #include "renderers/core/constants.h"
 #include "renderers/passes/lights/flat_light.h"
+#include "renderers/passes/lights/luminance.h"
 #include "renderers/passes/lights/punctual.h"
 
 namespace ir::passes {
 namespace {
-
-float mean(glm::vec3 rgb) {
-    return (rgb.r + rgb.g + rgb.b) / 3;
-}
 
 /// Over the sphere.
 float mean_radiance(const Image& map) {
@@ -24,8 +21,8 @@ float mean_radiance(const Image& map) {
         const double weight = std::sin(pi * (static_cast<float>(y) + 0.5f) / static_cast<float>(map.height));
         for (int x = step_x / 2; x < map.width; x += step_x) {
             const float* value = &map.pixels[map.index(x, y)];
-            const float radiance =
-                map.channels >= 3 ? mean({value[0], value[1], value[2]}) : static_cast<float>(value[0]);
+            const float radiance = map.channels >= 3 ? channel_mean({value[0], value[1], value[2]})
+                                                     : static_cast<float>(value[0]);
             if (radiance > 0 && std::isfinite(radiance)) sum += weight * static_cast<double>(radiance);
             weights += weight;
         }
@@ -41,7 +38,7 @@ float emission_disk_radius(const scene::World& world) {
 }
 
 float emitted_power(const scene::Light& light, float disk_radius) {
-    const float strength = mean(light.colour * light.intensity);
+    const float strength = channel_mean(light.colour * light.intensity);
     switch (light.type) {
         case scene::LightType::rectangle:
         case scene::LightType::disk:
@@ -56,7 +53,8 @@ float emitted_power(const scene::Light& light, float disk_radius) {
 float emitted_power_of_meshes(const scene::Scene& scene, const scene::World& world) {
     double sum = 0;
     for (const auto& range : world.ranges) {
-        const float radiance = mean(scene.materials[static_cast<std::size_t>(range.material)].emission);
+        const float radiance =
+            channel_mean(scene.materials[static_cast<std::size_t>(range.material)].emission);
         if (!(radiance > 0)) continue;
         double twice_area = 0;
         for (std::uint32_t i = 0; i < range.triangle_count; ++i) {
@@ -73,7 +71,7 @@ float emitted_power_of_meshes(const scene::Scene& scene, const scene::World& wor
 float emitted_power(const scene::Environment& environment, float disk_radius) {
     const float radiance = environment.map && !environment.map->empty()
                                ? mean_radiance(*environment.map)
-                               : mean(glm::max(environment.constant, glm::vec3(0)));
+                               : channel_mean(glm::max(environment.constant, glm::vec3(0)));
     return 4 * pi * radiance * pi * disk_radius * disk_radius;
 }
 

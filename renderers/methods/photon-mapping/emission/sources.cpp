@@ -5,6 +5,7 @@
 
 #include "renderers/core/constants.h"
 #include "renderers/passes/lights/emitted_power.h"
+#include "renderers/passes/lights/luminance.h"
 #include "renderers/passes/lights/punctual.h"
 #include "renderers/passes/scene/light_data.h"
 
@@ -15,10 +16,6 @@ using passes::ShadowViewData;
 
 /// The environment's part of what rays are divided by: most of its light misses what the bounds hold.
 constexpr float most_environment = 3;
-
-float mean(glm::vec3 rgb) {
-    return (rgb.r + rgb.g + rgb.b) / 3;
-}
 
 /// ∫ profile dω over a face of a cube of maps, in sr, by the midpoints of 64 × 64 texels.
 float solid_angle_of_face(const scene::Light& light, const ShadowViewData& view) {
@@ -61,7 +58,7 @@ SourceData layer_of(const scene::Light& light, const ShadowViewData& view) {
     auto source = source_of(light, view.light);
     if (view.perspective == 0) source.origin_ws = view.origin_ws;
     if (light.type == scene::LightType::point) source.direction_ws = view.forward_ws;
-    source.flux = mean(source.intensity) * extent_of_layer(light, view);
+    source.flux = passes::channel_mean(source.intensity) * extent_of_layer(light, view);
     return source;
 }
 

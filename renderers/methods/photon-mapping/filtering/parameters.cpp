@@ -3,7 +3,6 @@
 namespace ir::methods::photon_mapping {
 namespace {
 
-const Condition has_microfacets{"materials", {std::string("gltf"), std::string("metalness-blend")}};
 const Condition with_history{"temporal", {true}};
 const Condition with_passes{
     "filter_passes",

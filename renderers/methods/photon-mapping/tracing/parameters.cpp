@@ -1,11 +1,6 @@
 #include "renderers/methods/photon-mapping/parameters.h"
 
 namespace ir::methods::photon_mapping {
-namespace {
-
-const Condition has_microfacets{"materials", {std::string("gltf"), std::string("metalness-blend")}};
-
-}  // namespace
 
 void add_tracing_parameters(ParameterTable<Parameters>& table) {
     table
