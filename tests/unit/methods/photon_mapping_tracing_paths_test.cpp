@@ -121,7 +121,9 @@ TEST_F(PhotonPaths, ThatLeaveTheSceneAreCounted) {
     world.square({0, 0, 0}, {0, 1, 0}, 1, SmallWorld::opaque);
     auto scene = world.scene();
     const Shot shot(scene, scene.cameras[0], 8, 8);
-    const auto outcome = trace(shot, random_points(shot.world, 1000, {}), plain(2));
+    FirstHit lit;
+    lit.arrived_from = {0, 1, 0};
+    const auto outcome = trace(shot, random_points(shot.world, 1000, lit), plain(2));
     EXPECT_TRUE(outcome.photons.empty());
     EXPECT_EQ(outcome.tally[1].rays, 1000u);
     EXPECT_EQ(outcome.tally[1].missed, 1000u);

@@ -51,7 +51,7 @@ SamplePoints emit(graph::GraphBuilder& builder, const passes::SceneBuffers& scen
     if (sources.has_traced() || !has_maps)
         traced = trace_emission(builder, scene, sources, points, parameters);
     divide_points(builder, sources, points, mapped ? &mapped->maps : nullptr,
-                  traced ? std::optional(traced->rows) : std::nullopt, parameters);
+                  sources.has_traced() ? std::optional(traced->rows) : std::nullopt, parameters);
     if (mapped) warp_points(builder, scene, sources, *mapped, points, parameters);
     if (traced) survive_hits(builder, *traced, sources, points, parameters);
     find_places(builder, points);

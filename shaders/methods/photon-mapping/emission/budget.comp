@@ -21,10 +21,6 @@ const uint MAX_SOURCES = 64u;
 
 float weight_of(uint source) {
     float weight = max(sources[source].flux, 0.0);
-#if TRACED
-layout(std430) readonly buffer TracedSources { Source traced_sources[]; };
-uniform uint traced_count;
-#endif
 #if BY_PROBABILITY
     weight *= texelFetch(haar_pyramid, ivec3(0, 0, source), levels - 1).r;
 #endif
