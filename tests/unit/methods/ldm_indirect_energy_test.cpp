@@ -31,9 +31,9 @@ TEST_F(IndirectTracingTest, EmittedEnergyIsFoundAgain) {
 }
 
 TEST_F(IndirectTracingTest, EnergyBalancesWithShadingNormalsAndRange) {
-    Shot shot("builtin:atrium", "", 48, 32);
+    Shot shot("builtin:still-life", "table", 48, 32);
     trace(shot, quick());
-    expect_balanced("atrium");
+    expect_balanced("still life");
     auto light = lamp({0, 1, 0});
     light.range = 1.6f;
     trace(Shot(box({light}), camera({0, 1.4f, 1.9f}, {0, 1.2f, 0}), 48, 48), quick());

@@ -97,7 +97,7 @@ TEST_F(IndirectTracingOnHost, GivesThePhotonsOfTheDevice) {
     expect_same("two lights, direct photons",
                 Shot(box({lamp({0.3f, 1.2f, -0.4f}), spot({0, 2.5f, 0}, {0.2f, -1, 0}, 70)}), inside, 48, 48),
                 with(with(quick(), kept), {{"direct", std::string("photons")}}));
-    expect_same("atrium", Shot("builtin:atrium", "nave", 64, 48), with(quick(), kept));
+    expect_same("corridor", Shot("builtin:corridor", "entrance", 64, 48), with(quick(), kept));
     SmallWorld small;
     small.square({0, 0, 0}, {0, 1, 0}, 2);
     small.square({-1, 1, 0}, {1, 0.4f, 0}, 0.7f, SmallWorld::masked);
@@ -110,7 +110,7 @@ TEST_F(IndirectTracingOnHost, GivesThePhotonsOfTheDevice) {
 }
 
 TEST_F(IndirectTracingOnHost, PhotonsAreTheSameWhateverTheThreads) {
-    const Shot shot("builtin:atrium", "nave", 64, 48);
+    const Shot shot("builtin:corridor", "entrance", 64, 48);
     const auto one = traced(shot, quick(), Processor::host, 1);
     for (const int count : {2, 5}) {
         const auto more = traced(shot, quick(), Processor::host, count);
