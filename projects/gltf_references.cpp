@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "projects/json.h"
+#include "renderers/core/percent_decoded.h"
 
 namespace ir::projects {
 namespace {
@@ -69,24 +70,6 @@ std::string json_text(const fs::path& file) {
     std::string text(length, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(length));
     return stream ? text : std::string{};
-}
-
-int digit(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-}
-
-std::string percent_decoded(const std::string& uri) {
-    std::string result;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        const bool is_code =
-            uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
-        result += is_code ? static_cast<char>(digit(uri[i + 1]) * 16 + digit(uri[i + 2])) : uri[i];
-        if (is_code) i += 2;
-    }
-    return result;
 }
 
 bool is_gltf(const fs::path& file) {

@@ -17,6 +17,7 @@
 #include "app/engine/state_layout.h"
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
+#include "renderers/image/exr_attributes.h"
 #include "renderers/image/exr_stream.h"
 
 namespace ir::engine {
@@ -87,16 +88,6 @@ void check_part(const StatePart& part, const Imf::Header& header, const std::str
             throw InputError(file, "channel '" + channel.name + "'",
                              "is missing or of another type; the file is damaged");
     }
-}
-
-ImageAttributes attributes_of(const Imf::Header& header) {
-    ImageAttributes result;
-    for (auto each = header.begin(); each != header.end(); ++each) {
-        const std::string key = each.name();
-        const auto* text = dynamic_cast<const Imf::StringAttribute*>(&each.attribute());
-        if (text && key != "name" && key != "type" && key != "view") result[key] = text->value();
-    }
-    return result;
 }
 
 graph::History read_parts(Imf::MultiPartInputFile& input, const std::string& file,

@@ -11,7 +11,7 @@
 
 #include "renderers/core/error.h"
 #include "renderers/core/file_system.h"
-#include "renderers/image/exr.h"
+#include "renderers/image/exr_attributes.h"
 #include "renderers/image/exr_channels.h"
 
 namespace ir {
@@ -132,6 +132,13 @@ void read_part(Imf::MultiPartInputFile& input, int index, const std::string& fil
     std::move(read.begin(), read.end(), std::back_inserter(layers));
 }
 
+/// The default layer comes first, as it does in files where it was not the first to be written.
+void default_layer_first(std::vector<ImageLayer>& layers) {
+    std::stable_partition(layers.begin(), layers.end(), [](const auto& layer) { return layer.name.empty(); });
+}
+
+}  // namespace
+
 ImageAttributes attributes_of(const Imf::Header& header) {
     ImageAttributes result;
     for (auto each = header.begin(); each != header.end(); ++each) {
@@ -141,13 +148,6 @@ ImageAttributes attributes_of(const Imf::Header& header) {
     }
     return result;
 }
-
-/// The default layer comes first, as it does in files where it was not the first to be written.
-void default_layer_first(std::vector<ImageLayer>& layers) {
-    std::stable_partition(layers.begin(), layers.end(), [](const auto& layer) { return layer.name.empty(); });
-}
-
-}  // namespace
 
 std::vector<ImageLayer> read_exr(const std::filesystem::path& file, ImageAttributes* attributes) {
     require_regular_file(file);

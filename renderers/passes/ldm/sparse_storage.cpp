@@ -65,8 +65,7 @@ class SparseStorage : public Storage {
         return {sums_, sorted_.unsorted, sorted_.deep_texels};
     }
     std::vector<graph::CounterRef> counters() const override {
-        return {sorted_.words_requested, offset_words_requested_, sorted_.unsorted_requested,
-                sorted_.max_layers};
+        return sorted_.counters(offset_words_requested_);
     }
     bool needs_arrivals() const override { return true; }
     void begin_batch(const graph::PassContext&) const override {}

@@ -15,6 +15,10 @@ struct SortedDepths {
     graph::BufferRef deep_texels;
     graph::CounterRef words_requested, unsorted_requested, max_layers;
 
+    /// Those of a storage whose table has offsets.
+    std::vector<graph::CounterRef> counters(graph::CounterRef offset_words_requested) const {
+        return {words_requested, offset_words_requested, unsorted_requested, max_layers};
+    }
     /// Once the chunk's "ldm.counts" say where each texel begins: puts its fragments there, and sorts them.
     void scatter_and_sort(const graph::PassContext& context, const FragmentList& list, const Chunk& chunk,
                           const Layout& layout, const std::map<std::string, std::string>& defines = {}) const;

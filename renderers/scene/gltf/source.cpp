@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "renderers/core/error.h"
+#include "renderers/core/percent_decoded.h"
 
 namespace ir::scene::gltf {
 namespace {
@@ -16,28 +17,6 @@ std::uint32_t word_at(const Bytes& bytes, std::size_t offset) {
     std::uint32_t word = 0;
     for (int i = 3; i >= 0; --i) word = (word << 8) | bytes[offset + i];
     return word;
-}
-
-int hex_digit(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-}
-
-std::string percent_decoded(const std::string& uri) {
-    std::string result;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        const int high = uri[i] == '%' && i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
-        const int low = high >= 0 ? hex_digit(uri[i + 2]) : -1;
-        if (low < 0) {
-            result += uri[i];
-            continue;
-        }
-        result += static_cast<char>(high * 16 + low);
-        i += 2;
-    }
-    return result;
 }
 
 bool has_scheme(const std::string& uri) {

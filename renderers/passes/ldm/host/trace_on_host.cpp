@@ -172,23 +172,16 @@ class Stream {
 
     void report(const graph::PassContext& context, const HostCounters& counters,
                 graph::CounterRef built_maps) const {
-        std::uint64_t made = 0, built = 0, held = is_kept() ? context.object<KeptMaps>(kept_)->bytes() : 0;
-        double build_ms = 0, ask_ms = 0;
+        std::vector<HostWork> work;
+        std::uint64_t built = 0;
         for (const auto& worker : workers_) {
-            made += worker.scratch.fragments_made;
-            held += worker.map_bytes();
+            work.push_back(
+                {worker.scratch.fragments_made, worker.map_bytes(), worker.build_ms, worker.ask_ms});
             built += worker.built;
-            build_ms += worker.build_ms;
-            ask_ms += worker.ask_ms;
         }
-        context.add(counters.fragments, static_cast<std::uint32_t>(made));
+        if (is_kept()) work.front().bytes += context.object<KeptMaps>(kept_)->bytes();
+        counters.report(context, maps_->layout, work);
         context.add(built_maps, static_cast<std::uint32_t>(built));
-        context.add(counters.texels,
-                    static_cast<std::uint32_t>(maps_->layout.map_texels() * maps_->layout.maps));
-        context.add(counters.bytes, static_cast<std::uint32_t>(held));
-        const auto threads = static_cast<double>(workers_.size());
-        context.notes().set_figure("ldm.build_ms", build_ms / threads);
-        context.notes().set_figure("ldm.ask_ms", ask_ms / threads);
     }
 
   private:
@@ -353,6 +346,22 @@ SelfHitRule self_hit_rule(const MapParameters& parameters) {
 
 int host_threads(const graph::FrameInputs& inputs) {
     return inputs.threads > 0 ? inputs.threads : tbb::info::default_concurrency();
+}
+
+void HostCounters::report(const graph::PassContext& context, const Layout& layout,
+                          const std::vector<HostWork>& threads) const {
+    HostWork all;
+    for (const auto& each : threads) {
+        all.fragments += each.fragments;
+        all.bytes += each.bytes;
+        all.build_ms += each.build_ms / static_cast<double>(threads.size());
+        all.ask_ms += each.ask_ms / static_cast<double>(threads.size());
+    }
+    context.add(fragments, static_cast<std::uint32_t>(all.fragments));
+    context.add(texels, static_cast<std::uint32_t>(layout.map_texels() * layout.maps));
+    context.add(bytes, static_cast<std::uint32_t>(all.bytes));
+    context.notes().set_figure("ldm.build_ms", all.build_ms);
+    context.notes().set_figure("ldm.ask_ms", all.ask_ms);
 }
 
 HostCounters declare_host_counters(graph::GraphBuilder& builder) {

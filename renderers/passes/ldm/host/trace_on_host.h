@@ -26,9 +26,18 @@ struct HostScene {
 /// Threads of passes on the host.
 int host_threads(const graph::FrameInputs& inputs);
 
+/// What one thread did for maps on the host.
+struct HostWork {
+    std::uint64_t fragments = 0, bytes = 0;  ///< made, held
+    double build_ms = 0, ask_ms = 0;
+};
+
 /// Of all maps that a pass builds on the host.
 struct HostCounters {
     graph::CounterRef fragments, texels, bytes;
+    /// Adds up what the threads did. Times are means over them.
+    void report(const graph::PassContext& context, const Layout& layout,
+                const std::vector<HostWork>& threads) const;
 };
 HostCounters declare_host_counters(graph::GraphBuilder& builder);
 

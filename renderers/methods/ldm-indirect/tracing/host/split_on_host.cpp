@@ -138,21 +138,11 @@ class HostSplit {
     }
 
     void report(const graph::PassContext& context, const ldm::HostCounters& counters) const {
-        std::uint64_t made = 0, held = 0;
-        double build_ms = 0, ask_ms = 0;
-        for (const auto& worker : workers_) {
-            build_ms += worker.build_ms;
-            ask_ms += worker.ask_ms;
-            made += worker.scratch.fragments_made;
-            held += worker.scratch.bytes() + worker.map.bytes();
-        }
-        context.add(counters.fragments, static_cast<std::uint32_t>(made));
-        context.add(counters.texels,
-                    static_cast<std::uint32_t>(maps_->layout.map_texels() * maps_->layout.maps));
-        context.add(counters.bytes, static_cast<std::uint32_t>(held));
-        const auto threads = static_cast<double>(workers_.size());
-        context.notes().set_figure("ldm.build_ms", build_ms / threads);
-        context.notes().set_figure("ldm.ask_ms", ask_ms / threads);
+        std::vector<ldm::HostWork> work;
+        for (const auto& worker : workers_)
+            work.push_back({worker.scratch.fragments_made, worker.scratch.bytes() + worker.map.bytes(),
+                            worker.build_ms, worker.ask_ms});
+        counters.report(context, maps_->layout, work);
     }
 
   private:
