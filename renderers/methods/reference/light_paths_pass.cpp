@@ -69,7 +69,8 @@ class PathTracer {
           bvh_(context.object<passes::Bvh>(r.inputs.bvh)),
           surfaces_(context.object<passes::SurfaceLookup>(r.inputs.surfaces)),
           lights_(context.object<passes::LightSampler>(r.inputs.lights)),
-          world_(*bvh_, *surfaces_, *lights_, r.specular),
+          indirect_lights_(context.object<passes::LightSampler>(r.inputs.indirect_lights)),
+          world_(*bvh_, *surfaces_, {*lights_, *indirect_lights_}, r.specular),
           rules_(parameters.transport) {
         if (r.inputs.gbuffer) gbuffer_.emplace(context, *r.inputs.gbuffer);
         for (int layer = 0; layer < r.layers(); ++layer)
@@ -150,7 +151,7 @@ class PathTracer {
     SampleRange samples_;
     std::shared_ptr<passes::Bvh> bvh_;
     std::shared_ptr<passes::SurfaceLookup> surfaces_;
-    std::shared_ptr<passes::LightSampler> lights_;
+    std::shared_ptr<passes::LightSampler> lights_, indirect_lights_;
     PathWorld world_;
     PathRules rules_;
     std::optional<passes::GBufferSurfaces> gbuffer_;
@@ -223,7 +224,7 @@ void light_paths(graph::GraphBuilder& builder, const PathInputs& inputs, const P
     const auto declared =
         declared_items({builder.inputs().view, path_block}, static_cast<std::uint64_t>(parameters.samples));
     auto trace = builder.pass("trace paths", graph::Queue::cpu);
-    trace.reads(inputs.bvh, inputs.surfaces, inputs.lights)
+    trace.reads(inputs.bvh, inputs.surfaces, inputs.lights, inputs.indirect_lights)
         .reads_previous(r.sums, r.progress.buffer())
         .writes(r.sums);
     if (inputs.gbuffer) passes::GBufferSurfaces::declare_reads(trace, *inputs.gbuffer);

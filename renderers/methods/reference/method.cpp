@@ -35,10 +35,11 @@ ParameterTable<Parameters> parameter_table() {
                           {"rays", "Rays",
                            "Where rays that are uniform over the pixel (box filter) first meet something; "
                            "every pixel is valid."}}})
-        .include(&Parameters::transport,
-                 transport_parameters({.paths = {"ao", "direct", "indirect", "full"},
-                                       .keys = {"min_bounces", "max_bounces", "max_distance", "falloff",
-                                                "materials", "normal_maps", "environment_light"}}));
+        .include(
+            &Parameters::transport,
+            transport_parameters({.paths = {"ao", "direct", "indirect", "full"},
+                                  .keys = {"min_bounces", "max_bounces", "max_distance", "falloff",
+                                           "materials", "normal_maps", "environment_light", "emitters"}}));
     return table;
 }
 

@@ -9,17 +9,19 @@ bool has_environment(const scene::Environment& environment) {
     return environment.map || environment.constant != glm::vec3(0);
 }
 
-bool shines(const graph::FrameInputs& inputs, const Transport& transport) {
-    const auto& scene = *inputs.scene;
-    return !inputs.world->lights.empty() ||
-           (transport.environment_light && has_environment(scene.environment)) ||
-           std::any_of(scene.materials.begin(), scene.materials.end(),
-                       [](const auto& material) { return material.emission != glm::vec3(0); });
-}
-
 bool is_punctual(const scene::Light& light) {
     return light.type == scene::LightType::point || light.type == scene::LightType::spot ||
            light.type == scene::LightType::directional;
+}
+
+bool shines(const graph::FrameInputs& inputs, const Transport& transport) {
+    const auto& scene = *inputs.scene;
+    const auto& lights = inputs.world->lights;
+    if (transport.environment_light && has_environment(scene.environment)) return true;
+    if (transport.emitters == Transport::Emitters::none)
+        return std::any_of(lights.begin(), lights.end(), is_punctual);
+    return !lights.empty() || std::any_of(scene.materials.begin(), scene.materials.end(),
+                                          [](const auto& m) { return m.emission != glm::vec3(0); });
 }
 
 /// Materials among these that the world's triangles have.
@@ -34,10 +36,13 @@ std::ptrdiff_t materials_in(const scene::World& world, const std::vector<bool>& 
 
 void note_darkness(graph::GraphBuilder& builder, const Transport& transport) {
     if (shines(builder.inputs(), transport)) return;
-    const bool is_off = has_environment(builder.inputs().scene->environment);
+    const bool without_environment =
+                   !transport.environment_light && has_environment(builder.inputs().scene->environment),
+               without_emitters = transport.emitters == Transport::Emitters::none;
     builder.note(std::string("nothing in the scene emits light, so the picture is black: ") +
-                 (is_off ? "switch environment_light on, or add a light"
-                         : "add a light or an environment, or choose the paths ao"));
+                 (without_environment ? "switch environment_light on, or add a light"
+                  : without_emitters  ? "emitters leaves them out; set it to all, or add a point light"
+                                      : "add a light or an environment, or choose the paths ao"));
 }
 
 void note_caustics(graph::GraphBuilder& builder, const std::vector<bool>& specular_materials) {

@@ -38,22 +38,10 @@ std::vector<bool> specular_materials(const scene::Scene& scene, Transport::Mater
     return result;
 }
 
-PathWorld::PathWorld(const passes::Bvh& b, const passes::SurfaceLookup& s, const passes::LightSampler& l,
+PathWorld::PathWorld(const passes::Bvh& b, const passes::SurfaceLookup& s, const PathLights& l,
                      std::vector<bool> specular)
-    : bvh(b),
-      surfaces(s),
-      lights(l),
-      may_be_specular(std::move(specular)),
-      rays_meet_lights(l.has_environment()) {
-    for (const auto& m : s.scene().materials) {
-        emits.push_back(m.emission != glm::vec3(0));
-        rays_meet_lights = rays_meet_lights || emits.back();
-    }
-    const auto& all = s.world().lights;
-    rays_meet_lights =
-        rays_meet_lights || std::any_of(all.begin(), all.end(), [](const scene::Light& light) {
-            return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
-        });
+    : bvh(b), surfaces(s), lights(l), may_be_specular(std::move(specular)) {
+    for (const auto& m : s.scene().materials) emits.push_back(m.emission != glm::vec3(0));
 }
 
 }  // namespace ir::methods::reference

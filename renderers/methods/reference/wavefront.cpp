@@ -67,7 +67,8 @@ void Wavefront::arrive(Path& path, const passes::Hit& hit) {
         return;
     }
     const auto material = static_cast<std::size_t>(world_.material_of(hit));
-    if (counts && world_.emits[material]) add_emission(path, hit);
+    if (counts && world_.emits[material] && (path.scatterings == 0 || lights(path).has_emissive_meshes()))
+        add_emission(path, hit);
     path.way += hit.distance;
     if (rules_.max_distance > 0 && path.scatterings > 0 && path.way > rules_.max_distance) return;
     // After the last scattering only mirrors and glass lead on.
@@ -93,9 +94,9 @@ float Wavefront::weight(const Path& path, float light_pdf) const {
 }
 
 void Wavefront::add_flat_lights(const Path& path, float far) {
-    world_.lights.visit_lights(path.origin, path.direction, far, [&](const passes::LightHit& hit) {
+    lights(path).visit_lights(path.origin, path.direction, far, [&](const passes::LightHit& hit) {
         const float pdf =
-            path.pdf > 0 ? world_.lights.pdf_of_light(path.origin, path.normal, path.direction, hit) : 0;
+            path.pdf > 0 ? lights(path).pdf_of_light(path.origin, path.normal, path.direction, hit) : 0;
         auto radiance = weight(path, pdf) * path.throughput * hit.radiance;
         if (path.medium >= 0)
             radiance *= passes::Bsdf::transmittance(world_.material(path.medium), hit.distance);
@@ -104,16 +105,16 @@ void Wavefront::add_flat_lights(const Path& path, float far) {
 }
 
 void Wavefront::add_environment(const Path& path) {
-    if (!world_.lights.has_environment()) return;
+    if (!lights(path).has_environment()) return;
     const float pdf =
-        path.pdf > 0 ? world_.lights.pdf_of_environment(path.origin, path.normal, path.direction) : 0;
+        path.pdf > 0 ? lights(path).pdf_of_environment(path.origin, path.normal, path.direction) : 0;
     lights_[path.index].after(path.scatterings) +=
-        weight(path, pdf) * path.throughput * world_.lights.environment(path.direction);
+        weight(path, pdf) * path.throughput * lights(path).environment(path.direction);
 }
 
 void Wavefront::add_emission(const Path& path, const passes::Hit& hit) {
     const float pdf =
-        path.pdf > 0 ? world_.lights.pdf_of_triangle(path.origin, path.normal, path.direction, hit) : 0;
+        path.pdf > 0 ? lights(path).pdf_of_triangle(path.origin, path.normal, path.direction, hit) : 0;
     lights_[path.index].after(path.scatterings) +=
         weight(path, pdf) * path.throughput * world_.surfaces.emission(hit.triangle, hit.u, hit.v);
 }
@@ -142,7 +143,7 @@ void Wavefront::go_on(Path& path, const passes::Surface& surface, const passes::
         path.way = 0;
     }
     // After the last scattering only light sources are looked for.
-    if (path.scatterings == most_ && !world_.rays_meet_lights) return;
+    if (path.scatterings == most_ && !lights(path).has_extent()) return;
     if (!sample.is_specular && !survives(path, dice)) return;
     const auto side = sample.is_transmitted ? -surface.geometric_normal_ws : surface.geometric_normal_ws;
     path.origin = passes::offset_origin(surface.position_ws, side);
@@ -166,7 +167,7 @@ void Wavefront::sample_light(const Path& path, const passes::Surface& surface, c
     const auto normal = surface.geometric_normal_ws;
     const auto origin = passes::offset_origin(surface.position_ws, normal);
     const auto u = path.sampler.pair(path.dimension(towards_light));
-    const auto light = world_.lights.sample(origin, normal, choice, u);
+    const auto light = world_.lights.after(path.scatterings + 1).sample(origin, normal, choice, u);
     if (!light || !(light->pdf > 0)) return;
     const auto scattered = bsdf.evaluate_with_pdf(-path.direction, light->direction_ws);
     auto radiance = path.throughput * scattered.value * light->radiance / light->pdf;

@@ -66,6 +66,10 @@ class Wavefront {
         int scatterings;
     };
 
+    /// What the ray under way may meet.
+    const passes::LightSampler& lights(const Path& path) const {
+        return world_.lights.after(path.scatterings);
+    }
     void begin(const PathStart& start, std::uint32_t index);
     void intersect();
     void arrive(Path& path, const passes::Hit& hit);

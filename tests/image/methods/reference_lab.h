@@ -78,7 +78,7 @@ class Lab {
     }
     const scene::Scene& scene() const { return scene_; }
     PathWorld world(Transport::Materials model) const {
-        return {*bvh_, *surfaces_, *lights_, specular_materials(scene_, model)};
+        return {*bvh_, *surfaces_, {*lights_, *lights_}, specular_materials(scene_, model)};
     }
     const passes::LightSampler& lights() const { return *lights_; }
 

@@ -103,6 +103,26 @@ TEST(ReferenceLight, RaisingTheSamplesGoesOn) {
     }
 }
 
+/// The lamp of the box emits and a spot shines under it: what is left out is exactly the lamp's.
+TEST(ReferenceLight, EmittersAreLeftOutAsTheTransportSays) {
+    const auto picture = [](const char* emitters, const std::string& options) {
+        return Picture(cornell(light("full", 16, {{"max_bounces", std::int64_t{3}}, {"emitters", emitters}}),
+                               "builtin:cornell" + options));
+    };
+    const auto all = picture("all", ""), once = picture("direct", ""), none = picture("none", "");
+    const auto spot = picture("all", "?emission=0");
+    EXPECT_EQ(none["direct"].pixels, spot["direct"].pixels);
+    EXPECT_EQ(none["indirect"].pixels, spot["indirect"].pixels);
+    EXPECT_EQ(once["direct"].pixels, all["direct"].pixels);
+    EXPECT_EQ(once["indirect"].pixels, none["indirect"].pixels);
+    EXPECT_NE(all["indirect"].pixels, none["indirect"].pixels);
+    const float lamp = 17;
+    EXPECT_GE(*std::max_element(none.main.pixels.begin(), none.main.pixels.end()), lamp) << "it is seen";
+    const auto dark = picture("none", "?light=0");
+    EXPECT_TRUE(dark.notes("emitters"));
+    EXPECT_EQ(*std::max_element(dark["direct"].pixels.begin(), dark["direct"].pixels.end()), 0);
+}
+
 TEST(ReferenceLight, PartsAddUp) {
     const Picture full(cornell(light("full", 16, {{"max_bounces", std::int64_t{3}}})));
     const auto& emission = full["gbuffer.emission"];
