@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "renderers/methods/reference/light_tracer.h"
+
 namespace ir::methods::reference {
 namespace {
 
@@ -45,15 +47,15 @@ void note_darkness(graph::GraphBuilder& builder, const Transport& transport) {
                                       : "add a light or an environment, or choose the paths ao"));
 }
 
-void note_caustics(graph::GraphBuilder& builder, const std::vector<bool>& specular_materials) {
-    const auto& lights = builder.inputs().world->lights;
-    const auto punctual = std::count_if(lights.begin(), lights.end(), is_punctual);
-    const auto specular = materials_in(*builder.inputs().world, specular_materials);
-    if (punctual == 0 || specular == 0) return;
-    builder.note("paths from point, spot and directional lights (" + std::to_string(punctual) +
-                 " here) over mirrors or through glass (" + std::to_string(specular) +
-                 " materials are such, at least in places) cannot be found by a path tracer and are missing; "
-                 "lights with an extent (rectangle, disk, emissive mesh) lack nothing");
+void note_caustics(graph::GraphBuilder& builder, const PathRules& rules,
+                   const std::vector<bool>& specular_materials) {
+    const auto& world = *builder.inputs().world;
+    if (!LightTracer::has_paths(world, rules, specular_materials)) return;
+    builder.note(
+        "light from point, spot and directional lights over mirrors or through glass (" +
+        std::to_string(materials_in(world, specular_materials)) +
+        " materials are such, at least in places) is traced from the lights; where the camera sees it "
+        "in a mirror or through glass it is missing");
 }
 
 }  // namespace
@@ -67,7 +69,7 @@ void note_limits(graph::GraphBuilder& builder, const Parameters& parameters,
         builder.note("min_bounces is " + std::to_string(transport.min_bounces) + ", max_bounces " +
                      std::to_string(transport.max_bounces) + ": no indirect light counts; raise max_bounces");
     }
-    note_caustics(builder, specular);
+    note_caustics(builder, PathRules(transport), specular);
 }
 
 }  // namespace ir::methods::reference

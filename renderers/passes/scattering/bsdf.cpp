@@ -175,6 +175,31 @@ std::optional<BsdfSample> Bsdf::sample(glm::vec3 wo, float lobe, glm::vec2 u) co
     return BsdfLobes(*this, wo).sample(lobe, u);
 }
 
+glm::vec3 Bsdf::evaluate_importance(glm::vec3 wi, glm::vec3 wo) const {
+    const float arriving = std::abs(glm::dot(geometric_n_, wi));
+    if (!(arriving > 0)) return glm::vec3(0);
+    return evaluate(wo, wi) * (std::abs(glm::dot(geometric_n_, wo)) / arriving);
+}
+
+std::optional<BsdfSample> Bsdf::sample_importance(glm::vec3 wi, float lobe, glm::vec2 u) const {
+    auto sample = BsdfLobes(*this, wi).sample(lobe, u);
+    if (!sample) return {};
+    const auto wo = sample->wi;
+    if (!sample->is_specular) {
+        sample->weight = evaluate_importance(wi, wo) / sample->pdf;
+        return sample;
+    }
+    // No radiance that a mirror shows comes from below its shading normal.
+    if (!sample->is_transmitted && !(glm::dot(n_, wi) > 0)) return {};
+    // Power keeps what radiance gains by being squeezed into fewer directions.
+    if (sample->is_transmitted && !is_thin_) sample->weight *= eta_ * eta_;
+    const float shading = std::abs(glm::dot(n_, wi) * glm::dot(geometric_n_, wo)),
+                geometric = std::abs(glm::dot(geometric_n_, wi) * glm::dot(n_, wo));
+    if (!(geometric > 0)) return {};
+    sample->weight *= shading / geometric;
+    return sample;
+}
+
 bool Bsdf::has_smooth_part() const {
     if (is_dark_ || transmission_ >= 1) return false;
     return diffuse_ != glm::vec3(0) || (specular_ > 0 && alpha_ >= mirror_alpha);

@@ -47,7 +47,7 @@ struct BsdfValue {
 /// glass, the rest the opaque model above. With thickness 0 light passes straight through a sheet, all
 /// reflections between its two sides counted; otherwise it is refracted, and leaves total internal
 /// reflection. Radiance is scaled by 1/η² where a path from the camera is refracted into a medium of relative
-/// index η, and back where it leaves. Base colour tints what passes, once for each crossing.
+/// index η, and back where it leaves; power is not. Base colour tints what passes, once for each crossing.
 /// [glTF2 KHR_materials_transmission, KHR_materials_volume]
 // DEVIATION [glTF2 KHR_materials_transmission]: glass is smooth whatever its roughness, so that it needs no
 // density; what is seen through rough glass is sharp.
@@ -64,6 +64,15 @@ class Bsdf {
     BsdfValue evaluate_with_pdf(glm::vec3 wo, glm::vec3 wi) const;
     /// `lobe` and `u` uniform in [0, 1). Nothing when the event carries no light.
     std::optional<BsdfSample> sample(glm::vec3 wo, float lobe, glm::vec2 u) const;
+
+    /// The same for paths from light sources, where power takes the place of radiance: nothing is divided by
+    /// η², and shading normals are corrected for.  [Veach97 §5.3, Walter07]
+    ///
+    /// Of power that arrives from `wi` the radiance that leaves to `wo`, times the geometric cosine there and
+    /// the lit area, 1/sr.
+    glm::vec3 evaluate_importance(glm::vec3 wi, glm::vec3 wo) const;
+    /// Where power that arrives from `wi` goes on to; `weight` is the part that does, over the probability.
+    std::optional<BsdfSample> sample_importance(glm::vec3 wi, float lobe, glm::vec2 u) const;
 
     /// Whether evaluate() is not 0 everywhere, so that light sources are worth sampling.
     bool has_smooth_part() const;

@@ -238,7 +238,7 @@ TEST(ReferenceLight, SaysWhatIsMissing) {
         ASSERT_EQ(black.main.pixels[i], i % 4 == 3 ? 1 : 0);  // alpha is 1
     const Picture lit(cornell(light("full", 1)));
     EXPECT_FALSE(lit.notes("nothing in the scene emits"));
-    EXPECT_FALSE(lit.notes("cannot be found"));
+    EXPECT_FALSE(lit.notes("traced from the lights"));
 }
 
 TEST(ReferenceLight, TellsSpeedAndError) {
