@@ -13,7 +13,7 @@ namespace {
 
 constexpr float shown_radiance = 50;  ///< of what faces the camera, W/(m² sr); nothing else is as bright
 
-scene::Light light(scene::LightType type) {
+scene::Light lamp_of(scene::LightType type) {
     scene::Light result;
     result.type = type;
     result.position = {0, 0.5f, -0.25f};
@@ -28,8 +28,8 @@ Experiment lit_by(LightKind kind) {
     Experiment e;
     e.scene = kind == LightKind::surface ? "builtin:cornell?light=0" : "builtin:cornell?emission=0";
     e.replace_lights = true;
-    if (kind == LightKind::punctual) e.lights = {light(scene::LightType::point)};
-    if (kind == LightKind::lamp) e.lights = {light(scene::LightType::rectangle)};
+    if (kind == LightKind::punctual) e.lights = {lamp_of(scene::LightType::point)};
+    if (kind == LightKind::lamp) e.lights = {lamp_of(scene::LightType::rectangle)};
     if (kind == LightKind::environment) e.environment = scene::Environment{glm::vec3(1), nullptr};
     e.width = 36, e.height = 36;
     return e;

@@ -13,7 +13,7 @@
 #include "tests/image/methods/machine.h"
 #include "tests/image/methods/reference_lab.h"
 
-namespace ir::methods::reference {
+namespace ir::methods::reference::light_tracing {
 namespace {
 
 using Paths = Transport::Paths;
@@ -206,7 +206,7 @@ TEST(LightTracing, AgreesWithPathsFromTheCameraUnderShadingNormals) {
 }
 
 }  // namespace
-}  // namespace ir::methods::reference
+}  // namespace ir::methods::reference::light_tracing
 
 namespace ir::engine {
 namespace {
@@ -255,6 +255,47 @@ TEST(LightTracing, IsTheSameForAnyThreadsFramesAndSessions) {
     second.run_frame(all);
     EXPECT_EQ(second.graph().read_image("radiance")->pixels, once.at("radiance"));
     EXPECT_EQ(second.graph().read_image("reference.variance")->pixels, once.at("reference.variance"));
+}
+
+/// Light of a picture beyond what shadow maps show, on what is no mirror.
+double beyond_direct_light(const Experiment& e, const std::vector<float>& direct, int frames) {
+    Execution execution(machine(), e);
+    graph::FrameOptions options;
+    options.wanted = {"*"};
+    for (int i = 0; i < frames; ++i) execution.run_frame(options);
+    const auto picture = main_result(execution), valid = execution.graph().read_image("valid").value(),
+               material = execution.graph().read_image("gbuffer.material").value();
+    double sum = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            if (valid.at(x, y) > 0 && material.at(x, y, 0) < 0.5f)
+                sum += picture.at(x, y, 0) - direct[4 * (std::size_t(y) * picture.width + x)];
+    return sum;
+}
+
+/// Photon mapping keeps what a mirror throws onto a surface, as the thesis does: a third of this room's light
+/// beyond direct light.  [Smal19 §8.7]
+TEST(LightTracing, PhotonMappingHasTheSameLightByMirrors) {
+    auto photons = mirror_room(1);
+    photons.method = "photon-mapping";
+    photons.settings = {{"paths", "full"},
+                        {"materials", "metalness-blend"},
+                        {"photons", std::int64_t{200000}},
+                        {"normal_axis", 1.0}};
+    photons.width = 64, photons.height = 48;
+    auto truth = photons;
+    truth.method = "reference";
+    truth.settings = {{"paths", "full"}, {"materials", "metalness-blend"}, {"samples", std::int64_t{256}}};
+    Execution lit(machine(), photons);
+    graph::FrameOptions options;
+    options.wanted = {"*"};
+    lit.run_frame(options);
+    const auto direct = lit.graph().read_image("direct.radiance").value().pixels;
+    const double expected = beyond_direct_light(truth, direct, 1);
+    EXPECT_NEAR(beyond_direct_light(photons, direct, 16) / expected, 1, 0.08);
+    // Without the light that mirrors throw, it would be far less.
+    truth.settings["paths"] = "indirect";
+    EXPECT_LT(beyond_direct_light(truth, std::vector<float>(direct.size()), 1), 0.85 * expected);
 }
 
 }  // namespace
