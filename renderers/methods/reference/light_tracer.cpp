@@ -17,11 +17,6 @@ namespace {
 enum EmissionDimension : std::uint32_t { of_light, of_emission, first_arrival };
 enum ArrivalDimension : std::uint32_t { lobe_and_roulette, next_direction, per_arrival };
 
-bool is_punctual(const scene::Light& light) {
-    return light.type == scene::LightType::point || light.type == scene::LightType::spot ||
-           light.type == scene::LightType::directional;
-}
-
 /// Of the directions that light is sent to, sr; of directional lights the area through which it comes, m².
 float measure(const scene::Light& light, float radius) {
     if (light.type == scene::LightType::directional) return pi * radius * radius;
@@ -76,7 +71,7 @@ std::optional<Film::Seen> Film::see(glm::vec3 position_ws) const {
 bool LightTracer::has_paths(const scene::World& world, const PathRules& rules,
                             const std::vector<bool>& specular) {
     return rules.max_scatterings() > 0 &&
-           std::any_of(world.lights.begin(), world.lights.end(), is_punctual) &&
+           std::any_of(world.lights.begin(), world.lights.end(), passes::is_punctual) &&
            std::any_of(world.ranges.begin(), world.ranges.end(), [&](const auto& range) {
                return range.triangle_count > 0 && specular[static_cast<std::size_t>(range.material)];
            });
@@ -89,7 +84,7 @@ LightTracer::LightTracer(const PathWorld& world, const PathRules& rules, const s
     radius_ = 1.001f * bounds.radius();
     float total = 0;
     for (const auto& light : world.surfaces.world().lights) {
-        if (!is_punctual(light)) continue;
+        if (!passes::is_punctual(light)) continue;
         const float power = passes::luminance(light.colour * light.intensity) * measure(light, radius_);
         if (!(power > 0)) continue;
         sources_.push_back({light, power});
@@ -98,7 +93,8 @@ LightTracer::LightTracer(const PathWorld& world, const PathRules& rules, const s
     for (auto& source : sources_) source.probability /= total;
 }
 
-void LightTracer::trace(const passes::PathSampler& sampler, std::vector<Splat>& splats, Counts& counts) const {
+void LightTracer::trace(const passes::PathSampler& sampler, std::vector<Splat>& splats,
+                        Counts& counts) const {
     auto path = emitted(sampler);
     while (path && arrive(*path, splats, counts)) ++path->events;
 }
@@ -165,11 +161,19 @@ void LightTracer::connect(const Path& path, const passes::Surface& surface, cons
     auto light = path.power * seen->importance * bsdf.evaluate_importance(-path.direction, seen->to_eye_ws);
     if (path.scatterings == 0) light *= passes::range_window(path.light->range, path.from_light);
     if (light == glm::vec3(0)) return;
-    if (path.medium >= 0) light *= passes::Bsdf::transmittance(world_.material(path.medium), seen->distance);
-    const auto origin = passes::offset_origin(surface.position_ws, surface.geometric_normal_ws);
+    const bool is_behind = glm::dot(surface.geometric_normal_ws, seen->to_eye_ws) < 0;
+    const int medium = is_behind ? medium_behind(path, surface) : path.medium;
+    if (medium >= 0) light *= passes::Bsdf::transmittance(world_.material(medium), seen->distance);
+    const auto origin = passes::offset_origin(
+        surface.position_ws, is_behind ? -surface.geometric_normal_ws : surface.geometric_normal_ws);
     ++counts.rays;
     if (world_.bvh.occluded(origin, seen->to_eye_ws, 0, seen->distance)) return;
     splats.push_back({seen->pixel, path.scatterings + 1, light});
+}
+
+int LightTracer::medium_behind(const Path& path, const passes::Surface& surface) const {
+    if (!(world_.material(surface.material).thickness > 0)) return path.medium;
+    return surface.is_front ? surface.material : -1;
 }
 
 bool LightTracer::go_on(Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf,
@@ -184,8 +188,6 @@ bool LightTracer::go_on(Path& path, const passes::Surface& surface, const passes
             ++counts.cut;
             return false;
         }
-        const bool is_thick = world_.material(surface.material).thickness > 0;
-        if (sample->is_transmitted && is_thick) path.medium = surface.is_front ? surface.material : -1;
     } else {
         if (path.events == 0) return false;  // the camera's
         if (path.scatterings == 0) path.power *= passes::range_window(path.light->range, path.from_light);
@@ -197,6 +199,7 @@ bool LightTracer::go_on(Path& path, const passes::Surface& surface, const passes
         path.power *= Estimator::compensation(survival);
     }
     path.power *= sample->weight;
+    if (sample->is_transmitted) path.medium = medium_behind(path, surface);
     const auto side = sample->is_transmitted ? -surface.geometric_normal_ws : surface.geometric_normal_ws;
     path.origin = passes::offset_origin(surface.position_ws, side);
     path.direction = sample->wi;

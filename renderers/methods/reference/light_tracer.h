@@ -86,6 +86,7 @@ class LightTracer {
     void connect(const Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf,
                  std::vector<Splat>& splats, Counts& counts) const;
     bool go_on(Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf, Counts& counts) const;
+    int medium_behind(const Path& path, const passes::Surface& surface) const;
     void absorb(Path& path, int material, float distance) const;
 
     const PathWorld& world_;

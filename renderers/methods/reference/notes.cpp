@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderers/methods/reference/light_tracer.h"
+#include "renderers/passes/lights/punctual.h"
 
 namespace ir::methods::reference {
 namespace {
@@ -11,17 +12,12 @@ bool has_environment(const scene::Environment& environment) {
     return environment.map || environment.constant != glm::vec3(0);
 }
 
-bool is_punctual(const scene::Light& light) {
-    return light.type == scene::LightType::point || light.type == scene::LightType::spot ||
-           light.type == scene::LightType::directional;
-}
-
 bool shines(const graph::FrameInputs& inputs, const Transport& transport) {
     const auto& scene = *inputs.scene;
     const auto& lights = inputs.world->lights;
     if (transport.environment_light && has_environment(scene.environment)) return true;
     if (transport.emitters == Transport::Emitters::none)
-        return std::any_of(lights.begin(), lights.end(), is_punctual);
+        return std::any_of(lights.begin(), lights.end(), passes::is_punctual);
     return !lights.empty() || std::any_of(scene.materials.begin(), scene.materials.end(),
                                           [](const auto& m) { return m.emission != glm::vec3(0); });
 }

@@ -125,10 +125,17 @@ void Wavefront::scatter(Path& path, const passes::Surface& surface) {
     if (rules_.count(path.scatterings + 1) && bsdf.has_smooth_part())
         sample_light(path, surface, bsdf, choice.x);
     const auto u = path.sampler.pair(path.dimension(towards_next));
-    if (const auto sample = bsdf.sample(-path.direction, choice.y, u)) go_on(path, surface, *sample);
+    if (const auto sample = bsdf.sample(-path.direction, choice.y, u))
+        go_on(path, surface, *sample, bsdf.scatters_through());
 }
 
-void Wavefront::go_on(Path& path, const passes::Surface& surface, const passes::BsdfSample& sample) {
+int Wavefront::medium_behind(const Path& path, const passes::Surface& surface) const {
+    if (!(world_.material(surface.material).thickness > 0)) return path.medium;
+    return surface.is_front ? surface.material : -1;
+}
+
+void Wavefront::go_on(Path& path, const passes::Surface& surface, const passes::BsdfSample& sample,
+                      bool scatters_through) {
     const auto dice = path.dimension(roulette);
     path.throughput *= sample.weight;
     if (sample.is_specular) {
@@ -136,8 +143,6 @@ void Wavefront::go_on(Path& path, const passes::Surface& surface, const passes::
             ++counts_.cut;
             return;
         }
-        const bool is_thick = world_.material(surface.material).thickness > 0;
-        if (sample.is_transmitted && is_thick) path.medium = surface.is_front ? surface.material : -1;
     } else {
         if (++path.scatterings > most_) return;
         path.way = 0;
@@ -145,10 +150,11 @@ void Wavefront::go_on(Path& path, const passes::Surface& surface, const passes::
     // After the last scattering only light sources are looked for.
     if (path.scatterings == most_ && !lights(path).has_extent()) return;
     if (!sample.is_specular && !survives(path, dice)) return;
+    if (sample.is_transmitted) path.medium = medium_behind(path, surface);
     const auto side = sample.is_transmitted ? -surface.geometric_normal_ws : surface.geometric_normal_ws;
     path.origin = passes::offset_origin(surface.position_ws, side);
     path.direction = sample.wi;
-    path.normal = surface.geometric_normal_ws;
+    path.normal = scatters_through ? glm::vec3(0) : surface.geometric_normal_ws;
     path.pdf = sample.pdf;
     next_.push_back(path);
 }
@@ -164,8 +170,9 @@ bool Wavefront::survives(Path& path, std::uint32_t dimension) const {
 
 void Wavefront::sample_light(const Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf,
                              float choice) {
-    const auto normal = surface.geometric_normal_ws;
-    const auto origin = passes::offset_origin(surface.position_ws, normal);
+    // Rough glass is lit from both sides.
+    const auto normal = bsdf.scatters_through() ? glm::vec3(0) : surface.geometric_normal_ws;
+    auto origin = passes::offset_origin(surface.position_ws, normal);
     const auto u = path.sampler.pair(path.dimension(towards_light));
     const auto light = world_.lights.after(path.scatterings + 1).sample(origin, normal, choice, u);
     if (!light || !(light->pdf > 0)) return;
@@ -173,8 +180,12 @@ void Wavefront::sample_light(const Path& path, const passes::Surface& surface, c
     auto radiance = path.throughput * scattered.value * light->radiance / light->pdf;
     if (radiance == glm::vec3(0)) return;
     if (!light->is_delta) radiance *= estimator_.combine(light->pdf, scattered.pdf);
-    if (path.medium >= 0)
-        radiance *= passes::Bsdf::transmittance(world_.material(path.medium), light->distance);
+    const bool is_behind = glm::dot(surface.geometric_normal_ws, light->direction_ws) < 0;
+    const int medium = is_behind ? medium_behind(path, surface) : path.medium;
+    if (medium >= 0) radiance *= passes::Bsdf::transmittance(world_.material(medium), light->distance);
+    if (bsdf.scatters_through())
+        origin = passes::offset_origin(
+            surface.position_ws, is_behind ? -surface.geometric_normal_ws : surface.geometric_normal_ws);
     shadow_rays_.push_back({origin, light->direction_ws, radiance, light->distance * shadow_end, path.index,
                             path.scatterings + 1});
 }
