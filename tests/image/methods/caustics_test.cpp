@@ -203,7 +203,7 @@ TEST(Caustics, OfAMirrorTorusAreThoseOfPhotons) {
 /// A bulb over glass by light tracing, and a small luminous ball in its place, which paths from the camera
 /// meet.
 void expect_same_caustics(GltfBuilder builder, float size_m) {
-    const glm::vec3 lamp(0.5f * size_m, 3 * size_m, 0);
+    const glm::vec3 lamp(2 * size_m, 2 * size_m, 0);
     const float intensity = size_m * size_m, radius = 0.15f * size_m;
     auto with_ball = builder;
     const auto sphere = ball(lamp, radius, 12);
@@ -212,7 +212,7 @@ void expect_same_caustics(GltfBuilder builder, float size_m) {
     const test::TemporaryFolder folder;
     constexpr int size = 48;
     auto traced = picture_of(test::write_file(folder, "bulb.gltf", builder.embedded_text()), size,
-                             {0, 3.0f * size_m, 3.0f * size_m}, {0, 0, 0});
+                             size_m * glm::vec3(-2, 3, 2), size_m * glm::vec3(-0.6f, 0, 0));
     traced.method = "reference";
     traced.settings = {{"paths", "direct"}, {"samples", std::int64_t{64}}};
     auto met = traced;
