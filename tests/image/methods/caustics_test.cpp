@@ -217,7 +217,7 @@ void expect_same_caustics(GltfBuilder builder, float size_m) {
     traced.settings = {{"paths", "direct"}, {"samples", std::int64_t{64}}};
     auto met = traced;
     met.scene = test::write_file(folder, "ball.gltf", with_ball.embedded_text());
-    met.settings["samples"] = std::int64_t{4096};
+    met.settings["samples"] = std::int64_t{3072};
     traced.lights = {bulb(lamp, intensity)};
     Execution by_light(machine(), traced), by_camera(machine(), met);
     run(by_light, 1), run(by_camera, 1);
