@@ -13,7 +13,6 @@ MethodDescription description() {
     MethodDescription d;
     d.id = "photon-mapping";
     d.title = "Real-time photon mapping";
-    d.version = 2;
     d.summary =
         "Draws photons from reflective shadow maps by importance and from lights with an extent, emissive "
         "meshes and the environment by power, traces them for some bounces, splats them "
