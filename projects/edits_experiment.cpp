@@ -66,7 +66,7 @@ std::vector<ParameterDescription> parameters_of(const Registry& registry, const 
 bool is_judged_rightly(const Project& project, const Experiment& after, const Registry& registry) {
     auto ahead = project;
     *find_item(ahead.experiments, after.id) = after;
-    const auto wrong = mismatched_references(ahead, registry, [](const std::string&) { return false; });
+    const auto wrong = mismatched_references(ahead, registry, {[](const std::string&) { return false; }});
     return std::none_of(wrong.begin(), wrong.end(), [&](const auto& each) { return each.first == after.id; });
 }
 

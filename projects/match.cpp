@@ -10,6 +10,7 @@
 #include "projects/samples.h"
 #include "projects/text.h"
 #include "renderers/core/error.h"
+#include "renderers/core/light_use.h"
 #include "renderers/core/transport.h"
 
 namespace ir::projects {
@@ -31,19 +32,11 @@ const MethodDescription& reference_method(const Registry& registry) {
     throw UsageError("this build has no method that is the ground truth");
 }
 
-bool counts(const ParameterDescription& parameter, const Settings& values) {
-    const auto& condition = parameter.active_when;
-    const auto found = values.find(condition.key);
-    if (condition.key.empty() || found == values.end()) return true;
-    return std::find(condition.values.begin(), condition.values.end(), found->second) !=
-           condition.values.end();
-}
-
 /// The transport of a method with these values, complete: its defaults may be others than the reference's.
 Settings transport_of(const MethodDescription& method, const Settings& values) {
     Settings transport;
     for (const auto& parameter : method.parameters)
-        if (is_transport_key(parameter.key) && counts(parameter, values))
+        if (is_transport_key(parameter.key) && holds(parameter.active_when, values))
             transport[parameter.key] = values.at(parameter.key);
     return transport;
 }
@@ -61,7 +54,7 @@ Settings matched_values(const Settings& transport, const MethodDescription& refe
     }
     // What does not count must not tell two experiments apart.
     for (const auto& parameter : reference.parameters)
-        if (!counts(parameter, values)) values[parameter.key] = parameter.default_value;
+        if (!holds(parameter.active_when, values)) values[parameter.key] = parameter.default_value;
     return values;
 }
 
@@ -91,9 +84,26 @@ std::string shown(const Value& value) {
     return ir::to_string(value);
 }
 
+/// Light that is in one of two pictures alone, of the first few sources; empty: none. The sources are asked
+/// for only where the two use them differently.
+std::string differing_light(const MethodDescription& method, const Settings& values,
+                            const MethodDescription& reference, const Settings& its_values,
+                            const std::function<std::vector<LightSource>()>& sources) {
+    constexpr std::size_t most = 3;
+    const auto mine = light_use(method, values), its = light_use(reference, its_values);
+    if (mine.differing_kinds(its) == 0) return {};
+    const auto all = sources();
+    const auto found = light_differences(used_lights(all, mine), used_lights(all, its),
+                                         parts_in_both(values, its_values), "the picture", "the reference");
+    std::string text;
+    for (std::size_t i = 0; i < std::min(found.size(), most); ++i) text += (i > 0 ? "; " : "") + found[i];
+    if (found.size() > most) text += "; and " + std::to_string(found.size() - most) + " more sources";
+    return text;
+}
+
 /// In what two experiments differ that makes one no truth of the other; empty: in nothing.
 std::string mismatch(const Project& project, const Experiment& experiment, const Experiment& truth,
-                     const Registry& registry, const AnimatedScene& is_animated) {
+                     const Registry& registry, const SceneFacts& facts) {
     std::vector<std::string> found;
     const double seconds = last_time(experiment, registry), truth_seconds = last_time(truth, registry);
     const auto mine = moment_inputs(project, experiment, seconds);
@@ -103,19 +113,25 @@ std::string mismatch(const Project& project, const Experiment& experiment, const
     if (mine.contains("light_motion") != its.contains("light_motion") ||
         (mine.contains("light_motion") && mine.at("light_motion") != its.at("light_motion")))
         found.push_back("motions of lights");
-    if (std::abs(seconds - truth_seconds) > same_moment && is_moving(project, experiment, is_animated))
+    if (std::abs(seconds - truth_seconds) > same_moment && is_moving(project, experiment, facts.is_animated))
         found.push_back("time (" + shown(seconds) + " s after its last frame, the reference has " +
                         shown(truth_seconds) + " s)");
     const auto* method = registry.find(experiment.method);
     const auto* reference = registry.find(truth.method);
     if (method && reference) {
-        const auto values = runnable_settings(truth, *reference);
-        for (const auto& [key, value] : transport_of(*method, runnable_settings(experiment, *method))) {
+        const auto mine = runnable_settings(experiment, *method),
+                   values = runnable_settings(truth, *reference);
+        for (const auto& [key, value] : transport_of(*method, mine)) {
             const auto other = values.find(key);
-            if (other != values.end() && other->second != value)
+            if (!chooses_sources(key) && other != values.end() && other->second != value)
                 found.push_back(key + " (" + shown(value) + ", the reference has " + shown(other->second) +
                                 ")");
         }
+        const auto light = differing_light(*method, mine, *reference, values, [&] {
+            const auto known = facts.light_sources(experiment);
+            return known.empty() ? facts.light_sources(truth) : known;
+        });
+        if (!light.empty()) found.push_back("light (" + light + ")");
     }
     return listed(found);
 }
@@ -133,7 +149,9 @@ bool is_moving(const Project& project, const Experiment& experiment, const Anima
 Settings matching_values(const MethodDescription& method, const Settings& values, const Registry& registry) {
     const auto& reference = reference_method(registry);
     if (method.is_reference) throw UsageError("'" + method.id + "' is the reference itself");
-    return matched_values(transport_of(method, completed(method.parameters, values)), reference);
+    const auto all = completed(method.parameters, values);
+    return with_light_use(reference, matched_values(transport_of(method, all), reference),
+                          light_use(method, all));
 }
 
 Experiment ground_truth(Experiment run, const Registry& registry) {
@@ -188,12 +206,12 @@ EditPtr match(const Project& project, const std::string& id, const Registry& reg
 
 std::vector<std::pair<std::string, std::string>> mismatched_references(const Project& project,
                                                                        const Registry& registry,
-                                                                       const AnimatedScene& is_animated) {
+                                                                       const SceneFacts& facts) {
     std::vector<std::pair<std::string, std::string>> result;
     for (const auto& experiment : project.experiments) {
         const auto* truth = find_item(project.experiments, experiment.reference);
         if (!truth) continue;
-        const auto why = mismatch(project, experiment, *truth, registry, is_animated);
+        const auto why = mismatch(project, experiment, *truth, registry, facts);
         if (!why.empty())
             result.emplace_back(experiment.id, "is judged by '" + truth->id + "', which differs in " + why);
     }

@@ -12,12 +12,22 @@ namespace ir::projects {
 /// Asked only where it matters.
 using AnimatedScene = std::function<bool(const std::string& scene)>;
 
+/// What the document does not tell of the scenes that its experiments use. Asked only where it matters.
+struct SceneFacts {
+    AnimatedScene is_animated;
+    /// All that emits in an experiment (renderers/scene/light_sources.h); nothing where that is not known.
+    std::function<std::vector<LightSource>(const Experiment& experiment)> light_sources =
+        [](const Experiment&) { return std::vector<LightSource>(); };
+};
+
 /// Whether frames of other times show something else: camera, lights, parts, or what the scene animates.
 bool is_moving(const Project& project, const Experiment& experiment, const AnimatedScene& is_animated);
 
-/// Values for the method that is the reference, so that it computes the transport of `method` with `values`;
-/// what is missing there counts as that method's default, and what is no transport as the reference's. Throws
-/// UsageError as matching_reference(), and where the reference cannot compute this transport.
+/// Values for the method that is the reference, so that it computes the transport of `method` with `values`,
+/// and leaves out what that method says to lack of it, as far as its own choice of sources goes
+/// (light_use.h); what is missing there counts as that method's default, and what is no transport as the
+/// reference's. Throws UsageError as matching_reference(), and where the reference cannot compute this
+/// transport.
 Settings matching_values(const MethodDescription& method, const Settings& values, const Registry& registry);
 
 /// The ground truth in place of an experiment without presets: the method that is the reference with
@@ -40,10 +50,11 @@ Experiment matching_reference(const Project& project, const Experiment& experime
 EditPtr match(const Project& project, const std::string& experiment, const Registry& registry,
               const AnimatedScene& is_animated);
 
-/// Ids of experiments whose reference differs from them in transport, scene, camera, lights, size or, where
-/// something moves, the time of their last frame, each with one line that says in what.
+/// Ids of experiments whose reference differs from them in transport, sources of light, scene, camera,
+/// lights, size or, where something moves, the time of their last frame, each with one line that says in
+/// what.
 std::vector<std::pair<std::string, std::string>> mismatched_references(const Project& project,
                                                                        const Registry& registry,
-                                                                       const AnimatedScene& is_animated);
+                                                                       const SceneFacts& facts);
 
 }  // namespace ir::projects

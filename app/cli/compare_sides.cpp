@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "renderers/core/error.h"
+#include "renderers/core/light_use.h"
 #include "renderers/core/transport.h"
 #include "renderers/image/channels.h"
 #include "renderers/image/metrics.h"
@@ -16,7 +17,7 @@ namespace ir::cli {
 namespace {
 
 const std::string prefix = "interreflect.", setting_prefix = prefix + "set.",
-                  camera_prefix = prefix + "camera.";
+                  camera_prefix = prefix + "camera.", lights_key = prefix + "lights";
 
 const std::string* find(const ImageAttributes& attributes, const std::string& key) {
     const auto found = attributes.find(key);
@@ -43,13 +44,25 @@ bool matters(const ParameterDescription& description, const Settings& settings) 
 
 void add_transport(const ImageAttributes& a, const ImageAttributes& b, std::vector<Mismatch>& result) {
     const auto left = transport_of(a), right = transport_of(b);
+    const bool tell_lights = find(a, lights_key) && find(b, lights_key);
     for (const auto& description : transport_group()) {
         const auto& key = description.key;
+        if (chooses_sources(key) && tell_lights) continue;
         if (!left.count(key) || !right.count(key) || left.at(key) == right.at(key)) continue;
         if (!matters(description, left) && !matters(description, right)) continue;
         result.push_back(
             {"transport", key + " is " + to_string(left.at(key)) + " and " + to_string(right.at(key))});
     }
+}
+
+/// One for each source whose light is in one picture alone, where both files say what is in them.
+void add_lights(const Side& image, const Side& reference, std::vector<Mismatch>& result) {
+    const auto *left = find(image.attributes, lights_key), *right = find(reference.attributes, lights_key);
+    if (!left || !right) return;
+    const auto parts = parts_in_both(transport_of(image.attributes), transport_of(reference.attributes));
+    for (const auto& text : light_differences(used_lights_from_json(*left), used_lights_from_json(*right),
+                                              parts, image.file, reference.file))
+        result.push_back({"sources", text});
 }
 
 std::vector<double> numbers(const std::string& text) {
@@ -193,7 +206,8 @@ Image load_mask(const std::string& text) {
 }
 
 const std::vector<std::string>& mismatch_kinds() {
-    static const std::vector<std::string> kinds = {"transport", "scene", "lighting", "camera", "orientation"};
+    static const std::vector<std::string> kinds = {"transport", "sources", "scene",
+                                                   "lighting",  "camera",  "orientation"};
     return kinds;
 }
 
@@ -204,6 +218,7 @@ Semantic semantic_of(const Side& image, const Side& reference) {
 std::vector<Mismatch> mismatches(const Side& image, const Side& reference) {
     std::vector<Mismatch> result;
     add_transport(image.attributes, reference.attributes, result);
+    add_lights(image, reference, result);
     add_scene(image.attributes, reference.attributes, result);
     add_camera(image.attributes, reference.attributes, result);
     if (const auto look = comparability(image.image, reference.image, semantic_of(image, reference));

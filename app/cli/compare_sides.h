@@ -36,7 +36,7 @@ Image load_mask(const std::string& text);
 
 /// In what two pictures are not alike that should be.
 struct Mismatch {
-    std::string what;  ///< "transport", "scene", "camera", "orientation"
+    std::string what;  ///< one of mismatch_kinds()
     std::string text;  ///< "paths is ao and full"
 };
 const std::vector<std::string>& mismatch_kinds();

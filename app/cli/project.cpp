@@ -180,9 +180,8 @@ std::vector<Message> check_all(const projects::LoadedProject& loaded) {
         messages.insert(messages.begin(), {Severity::error, "results", error.what()});
     }
     engine::SceneCache scenes;
-    const auto is_animated = engine::animated_scenes(scenes, loaded.project, loaded.folder);
-    for (const auto& [id, why] :
-         projects::mismatched_references(loaded.project, engine::registry(), is_animated))
+    const auto facts = engine::scene_facts(scenes, loaded.project, loaded.folder);
+    for (const auto& [id, why] : projects::mismatched_references(loaded.project, engine::registry(), facts))
         messages.push_back({Severity::note, "project", "experiment '" + id + "' " + why});
     if (const auto recovery = projects::find_recovery(loaded.folder, engine::registry()))
         messages.push_back({Severity::warning, "project",

@@ -117,8 +117,8 @@ class References {
         };
         for (const auto& id : chosen(open.project()))
             guarded("experiment '" + id + "'", [&] {
-                const auto is_animated = engine::animated_scenes(machine().scenes(), open.project(), folder_);
-                change(projects::match(open.project(), id, engine::registry(), is_animated));
+                const auto facts = engine::scene_facts(machine().scenes(), open.project(), folder_);
+                change(projects::match(open.project(), id, engine::registry(), facts.is_animated));
                 const auto truth = projects::find_item(open.project().experiments, id)->reference;
                 if (std::find(ids_.begin(), ids_.end(), truth) != ids_.end()) return;
                 change(more_or_fewer_samples(open, truth));

@@ -43,7 +43,7 @@ class Study {
 
     ErrorStudy run() {
         const auto now = projects::with_contents(project_, projects::read_contents(project_, folder_));
-        const auto runs = plan_study(now, plot_, animated_scenes(machine_.scenes(), now, folder_));
+        const auto runs = plan_study(now, plot_, scene_facts(machine_.scenes(), now, folder_));
         for (const auto& run : runs) points_ += run.points.size();
         study_.plot = plot_.id;
         study_.device = machine_.context().info().renderer;

@@ -9,9 +9,11 @@
 #include "app/engine/moving.h"
 #include "projects/samples.h"
 #include "renderers/core/error.h"
+#include "renderers/core/light_use.h"
 #include "renderers/core/limits.h"
 #include "renderers/methods/all_methods.h"
 #include "renderers/passes/preview/preview.h"
+#include "renderers/scene/light_sources.h"
 
 namespace ir::engine {
 namespace {
@@ -200,11 +202,18 @@ FrameReport Execution::run_frame(const graph::FrameOptions& options, std::uint64
     inputs.inspection = inspection_;
     inputs.sample_limit = sample_limit(max_samples);
     auto report = graph_->run(*method_, settings_, inputs, options);
+    report.lights = used_lights(*this);
     if (report.complete) {
         previous_view_ = inputs.view;
         count_frame(report, inputs.sample_limit);
     }
     return report;
+}
+
+std::vector<UsedLight> used_lights(const Execution& execution) {
+    const auto& scene = execution.scene();
+    return used_lights(scene::light_sources(scene, execution.world().lights, scene.environment),
+                       light_use(execution.method(), execution.settings()));
 }
 
 bool Execution::explain(const graph::FrameOptions& options) {

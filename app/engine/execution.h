@@ -171,6 +171,9 @@ class Execution {
     std::vector<StateOrigin> origins_;
 };
 
+/// What emits in its scene, with what the method's picture has of each.
+std::vector<UsedLight> used_lights(const Execution& execution);
+
 /// Of everything that a state of the experiment depends on, given the content hash of its scene.
 std::string state_fingerprint(const Experiment& experiment, const std::string& scene_hash);
 

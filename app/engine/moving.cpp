@@ -8,6 +8,7 @@
 #include "projects/motion.h"
 #include "projects/scene_files.h"
 #include "renderers/core/error.h"
+#include "renderers/scene/light_sources.h"
 
 namespace ir::engine {
 namespace {
@@ -23,10 +24,11 @@ void move(scene::Light& light, const projects::Motion::Key& key) {
 
 }  // namespace
 
-projects::AnimatedScene animated_scenes(SceneCache& cache, const projects::Project& project,
-                                        const std::filesystem::path& folder) {
-    return [&cache, scenes = project.scenes, folder](const std::string& id) {
-        const auto* scene = projects::find_item(scenes, id);
+projects::SceneFacts scene_facts(SceneCache& cache, const projects::Project& project,
+                                 const std::filesystem::path& folder) {
+    projects::SceneFacts facts;
+    facts.is_animated = [&cache, &project, folder](const std::string& id) {
+        const auto* scene = projects::find_item(project.scenes, id);
         return scene && std::any_of(scene->parts.begin(), scene->parts.end(), [&](const auto& part) {
                    try {
                        return cache.load(projects::loadable_source(part.source, folder))->is_animated();
@@ -35,6 +37,17 @@ projects::AnimatedScene animated_scenes(SceneCache& cache, const projects::Proje
                    }
                });
     };
+    facts.light_sources = [&cache, &project, folder](const projects::Experiment& experiment) {
+        try {
+            const auto run = from_project(project, experiment, folder);
+            const auto scene = cache.load(run.composition());
+            return scene::light_sources(*scene, run.replace_lights ? run.lights : scene->lights,
+                                        run.environment.value_or(scene->environment));
+        } catch (const Error&) {
+            return std::vector<LightSource>();
+        }
+    };
+    return facts;
 }
 
 bool is_moving(const Experiment& experiment) {

@@ -11,10 +11,10 @@ namespace ir::engine {
 
 class SceneCache;
 
-/// Answers by loading the scenes of a project; what cannot be loaded stands still, and whoever renders it
-/// says what is wrong. The cache must outlive the answers.
-projects::AnimatedScene animated_scenes(SceneCache& cache, const projects::Project& project,
-                                        const std::filesystem::path& folder);
+/// Answers by loading the scenes of a project; what cannot be loaded stands still and emits nothing, and
+/// whoever renders it says what is wrong. Cache and project must outlive the answers.
+projects::SceneFacts scene_facts(SceneCache& cache, const projects::Project& project,
+                                 const std::filesystem::path& folder);
 
 /// Whether camera or lights of their own accord are elsewhere at other times. What the scene animates does
 /// not count: see scene::Scene::is_animated().

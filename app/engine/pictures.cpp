@@ -5,6 +5,7 @@
 
 #include "app/engine/lighting_digest.h"
 #include "app/engine/version.h"
+#include "renderers/core/light_use.h"
 #include "renderers/image/channels.h"
 
 namespace ir::engine {
@@ -120,6 +121,7 @@ ImageAttributes attributes(const Execution& execution) {
     result["interreflect.scene_hash"] = execution.scene().content_hash;
     result["interreflect.lighting"] =
         lighting_digest(execution.world().lights, execution.scene().environment);
+    result["interreflect.lights"] = to_json(used_lights(execution));
     if (const auto& environment = experiment.environment)
         result["interreflect.environment"] = environment->map ? "map" : vector(environment->constant);
     result["interreflect.seed"] = std::to_string(experiment.seed);

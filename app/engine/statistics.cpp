@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/engine/execution.h"
+#include "renderers/core/light_use.h"
 
 namespace ir::engine {
 namespace {
@@ -46,6 +47,7 @@ std::string statistics_json(const FrameReport& report, int indent) {
         }
         json["resources"].push_back(std::move(row));
     }
+    json["lights"] = Json::parse(to_json(report.lights));
     json["messages"] = Json::array();
     for (const auto& message : report.messages)
         json["messages"].push_back({{"severity", severity_text(message.severity)},

@@ -108,33 +108,32 @@ bool is_reference_itself(const Project& project, const PlannedPoint& point,
 }
 
 void judge(const Project& project, PlannedPoint& point, const projects::Experiment& reference,
-           const projects::AnimatedScene& is_animated) {
+           const projects::SceneFacts& facts) {
     if (!point.problem.empty()) return;
     if (!registry().find(point.run.method))
         point.problem = "method '" + projects::printable(point.run.method, 60) + "' is unknown to this build";
     else if (is_reference_itself(project, point, reference))
         point.problem = "is the reference itself";
     else
-        point.problem = why_not_judged_by(project, point.run, reference, is_animated);
+        point.problem = why_not_judged_by(project, point.run, reference, facts);
 }
 
 }  // namespace
 
 std::string why_not_judged_by(const Project& project, const projects::Experiment& experiment,
-                              const projects::Experiment& reference,
-                              const projects::AnimatedScene& is_animated) {
+                              const projects::Experiment& reference, const projects::SceneFacts& facts) {
     // The rule that badges of experiments follow, on a document of these two.
     Project pair = project;
     pair.experiments = {experiment, reference};
     pair.experiments[0].id = reference.id + "-judged";
     pair.experiments[0].reference = reference.id;
     pair.experiments[1].reference.clear();
-    const auto found = projects::mismatched_references(pair, registry(), is_animated);
+    const auto found = projects::mismatched_references(pair, registry(), facts);
     return found.empty() ? "" : found.front().second;
 }
 
 std::vector<PlannedRun> plan_study(const Project& project, const ErrorPlot& plot,
-                                   const projects::AnimatedScene& is_animated) {
+                                   const projects::SceneFacts& facts) {
     check_plot(project, plot);
     const auto* reference = find_item(project.experiments, plot.reference);
     std::vector<PlannedRun> runs;
@@ -143,7 +142,7 @@ std::vector<PlannedRun> plan_study(const Project& project, const ErrorPlot& plot
         if (!seen.insert(id).second) continue;
         for (auto& run : runs_of(project, plot, id)) {
             for (auto& point : run.points)
-                if (reference && point.problem.empty()) judge(project, point, *reference, is_animated);
+                if (reference && point.problem.empty()) judge(project, point, *reference, facts);
             runs.push_back(std::move(run));
         }
     }

@@ -28,12 +28,11 @@ struct PlannedRun {
 /// Throws UsageError (one line) where nothing can be measured at all: no experiments, unknown reference, key
 /// or metric, no values.
 std::vector<PlannedRun> plan_study(const projects::Project& project, const projects::ErrorPlot& plot,
-                                   const projects::AnimatedScene& is_animated);
+                                   const projects::SceneFacts& facts);
 
 /// Why a picture of `experiment` cannot be judged by one of `reference`, as mismatched_references() says it.
 /// Empty: it can.
 std::string why_not_judged_by(const projects::Project& project, const projects::Experiment& experiment,
-                              const projects::Experiment& reference,
-                              const projects::AnimatedScene& is_animated);
+                              const projects::Experiment& reference, const projects::SceneFacts& facts);
 
 }  // namespace ir::engine

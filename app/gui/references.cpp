@@ -39,15 +39,23 @@ QString References::why_not(const std::string& experiment) const {
     return {};
 }
 
-projects::AnimatedScene References::animated_scenes() const {
-    return [this](const std::string& scene) { return live_.scene_end(scene) > 0; };
+projects::SceneFacts References::scene_facts() const {
+    projects::SceneFacts facts;
+    facts.is_animated = [this](const std::string& scene) { return live_.scene_end(scene) > 0; };
+    facts.light_sources = [this](const projects::Experiment& experiment) {
+        std::vector<LightSource> sources;
+        if (const auto result = live_.result(experiment.id))
+            for (const auto& light : result->report.lights) sources.push_back(light.source);
+        return sources;
+    };
+    return facts;
 }
 
 void References::match(const std::string& experiment) {
     bool is_refused = false;
     session_.edit([&](const projects::Project& project) {
         is_refused = true;  // until match() returns
-        auto edit = projects::match(project, experiment, session_.registry(), animated_scenes());
+        auto edit = projects::match(project, experiment, session_.registry(), scene_facts().is_animated);
         is_refused = false;
         return edit ? std::move(edit) : projects::edits::group("Nothing", {});
     });
@@ -63,7 +71,7 @@ void References::match(const std::string& experiment) {
 void References::update_banner() {
     const auto mismatched =
         session_.has_project()
-            ? projects::mismatched_references(session_.document(), session_.registry(), animated_scenes())
+            ? projects::mismatched_references(session_.document(), session_.registry(), scene_facts())
             : std::vector<std::pair<std::string, std::string>>();
     if (mismatched.empty()) {
         shown_text_.clear();

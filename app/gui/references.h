@@ -27,7 +27,7 @@ class References : public QObject {
     void update_banner();
 
     /// As far as a picture has told.
-    projects::AnimatedScene animated_scenes() const;
+    projects::SceneFacts scene_facts() const;
 
     Session& session_;
     LivePictures& live_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -12,5 +13,12 @@ struct Condition {
     std::string key;
     std::vector<Value> values;
 };
+
+/// Whether it is met; where the settings lack the key, nothing speaks against it.
+inline bool holds(const Condition& condition, const Settings& settings) {
+    const auto found = settings.find(condition.key);
+    return found == settings.end() || std::find(condition.values.begin(), condition.values.end(),
+                                                found->second) != condition.values.end();
+}
 
 }  // namespace ir

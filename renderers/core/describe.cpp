@@ -120,6 +120,24 @@ std::string condition_text(const Condition& condition) {
     return text + ".";
 }
 
+template <class Item>
+std::string texts_of(const std::vector<Item>& items) {
+    std::string text;
+    for (std::size_t i = 0; i < items.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < items.size() ? ", " : " and ") + text_of(items[i]);
+    return text;
+}
+
+/// A list of what the picture lacks; empty: nothing.
+std::string missing_light_text(const MethodDescription& method) {
+    std::string text;
+    for (const auto& missing : method.missing_light)
+        text += "- " + texts_of(missing.kinds) + ": " + texts_of(missing.parts) + "." +
+                condition_text(missing.active_when) + "\n";
+    return text.empty() ? text
+                        : "Missing light, which *Match* leaves out of the reference, too:\n\n" + text + "\n";
+}
+
 std::string coarse_text(const ParameterDescription& p) {
     const bool is_number = p.type == ParameterType::integer || p.type == ParameterType::number;
     return (is_number ? "at most " : "") + to_string(*p.coarse);
@@ -138,6 +156,13 @@ std::string describe_json(const MethodDescription& method) {
     for (const auto& parameter : method.parameters) json["parameters"].push_back(json_of(parameter));
     json["outputs"] = Json::array();
     for (const auto& output : method.outputs) json["outputs"].push_back(json_of(output));
+    for (const auto& missing : method.missing_light) {
+        Json row;
+        for (const auto part : missing.parts) row["parts"].push_back(to_string(part));
+        for (const auto kind : missing.kinds) row["kinds"].push_back(to_string(kind));
+        if (!missing.active_when.key.empty()) row["active_when"] = json_of(missing.active_when);
+        json["missing_light"].push_back(std::move(row));
+    }
     if (method.is_reference) json["is_reference"] = true;
     if (!method.variance.empty()) json["variance"] = method.variance;
     json["selectors"] = Json::array();
@@ -157,6 +182,7 @@ std::string describe_markdown(const MethodDescription& method) {
         for (std::size_t i = 0; i < method.papers.size(); ++i) text += (i ? ", " : "") + method.papers[i];
         text += ".\n\n";
     }
+    text += missing_light_text(method);
     text += "## Parameters\n\n| key | default | allowed | changes | what it does |\n|---|---|---|---|---|\n";
     for (const auto& p : method.parameters) {
         text += "| `" + p.key + "` | " + to_string(p.default_value) + " | " + allowed_text(p) + " | " +

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderers/core/inspection.h"
+#include "renderers/core/light_kind.h"
 #include "renderers/core/output.h"
 #include "renderers/core/parameter.h"
 
@@ -29,6 +30,8 @@ struct MethodDescription {
     std::vector<SelectorDescription> selectors = {};
     /// The chain that leads to the result, to be looked at beside each other. Empty: there is none.
     std::vector<Stage> stages = {};
+    /// What its picture lacks of the light that its transport has; see light_use().
+    std::vector<MissingLight> missing_light = {};
     double background = 0;  ///< value of the main result where nothing is hit (AO: 1)
     /// The ground truth that other methods are judged by: takes every transport, and its result comes with
     /// its own variance.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "renderers/core/light_kind.h"
 #include "renderers/core/output.h"
 
 namespace ir {
@@ -80,6 +81,7 @@ struct FrameReport {
     std::set<std::string> sums;  ///< keys of the figures that add up over frames, such as times
     std::uint64_t memory_bytes = 0;
     std::uint64_t peak_memory_bytes = 0;
+    std::vector<UsedLight> lights;  ///< sources of the scene, with what the picture has of each
     std::vector<Message> messages;
 };
 

@@ -73,7 +73,7 @@ void add_surfaces(ParameterTable<Transport>& table) {
               .doc = "The reflectance model that all surfaces use.",
               .choices = {{"gltf", "glTF",
                            "Metallic-roughness as glTF 2.0 defines it; smooth surfaces are mirrors, "
-                           "transmissive ones smooth glass."},
+                           "transmissive ones glass."},
                           {"metalness-blend", "Metalness blend",
                            "Lambert and Cook–Torrance mixed by metalness."},
                           {"lambert", "Lambert", "Diffuse and opaque."}},
@@ -82,21 +82,42 @@ void add_surfaces(ParameterTable<Transport>& table) {
              {.key = "normal_maps",
               .label = "Normal maps",
               .doc = "Take cosines with the normal-mapped shading normal instead of the "
-                     "interpolated one."})
+                     "interpolated one."});
+}
+
+void add_sources(ParameterTable<Transport>& table, int emitters_since) {
+    table
         .add(&Transport::environment_light, {.key = "environment_light",
                                              .label = "Environment light",
                                              .doc = "Whether the environment emits light and is seen behind "
                                                     "everything.",
-                                             .active_when = only_light});
+                                             .active_when = only_light})
+        .add(&Transport::emitters,
+             {.key = "emitters",
+              .label = "Emitters",
+              .doc = "What light sources with an extent do. Emissive surfaces are seen in any case where "
+                     "the paths are full.",
+              .choices = {{"all", "All light",
+                           "Rectangles, disks, emissive surfaces and the environment light directly, and "
+                           "what they light lights others."},
+                          {"direct", "Direct light only",
+                           "They light directly, and what surfaces scatter of that is left out."},
+                          {"none", "None",
+                           "Rectangles, disks and emissive surfaces light nothing, and rectangles and disks "
+                           "are not seen. The environment is as environment_light says."}},
+              .active_when = only_light,
+              .since_version = emitters_since,
+              .value_in_older_projects = Value{std::string("all")}});
 }
 
 /// In the order in which people see them.
-ParameterTable<Transport> whole_group() {
+ParameterTable<Transport> whole_group(int emitters_since = 1) {
     ParameterTable<Transport> table;
     add_paths(table);
     add_bounces(table);
     add_distances(table);
     add_surfaces(table);
+    add_sources(table, emitters_since);
     return table;
 }
 
@@ -105,7 +126,7 @@ ParameterTable<Transport> whole_group() {
 ParameterTable<Transport> transport_parameters(const TransportSupport& support) {
     auto keys = support.keys;
     keys.push_back("paths");
-    return whole_group().only(keys, "paths", support.paths);
+    return whole_group(support.emitters_since).only(keys, "paths", support.paths);
 }
 
 const std::vector<ParameterDescription>& transport_group() {

@@ -13,6 +13,7 @@ struct Transport {
     enum class Paths { ao, direct, indirect, full };
     enum class Falloff { hard, smooth };
     enum class Materials { gltf, metalness_blend, lambert };
+    enum class Emitters { all, direct, none };
 
     Paths paths = Paths::ao;
     int min_bounces = 1;
@@ -22,12 +23,14 @@ struct Transport {
     Materials materials = Materials::gltf;
     bool normal_maps = true;
     bool environment_light = true;
+    Emitters emitters = Emitters::all;
 };
 
 /// The part of the group that a method supports.
 struct TransportSupport {
     std::vector<std::string> paths;  ///< keys that `paths` may take: "ao", "direct", "indirect", "full"
     std::vector<std::string> keys;   ///< the other keys of the group that the method honours
+    int emitters_since = 1;          ///< version of the method that introduced this key
 };
 
 /// Describes the supported part of the group. Defaults are the member initialisers above, or those that the

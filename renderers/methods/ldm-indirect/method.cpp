@@ -18,6 +18,8 @@ MethodDescription description() {
         "nothing is precomputed. Errors come from the number of directions, from the maps' texels and from "
         "the footprints' size.";
     d.papers = {"Aalund15", "Igehy99", "Frisvad14"};
+    d.missing_light = {{{LightPart::indirect}, {LightKind::lamp, LightKind::surface, LightKind::environment}},
+                       passes::without_light_samples()};
     d.outputs = joined({splatting_outputs(), tracing_outputs()});
     d.selectors = tracing_selectors();
     return d;

@@ -21,6 +21,7 @@ MethodDescription description() {
         "from the filters, and from highlights that know a mean direction of the light alone.";
     d.version = 2;
     d.papers = {"Smal19", "Clarberg05", "Dammertz10", "Heitz18"};
+    d.missing_light = {passes::without_light_samples()};
     d.outputs = joined({filtering_outputs(), splatting_outputs(), tracing_outputs(), emission_outputs()});
     d.selectors = emission_selectors();
     d.stages = filtering_stages();

@@ -3,10 +3,10 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <chrono>
-#include <cmath>
 #include <memory>
 
 #include "renderers/methods/reference/estimate.h"
+#include "renderers/methods/reference/light_tracing_pass.h"
 #include "renderers/methods/reference/primary.h"
 #include "renderers/methods/reference/tiles.h"
 
@@ -16,14 +16,12 @@ namespace {
 /// One item of work: some thousand paths, whose state fits into a core's cache.
 constexpr std::uint64_t path_block = 8;
 
-/// Layers of the sums: first those of the randomisations, all light together.
-constexpr int direct_layer = randomisations, indirect_layer = randomisations + 1;
-
 struct PathResources {
     PathInputs inputs;
     std::vector<bool> specular;  ///< by material
     Progress progress;
-    graph::ImageRef sums;  ///< rgba32f stack, W/(m² sr)
+    graph::ImageRef sums;                       ///< rgba32f stack, W/(m² sr)
+    std::optional<graph::ImageRef> light_sums;  ///< what is traced from lights, to be added
     graph::ImageRef samples, radiance, variance;
     std::optional<graph::ImageRef> direct, indirect;
     std::shared_ptr<Tally> tally = std::make_shared<Tally>();
@@ -54,10 +52,6 @@ PathResources declare(graph::GraphBuilder& builder, const PathInputs& inputs, co
     return r;
 }
 
-bool is_finite(glm::vec3 v) {
-    return std::isfinite(v.r) && std::isfinite(v.g) && std::isfinite(v.b);
-}
-
 /// Traces slices of a frame's work.
 class PathTracer {
   public:
@@ -69,7 +63,8 @@ class PathTracer {
           bvh_(context.object<passes::Bvh>(r.inputs.bvh)),
           surfaces_(context.object<passes::SurfaceLookup>(r.inputs.surfaces)),
           lights_(context.object<passes::LightSampler>(r.inputs.lights)),
-          world_(*bvh_, *surfaces_, *lights_, r.specular),
+          indirect_lights_(context.object<passes::LightSampler>(r.inputs.indirect_lights)),
+          world_(*bvh_, *surfaces_, {*lights_, *indirect_lights_}, r.specular),
           rules_(parameters.transport) {
         if (r.inputs.gbuffer) gbuffer_.emplace(context, *r.inputs.gbuffer);
         for (int layer = 0; layer < r.layers(); ++layer)
@@ -125,8 +120,7 @@ class PathTracer {
         tally.paths += b.starts.size();
     }
 
-    /// Sample by sample in order; pixels belong to one tile, hence to one thread. A sample that is no finite
-    /// number counts as black, and is reported: it must not spoil the others of its pixel.
+    /// Sample by sample in order; pixels belong to one tile, hence to one thread.
     void add(const Bench& b, SampleRange range) {
         auto light = b.lights.begin();
         for (const auto pixel : b.pixels) {
@@ -150,7 +144,7 @@ class PathTracer {
     SampleRange samples_;
     std::shared_ptr<passes::Bvh> bvh_;
     std::shared_ptr<passes::SurfaceLookup> surfaces_;
-    std::shared_ptr<passes::LightSampler> lights_;
+    std::shared_ptr<passes::LightSampler> lights_, indirect_lights_;
     PathWorld world_;
     PathRules rules_;
     std::optional<passes::GBufferSurfaces> gbuffer_;
@@ -158,17 +152,35 @@ class PathTracer {
     tbb::enumerable_thread_specific<std::unique_ptr<Bench>> benches_;
 };
 
+/// The sums of paths from the camera and from lights together.
+class LayerSums {
+  public:
+    LayerSums(const graph::PassContext& context, const PathResources& r) {
+        for (int layer = 0; layer < r.layers(); ++layer) {
+            camera_.push_back(context.pixels<glm::vec4>(r.sums, layer));
+            if (r.light_sums) lights_.push_back(context.pixels<glm::vec4>(*r.light_sums, layer));
+        }
+    }
+    glm::vec3 at(int layer, std::size_t pixel) const {
+        const auto i = static_cast<std::size_t>(layer);
+        const glm::vec3 sum(camera_[i][pixel]);
+        return lights_.empty() ? sum : sum + glm::vec3(lights_[i][pixel]);
+    }
+
+  private:
+    std::vector<std::span<glm::vec4>> camera_, lights_;
+};
+
 /// Mean and variance by channel. One sample alone says nothing: its variance is taken to be its square.
 struct PixelEstimate {
     glm::vec3 mean{0};
     glm::vec4 variance{0};
 };
-PixelEstimate estimate_pixel(const std::vector<std::span<glm::vec4>>& sums, std::size_t pixel,
-                             std::uint64_t samples) {
+PixelEstimate estimate_pixel(const LayerSums& sums, std::size_t pixel, std::uint64_t samples) {
     PixelEstimate result;
     for (int channel = 0; channel < 3; ++channel) {
         Sums s;
-        for (std::size_t r = 0; r < s.size(); ++r) s[r] = sums[r][pixel][channel];
+        for (int r = 0; r < randomisations; ++r) s[static_cast<std::size_t>(r)] = sums.at(r, pixel)[channel];
         const double first = s[0];
         const auto e = estimate(s, samples, first * first);
         result.mean[channel] = static_cast<float>(e.mean);
@@ -186,8 +198,7 @@ void average(const graph::PassContext& context, const PathResources& r, const Pa
     const auto per_frame = static_cast<std::uint64_t>(parameters.samples);
     const auto totals = r.progress.advance(context, per_frame, *r.tally);
     const auto samples = totals.samples;
-    std::vector<std::span<glm::vec4>> sums;
-    for (int layer = 0; layer < r.layers(); ++layer) sums.push_back(context.pixels<glm::vec4>(r.sums, layer));
+    const LayerSums sums(context, r);
     const auto radiance = context.pixels<glm::vec4>(r.radiance);
     const auto variance = context.pixels<glm::vec4>(r.variance);
     const auto counts = context.pixels<std::uint32_t>(r.samples);
@@ -207,8 +218,8 @@ void average(const graph::PassContext& context, const PathResources& r, const Pa
         const auto direct = context.pixels<glm::vec4>(*r.direct);
         const auto indirect = context.pixels<glm::vec4>(*r.indirect);
         for (std::size_t i = 0; i < counts.size(); ++i) {
-            direct[i] = opaque(share * glm::vec3(sums[direct_layer][i]));
-            indirect[i] = opaque(share * glm::vec3(sums[indirect_layer][i]));
+            direct[i] = opaque(share * sums.at(direct_layer, i));
+            indirect[i] = opaque(share * sums.at(indirect_layer, i));
         }
     }
     report_figures(context, *r.tally, totals, sum_valid > 0 ? sum_variance / sum_valid : 0);
@@ -220,10 +231,11 @@ void light_paths(graph::GraphBuilder& builder, const PathInputs& inputs, const P
                  const std::vector<bool>& specular) {
     auto r = declare(builder, inputs, parameters);
     r.specular = specular;
+    r.light_sums = trace_light(builder, inputs, parameters, specular, r.progress, r.tally, r.layers());
     const auto declared =
         declared_items({builder.inputs().view, path_block}, static_cast<std::uint64_t>(parameters.samples));
     auto trace = builder.pass("trace paths", graph::Queue::cpu);
-    trace.reads(inputs.bvh, inputs.surfaces, inputs.lights)
+    trace.reads(inputs.bvh, inputs.surfaces, inputs.lights, inputs.indirect_lights)
         .reads_previous(r.sums, r.progress.buffer())
         .writes(r.sums);
     if (inputs.gbuffer) passes::GBufferSurfaces::declare_reads(trace, *inputs.gbuffer);
@@ -238,6 +250,7 @@ void light_paths(graph::GraphBuilder& builder, const PathInputs& inputs, const P
     average_pass.reads(r.sums, inputs.valid)
         .reads_previous(r.progress.buffer())
         .writes(r.progress.buffer(), r.samples, r.radiance, r.variance);
+    if (r.light_sums) average_pass.reads(*r.light_sums);
     if (r.has_parts()) average_pass.writes(*r.direct, *r.indirect);
     average_pass.execute([=](graph::PassContext& context) { average(context, r, parameters); });
 }

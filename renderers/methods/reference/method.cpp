@@ -1,6 +1,6 @@
 // The path-traced reference: what every other method is judged by. Ambient occlusion and obscurance by
-// cosine-weighted rays, and light by unidirectional path tracing with next-event estimation, through Embree;
-// averaged over samples and frames.
+// cosine-weighted rays, and light by path tracing with next-event estimation, through Embree, and by light
+// tracing where no path from the camera finds it; averaged over samples and frames.
 #include "renderers/graph/method.h"
 
 #include "renderers/methods/reference/parameters.h"
@@ -38,7 +38,8 @@ ParameterTable<Parameters> parameter_table() {
         .include(&Parameters::transport,
                  transport_parameters({.paths = {"ao", "direct", "indirect", "full"},
                                        .keys = {"min_bounces", "max_bounces", "max_distance", "falloff",
-                                                "materials", "normal_maps", "environment_light"}}));
+                                                "materials", "normal_maps", "environment_light", "emitters"},
+                                       .emitters_since = 3}));
     return table;
 }
 
@@ -49,13 +50,15 @@ void add_main_outputs(MethodDescription& d) {
                          .label = "Radiance",
                          .semantic = Semantic::radiance,
                          .unit = "W/(m² sr)",
-                         .doc = "Light towards the camera that the chosen paths bring; the mean of all "
-                                "samples so far. Missing are paths from point, spot and directional lights "
-                                "over mirrors or through glass, which no path from the camera can meet; a "
-                                "note says when a scene has such. Paths that meet more than 32 mirrors or "
-                                "panes of glass are cut and counted as reference.cut_paths; samples that "
-                                "are no finite number count as black, as reference.bad_samples, and a "
-                                "warning says so.",
+                         .doc =
+                             "Light towards the camera that the chosen paths bring; the mean of all "
+                             "samples so far. Light from point, spot and directional lights over mirrors or "
+                             "through glass is traced from the lights, and is missing where the camera sees "
+                             "it in a mirror or through glass; a note says when a scene has such. Paths that "
+                             "meet more than 32 mirrors or "
+                             "panes of glass are cut and counted as reference.cut_paths; samples that "
+                             "are no finite number count as black, as reference.bad_samples, and a "
+                             "warning says so.",
                          .active_when = only_light});
     d.outputs.push_back({.key = "direct",
                          .label = "Direct light",
@@ -91,12 +94,12 @@ MethodDescription description() {
     MethodDescription d;
     d.id = "reference";
     d.title = "Path-traced reference";
-    d.version = 2;
+    d.version = 3;
     d.summary =
         "Unbiased and slow: traces paths through Embree and adds up samples over frames. With a method's "
         "transport parameters it converges to what that method approximates. The picture comes with its own "
         "variance.";
-    d.papers = {"Burley20", "Veach95", "Waechter19"};
+    d.papers = {"Burley20", "Veach95", "Veach97", "Waechter19"};
     d.background = 1;
     d.is_reference = true;
     d.variance = "reference.variance";

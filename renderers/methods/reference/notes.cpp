@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "renderers/methods/reference/light_tracer.h"
+#include "renderers/passes/lights/punctual.h"
+
 namespace ir::methods::reference {
 namespace {
 
@@ -11,15 +14,12 @@ bool has_environment(const scene::Environment& environment) {
 
 bool shines(const graph::FrameInputs& inputs, const Transport& transport) {
     const auto& scene = *inputs.scene;
-    return !inputs.world->lights.empty() ||
-           (transport.environment_light && has_environment(scene.environment)) ||
-           std::any_of(scene.materials.begin(), scene.materials.end(),
-                       [](const auto& material) { return material.emission != glm::vec3(0); });
-}
-
-bool is_punctual(const scene::Light& light) {
-    return light.type == scene::LightType::point || light.type == scene::LightType::spot ||
-           light.type == scene::LightType::directional;
+    const auto& lights = inputs.world->lights;
+    if (transport.environment_light && has_environment(scene.environment)) return true;
+    if (transport.emitters == Transport::Emitters::none)
+        return std::any_of(lights.begin(), lights.end(), passes::is_punctual);
+    return !lights.empty() || std::any_of(scene.materials.begin(), scene.materials.end(),
+                                          [](const auto& m) { return m.emission != glm::vec3(0); });
 }
 
 /// Materials among these that the world's triangles have.
@@ -34,21 +34,24 @@ std::ptrdiff_t materials_in(const scene::World& world, const std::vector<bool>& 
 
 void note_darkness(graph::GraphBuilder& builder, const Transport& transport) {
     if (shines(builder.inputs(), transport)) return;
-    const bool is_off = has_environment(builder.inputs().scene->environment);
+    const bool without_environment =
+                   !transport.environment_light && has_environment(builder.inputs().scene->environment),
+               without_emitters = transport.emitters == Transport::Emitters::none;
     builder.note(std::string("nothing in the scene emits light, so the picture is black: ") +
-                 (is_off ? "switch environment_light on, or add a light"
-                         : "add a light or an environment, or choose the paths ao"));
+                 (without_environment ? "switch environment_light on, or add a light"
+                  : without_emitters  ? "emitters leaves them out; set it to all, or add a point light"
+                                      : "add a light or an environment, or choose the paths ao"));
 }
 
-void note_caustics(graph::GraphBuilder& builder, const std::vector<bool>& specular_materials) {
-    const auto& lights = builder.inputs().world->lights;
-    const auto punctual = std::count_if(lights.begin(), lights.end(), is_punctual);
-    const auto specular = materials_in(*builder.inputs().world, specular_materials);
-    if (punctual == 0 || specular == 0) return;
-    builder.note("paths from point, spot and directional lights (" + std::to_string(punctual) +
-                 " here) over mirrors or through glass (" + std::to_string(specular) +
-                 " materials are such, at least in places) cannot be found by a path tracer and are missing; "
-                 "lights with an extent (rectangle, disk, emissive mesh) lack nothing");
+void note_caustics(graph::GraphBuilder& builder, const PathRules& rules,
+                   const std::vector<bool>& specular_materials) {
+    const auto& world = *builder.inputs().world;
+    if (!LightTracer::has_paths(world, rules, specular_materials)) return;
+    builder.note(
+        "light from point, spot and directional lights over mirrors or through glass (" +
+        std::to_string(materials_in(world, specular_materials)) +
+        " materials are such, at least in places) is traced from the lights; where the camera sees it "
+        "in a mirror or through glass it is missing");
 }
 
 }  // namespace
@@ -62,7 +65,7 @@ void note_limits(graph::GraphBuilder& builder, const Parameters& parameters,
         builder.note("min_bounces is " + std::to_string(transport.min_bounces) + ", max_bounces " +
                      std::to_string(transport.max_bounces) + ": no indirect light counts; raise max_bounces");
     }
-    note_caustics(builder, specular);
+    note_caustics(builder, PathRules(transport), specular);
 }
 
 }  // namespace ir::methods::reference

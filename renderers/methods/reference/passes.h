@@ -16,7 +16,8 @@ struct PathInputs {
     graph::ImageRef valid;
     graph::ObjectRef bvh;       ///< passes::Bvh
     graph::ObjectRef surfaces;  ///< passes::SurfaceLookup; of ambient occlusion only without a G-buffer
-    graph::ObjectRef lights;    ///< passes::LightSampler; of light only
+    /// passes::LightSampler; of light only. What lights directly, and what of that is scattered on.
+    graph::ObjectRef lights, indirect_lights;
 };
 
 /// Declares all that the parameters ask for: G-buffer, or first hits and "valid" of rays; BVH, surfaces and

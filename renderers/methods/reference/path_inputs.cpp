@@ -26,21 +26,38 @@ graph::ObjectRef declare_surfaces(graph::GraphBuilder& builder, const Transport&
     return result;
 }
 
-graph::ObjectRef declare_lights(graph::GraphBuilder& builder, graph::ObjectRef surfaces, bool environment) {
-    const auto result = builder.object({.text = {.key = "reference.lights",
-                                                 .label = "Light sources",
-                                                 .doc = "All that emits, with probabilities for choosing."}});
-    builder.pass("light sources", graph::Queue::cpu)
+struct LightsText {
+    const char *key, *label, *doc;
+};
+
+graph::ObjectRef declare_lights(graph::GraphBuilder& builder, graph::ObjectRef surfaces,
+                                const LightsText& text, const passes::LightSamplerOptions& options) {
+    const auto result = builder.object({.text = {.key = text.key, .label = text.label, .doc = text.doc}});
+    builder.pass(text.label, graph::Queue::cpu)
         .reads(surfaces)
         .writes(result)
         .execute([=](graph::PassContext& context) {
             const auto lookup = context.object<passes::SurfaceLookup>(surfaces);
-            passes::LightSampler::Options options;
-            options.environment = environment;
             const auto made = std::make_shared<passes::LightSampler>(*lookup, options);
             context.store(result, made, sizeof *made);
         });
     return result;
+}
+
+/// What the transport's choice of emitters means.
+void declare_light_sources(graph::GraphBuilder& builder, const Transport& transport, PathInputs& inputs) {
+    passes::LightSamplerOptions options;
+    options.environment = transport.environment_light;
+    options.lamps = options.emissive_meshes = transport.emitters != Transport::Emitters::none;
+    inputs.lights = inputs.indirect_lights = declare_lights(
+        builder, inputs.surfaces,
+        {"reference.lights", "Light sources", "All that emits, with probabilities for choosing."}, options);
+    if (transport.emitters != Transport::Emitters::direct) return;
+    options.environment = options.lamps = options.emissive_meshes = false;
+    inputs.indirect_lights = declare_lights(
+        builder, inputs.surfaces,
+        {"reference.indirect_lights", "Sources of indirect light", "The part whose light is scattered on."},
+        options);
 }
 
 /// The G-buffer names a material in a half float.
@@ -68,7 +85,7 @@ PathInputs path_inputs(graph::GraphBuilder& builder, const Parameters& parameter
     inputs.bvh = passes::bvh(builder);
     if (on_rays || is_light) inputs.surfaces = declare_surfaces(builder, transport);
     if (on_rays) inputs.valid = first_hits(builder, inputs.bvh, inputs.surfaces);
-    if (is_light) inputs.lights = declare_lights(builder, inputs.surfaces, transport.environment_light);
+    if (is_light) declare_light_sources(builder, transport, inputs);
     return inputs;
 }
 

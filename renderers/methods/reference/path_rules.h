@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <glm/glm.hpp>
 
 #include "renderers/core/transport.h"
@@ -40,6 +41,11 @@ struct PathRules {
     /// Unlit surfaces show their base colour with direct light, as in rasterised pictures.
     bool show_unlit() const { return direct; }
 };
+
+/// Samples that are not count as black, and are reported: they must not spoil the others of their pixel.
+inline bool is_finite(glm::vec3 v) {
+    return std::isfinite(v.r) && std::isfinite(v.g) && std::isfinite(v.b);
+}
 
 /// The light that one path brings, W/(m² sr), by what it was on the way.
 struct PathLight {

@@ -1,6 +1,7 @@
 #include "renderers/methods/reference/path_world.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "renderers/passes/scattering/microfacets.h"
 
@@ -17,7 +18,7 @@ float min_green(const scene::Scene& scene, int texture) {
     return static_cast<float>(least) / 255;
 }
 
-bool is_mirror_somewhere(const scene::Scene& scene, const scene::Material& material) {
+bool is_smooth_somewhere(const scene::Scene& scene, const scene::Material& material) {
     const float roughness =
         material.roughness * min_green(scene, material.metallic_roughness_texture.texture);
     return roughness * roughness < passes::mirror_alpha;
@@ -25,9 +26,12 @@ bool is_mirror_somewhere(const scene::Scene& scene, const scene::Material& mater
 
 bool is_specular(const scene::Scene& scene, const scene::Material& material, Transport::Materials model) {
     if (model == Transport::Materials::lambert || material.unlit) return false;
-    if (material.transmission > 0) return true;
-    const bool has_interface = model == Transport::Materials::gltf || material.metallic > 0;
-    return has_interface && is_mirror_somewhere(scene, material);
+    // Rough glass scatters; only what has the index of air lets light pass straight on.
+    const bool is_clear = material.thickness > 0 && std::abs(material.ior - 1) < 2 * passes::same_index;
+    if (material.transmission > 0 && is_clear) return true;
+    const bool has_interface =
+        model == Transport::Materials::gltf || material.metallic > 0 || material.transmission > 0;
+    return has_interface && is_smooth_somewhere(scene, material);
 }
 
 }  // namespace
@@ -38,22 +42,10 @@ std::vector<bool> specular_materials(const scene::Scene& scene, Transport::Mater
     return result;
 }
 
-PathWorld::PathWorld(const passes::Bvh& b, const passes::SurfaceLookup& s, const passes::LightSampler& l,
+PathWorld::PathWorld(const passes::Bvh& b, const passes::SurfaceLookup& s, const PathLights& l,
                      std::vector<bool> specular)
-    : bvh(b),
-      surfaces(s),
-      lights(l),
-      may_be_specular(std::move(specular)),
-      rays_meet_lights(l.has_environment()) {
-    for (const auto& m : s.scene().materials) {
-        emits.push_back(m.emission != glm::vec3(0));
-        rays_meet_lights = rays_meet_lights || emits.back();
-    }
-    const auto& all = s.world().lights;
-    rays_meet_lights =
-        rays_meet_lights || std::any_of(all.begin(), all.end(), [](const scene::Light& light) {
-            return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
-        });
+    : bvh(b), surfaces(s), lights(l), may_be_specular(std::move(specular)) {
+    for (const auto& m : s.scene().materials) emits.push_back(m.emission != glm::vec3(0));
 }
 
 }  // namespace ir::methods::reference

@@ -13,11 +13,18 @@ namespace ir::methods::reference {
 /// at all texels of roughness textures.
 std::vector<bool> specular_materials(const scene::Scene& scene, Transport::Materials model);
 
+/// Sources of light by what becomes of it. Both are the same where all light is scattered on.
+struct PathLights {
+    const passes::LightSampler& direct;    ///< of light that is seen or scattered once
+    const passes::LightSampler& indirect;  ///< of light that is scattered more often
+    const passes::LightSampler& after(int scatterings) const { return scatterings <= 1 ? direct : indirect; }
+};
+
 /// What paths run through, with what is known of it beforehand. Keeps references.
 struct PathWorld {
     /// `specular`: specular_materials() of the scene.
-    PathWorld(const passes::Bvh& bvh, const passes::SurfaceLookup& surfaces,
-              const passes::LightSampler& lights, std::vector<bool> specular);
+    PathWorld(const passes::Bvh& bvh, const passes::SurfaceLookup& surfaces, const PathLights& lights,
+              std::vector<bool> specular);
 
     const scene::Material& material(int index) const {
         return surfaces.scene().materials[static_cast<std::size_t>(index)];
@@ -28,10 +35,9 @@ struct PathWorld {
 
     const passes::Bvh& bvh;
     const passes::SurfaceLookup& surfaces;
-    const passes::LightSampler& lights;
+    PathLights lights;
     std::vector<bool> emits;            ///< by material
     std::vector<bool> may_be_specular;  ///< by material: mirror or glass somewhere
-    bool rays_meet_lights = false;      ///< something emits that has an extent
 };
 
 }  // namespace ir::methods::reference

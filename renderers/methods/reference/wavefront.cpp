@@ -67,7 +67,8 @@ void Wavefront::arrive(Path& path, const passes::Hit& hit) {
         return;
     }
     const auto material = static_cast<std::size_t>(world_.material_of(hit));
-    if (counts && world_.emits[material]) add_emission(path, hit);
+    if (counts && world_.emits[material] && (path.scatterings == 0 || lights(path).has_emissive_meshes()))
+        add_emission(path, hit);
     path.way += hit.distance;
     if (rules_.max_distance > 0 && path.scatterings > 0 && path.way > rules_.max_distance) return;
     // After the last scattering only mirrors and glass lead on.
@@ -93,9 +94,9 @@ float Wavefront::weight(const Path& path, float light_pdf) const {
 }
 
 void Wavefront::add_flat_lights(const Path& path, float far) {
-    world_.lights.visit_lights(path.origin, path.direction, far, [&](const passes::LightHit& hit) {
+    lights(path).visit_lights(path.origin, path.direction, far, [&](const passes::LightHit& hit) {
         const float pdf =
-            path.pdf > 0 ? world_.lights.pdf_of_light(path.origin, path.normal, path.direction, hit) : 0;
+            path.pdf > 0 ? lights(path).pdf_of_light(path.origin, path.normal, path.direction, hit) : 0;
         auto radiance = weight(path, pdf) * path.throughput * hit.radiance;
         if (path.medium >= 0)
             radiance *= passes::Bsdf::transmittance(world_.material(path.medium), hit.distance);
@@ -104,16 +105,16 @@ void Wavefront::add_flat_lights(const Path& path, float far) {
 }
 
 void Wavefront::add_environment(const Path& path) {
-    if (!world_.lights.has_environment()) return;
+    if (!lights(path).has_environment()) return;
     const float pdf =
-        path.pdf > 0 ? world_.lights.pdf_of_environment(path.origin, path.normal, path.direction) : 0;
+        path.pdf > 0 ? lights(path).pdf_of_environment(path.origin, path.normal, path.direction) : 0;
     lights_[path.index].after(path.scatterings) +=
-        weight(path, pdf) * path.throughput * world_.lights.environment(path.direction);
+        weight(path, pdf) * path.throughput * lights(path).environment(path.direction);
 }
 
 void Wavefront::add_emission(const Path& path, const passes::Hit& hit) {
     const float pdf =
-        path.pdf > 0 ? world_.lights.pdf_of_triangle(path.origin, path.normal, path.direction, hit) : 0;
+        path.pdf > 0 ? lights(path).pdf_of_triangle(path.origin, path.normal, path.direction, hit) : 0;
     lights_[path.index].after(path.scatterings) +=
         weight(path, pdf) * path.throughput * world_.surfaces.emission(hit.triangle, hit.u, hit.v);
 }
@@ -124,10 +125,17 @@ void Wavefront::scatter(Path& path, const passes::Surface& surface) {
     if (rules_.count(path.scatterings + 1) && bsdf.has_smooth_part())
         sample_light(path, surface, bsdf, choice.x);
     const auto u = path.sampler.pair(path.dimension(towards_next));
-    if (const auto sample = bsdf.sample(-path.direction, choice.y, u)) go_on(path, surface, *sample);
+    if (const auto sample = bsdf.sample(-path.direction, choice.y, u))
+        go_on(path, surface, *sample, bsdf.scatters_through());
 }
 
-void Wavefront::go_on(Path& path, const passes::Surface& surface, const passes::BsdfSample& sample) {
+int Wavefront::medium_behind(const Path& path, const passes::Surface& surface) const {
+    if (!(world_.material(surface.material).thickness > 0)) return path.medium;
+    return surface.is_front ? surface.material : -1;
+}
+
+void Wavefront::go_on(Path& path, const passes::Surface& surface, const passes::BsdfSample& sample,
+                      bool scatters_through) {
     const auto dice = path.dimension(roulette);
     path.throughput *= sample.weight;
     if (sample.is_specular) {
@@ -135,19 +143,18 @@ void Wavefront::go_on(Path& path, const passes::Surface& surface, const passes::
             ++counts_.cut;
             return;
         }
-        const bool is_thick = world_.material(surface.material).thickness > 0;
-        if (sample.is_transmitted && is_thick) path.medium = surface.is_front ? surface.material : -1;
     } else {
         if (++path.scatterings > most_) return;
         path.way = 0;
     }
     // After the last scattering only light sources are looked for.
-    if (path.scatterings == most_ && !world_.rays_meet_lights) return;
+    if (path.scatterings == most_ && !lights(path).has_extent()) return;
     if (!sample.is_specular && !survives(path, dice)) return;
+    if (sample.is_transmitted) path.medium = medium_behind(path, surface);
     const auto side = sample.is_transmitted ? -surface.geometric_normal_ws : surface.geometric_normal_ws;
     path.origin = passes::offset_origin(surface.position_ws, side);
     path.direction = sample.wi;
-    path.normal = surface.geometric_normal_ws;
+    path.normal = scatters_through ? glm::vec3(0) : surface.geometric_normal_ws;
     path.pdf = sample.pdf;
     next_.push_back(path);
 }
@@ -163,17 +170,22 @@ bool Wavefront::survives(Path& path, std::uint32_t dimension) const {
 
 void Wavefront::sample_light(const Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf,
                              float choice) {
-    const auto normal = surface.geometric_normal_ws;
-    const auto origin = passes::offset_origin(surface.position_ws, normal);
+    // Rough glass is lit from both sides.
+    const auto normal = bsdf.scatters_through() ? glm::vec3(0) : surface.geometric_normal_ws;
+    auto origin = passes::offset_origin(surface.position_ws, normal);
     const auto u = path.sampler.pair(path.dimension(towards_light));
-    const auto light = world_.lights.sample(origin, normal, choice, u);
+    const auto light = world_.lights.after(path.scatterings + 1).sample(origin, normal, choice, u);
     if (!light || !(light->pdf > 0)) return;
     const auto scattered = bsdf.evaluate_with_pdf(-path.direction, light->direction_ws);
     auto radiance = path.throughput * scattered.value * light->radiance / light->pdf;
     if (radiance == glm::vec3(0)) return;
     if (!light->is_delta) radiance *= estimator_.combine(light->pdf, scattered.pdf);
-    if (path.medium >= 0)
-        radiance *= passes::Bsdf::transmittance(world_.material(path.medium), light->distance);
+    const bool is_behind = glm::dot(surface.geometric_normal_ws, light->direction_ws) < 0;
+    const int medium = is_behind ? medium_behind(path, surface) : path.medium;
+    if (medium >= 0) radiance *= passes::Bsdf::transmittance(world_.material(medium), light->distance);
+    if (bsdf.scatters_through())
+        origin = passes::offset_origin(
+            surface.position_ws, is_behind ? -surface.geometric_normal_ws : surface.geometric_normal_ws);
     shadow_rays_.push_back({origin, light->direction_ws, radiance, light->distance * shadow_end, path.index,
                             path.scatterings + 1});
 }

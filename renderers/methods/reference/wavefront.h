@@ -48,11 +48,11 @@ class Wavefront {
         passes::PathSampler sampler;
         glm::vec3 origin, direction;  ///< of the ray under way
         glm::vec3 throughput;         ///< light at the camera over light that arrives along the ray
-        glm::vec3 normal;             ///< geometric normal where the ray starts
-        float pdf;                    ///< of the direction, 1/sr; 0: no light source was sampled beside it
-        float way;                    ///< metres since the last scattering
-        std::uint32_t index;          ///< of the result
-        int medium;                   ///< material that the ray runs inside of, or -1
+        glm::vec3 normal;     ///< geometric normal where the ray starts; 0: light comes from both sides
+        float pdf;            ///< of the direction, 1/sr; 0: no light source was sampled beside it
+        float way;            ///< metres since the last scattering
+        std::uint32_t index;  ///< of the result
+        int medium;           ///< material that the ray runs inside of, or -1
         std::int16_t scatterings, specular_events;
         std::uint32_t dimension(EventDimension which) const {
             const auto events = static_cast<std::uint32_t>(scatterings + specular_events);
@@ -66,6 +66,10 @@ class Wavefront {
         int scatterings;
     };
 
+    /// What the ray under way may meet.
+    const passes::LightSampler& lights(const Path& path) const {
+        return world_.lights.after(path.scatterings);
+    }
     void begin(const PathStart& start, std::uint32_t index);
     void intersect();
     void arrive(Path& path, const passes::Hit& hit);
@@ -77,7 +81,9 @@ class Wavefront {
     /// Weight of light that a ray has met, which sampling light sources finds with this density.
     float weight(const Path& path, float light_pdf) const;
     void scatter(Path& path, const passes::Surface& surface);
-    void go_on(Path& path, const passes::Surface& surface, const passes::BsdfSample& sample);
+    void go_on(Path& path, const passes::Surface& surface, const passes::BsdfSample& sample,
+               bool scatters_through);
+    int medium_behind(const Path& path, const passes::Surface& surface) const;
     void sample_light(const Path& path, const passes::Surface& surface, const passes::Bsdf& bsdf,
                       float choice);
     bool survives(Path& path, std::uint32_t dimension) const;

@@ -19,6 +19,8 @@ MethodDescription description() {
         "of the scene's size. What is hidden, beyond the picture's edge or turned away from the camera sends "
         "nothing, nothing in between shadows indirect light, and all surfaces are infinitely thick.";
     d.papers = {"Ritschel09"};
+    d.missing_light = {passes::without_light_samples({LightPart::direct, LightPart::indirect},
+                                                     {LightKind::lamp, LightKind::surface})};
     d.selectors = {sample_selector()};
     d.outputs = joined({{passes::radiance_output()},
                         passes::direct_outputs(),

@@ -103,6 +103,7 @@ glm::vec3 LightEstimate::towards_source(const Surface& surface, const Bsdf& bsdf
     const auto origin = offset_origin(surface.position_ws, normal);
     const auto light = lights_.sample(origin, normal, choice, u);
     if (!light || !(light->pdf > 0)) return glm::vec3(0);
+    if (glm::dot(normal, light->direction_ws) <= 0) return glm::vec3(0);  // rough glass lets nothing through
     const auto scattered = bsdf.evaluate_with_pdf(wo, light->direction_ws);
     const auto radiance =
         scattered.value * light->radiance * (options_.combine(light->pdf, scattered.pdf) / light->pdf);

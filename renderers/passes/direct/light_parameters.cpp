@@ -1,5 +1,8 @@
 #include "renderers/passes/direct/light_parameters.h"
 
+#include <cstdint>
+#include <utility>
+
 namespace ir::passes {
 
 ParameterTable<LightParameters> light_parameters() {
@@ -31,6 +34,10 @@ ParameterTable<LightParameters> light_parameters() {
               .soft = {0.5, 8},
               .active_when = {"light_filter", {true}}});
     return table;
+}
+
+MissingLight without_light_samples(std::vector<LightPart> parts, std::vector<LightKind> kinds) {
+    return {std::move(parts), std::move(kinds), {"light_samples", {std::int64_t{0}}}};
 }
 
 }  // namespace ir::passes

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "renderers/core/light_kind.h"
 #include "renderers/core/parameter.h"
 
 namespace ir::passes {
@@ -13,5 +16,10 @@ struct LightParameters {
 
 /// For every method with direct light.
 ParameterTable<LightParameters> light_parameters();
+
+/// What a description says to be missing without samples: light in these parts, of these kinds.
+MissingLight without_light_samples(std::vector<LightPart> parts = {LightPart::direct},
+                                   std::vector<LightKind> kinds = {LightKind::lamp, LightKind::surface,
+                                                                   LightKind::environment});
 
 }  // namespace ir::passes

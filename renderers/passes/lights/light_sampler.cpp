@@ -19,9 +19,11 @@ bool is_flat(const scene::Light& light) {
     return light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
 }
 
-std::vector<scene::Light> sampled_lights(const scene::World& world, bool punctual) {
+std::vector<scene::Light> sampled_lights(const scene::World& world, const LightSamplerOptions& options) {
     auto lights = world.lights;
-    if (!punctual) std::erase_if(lights, [](const scene::Light& light) { return !is_flat(light); });
+    std::erase_if(lights, [&](const scene::Light& light) {
+        return !(is_flat(light) ? options.lamps : options.punctual);
+    });
     return lights;
 }
 
@@ -59,7 +61,7 @@ struct LightSampler::Impl {
 };
 
 LightSampler::Impl::Impl(const SurfaceLookup& surfaces, const Options& options)
-    : lights(sampled_lights(surfaces.world(), options.punctual)) {
+    : lights(sampled_lights(surfaces.world(), options)) {
     flat_of.assign(lights.size(), -1);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (!is_flat(lights[i])) continue;

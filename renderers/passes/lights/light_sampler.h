@@ -22,13 +22,14 @@ struct LightSample {
 struct LightHit {
     float distance = 0;
     glm::vec3 radiance{0};
-    int light = -1;  ///< number among the lights that are sampled
+    int light = -1;  ///< number among those that are sampled, for pdf_of_light()
 };
 
 struct LightSamplerOptions {
     bool punctual = true;  ///< point, spot and directional lights
     bool environment = true;
     bool emissive_meshes = true;
+    bool lamps = true;  ///< rectangle and disk lights
 };
 
 /// Everything in a scene that emits: point, spot, directional, rectangle and disk lights, emissive triangles,
@@ -60,6 +61,8 @@ class LightSampler {
     glm::vec3 environment(glm::vec3 direction_ws) const;
     bool has_environment() const;
     bool has_emissive_meshes() const;
+    /// Whether rays can meet any of the sources.
+    bool has_extent() const { return has_environment() || has_emissive_meshes() || extended_lights() > 0; }
     /// Rectangles and disks that a ray meets within (0, far), in no order; calls `visit` for each.
     template <class Visit>
     void visit_lights(glm::vec3 origin_ws, glm::vec3 direction_ws, float far, Visit visit) const {

@@ -7,6 +7,12 @@
 
 namespace ir::passes {
 
+/// Without extent: no ray can meet it.
+inline bool is_punctual(const scene::Light& light) {
+    return light.type == scene::LightType::point || light.type == scene::LightType::spot ||
+           light.type == scene::LightType::directional;
+}
+
 /// What arrives of a light without extent, nothing in between.
 struct PunctualArrival {
     glm::vec3 direction_ws{0};  ///< to the light, unit length

@@ -70,6 +70,45 @@ struct BsdfLobes {
         return 0.5f * smith_masking_over_2_cosine(seen_cosine, b.alpha_) * distribution(glm::normalize(sum));
     }
 
+    /// Where the interface turns light that comes to a microfacet; the other way round it is the same.
+    float glass_reflectance(float v_dot_h) const {
+        const float one_side = dielectric_fresnel(v_dot_h, b.eta_).reflectance;
+        return b.is_thin_ ? sheet_reflectance(one_side) : one_side;
+    }
+
+    /// Of rough glass, among its own events. Reflection as of any interface, and of a sheet its mirror image
+    /// on the other side; else refraction at microfacets, radiance scaled by 1/η².  [Walter07 eqs. 21, 17;
+    /// Heitz18 eq. 17]
+    BsdfValue glass_between(glm::vec3 l) const {
+        const float n_dot_l = glm::dot(b.n_, l);
+        const bool is_reflected = n_dot_l > 0;
+        if (!is_reflected && !b.is_thin_) return refracted(l, -n_dot_l);
+        const auto towards = is_reflected ? l : l - 2 * n_dot_l * b.n_;
+        const auto h = glm::normalize(towards + seen_from);
+        const float reflectance = glass_reflectance(std::clamp(glm::dot(seen_from, h), 0.0f, 1.0f));
+        const float part = is_reflected ? reflectance : 1 - reflectance, cosine = std::abs(n_dot_l);
+        const float value = part * distribution(h) * smith_visibility(cosine, n_dot_v, b.alpha_) * cosine;
+        return {value * (is_reflected ? glm::vec3(1) : b.tint_), part * visible_normal_pdf(towards)};
+    }
+
+    /// `cosine` of `l` to the normal's other side.
+    BsdfValue refracted(glm::vec3 l, float cosine) const {
+        const auto sum = seen_from + b.eta_ * l;
+        const float size = glm::length(sum);
+        if (!(size > 0) || !(cosine > 0)) return {};
+        const auto h = (glm::dot(b.n_, sum) > 0 ? 1 / size : -1 / size) * sum;
+        const float v_dot_h = glm::dot(seen_from, h), l_dot_h = glm::dot(l, h);
+        if (v_dot_h <= 0 || l_dot_h >= 0) return {};
+        const float passing = 1 - glass_reflectance(v_dot_h);
+        const float jacobian = b.eta_ * b.eta_ * -l_dot_h / (size * size);  // dω_h / dω_l
+        // D G1(v) (v·h) / (n·v), the density of h
+        const float density =
+            2 * smith_masking_over_2_cosine(seen_cosine, b.alpha_) * v_dot_h * distribution(h);
+        const float masking = 2 * cosine * smith_masking_over_2_cosine(cosine, b.alpha_);
+        const float pdf = passing * density * jacobian;
+        return {pdf * masking / (b.eta_ * b.eta_) * b.tint_, pdf};
+    }
+
     /// `l` above both normals.
     glm::vec3 opaque_value(glm::vec3 l, float n_dot_l) const {
         const auto sum = l + v;
@@ -90,19 +129,28 @@ struct BsdfLobes {
 
     BsdfValue between(glm::vec3 l) const {
         const float n_dot_l = glm::dot(b.n_, l), opaque = 1 - b.transmission_;
-        if (b.is_dark_ || n_dot_l <= 0 || opaque <= 0) return {};
-        BsdfValue result{glm::vec3(0), opaque * opaque_pdf(l, n_dot_l)};
-        if (glm::dot(b.geometric_n_, l) > 0) result.value = opaque * opaque_value(l, n_dot_l);
+        if (b.is_dark_) return {};
+        // Densities count below the geometric surface, too; values do not.
+        const bool is_lost = (glm::dot(b.geometric_n_, l) > 0) != (n_dot_l > 0);
+        BsdfValue result;
+        if (n_dot_l > 0 && opaque > 0) {
+            result.pdf = opaque * opaque_pdf(l, n_dot_l);
+            if (!is_lost) result.value = opaque * opaque_value(l, n_dot_l);
+        }
+        if (b.scatters_through()) {
+            const auto glass = glass_between(l);
+            result.pdf += b.transmission_ * glass.pdf;
+            if (!is_lost) result.value += b.transmission_ * glass.value;
+        }
         return result;
     }
 
     bool is_reflected(glm::vec3 l) const { return glm::dot(b.n_, l) > 0 && glm::dot(b.geometric_n_, l) > 0; }
 
     std::optional<BsdfSample> sample_smooth(glm::vec3 l) const {
-        if (!is_reflected(l)) return {};
         const auto [value, pdf] = between(l);
         if (!(pdf > 0) || value == glm::vec3(0)) return {};
-        return BsdfSample{l, value / pdf, pdf, false, false};
+        return BsdfSample{l, value / pdf, pdf, false, glm::dot(b.n_, l) < 0};
     }
 
     std::optional<BsdfSample> sample_mirror() const {
@@ -114,11 +162,32 @@ struct BsdfLobes {
 
     std::optional<BsdfSample> sample_opaque(float lobe, glm::vec2 u) const {
         if (lobe < specular_probability && is_mirror) return sample_mirror();
+        if (lobe >= specular_probability)
+            return sample_smooth(glm::normalize(scene::frame_around(b.n_) * sample_cosine_ts(u)));
+        const auto l = glm::normalize(mirrored(seen_from, visible_normal(u)));
+        return is_reflected(l) ? sample_smooth(l) : std::nullopt;
+    }
+
+    glm::vec3 visible_normal(glm::vec2 u) const {
         const auto frame = scene::frame_around(b.n_);
-        if (lobe >= specular_probability) return sample_smooth(glm::normalize(frame * sample_cosine_ts(u)));
         const auto seen_ts = seen_from * frame;  // the transpose's product
-        const auto h = frame * sample_visible_normal_ts(seen_ts, b.alpha_, u);
-        return sample_smooth(glm::normalize(mirrored(seen_from, h)));
+        return frame * sample_visible_normal_ts(seen_ts, b.alpha_, u);
+    }
+
+    std::optional<BsdfSample> sample_rough_glass(float lobe, glm::vec2 u) const {
+        const auto h = visible_normal(u);
+        const float v_dot_h = glm::dot(seen_from, h);
+        if (!(v_dot_h > 0)) return {};
+        auto l = mirrored(seen_from, h);
+        const bool passes_through = lobe >= glass_reflectance(v_dot_h);
+        if (glm::dot(b.n_, l) <= 0 && (!passes_through || b.is_thin_)) return {};  // masked
+        if (passes_through && b.is_thin_) l -= 2 * glm::dot(b.n_, l) * b.n_;
+        if (passes_through && !b.is_thin_) {
+            const float cosine = dielectric_fresnel(v_dot_h, b.eta_).refracted_cosine;
+            l = (v_dot_h / b.eta_ - cosine) * h - seen_from / b.eta_;
+            if (glm::dot(b.n_, l) >= 0) return {};
+        }
+        return sample_smooth(glm::normalize(l));
     }
 
     /// By Fresnel's probability, so that what is chosen keeps its colour.
@@ -142,7 +211,8 @@ struct BsdfLobes {
     std::optional<BsdfSample> sample(float lobe, glm::vec2 u) const {
         const float glass = b.transmission_;
         if (b.is_dark_) return {};
-        if (lobe < glass) return sample_glass(lobe / glass);
+        if (lobe < glass)
+            return b.scatters_through() ? sample_rough_glass(lobe / glass, u) : sample_glass(lobe / glass);
         return sample_opaque((lobe - glass) / (1 - glass), u);
     }
 };
@@ -175,8 +245,45 @@ std::optional<BsdfSample> Bsdf::sample(glm::vec3 wo, float lobe, glm::vec2 u) co
     return BsdfLobes(*this, wo).sample(lobe, u);
 }
 
+glm::vec3 Bsdf::evaluate_importance(glm::vec3 wi, glm::vec3 wo) const {
+    const float arriving = std::abs(glm::dot(geometric_n_, wi)),
+                leaving = std::abs(glm::dot(geometric_n_, wo));
+    const float cosine = std::abs(glm::dot(n_, wo));
+    if (!(arriving > 0) || !(cosine > 0)) return glm::vec3(0);
+    if (glm::dot(geometric_n_, wo) > 0) return evaluate(wo, wi) * (leaving / arriving);
+    // f(wo, wi) / η² of the side of wo is the same in both directions; only this one is known.
+    const float squeezed = is_thin_ ? 1 : eta_ * eta_;
+    return evaluate(wi, wo) * (squeezed * std::abs(glm::dot(n_, wi)) / cosine * leaving / arriving);
+}
+
+std::optional<BsdfSample> Bsdf::sample_importance(glm::vec3 wi, float lobe, glm::vec2 u) const {
+    auto sample = BsdfLobes(*this, wi).sample(lobe, u);
+    if (!sample) return {};
+    const auto wo = sample->wi;
+    if (!sample->is_specular) {
+        sample->weight = evaluate_importance(wi, wo) / sample->pdf;
+        return sample;
+    }
+    // No radiance that a mirror shows comes from below its shading normal.
+    if (!sample->is_transmitted && !(glm::dot(n_, wi) > 0)) return {};
+    // Power keeps what radiance gains by being squeezed into fewer directions.
+    if (sample->is_transmitted && !is_thin_) sample->weight *= eta_ * eta_;
+    const float shading = std::abs(glm::dot(n_, wi) * glm::dot(geometric_n_, wo)),
+                geometric = std::abs(glm::dot(geometric_n_, wi) * glm::dot(n_, wo));
+    if (!(geometric > 0)) return {};
+    sample->weight *= shading / geometric;
+    return sample;
+}
+
+bool Bsdf::scatters_through() const {
+    return !is_dark_ && transmission_ > 0 && alpha_ >= mirror_alpha &&
+           (is_thin_ || std::abs(eta_ - 1) > same_index);
+}
+
 bool Bsdf::has_smooth_part() const {
-    if (is_dark_ || transmission_ >= 1) return false;
+    if (is_dark_) return false;
+    if (scatters_through()) return true;
+    if (transmission_ >= 1) return false;
     return diffuse_ != glm::vec3(0) || (specular_ > 0 && alpha_ >= mirror_alpha);
 }
 

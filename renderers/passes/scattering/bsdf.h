@@ -43,14 +43,13 @@ struct BsdfValue {
 /// Below α = 1e-3 the interface is a mirror, a specular event; rasterisation keeps a highlight of α = 1e-3
 /// there instead, so lights without extent show in its picture and not in this one.
 ///
-/// Transmission is that of a smooth dielectric. The fraction transmission (1 - metallic) of the surface is
-/// glass, the rest the opaque model above. With thickness 0 light passes straight through a sheet, all
-/// reflections between its two sides counted; otherwise it is refracted, and leaves total internal
-/// reflection. Radiance is scaled by 1/η² where a path from the camera is refracted into a medium of relative
-/// index η, and back where it leaves. Base colour tints what passes, once for each crossing.
-/// [glTF2 KHR_materials_transmission, KHR_materials_volume]
-// DEVIATION [glTF2 KHR_materials_transmission]: glass is smooth whatever its roughness, so that it needs no
-// density; what is seen through rough glass is sharp.
+/// Transmission is that of a dielectric. The fraction transmission (1 - metallic) of the surface is glass,
+/// the rest the opaque model above. Smooth glass (below that α) is a specular event; rough glass scatters at
+/// GGX microfacets, to both sides, and a rough sheet as if its reflection went on behind it. With thickness 0
+/// light passes straight through a sheet, all reflections between its two sides counted; otherwise it is
+/// refracted, and leaves total internal reflection. Radiance is scaled by 1/η² where a path from the camera
+/// is refracted into a medium of relative index η, and back where it leaves; power is not. Base colour tints
+/// what passes, once for each crossing. [glTF2 KHR_materials_transmission, KHR_materials_volume]
 class Bsdf {
   public:
     /// `material` is the scene's entry for surface.material; its index of refraction and volume count.
@@ -65,6 +64,17 @@ class Bsdf {
     /// `lobe` and `u` uniform in [0, 1). Nothing when the event carries no light.
     std::optional<BsdfSample> sample(glm::vec3 wo, float lobe, glm::vec2 u) const;
 
+    /// The same for paths from light sources, where power takes the place of radiance: nothing is divided by
+    /// η², and shading normals are corrected for.  [Veach97 §5.3, Walter07]
+    ///
+    /// Of power that arrives from `wi` the radiance that leaves to `wo`, times the geometric cosine there and
+    /// the lit area, 1/sr.
+    glm::vec3 evaluate_importance(glm::vec3 wi, glm::vec3 wo) const;
+    /// Where power that arrives from `wi` goes on to; `weight` is the part that does, over the probability.
+    std::optional<BsdfSample> sample_importance(glm::vec3 wi, float lobe, glm::vec2 u) const;
+
+    /// Rough glass: evaluate() is not 0 for directions on the other side.
+    bool scatters_through() const;
     /// Whether evaluate() is not 0 everywhere, so that light sources are worth sampling.
     bool has_smooth_part() const;
     /// Reflectance for light from everywhere, roughly: for G-buffer-like pictures and roulette.

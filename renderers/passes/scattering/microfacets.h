@@ -11,6 +11,8 @@ namespace ir::passes {
 
 /// Below this roughness² a surface is a mirror; rasterisation keeps its highlight this wide instead.
 constexpr float mirror_alpha = 1e-3f;
+/// A relative index of refraction as near to 1 lets light pass straight on, whatever the microfacets.
+constexpr float same_index = 1e-3f;
 /// Least cosine to the viewer: shading normals may turn away from it.
 constexpr float min_view_cosine = 1e-4f;
 

@@ -210,5 +210,27 @@ TEST(ReferenceFurnace, DistancesBetweenScatteringsAreLimited) {
     EXPECT_NEAR(spread(estimates(lab, t, inside, furnace_seeds, furnace_samples)).mean, 0.8 * 0.8, 0.01);
 }
 
+/// A ball of rough glass in a furnace loses only what microfacets scatter more than once; by paths that meet
+/// the sky alone, and by those that choose it, too.
+TEST(ReferenceFurnace, RoughGlassAlmostVanishes) {
+    scene::Material glass;
+    glass.metallic = 0, glass.transmission = 1, glass.thickness = 1;
+    glass.roughness = 0.3f;
+    const auto lab = sphere_lab(glass, 2);
+    const auto paths = transport(Paths::full, 1, 30, Materials::gltf);
+    const auto found = estimates(lab, paths, onto_sphere, furnace_seeds, furnace_samples);
+    EXPECT_GT(spread(found).mean, 0.93);
+    EXPECT_LT(spread(found).mean, 1 + 5 * std::sqrt(spread(found).variance / furnace_seeds));
+    Estimator by_rays;
+    by_rays.combine = [](float pdf, float other) { return pdf > other ? 1.0f : pdf < other ? 0.0f : 0.5f; };
+    const auto other = estimates(lab, paths, onto_sphere, furnace_seeds, furnace_samples, by_rays);
+    const double error = std::sqrt((spread(found).variance + spread(other).variance) / furnace_seeds);
+    EXPECT_NEAR(spread(found).mean, spread(other).mean, critical_t_of_furnaces * error)
+        << "any weights that add up to 1 give the same";
+    Estimator mutant;
+    mutant.combine = without_weights;
+    EXPECT_GT(spread(estimates(lab, paths, onto_sphere, furnace_seeds, furnace_samples, mutant)).mean, 1.05);
+}
+
 }  // namespace
 }  // namespace ir::methods::reference

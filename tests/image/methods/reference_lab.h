@@ -31,11 +31,13 @@ class Lab {
         return static_cast<int>(scene_.materials.size()) - 1;
     }
 
-    void triangle(int material, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+    /// `normal`: of the vertices; none: the triangle's.
+    void triangle(int material, glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 normal = glm::vec3(0)) {
         scene::Mesh mesh;
         mesh.material = material;
         mesh.positions = {a, b, c};
-        mesh.normals.assign(3, glm::normalize(glm::cross(b - a, c - a)));
+        if (normal == glm::vec3(0)) normal = glm::normalize(glm::cross(b - a, c - a));
+        mesh.normals.assign(3, normal);
         mesh.uv0.assign(3, {0, 0});
         mesh.indices = {0, 1, 2};
         scene::Node node;
@@ -44,26 +46,23 @@ class Lab {
         scene_.nodes.push_back(node);
     }
     /// A parallelogram whose normal is along u × v.
-    void quad(int material, glm::vec3 corner, glm::vec3 u, glm::vec3 v) {
-        triangle(material, corner, corner + u, corner + u + v);
-        triangle(material, corner, corner + u + v, corner + v);
+    void quad(int material, glm::vec3 corner, glm::vec3 u, glm::vec3 v, glm::vec3 normal = glm::vec3(0)) {
+        triangle(material, corner, corner + u, corner + u + v, normal);
+        triangle(material, corner, corner + u + v, corner + v, normal);
     }
     /// Flat triangles of an octahedron split `splits` times; normals point out, or in where radius < 0.
-    void sphere(int material, float radius, int splits) {
-        using V = glm::vec3;
-        const std::function<void(V, V, V, int)> add = [&](V a, V b, V c, int level) {
-            if (level == 0) return triangle(material, radius * a, radius * b, radius * c);
-            const V ab = glm::normalize(a + b), bc = glm::normalize(b + c), ca = glm::normalize(c + a);
-            add(a, ab, ca, level - 1), add(ab, b, bc, level - 1), add(ca, bc, c, level - 1);
-            add(ab, bc, ca, level - 1);
-        };
-        for (const float x : {-1.0f, 1.0f})
-            for (const float y : {-1.0f, 1.0f})
-                for (const float z : {-1.0f, 1.0f}) {
-                    const bool turned = x * y * z < 0;
-                    add({x, 0, 0}, turned ? V(0, 0, z) : V(0, y, 0), turned ? V(0, y, 0) : V(0, 0, z),
-                        splits);
-                }
+    void sphere(int material, float radius, int splits, glm::vec3 centre = glm::vec3(0)) {
+        for_each_triangle(splits, [&](glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+            triangle(material, centre + radius * a, centre + radius * b, centre + radius * c);
+        });
+    }
+    /// Of its triangles, m².
+    static float sphere_area(float radius, int splits) {
+        float area = 0;
+        for_each_triangle(splits, [&](glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+            area += 0.5f * radius * radius * glm::length(glm::cross(b - a, c - a));
+        });
+        return area;
     }
     void light(const scene::Light& light) { scene_.lights.push_back(light); }
     void environment(glm::vec3 radiance) { scene_.environment.constant = radiance; }
@@ -78,11 +77,30 @@ class Lab {
     }
     const scene::Scene& scene() const { return scene_; }
     PathWorld world(Transport::Materials model) const {
-        return {*bvh_, *surfaces_, *lights_, specular_materials(scene_, model)};
+        return {*bvh_, *surfaces_, {*lights_, *lights_}, specular_materials(scene_, model)};
     }
     const passes::LightSampler& lights() const { return *lights_; }
 
   private:
+    /// Of the unit sphere.
+    static void for_each_triangle(int splits,
+                                  const std::function<void(glm::vec3, glm::vec3, glm::vec3)>& visit) {
+        using V = glm::vec3;
+        const std::function<void(V, V, V, int)> add = [&](V a, V b, V c, int level) {
+            if (level == 0) return visit(a, b, c);
+            const V ab = glm::normalize(a + b), bc = glm::normalize(b + c), ca = glm::normalize(c + a);
+            add(a, ab, ca, level - 1), add(ab, b, bc, level - 1), add(ca, bc, c, level - 1);
+            add(ab, bc, ca, level - 1);
+        };
+        for (const float x : {-1.0f, 1.0f})
+            for (const float y : {-1.0f, 1.0f})
+                for (const float z : {-1.0f, 1.0f}) {
+                    const bool turned = x * y * z < 0;
+                    add({x, 0, 0}, turned ? V(0, 0, z) : V(0, y, 0), turned ? V(0, y, 0) : V(0, 0, z),
+                        splits);
+                }
+    }
+
     scene::Scene scene_;
     scene::World world_;
     std::unique_ptr<passes::Bvh> bvh_;

@@ -103,6 +103,27 @@ TEST(ReferenceLight, RaisingTheSamplesGoesOn) {
     }
 }
 
+/// The lamp of the box emits and a spot shines under it: what is left out is exactly the lamp's.
+TEST(ReferenceLight, EmittersAreLeftOutAsTheTransportSays) {
+    const auto picture = [](const char* emitters, const std::string& options) {
+        return Picture(cornell(light("full", 16, {{"max_bounces", std::int64_t{3}}, {"emitters", emitters}}),
+                               "builtin:cornell" + options));
+    };
+    const auto all = picture("all", ""), once = picture("direct", ""), none = picture("none", "");
+    const auto spot = picture("all", "?emission=0");
+    EXPECT_EQ(none["direct"].pixels, spot["direct"].pixels);
+    EXPECT_EQ(none["indirect"].pixels, spot["indirect"].pixels);
+    EXPECT_EQ(once["direct"].pixels, all["direct"].pixels);
+    EXPECT_EQ(once["indirect"].pixels, none["indirect"].pixels);
+    EXPECT_NE(all["indirect"].pixels, none["indirect"].pixels);
+    const float lamp = 17;
+    EXPECT_GE(*std::max_element(none.main.pixels.begin(), none.main.pixels.end()), lamp) << "it is seen";
+    const auto dark = picture("none", "?light=0");
+    EXPECT_TRUE(dark.notes("emitters"));
+    for (std::size_t i = 0; i < dark["direct"].pixels.size(); ++i)
+        ASSERT_EQ(dark["direct"].pixels[i], i % 4 == 3 ? 1 : 0);  // alpha is 1
+}
+
 TEST(ReferenceLight, PartsAddUp) {
     const Picture full(cornell(light("full", 16, {{"max_bounces", std::int64_t{3}}})));
     const auto& emission = full["gbuffer.emission"];
@@ -218,7 +239,7 @@ TEST(ReferenceLight, SaysWhatIsMissing) {
         ASSERT_EQ(black.main.pixels[i], i % 4 == 3 ? 1 : 0);  // alpha is 1
     const Picture lit(cornell(light("full", 1)));
     EXPECT_FALSE(lit.notes("nothing in the scene emits"));
-    EXPECT_FALSE(lit.notes("cannot be found"));
+    EXPECT_FALSE(lit.notes("traced from the lights"));
 }
 
 TEST(ReferenceLight, TellsSpeedAndError) {

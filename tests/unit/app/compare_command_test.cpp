@@ -288,6 +288,32 @@ TEST_F(Compare, RefusesWhatIsNotAlikeUnlessAllowed) {
     expect_refused(compare("a.exr", "foreign.exr", "--allow-different everything"), 2, "everything");
 }
 
+/// What files say of sources counts, and no longer by which parameter they were left out.
+TEST_F(Compare, RefusesLightThatIsInOnePictureAlone) {
+    const auto lit = [&](const std::string& name, const std::string& parts, const std::string& paths,
+                         const std::string& sky) {
+        write(name, picture(),
+              {{"interreflect.set.paths", paths},
+               {"interreflect.set.environment_light", sky},
+               {"interreflect.lights",
+                R"([{"source":"emissive material 'neon'","kind":"surface","parts":[)" + parts + "]}]"}});
+    };
+    lit("method.exr", R"("seen")", "full", "true");
+    lit("truth.exr", R"("seen","direct","indirect")", "full", "true");
+    expect_refused(compare("method.exr", "truth.exr"), 3,
+                   "emissive material 'neon' gives direct and indirect light in " + file("truth.exr") +
+                       " alone (--allow-different sources");
+    EXPECT_EQ(compare("method.exr", "truth.exr", "--allow-different sources").status, 0);
+    lit("matched.exr", R"("seen")", "full", "false");
+    EXPECT_EQ(compare("method.exr", "matched.exr").status, 0) << "there is no environment";
+    write("old.exr", picture(),
+          {{"interreflect.set.paths", "full"}, {"interreflect.set.environment_light", "false"}});
+    expect_refused(compare("method.exr", "old.exr"), 3, "environment_light");
+    lit("direct.exr", R"("direct")", "direct", "true");
+    EXPECT_EQ(compare("truth.exr", "direct.exr", "--allow-different transport").status, 0)
+        << "of one scattering both have the same";
+}
+
 TEST_F(Compare, WhereSomethingMovesTheLastFramesAreOfOneMoment) {
     const auto at = [](const char* time, const char* moment, const char* moves) {
         return ImageAttributes{

@@ -254,7 +254,7 @@ TEST(TransportGroup, DefaultsComeFromTheMethodsOwnMember) {
 
 TEST(TransportGroup, KnowsItsKeysWhateverAMethodSupports) {
     for (const char* key : {"paths", "min_bounces", "max_bounces", "max_distance", "falloff", "materials",
-                            "normal_maps", "environment_light"})
+                            "normal_maps", "environment_light", "emitters"})
         EXPECT_TRUE(is_transport_key(key)) << key;
     EXPECT_FALSE(is_transport_key("samples"));
     EXPECT_FALSE(is_transport_key(""));

@@ -153,5 +153,115 @@ TEST(Glass, TransmittanceFollowsBeersLaw) {
     EXPECT_EQ(passes::Bsdf::transmittance(material, 4), glm::vec3(1)) << "0 is infinite";
 }
 
+/// Rough glass of this roughness in place of smooth.
+Patch rough(float thickness, float roughness) {
+    auto patch = glass(thickness);
+    patch.surface.base_colour = glm::vec3(1);
+    patch.surface.roughness = roughness;
+    return patch;
+}
+
+glm::vec3 on_sphere(std::mt19937& random) {
+    std::uniform_real_distribution<float> unit(0, 1);
+    const float z = 2 * unit(random) - 1, r = std::sqrt(1 - z * z), phi = glm::two_pi<float>() * unit(random);
+    return {r * std::cos(phi), r * std::sin(phi), z};
+}
+
+/// In a furnace of radiance 1 outside and η² inside rough glass loses only what microfacets would scatter
+/// more than once, and gains nothing.
+TEST(RoughGlass, ShowsAFurnaceAlmostWhole) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> unit(0, 1);
+    for (const float thickness : {0.0f, 1.0f})
+        for (const bool is_front : {true, false})
+            for (const auto& [roughness, least] : {std::pair{0.1f, 0.995}, {0.4f, 0.92}, {0.7f, 0.65}}) {
+                auto patch = rough(thickness, roughness);
+                patch.surface.is_front = is_front;
+                const float inside = thickness > 0 ? 2.25f : 1.0f;
+                const float own = is_front ? 1 : inside, other = is_front ? inside : 1;
+                double sum = 0;
+                constexpr int n = 40000;
+                for (int i = 0; i < n; ++i) {
+                    const auto s = patch.bsdf().sample(patch.direction(0.7f), unit(random),
+                                                       {unit(random), unit(random)});
+                    if (!s) continue;
+                    ASSERT_FALSE(s->is_specular);
+                    sum += s->weight.x * (s->is_transmitted ? other : own) / own;
+                }
+                EXPECT_GT(sum / n, least) << thickness << " " << is_front << " " << roughness;
+                EXPECT_LT(sum / n, 1.001) << thickness << " " << is_front << " " << roughness;
+                // A sheet sends on what a white metal of its roughness reflects, to either side.
+                Patch metal;
+                metal.surface.metallic = 1, metal.surface.roughness = roughness;
+                metal.surface.base_colour = glm::vec3(1);
+                if (thickness == 0 && roughness > 0.3f) {
+                    EXPECT_NEAR(sum / n, directional_albedo(metal, metal.direction(0.7f)), 0.01) << roughness;
+                }
+            }
+}
+
+/// Samples, densities and values over the whole sphere say the same.
+TEST(RoughGlass, SamplesAsItsDensitySays) {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<float> unit(0, 1);
+    for (const float thickness : {0.0f, 1.0f})
+        for (const bool is_front : {true, false}) {
+            auto patch = rough(thickness, 0.7f);
+            patch.surface.is_front = is_front;
+            const auto bsdf = patch.bsdf();
+            const auto wo = patch.direction(0.6f);
+            constexpr int n = 400000;
+            double drawn = 0, through = 0, weight = 0, density = 0, density_through = 0, value = 0;
+            for (int i = 0; i < n; ++i) {
+                if (const auto s = bsdf.sample(wo, unit(random), {unit(random), unit(random)})) {
+                    drawn += 1.0 / n, weight += s->weight.x / n;
+                    through += s->is_transmitted ? 1.0 / n : 0;
+                }
+                const auto wi = on_sphere(random);
+                const auto at = bsdf.evaluate_with_pdf(wo, wi);
+                constexpr double sphere = 4 * glm::pi<double>();
+                density += sphere * at.pdf / n, value += sphere * at.value.x / n;
+                if (glm::dot(wi, patch.surface.shading_normal_ws) < 0) density_through += sphere * at.pdf / n;
+            }
+            EXPECT_NEAR(density, drawn, 0.02) << thickness << " " << is_front;
+            EXPECT_NEAR(density_through, through, 0.02) << thickness << " " << is_front;
+            EXPECT_NEAR(value, weight, 0.02 * weight) << thickness << " " << is_front;
+        }
+}
+
+/// What comes from light sources sees the same surface as what goes to the camera, from the other side, too.
+TEST(RoughGlass, CarriesPowerAsItCarriesRadiance) {
+    std::mt19937 random(7);
+    for (const float thickness : {0.0f, 1.0f}) {
+        const auto front = rough(thickness, 0.6f);
+        auto back = front;
+        back.surface.is_front = false;
+        back.surface.geometric_normal_ws *= -1.0f, back.surface.shading_normal_ws *= -1.0f;
+        const auto n = front.surface.geometric_normal_ws;
+        int compared = 0;
+        for (int i = 0; i < 5000; ++i) {
+            const auto wi = on_sphere(random), wo = on_sphere(random);
+            if (glm::dot(wi, n) < 0.1f) continue;
+            const bool is_behind = glm::dot(wo, n) < 0;
+            const auto radiance = (is_behind ? back : front).bsdf().evaluate(wo, wi).x;
+            const auto power = front.bsdf().evaluate_importance(wi, wo).x;
+            const float expected = radiance * std::abs(glm::dot(n, wo)) / glm::dot(n, wi);
+            EXPECT_NEAR(power, expected, 1e-3f * expected + 1e-6f) << thickness << " " << is_behind;
+            compared += is_behind && expected > 0;
+        }
+        EXPECT_GT(compared, 100);
+    }
+}
+
+TEST(RoughGlass, TurnsIntoSmoothGlass) {
+    const auto patch = rough(1, 0.035f);
+    const auto wo = patch.direction(0.6f);
+    const auto smooth = glass(1).bsdf().sample(wo, 0.9f, {0, 0});
+    const auto found = patch.bsdf().sample(wo, 0.9f, {0.2f, 0.7f});
+    ASSERT_TRUE(found && smooth && found->is_transmitted);
+    EXPECT_LT(glm::distance(found->wi, smooth->wi), 0.01f);
+    EXPECT_NEAR(found->weight.x, 1 / 2.25f, 1e-3f);
+}
+
 }  // namespace
 }  // namespace ir::test

@@ -28,8 +28,9 @@ const MethodDescription& truth() {
                   {.key = "samples", .label = "Samples", .doc = "", .hard = {1, 1e6}, .accumulates = true});
         table.add(&TruthSettings::antialias, {.key = "antialias", .label = "Antialias", .doc = ""});
         table.include(&TruthSettings::transport,
-                      transport_parameters(
-                          {{"ao", "full"}, {"max_distance", "falloff", "max_bounces", "normal_maps"}}));
+                      transport_parameters({{"ao", "full"},
+                                            {"max_distance", "falloff", "max_bounces", "normal_maps",
+                                             "environment_light", "emitters"}}));
         MethodDescription result;
         result.id = "truth";
         result.title = "Truth";
@@ -96,7 +97,7 @@ TEST(Match, CopiesWhatTheTruthDependsOnAndNothingElse) {
     EXPECT_EQ(found.values.at("normal_maps"), Value{true}) << "unknown to the method: the truth's default";
     EXPECT_TRUE(found.presets.empty());
     EXPECT_GT(found.frames, 1) << "a first picture is there soon";
-    EXPECT_TRUE(mismatched_references(project, foggy_methods(), still).empty());
+    EXPECT_TRUE(mismatched_references(project, foggy_methods(), {still}).empty());
 }
 
 TEST(Match, CompletesTheValuesThatAnExperimentLacks) {
@@ -182,9 +183,9 @@ TEST(Match, WhereSomethingMovesTheTruthIsOfTheLastFrame) {
     const auto& found = *find_item(project.experiments, find_item(project.experiments, id)->reference);
     EXPECT_DOUBLE_EQ(found.time, 2 + 6 / 30.0);
     EXPECT_EQ(last_time(found, foggy_methods()), found.time);
-    EXPECT_TRUE(mismatched_references(project, foggy_methods(), animated).empty());
+    EXPECT_TRUE(mismatched_references(project, foggy_methods(), {animated}).empty());
     find_item(project.experiments, id)->frames = 1;
-    const auto wrong = mismatched_references(project, foggy_methods(), animated);
+    const auto wrong = mismatched_references(project, foggy_methods(), {animated});
     ASSERT_EQ(wrong.size(), 1u);
     EXPECT_NE(wrong[0].second.find("time"), std::string::npos) << wrong[0].second;
     EXPECT_NE(match_id(project, id, animated), found.id) << "another moment, another truth";
@@ -205,8 +206,8 @@ TEST(Match, WhereNothingMovesAllNumbersOfFramesShareOneTruth) {
     matched(project, "once");
     EXPECT_EQ(project.experiments.size(), count);
     EXPECT_EQ(find_item(project.experiments, "once")->reference, truth);
-    EXPECT_TRUE(mismatched_references(project, foggy_methods(), still).empty());
-    EXPECT_EQ(mismatched_references(project, foggy_methods(), animated).size(), 2u);
+    EXPECT_TRUE(mismatched_references(project, foggy_methods(), {still}).empty());
+    EXPECT_EQ(mismatched_references(project, foggy_methods(), {animated}).size(), 2u);
 }
 
 TEST(Match, WhatTheDocumentMovesCountsWhateverTheFilesDo) {
@@ -216,6 +217,39 @@ TEST(Match, WhatTheDocumentMovesCountsWhateverTheFilesDo) {
     EXPECT_TRUE(is_moving(project, project.experiments[1], animated));
 }
 
+/// "fog" has no key of sources, and says that it lacks light of surfaces.
+TEST(Match, LeavesOutTheLightThatTheMethodLacks) {
+    auto fog = testing::registry().at("fog");
+    for (auto& parameter : fog.parameters)
+        if (parameter.key == "paths") parameter.supported = {"ao", "full"};
+    fog.missing_light = {{{LightPart::direct, LightPart::indirect}, {LightKind::surface, LightKind::lamp}},
+                         {{LightPart::seen}, {LightKind::lamp}}};
+    const Registry methods({&fog, &testing::registry().at("plain"), &truth()});
+    auto project = unmatched();
+    project.experiments[0].values["paths"] = std::string("full");
+    match(project, "fog-nave", methods, still)->apply(project);
+    auto& values = project.experiments[1].values;
+    EXPECT_EQ(values.at("emitters"), Value{std::string("none")});
+    EXPECT_EQ(values.at("environment_light"), Value{true}) << "its light is in the picture";
+    SceneFacts facts{still};
+    facts.light_sources = [](const Experiment&) {
+        return std::vector<LightSource>{{LightKind::surface, "emissive material 'neon'"},
+                                        {LightKind::punctual, "point light 'bulb'"}};
+    };
+    EXPECT_TRUE(mismatched_references(project, methods, facts).empty());
+    values["emitters"] = std::string("all");
+    const auto found = mismatched_references(project, methods, facts);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NE(found[0].second.find("light (emissive material 'neon' gives direct and indirect light in the "
+                                   "reference alone)"),
+              std::string::npos)
+        << found[0].second;
+    facts.light_sources = [](const Experiment&) {
+        return std::vector<LightSource>{{LightKind::punctual, "point light 'bulb'"}};
+    };
+    EXPECT_TRUE(mismatched_references(project, methods, facts).empty()) << "nothing of the kind shines";
+}
+
 TEST(Match, MismatchesAreNamed) {
     auto project = unmatched();
     matched(project, "fog-nave");
@@ -223,7 +257,7 @@ TEST(Match, MismatchesAreNamed) {
     reference.values["max_distance"] = 3.0;
     reference.size = {8, 8};
     reference.camera = "inside";
-    const auto found = mismatched_references(project, foggy_methods(), still);
+    const auto found = mismatched_references(project, foggy_methods(), {still});
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].first, "fog-nave");
     for (const char* part : {"camera", "size", "max_distance", "3"})

@@ -118,10 +118,10 @@ struct LeavePoints {
 struct LandPhotons {
     PathRules rules;
     unsigned surface_number, last_surface, min_bounces, max_bounces, max_mirrors;
-    bool normal_maps, culling;
+    bool keeps_mirrored, normal_maps, culling;
     Culling view;
-    IR_FIELDS(rules, surface_number, last_surface, min_bounces, max_bounces, max_mirrors, normal_maps,
-              culling, view)
+    IR_FIELDS(rules, surface_number, last_surface, min_bounces, max_bounces, max_mirrors, keeps_mirrored,
+              normal_maps, culling, view)
 };
 
 /// Constants of store.comp.
@@ -179,7 +179,7 @@ void Wavefront::advance(GraphBuilder& builder, int number, const Photons& photon
     const auto name = std::to_string(number);
     passes::trace_rays(builder, "trace " + name, scene_, parameters_.tracer, rays_);
     land(builder, number, photons);
-    if (number < parameters_.transport.min_bounces) return;
+    if (number < parameters_.transport.min_bounces && !keeps_mirrored()) return;
     const auto places =
         passes::exclusive_scan(builder, "photons.surface" + name, flags_, samples_.paths, photons.count);
     store(builder, number, places, photons);
@@ -206,6 +206,7 @@ void Wavefront::land(GraphBuilder& builder, int number, const Photons& photons) 
                     .min_bounces = static_cast<unsigned>(transport.min_bounces),
                     .max_bounces = static_cast<unsigned>(bounces_),
                     .max_mirrors = static_cast<unsigned>(mirrors_),
+                    .keeps_mirrored = keeps_mirrored(),
                     .normal_maps = transport.normal_maps,
                     .culling = parameters_.culling,
                     .view = culling_by(inputs.view, parameters_, inputs.world->bounds.radius())},

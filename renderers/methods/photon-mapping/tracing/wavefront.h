@@ -23,6 +23,10 @@ class Wavefront {
     graph::BufferRef sums() const { return sums_; }
 
   private:
+    /// Light that mirrors throw before anything scatters it is direct light, which shadow maps do not show.
+    bool keeps_mirrored() const {
+        return mirrors_ > 0 && parameters_.transport.paths == Transport::Paths::full;
+    }
     void land(graph::GraphBuilder& builder, int number, const Photons& photons) const;
     void store(graph::GraphBuilder& builder, int number, graph::BufferRef places,
                const Photons& photons) const;

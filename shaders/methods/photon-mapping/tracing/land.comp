@@ -15,6 +15,7 @@ layout(std430) readonly buffer StoredCount { uint stored_count; };
 
 uniform uint surface_number, last_surface;  // along the path, mirrors included; from 1
 uniform uint min_bounces, max_bounces, max_mirrors;
+uniform bool keeps_mirrored;  // light that mirrors alone have thrown, which is in no shadow map
 uniform bool normal_maps;
 uniform bool culling;
 uniform mat4 frustum_sides;
@@ -106,7 +107,8 @@ void land(uint index) {
         return;
     }
     path.distance += hit.distance;
-    if (bounce >= max(min_bounces, 1u)) store(index, photon_at(surface, path, ray));
+    bool counts = bounce == 0u ? keeps_mirrored && mirrors_of(path) > 0u : bounce >= min_bounces;
+    if (counts) store(index, photon_at(surface, path, ray));
     rays[index] = go_on(path, surface, -ray.direction_ws);
     paths[index] = path;
 }

@@ -1,0 +1,39 @@
+#include "renderers/scene/light_sources.h"
+
+#include <array>
+
+namespace ir::scene {
+namespace {
+
+constexpr std::array type_names{"point light", "spot light", "directional light", "rectangle light",
+                                "disk light"};
+
+std::string named(const std::string& what, const std::string& name, std::size_t index) {
+    return what + (name.empty() ? " " + std::to_string(index + 1) : " '" + name + "'");
+}
+
+LightSource source_of(const Light& light, std::size_t index) {
+    const bool is_lamp = light.type == LightType::rectangle || light.type == LightType::disk;
+    return {is_lamp ? LightKind::lamp : LightKind::punctual,
+            named(type_names[static_cast<std::size_t>(light.type)], light.name, index)};
+}
+
+}  // namespace
+
+std::vector<LightSource> light_sources(const Scene& scene, const std::vector<Light>& lights,
+                                       const Environment& environment) {
+    std::vector<LightSource> sources;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (lights[i].intensity * lights[i].colour != glm::vec3(0))
+            sources.push_back(source_of(lights[i], i));
+    std::vector<bool> is_used(scene.materials.size());
+    for (const auto& mesh : scene.meshes) is_used[static_cast<std::size_t>(mesh.material)] = true;
+    for (std::size_t i = 0; i < scene.materials.size(); ++i)
+        if (is_used[i] && scene.materials[i].emission != glm::vec3(0))
+            sources.push_back({LightKind::surface, named("emissive material", scene.materials[i].name, i)});
+    if (environment.map || environment.constant != glm::vec3(0))
+        sources.push_back({LightKind::environment, "the environment"});
+    return sources;
+}
+
+}  // namespace ir::scene

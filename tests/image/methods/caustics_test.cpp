@@ -1,0 +1,266 @@
+// Caustics as the thesis shows them: a bunny of glass and a torus that is a mirror, each under a lamp. The
+// reference traces them from the light; photons, and paths from the camera that meet a lamp with an extent,
+// find the same light in the same places.  [Smal19 §8.7]
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <glm/gtc/constants.hpp>
+
+#include "app/engine/execution.h"
+#include "app/engine/pictures.h"
+#include "tests/image/methods/machine.h"
+#include "tests/unit/scene/gltf_builder.h"
+
+namespace ir::engine {
+namespace {
+
+using test::GltfBuilder;
+using test::Json;
+
+constexpr float pi = glm::pi<float>();
+
+struct Solid {
+    std::vector<float> positions, normals;
+    std::vector<std::uint32_t> indices;
+
+    void vertex(glm::vec3 position, glm::vec3 normal) {
+        positions.insert(positions.end(), {position.x, position.y, position.z});
+        normals.insert(normals.end(), {normal.x, normal.y, normal.z});
+    }
+    /// Of a grid of vertices, `across` in a row.
+    void faces(std::uint32_t rows, std::uint32_t across) {
+        for (std::uint32_t i = 0; i < rows; ++i)
+            for (std::uint32_t k = 0; k + 1 < across; ++k) {
+                const auto a = i * across + k, b = a + across;
+                indices.insert(indices.end(), {a, a + 1, b, a + 1, b + 1, b});
+            }
+    }
+};
+
+/// Around +Y, lying at the origin.
+Solid torus(float major, float minor) {
+    constexpr int around = 96, about = 48;
+    Solid solid;
+    for (int i = 0; i <= around; ++i)
+        for (int k = 0; k <= about; ++k) {
+            const float a = 2 * pi * float(i) / around, b = 2 * pi * float(k) / about;
+            const glm::vec3 out(std::cos(a), 0, std::sin(a));
+            const auto normal = std::cos(b) * out + glm::vec3(0, std::sin(b), 0);
+            solid.vertex(major * out + minor * normal, normal);
+        }
+    solid.faces(around, about + 1);
+    return solid;
+}
+
+Solid ball(glm::vec3 centre, float radius, int steps) {
+    Solid solid;
+    for (int i = 0; i <= 2 * steps; ++i)
+        for (int k = 0; k <= steps; ++k) {
+            const float a = 2 * pi * float(i) / float(2 * steps), b = pi * float(k) / float(steps) - pi / 2;
+            const glm::vec3 normal(std::cos(b) * std::cos(a), std::sin(b), std::cos(b) * std::sin(a));
+            solid.vertex(centre + radius * normal, normal);
+        }
+    solid.faces(static_cast<std::uint32_t>(2 * steps), static_cast<std::uint32_t>(steps + 1));
+    return solid;
+}
+
+Solid floor_of(float half) {
+    Solid solid;
+    for (const float x : {-half, half})
+        for (const float z : {-half, half}) solid.vertex({x, 0, z}, {0, 1, 0});
+    solid.faces(1, 2);
+    return solid;
+}
+
+void add(GltfBuilder& builder, const Solid& solid, const Json& material) {
+    const int index = builder.append("materials", material);
+    const int mesh = builder.draw(
+        {{"POSITION", builder.floats(solid.positions, "VEC3")},
+         {"NORMAL", builder.floats(solid.normals, "VEC3")}},
+        builder.accessor(builder.view(solid.indices), test::type_uint, "SCALAR", solid.indices.size()));
+    builder.json["meshes"][static_cast<std::size_t>(mesh)]["primitives"][0]["material"] = index;
+}
+
+Json surface(const char* name, float colour, float metallic, float roughness) {
+    return {{"name", name},
+            {"doubleSided", true},
+            {"pbrMetallicRoughness",
+             {{"baseColorFactor", {colour, colour, colour, 1}},
+              {"metallicFactor", metallic},
+              {"roughnessFactor", roughness}}}};
+}
+
+Json glass() {
+    auto material = surface("glass", 1, 0, 0);
+    material["extensions"] = {{"KHR_materials_transmission", {{"transmissionFactor", 1}}},
+                              {"KHR_materials_volume", {{"thicknessFactor", 1}}}};
+    return material;
+}
+
+Json glowing(float radiance) {
+    auto material = surface("glowing", 0, 0, 1);
+    material["emissiveFactor"] = {1, 1, 1};
+    material["extensions"] = {{"KHR_materials_emissive_strength", {{"emissiveStrength", radiance}}}};
+    return material;
+}
+
+scene::Light bulb(glm::vec3 position, float intensity) {
+    scene::Light light;
+    light.position = position;
+    light.intensity = intensity;
+    return light;
+}
+
+Experiment picture_of(const std::string& scene, int size, glm::vec3 eye, glm::vec3 target) {
+    Experiment e;
+    e.scene = scene;
+    e.replace_lights = true;
+    e.width = e.height = size;
+    auto& camera = e.camera.emplace();
+    camera.eye = eye;
+    camera.target = target;
+    camera.fov_y = glm::radians(40.0f);
+    return e;
+}
+
+/// Of red, for each square of so many pixels, of those that count.
+struct Blocks {
+    std::vector<double> values;
+    double sum() const {
+        double result = 0;
+        for (const auto value : values) result += value;
+        return result;
+    }
+};
+Blocks blocks(int size, int side, const std::function<double(int, int)>& value) {
+    const int across = size / side;
+    Blocks result{std::vector<double>(static_cast<std::size_t>(across) * across)};
+    for (int y = 0; y < across * side; ++y)
+        for (int x = 0; x < across * side; ++x)
+            result.values[static_cast<std::size_t>(y / side) * across + x / side] += value(x, y);
+    return result;
+}
+
+/// Sum of absolute differences over the sum: 0 where both have their light in the same places.
+double misplaced(const Blocks& a, const Blocks& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.values.size(); ++i) sum += std::abs(a.values[i] - b.values[i]);
+    return sum / b.sum();
+}
+
+void run(Execution& execution, int frames) {
+    graph::FrameOptions options;
+    options.wanted = {"*"};
+    for (int i = 0; i < frames; ++i) execution.run_frame(options);
+}
+
+TEST(Caustics, OfAMirrorTorusAreThoseOfPhotons) {
+    GltfBuilder builder;
+    add(builder, floor_of(1), surface("floor", 0.7f, 0, 1));
+    auto ring = torus(0.4f, 0.12f);
+    for (std::size_t i = 1; i < ring.positions.size(); i += 3) ring.positions[i] += 0.12f;
+    add(builder, ring, surface("mirror", 1, 1, 0));
+    const test::TemporaryFolder folder;
+    constexpr int size = 64;
+    auto e = picture_of(test::write_file(folder, "torus.gltf", builder.embedded_text()), size,
+                        {0, 1.6f, 1.2f}, {0, 0, 0});
+    e.lights = {bulb({0.9f, 0.9f, 0}, 2)};
+    const Settings light{
+        {"paths", "full"}, {"max_bounces", std::int64_t{1}}, {"materials", "metalness-blend"}};
+    auto truth = e;
+    truth.method = "reference";
+    truth.settings = light;
+    truth.settings["samples"] = std::int64_t{256};
+    Execution traced(machine(), truth);
+    run(traced, 1);
+    auto photons = e;
+    photons.method = "photon-mapping";
+    photons.settings = light;
+    photons.settings.insert({{"photons", std::int64_t{400000}},
+                             {"temporal", false},
+                             {"filter_passes", std::int64_t{0}},
+                             {"normal_axis", 1.0}});
+    Execution splatted(machine(), photons);
+    run(splatted, 1);
+    const auto direct = splatted.graph().read_image("direct.radiance").value(),
+               material = splatted.graph().read_image("gbuffer.material").value(),
+               valid = splatted.graph().read_image("valid").value();
+    const auto beyond = [&](const Image& picture) {
+        return blocks(size, 8, [&](int x, int y) {
+            const bool counts = valid.at(x, y) > 0 && material.at(x, y, 0) < 0.5f;
+            return counts ? picture.at(x, y, 0) - direct.at(x, y, 0) : 0.0;
+        });
+    };
+    const auto expected = beyond(main_result(traced)), found = beyond(main_result(splatted));
+    EXPECT_NEAR(found.sum() / expected.sum(), 1, 0.06);
+    EXPECT_LT(misplaced(found, expected), 0.2);
+    auto turned = found;
+    std::reverse(turned.values.begin(), turned.values.end());
+    EXPECT_GT(misplaced(turned, expected), 0.3) << "it is no even light";
+}
+
+/// A bulb over glass by light tracing, and a small luminous ball in its place, which paths from the camera
+/// meet.
+void expect_same_caustics(GltfBuilder builder, float size_m) {
+    const glm::vec3 lamp(2 * size_m, 2 * size_m, 0);
+    const float intensity = size_m * size_m, radius = 0.15f * size_m;
+    auto with_ball = builder;
+    const auto sphere = ball(lamp, radius, 12);
+    // A convex body of area S and radiance L has the mean intensity L S / 4.
+    add(with_ball, sphere, glowing(intensity / (pi * radius * radius)));
+    const test::TemporaryFolder folder;
+    constexpr int size = 48;
+    auto traced = picture_of(test::write_file(folder, "bulb.gltf", builder.embedded_text()), size,
+                             size_m * glm::vec3(-2, 3, 2), size_m * glm::vec3(-0.6f, 0, 0));
+    traced.method = "reference";
+    traced.settings = {{"paths", "direct"}, {"samples", std::int64_t{64}}};
+    auto met = traced;
+    met.scene = test::write_file(folder, "ball.gltf", with_ball.embedded_text());
+    met.settings["samples"] = std::int64_t{3072};
+    traced.lights = {bulb(lamp, intensity)};
+    Execution by_light(machine(), traced), by_camera(machine(), met);
+    run(by_light, 1), run(by_camera, 1);
+    const auto valid = by_light.graph().read_image("valid").value(),
+               caustics = by_light.graph().read_image("reference.light_sums").value();
+    const auto counted = [&](const Execution& execution) {
+        const auto picture = main_result(execution);
+        return blocks(size, 6, [&](int x, int y) { return valid.at(x, y) > 0 ? picture.at(x, y, 0) : 0.0; });
+    };
+    const auto found = counted(by_light), expected = counted(by_camera);
+    EXPECT_NEAR(found.sum() / expected.sum(), 1, 0.02);
+    EXPECT_LT(misplaced(found, expected), 0.06);
+    // Without what light tracing found, both would be wrong.
+    const auto whole = main_result(by_light);
+    const auto lit = blocks(size, 6, [&](int x, int y) {
+        return valid.at(x, y) > 0 ? whole.at(x, y, 0) - caustics.at(x, y, 0) * 8 / 64.0 : 0.0;
+    });
+    EXPECT_LT(lit.sum() / expected.sum(), 0.97);
+    EXPECT_GT(misplaced(lit, expected), 0.06);
+}
+
+TEST(Caustics, OfAGlassBallAreThoseOfPathsFromTheCamera) {
+    GltfBuilder builder;
+    add(builder, floor_of(3), surface("floor", 0.7f, 0, 1));
+    add(builder, ball({0, 0.55f, 0}, 0.5f, 48), glass());
+    expect_same_caustics(builder, 1);
+}
+
+TEST(Caustics, OfAGlassBunnyAreThoseOfPathsFromTheCamera) {
+    const char* folder = std::getenv("INTERREFLECT_SCENES");
+    if (!folder) GTEST_SKIP() << "INTERREFLECT_SCENES is not set";
+    const auto bunny = scene::load_scene(std::string(folder) + "/stanford-bunny.glb");
+    ASSERT_FALSE(bunny.meshes.empty());
+    Solid solid;
+    const auto& mesh = bunny.meshes.front();
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        solid.vertex(mesh.positions[i] - glm::vec3(0, 0.03f, 0), mesh.normals[i]);
+    solid.indices.assign(mesh.indices.begin(), mesh.indices.end());
+    GltfBuilder builder;
+    add(builder, floor_of(0.6f), surface("floor", 0.7f, 0, 1));
+    add(builder, solid, glass());
+    expect_same_caustics(builder, 0.16f);
+}
+
+}  // namespace
+}  // namespace ir::engine
