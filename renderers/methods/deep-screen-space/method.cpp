@@ -56,8 +56,8 @@ MethodDescription description() {
         "about it, and with visibility keeps, for each sample of a pixel, the nearest along its direction. "
         "Ambient occlusion, or one bounce of light with glossy receivers and senders. Surfaces that the "
         "picture does not show count. Errors come from the surfels' size, from the number of directions, and "
-        "from far surfels that stand for many. Senders are lit by point, spot and directional lights alone.";
-    d.version = 2;
+        "from far surfels that stand for many.";
+    d.version = 3;
     d.papers = {"Nalbach15", "Nalbach14"};
     d.background = 1;
     // Senders are lit by shadow maps; emissive ones are direct light of what sees them.
@@ -109,34 +109,9 @@ void note_reach(graph::GraphBuilder& builder, const Parameters& parameters) {
                  " times; what is farther sends and occludes nothing.");
 }
 
-bool is_punctual(scene::LightType type) {
-    return type != scene::LightType::rectangle && type != scene::LightType::disk;
-}
-
-/// Senders are lit by shadow maps, which need lights without extent; what direct_light() notes is not
-/// repeated.
-void note_missing_light(graph::GraphBuilder& builder, const Transport& transport) {
-    if (transport.paths == Paths::ao) return;
-    const auto& environment = builder.inputs().scene->environment;
-    if (transport.environment_light && (environment.map || environment.constant != glm::vec3(0)))
-        builder.note("deep-screen-space: what the environment lights is not reflected further");
-    const auto& lights = builder.inputs().world->lights;
-    if (std::none_of(lights.begin(), lights.end(), [](const auto& light) { return is_punctual(light.type); }))
-        builder.note(
-            "deep-screen-space: there is no point, spot or directional light, so surfaces have no light to "
-            "pass on");
-    if (scene::emissive_triangles(*builder.inputs().scene, *builder.inputs().world) > 0)
-        builder.note(
-            "deep-screen-space: what emissive triangles light is not reflected further; with paths=full they "
-            "light what is within the reach of their surfels");
-}
-
-/// Surfels of emissive triangles send their light themselves.
 passes::DirectLightOptions direct_options(const Parameters& parameters) {
     if (parameters.transport.paths == Paths::ao) return passes::lit_options(parameters.light);
-    auto extended = passes::extended_light_options(parameters.light, parameters.transport);
-    extended.emissive_meshes = false;
-    return {.extended = extended};
+    return {.extended = passes::extended_light_options(parameters.light, parameters.transport)};
 }
 
 void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
@@ -155,7 +130,6 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     else
         passes::compose_light(builder, gbuffer, direct, picture, parameters.transport);
     note_reach(builder, parameters);
-    note_missing_light(builder, parameters.transport);
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ struct Parameters {
     Discard discard = Discard::mended;
     Backs backs = Backs::lit;
     float light_offset = 0;  ///< radii: how far above its centre a surfel asks for shadows
+    int sender_samples = 4;
     bool glossy_senders = true;
     bool frustum_culling = true;
     float reserve = 5;  ///< surfels per pixel that memory is reserved for at first

@@ -26,6 +26,7 @@ MethodDescription description() {
         {{accessibility_output(),
           passes::lit_output(),
           passes::valid_output(),
+          passes::ldm::sky_output({"ambient_source", {std::string("environment")}}),
           {.key = "ldm.self_hits",
            .label = "Own entry found",
            .semantic = Semantic::probability,
@@ -80,7 +81,10 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto points = passes::ldm::declare_points(builder, *maps, chosen);
     const auto explanation = declare_explanation(builder, *maps, chosen);
     const bool on_host = inputs.processor == Processor::host && has_host_body(parameters);
-    if (on_host) trace_on_host(builder, gbuffer, maps, images, parameters);
+    std::optional<passes::ldm::Sky> sky;
+    if (parameters.ambient_source == AmbientSource::environment)
+        sky = passes::ldm::declare_sky(builder, maps, visibility_of(parameters.transport));
+    if (on_host) trace_on_host(builder, gbuffer, maps, images, sky ? &*sky : nullptr, parameters);
     // Beside the host's passes whole maps are built only while something looks at them.
     for (int batch = 0; batch < maps->layout.batches(); ++batch) {
         passes::ldm::build_maps(builder, scene, maps, batch);
@@ -88,6 +92,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
         if (!on_host) {
             trace(builder, gbuffer, maps, batch, images, exact ? &*exact : nullptr);
             trace_views(builder, gbuffer, maps, batch, images);
+            if (sky) passes::ldm::trace_sky(builder, gbuffer, maps, batch, *sky, "methods/ldm-ao/sky.comp");
         }
         passes::ldm::show_layers(builder, maps, batch, chosen, layers);
         passes::ldm::find_points(builder, scene, maps, batch, points);
@@ -95,7 +100,9 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     }
     resolve(builder, images, parameters);
     resolve_views(builder, gbuffer, images);
-    passes::lit(builder, gbuffer, direct, images.accessibility, parameters.ambient);
+    if (sky) passes::ldm::finish_sky(builder, *sky, parameters.progressive);
+    passes::lit(builder, gbuffer, direct, images.accessibility, parameters.ambient,
+                sky ? std::optional(sky->light) : std::nullopt);
 }
 
 }  // namespace

@@ -29,6 +29,12 @@ void add_exact(ParameterTable<Parameters>& table) {
               .active_when = {"exact", {std::string("near")}}});
 }
 
+ParameterText ambient_text() {
+    auto text = passes::ambient_parameter();
+    text.active_when = {"ambient_source", {std::string("constant")}};
+    return text;
+}
+
 }  // namespace
 
 ParameterTable<Parameters> parameter_table() {
@@ -46,7 +52,16 @@ ParameterTable<Parameters> parameter_table() {
               .doc = "Turns the set of directions at random in every frame and averages over frames. Turning "
                      "adds noise; without it frames are equal.",
               .citation = "Aalund15 §6"})
-        .add(&Parameters::ambient, passes::ambient_parameter())
+        .add(&Parameters::ambient_source,
+             {.key = "ambient_source",
+              .label = "Light from outside",
+              .doc = "What shines in the output “lit” where directions are open.",
+              .citation = "Aalund15 fig. 11",
+              .choices =
+                  {{"constant", "Constant", "The same radiance from all directions."},
+                   {"environment", "Environment",
+                    "The scene's environment: of each direction its mean over the direction's region."}}})
+        .add(&Parameters::ambient, ambient_text())
         .include(&Parameters::light, passes::light_parameters());
     return table;
 }

@@ -9,12 +9,16 @@ namespace ir::methods::ldm_ao {
 /// Which hits come from exact rays instead of the maps.
 enum class Exact { none, near, all };
 
+/// What shines from outside in the output "lit".
+enum class AmbientSource { constant, environment };
+
 struct Parameters {
     passes::ldm::MapParameters maps;
     Transport transport = default_occlusion;
     Exact exact = Exact::none;
     float exact_texels = 4;
     bool progressive = false;
+    AmbientSource ambient_source = AmbientSource::constant;
     float ambient = 0.5f;
     passes::LightParameters light;
 };

@@ -75,19 +75,22 @@ OutputDescription overlay_output() {
                 "leak. Colours grow with the fraction of the directions, and are full from one half on."};
 }
 
+ldm::Visibility visibility_of(const Transport& transport) {
+    return {.max_distance = transport.max_distance,
+            .smooth = transport.falloff == Transport::Falloff::smooth};
+}
+
 bool has_host_body(const Parameters& parameters) {
     return parameters.exact == Exact::none && ldm::has_host_body(parameters.maps);
 }
 
 void trace_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const MapsPointer& maps,
-                   const Images& images, const Parameters& parameters) {
+                   const Images& images, const ldm::Sky* sky, const Parameters& parameters) {
     const auto meshlets = ldm::declare_meshlets(builder);
     const auto rule = ldm::self_hit_rule(parameters.maps);
-    const auto& transport = parameters.transport;
-    ldm::trace_on_host(
-        builder, gbuffer, meshlets, maps, rule,
-        {.max_distance = transport.max_distance, .smooth = transport.falloff == Transport::Falloff::smooth},
-        !parameters.progressive, images.sums);
+    ldm::trace_on_host(builder, gbuffer, meshlets, maps, rule, visibility_of(parameters.transport),
+                       !parameters.progressive, images.sums);
+    if (sky) ldm::trace_sky_on_host(builder, gbuffer, meshlets, maps, *sky, rule);
     ldm::count_self_hits_on_host(builder, gbuffer, meshlets, maps, rule, images.view_counts);
 }
 

@@ -9,6 +9,7 @@
 #include "renderers/passes/gbuffer/gbuffer.h"
 #include "renderers/passes/ldm/builder.h"
 #include "renderers/passes/ldm/points.h"
+#include "renderers/passes/ldm/sky.h"
 
 namespace ir::methods::ldm_ao {
 
@@ -39,9 +40,11 @@ void trace_views(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, M
 /// Whether the host can do with these parameters what trace() and trace_views() do.
 bool has_host_body(const Parameters& parameters);
 /// On the host in their place, for all maps: passes "build and trace maps" and "build and trace maps for
-/// self-hits".
+/// self-hits"; with `sky` (may be null) that for the sky.
 void trace_on_host(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer, const MapsPointer& maps,
-                   const Images& images, const Parameters& parameters);
+                   const Images& images, const passes::ldm::Sky* sky, const Parameters& parameters);
+/// Which hits count, and how much.
+passes::ldm::Visibility visibility_of(const Transport& transport);
 /// Pass "accessibility".
 void resolve(graph::GraphBuilder& builder, const Images& images, const Parameters& parameters);
 /// Passes "self-hit views" and "self-hit overlay".

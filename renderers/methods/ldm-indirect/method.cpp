@@ -1,6 +1,6 @@
 // Indirect light from layered depth maps: every pixel of a light's image is a photon with its differential,
-// split at its first surface into all directions of the maps, traced through them, and splatted onto what the
-// camera sees. [Aalund15 §3.4, §4.2]
+// as is every ray from a source with an extent. Photons are split at their first surface into all directions
+// of the maps, traced through them, and splatted onto what the camera sees. [Aalund15 §3.4, §4.2]
 #include "renderers/graph/method.h"
 
 #include "renderers/methods/ldm-indirect/stages.h"
@@ -13,10 +13,11 @@ MethodDescription description() {
     d.id = "ldm-indirect";
     d.title = "Indirect light from layered depth maps";
     d.summary =
-        "Splits the photons of a light's image into all directions of the layered depth maps, traces them "
+        "Splits photons of all sources into all directions of the layered depth maps, traces them "
         "through the maps, and splats them with the footprints of their differentials. One diffuse bounce; "
         "nothing is precomputed. Errors come from the number of directions, from the maps' texels and from "
         "the footprints' size.";
+    d.version = 2;
     d.papers = {"Aalund15", "Igehy99", "Frisvad14"};
     d.missing_light = {{{LightPart::indirect}, {LightKind::lamp, LightKind::surface, LightKind::environment}},
                        passes::without_light_samples()};
@@ -30,7 +31,7 @@ void setup(graph::GraphBuilder& builder, const Parameters& parameters) {
     const auto gbuffer = passes::gbuffer(builder, scene, passes::gbuffer_options(parameters.transport));
     const auto photons = trace_photons(builder, scene, gbuffer, parameters);
     const auto splat = splat_photons(builder, gbuffer, photons, parameters);
-    compose(builder, scene, gbuffer, splat, parameters);
+    compose(builder, scene, gbuffer, photons, splat, parameters);
     explain(builder, gbuffer, photons, splat, parameters);
 }
 

@@ -13,6 +13,7 @@ namespace ir::methods::ldm_indirect {
 enum class Footprint { published, widened };
 enum class Splatting { quads, tiles, image_atomics };
 enum class DirectBy { rasterisation, photons };
+enum class EnvironmentBy { samples, maps };
 
 /// Groups stand in the order of the pipeline; each is described in the file that is named beside it.
 struct Parameters {
@@ -34,6 +35,7 @@ struct Parameters {
     float min_axis_pixels = 0.5f;  ///< shorter axes are made so long, in pixels at the photon
     float max_axis = 0.25f;        ///< longer axes are cut to this part of the radius of the scene's bounds
     DirectBy direct = DirectBy::rasterisation;
+    EnvironmentBy environment_by = EnvironmentBy::samples;  ///< its direct light
     passes::LightParameters light;
 };
 

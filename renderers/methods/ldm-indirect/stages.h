@@ -19,6 +19,8 @@ struct Photons {
     graph::CounterRef count;   ///< of records; may exceed the buffer's capacity while it grows
     /// How many there are to read, where the host stored some: passes on the device see no counter of its.
     std::optional<graph::BufferRef> stored = {};
+    /// "ldm.sky", where the environment's direct light comes from the maps.
+    std::optional<graph::ImageRef> sky = {};
 };
 
 /// Declares the lights' images, the maps, and the passes that emit, split, trace, reject and store photons,
@@ -47,7 +49,7 @@ Splat splat_photons(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer
 /// "radiance", the main result: emission, direct light (by rasterisation with shadow maps, or by photons) and
 /// the splatted light, as the transport's paths say. [Aalund15 §4.2, §5.2]
 void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::GBuffer& gbuffer,
-             const Splat& splat, const Parameters& parameters);
+             const Photons& photons, const Splat& splat, const Parameters& parameters);
 
 /// What explains the picked pixel: its photons by energy, and their sum by a separate gather against what was
 /// splatted; what each direction of the maps contributes to it; the paths of its photons.

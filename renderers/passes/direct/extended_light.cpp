@@ -25,13 +25,6 @@ constexpr int filter_passes = 4;
 /// Surfaces that reflect less are filtered as if they did not: black ones show nothing of the light.
 constexpr float least_reflectance = 0.02f;
 
-/// How many sources with an extent light the scene.
-struct ExtendedSources {
-    std::size_t flat_lights = 0;  ///< rectangles and disks
-    std::size_t emissive_triangles = 0;
-    bool environment = false;
-    bool any() const { return flat_lights > 0 || emissive_triangles > 0 || environment; }
-};
 struct SampledResults {
     graph::ImageRef radiance, unfiltered, variance;  ///< as extended_light_outputs() lists them
 };
@@ -42,43 +35,6 @@ struct SampledImages {
     SampledResults results;
     graph::ImageRef even, reflectance;  ///< what is filtered, without materials
 };
-
-/// What rays ask, made anew in each frame: it points into scene and world.
-struct ExtendedEmitters {
-    ExtendedEmitters(const graph::FrameInputs& inputs, const LightSampler::Options& options)
-        : surfaces(*inputs.scene, *inputs.world, false, false), lights(surfaces, options) {}
-    SurfaceLookup surfaces;
-    LightSampler lights;
-};
-
-graph::ObjectRef declare_emitters(graph::GraphBuilder& builder, const ExtendedLightOptions& options) {
-    const auto result =
-        builder.object({.text = {.key = "direct.sources",
-                                 .label = "Sources with an extent",
-                                 .doc = "Lights, emissive triangles and the environment, with "
-                                        "probabilities for choosing."}});
-    const LightSampler::Options sampled{
-        .punctual = false, .environment = options.environment, .emissive_meshes = options.emissive_meshes};
-    builder.pass("light sources", graph::Queue::cpu).writes(result).execute([=](graph::PassContext& context) {
-        const auto made = std::make_shared<ExtendedEmitters>(context.inputs(), sampled);
-        context.store(result, made, made->surfaces.bytes());
-    });
-    return result;
-}
-
-ExtendedSources extended_sources(const graph::FrameInputs& inputs, const ExtendedLightOptions& options) {
-    ExtendedSources found;
-    for (const auto& light : inputs.world->lights)
-        found.flat_lights +=
-            light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
-    if (options.emissive_meshes)
-        for (const auto& range : inputs.world->ranges)
-            if (inputs.scene->materials.at(static_cast<std::size_t>(range.material)).emission != glm::vec3(0))
-                found.emissive_triangles += range.triangle_count;
-    const auto& environment = inputs.scene->environment;
-    found.environment = options.environment && (environment.map || environment.constant != glm::vec3(0));
-    return found;
-}
 
 SampledResults declare_sampled_results(graph::GraphBuilder& builder) {
     const auto outputs = extended_light_outputs();
@@ -250,7 +206,7 @@ SampledImages sample_sources(graph::GraphBuilder& builder, const GBuffer& gbuffe
                              const ExtendedLightOptions& options) {
     const auto images = declare_sampled_images(builder);
     const auto bvh = passes::bvh(builder);
-    const auto sources = declare_emitters(builder, options);
+    const auto sources = extended_emitters(builder, options);
     const auto& view = builder.inputs().view;
     auto pass = builder.pass("light samples", graph::Queue::cpu);
     pass.reads(bvh, sources)
@@ -329,6 +285,38 @@ void note_left_out(graph::GraphBuilder& builder, const ExtendedSources& left_out
 }
 
 }  // namespace
+
+ExtendedSources extended_sources(const graph::FrameInputs& inputs, const ExtendedLightOptions& options) {
+    ExtendedSources found;
+    for (const auto& light : inputs.world->lights)
+        found.flat_lights +=
+            light.type == scene::LightType::rectangle || light.type == scene::LightType::disk;
+    if (options.emissive_meshes)
+        for (const auto& range : inputs.world->ranges)
+            if (inputs.scene->materials.at(static_cast<std::size_t>(range.material)).emission != glm::vec3(0))
+                found.emissive_triangles += range.triangle_count;
+    const auto& environment = inputs.scene->environment;
+    found.environment = options.environment && (environment.map || environment.constant != glm::vec3(0));
+    return found;
+}
+
+graph::ObjectRef extended_emitters(graph::GraphBuilder& builder, const ExtendedLightOptions& options) {
+    const std::string key = "direct.sources";
+    for (std::size_t i = 0; i < builder.objects().size(); ++i)
+        if (builder.objects()[i].text.key == key) return {static_cast<int>(i)};
+    const auto result =
+        builder.object({.text = {.key = key,
+                                 .label = "Sources with an extent",
+                                 .doc = "Lights, emissive triangles and the environment, with "
+                                        "probabilities for choosing."}});
+    const LightSampler::Options sampled{
+        .punctual = false, .environment = options.environment, .emissive_meshes = options.emissive_meshes};
+    builder.pass("light sources", graph::Queue::cpu).writes(result).execute([=](graph::PassContext& context) {
+        const auto made = std::make_shared<ExtendedEmitters>(context.inputs(), sampled);
+        context.store(result, made, made->surfaces.bytes());
+    });
+    return result;
+}
 
 std::vector<OutputDescription> extended_light_outputs() {
     return {

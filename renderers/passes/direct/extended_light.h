@@ -8,6 +8,8 @@
 #include "renderers/graph/builder.h"
 #include "renderers/passes/direct/light_parameters.h"
 #include "renderers/passes/gbuffer/gbuffer.h"
+#include "renderers/passes/lights/light_sampler.h"
+#include "renderers/passes/surface/surface.h"
 
 namespace ir::passes {
 
@@ -17,6 +19,26 @@ struct ExtendedLightOptions {
     bool environment = true, emissive_meshes = true;
     bool mirrors = true;  ///< whether mirrors show the sources that they reflect
 };
+
+/// How many sources with an extent light the scene.
+struct ExtendedSources {
+    std::size_t flat_lights = 0;  ///< rectangles and disks
+    std::size_t emissive_triangles = 0;
+    bool environment = false;
+    bool any() const { return flat_lights > 0 || emissive_triangles > 0 || environment; }
+};
+ExtendedSources extended_sources(const graph::FrameInputs& inputs, const ExtendedLightOptions& options);
+
+/// What rays ask of them, made anew in each frame: it points into scene and world.
+struct ExtendedEmitters {
+    ExtendedEmitters(const graph::FrameInputs& inputs, const LightSampler::Options& options)
+        : surfaces(*inputs.scene, *inputs.world, false, false), lights(surfaces, options) {}
+    SurfaceLookup surfaces;
+    LightSampler lights;
+};
+/// Declares the object "direct.sources", an ExtendedEmitters, with the pass "light sources" (cpu). Who asks
+/// again in a frame gets the same: all options of a frame name the same sources.
+graph::ObjectRef extended_emitters(graph::GraphBuilder& builder, const ExtendedLightOptions& options);
 
 /// For methods with direct light; each is 0 where there is no such source.
 std::vector<OutputDescription> extended_light_outputs();

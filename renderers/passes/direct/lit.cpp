@@ -39,13 +39,15 @@ DirectLightOptions lit_options(const LightParameters& parameters) {
 }
 
 graph::ImageRef lit(graph::GraphBuilder& builder, const GBuffer& gbuffer, const DirectLight& direct,
-                    graph::ImageRef accessibility, float ambient) {
+                    graph::ImageRef accessibility, float ambient, std::optional<graph::ImageRef> sky) {
     const auto result = builder.output("lit", {.format = gl::Format::rgba32f});
     auto pass = builder.pass("lit");
-    pass.reads("accessibility", accessibility)
+    gl::ProgramSource source{{"passes/direct/lit.comp"}};
+    if (sky) source.defines["SKY"] = "1";
+    pass.reads(sky ? "sky" : "accessibility", sky.value_or(accessibility))
         .reads("direct", direct.radiance)
         .reads(gbuffer.albedo, gbuffer.emission, gbuffer.geometric_normal);
-    pass.writes("lit", result).compute({{"passes/direct/lit.comp"}}, result, Lit{ambient});
+    pass.writes("lit", result).compute(source, result, Lit{ambient});
     see_through_glass(builder, gbuffer, result);
     return result;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "renderers/core/output.h"
 #include "renderers/core/parameter.h"
 #include "renderers/passes/direct/direct_light.h"
@@ -14,8 +16,9 @@ ParameterText ambient_parameter();
 DirectLightOptions lit_options(const LightParameters& parameters);
 
 /// Declares the pass and the output "lit", rgba32f in W/(m² sr): direct light, emission, and `ambient`
-/// radiance from everywhere as far as `accessibility` (r32f) lets it in. Background 0.
+/// radiance from everywhere as far as `accessibility` (r32f) lets it in. Background 0. With `sky` (rgba32f),
+/// what a white Lambertian surface reflects of the environment, that stands in place of the ambient radiance.
 graph::ImageRef lit(graph::GraphBuilder& builder, const GBuffer& gbuffer, const DirectLight& direct,
-                    graph::ImageRef accessibility, float ambient);
+                    graph::ImageRef accessibility, float ambient, std::optional<graph::ImageRef> sky = {});
 
 }  // namespace ir::passes

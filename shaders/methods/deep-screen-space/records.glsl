@@ -12,7 +12,7 @@ struct Surfel {
     uint unused;
 };
 
-/// What a surfel sends, W/(m² sr): the diffuse part of direct light, and emission. 24 bytes.
+/// What a surfel sends, W/(m² sr): the diffuse part of direct light; or its irradiance, W/m². 24 bytes.
 // C++: ir::methods::deep_screen_space::SurfelLight
 struct SurfelLight {
     float front[3];  // on the normal's side

@@ -14,6 +14,7 @@ namespace {
 constexpr int size = 24, block = 8, seeds = 8;
 
 enum class Floor { metal, diffuse };
+enum class Source { spot, rectangle, environment };
 
 /// Floor (y = 0, 0 ≤ x ≤ 2) of rough metal, which reflects no light diffusely, or of a diffuse colour, and a
 /// white wall (x = 0, 0 ≤ y ≤ 2), |z| ≤ 1 both.
@@ -47,13 +48,14 @@ std::string floor_and_wall(Floor floor) {
 }
 
 /// The wall, seen straight on.
-Image wall(Floor floor, const std::string& method, Settings settings, std::uint64_t seed = 1) {
+Image wall(Floor floor, const std::string& method, Settings settings, std::uint64_t seed = 1,
+           Source source = Source::spot) {
     engine::Experiment e;
     e.scene = floor_and_wall(floor);
     e.method = method;
     e.settings = std::move(settings);
     e.settings["paths"] = std::string("indirect");
-    e.settings["environment_light"] = false;
+    e.settings["environment_light"] = source == Source::environment;
     e.settings["max_distance"] = 0.0;
     scene::Camera camera;
     camera.eye = {2, 1, 0};
@@ -67,7 +69,14 @@ Image wall(Floor floor, const std::string& method, Settings settings, std::uint6
     spot.direction = glm::normalize(glm::vec3(1, 0, 0) - spot.position);
     spot.intensity = 10;
     spot.inner_angle = 0.4f, spot.outer_angle = 0.7f;
-    e.lights = {spot};
+    if (source == Source::rectangle) {
+        spot.type = scene::LightType::rectangle;
+        spot.size = {0.5f, 0.8f};
+    }
+    if (source == Source::environment)
+        e.environment = scene::Environment{glm::vec3(1, 2, 3), nullptr};
+    else
+        e.lights = {spot};
     e.replace_lights = true;
     e.width = e.height = size;
     e.seed = seed;
@@ -109,10 +118,10 @@ struct Spread {
     std::vector<double> mean, error;
 };
 
-Spread spread(Floor floor, const Settings& settings) {
+Spread spread(Floor floor, const Settings& settings, Source source = Source::spot) {
     std::vector<std::vector<double>> all;
     for (int seed = 1; seed <= seeds; ++seed)
-        all.push_back(means(wall(floor, "deep-screen-space", settings, std::uint64_t(seed))));
+        all.push_back(means(wall(floor, "deep-screen-space", settings, std::uint64_t(seed), source)));
     Spread s;
     for (std::size_t i = 0; i < all[0].size(); ++i) {
         double sum = 0, squares = 0;
@@ -124,9 +133,9 @@ Spread spread(Floor floor, const Settings& settings) {
     return s;
 }
 
-std::vector<double> truth_of(Floor floor) {
-    return means(
-        wall(floor, "reference", {{"samples", std::int64_t{4096}}, {"max_bounces", std::int64_t{1}}}));
+std::vector<double> truth_of(Floor floor, Source source = Source::spot) {
+    return means(wall(floor, "reference", {{"samples", std::int64_t{4096}}, {"max_bounces", std::int64_t{1}}},
+                      1, source));
 }
 
 /// n = 8 seeds, Student's t of 7 degrees of freedom for 4 means: alpha = 1e-4 together; and discs' own
@@ -164,6 +173,24 @@ TEST(DssLight, WhatAFloorScattersArrivesInBothForms) {
     expect(diffuse, 1);
     expect(with(diffuse, {{"coverage", 1.0}}), 1 - std::exp(-1.0));
     expect(with(diffuse, {{"visibility", false}}), 1);
+    machines().clear();
+}
+
+/// Lamps with an extent and the sky light surfels, once: the wall's own direct light is no part of it.
+TEST(DssLight, WhatLampsAndTheSkyLightIsSentOn) {
+    for (const auto source : {Source::rectangle, Source::environment}) {
+        const auto truth = truth_of(Floor::diffuse, source);
+        ASSERT_GT(truth.back(), 0.01);
+        const auto diffuse = with(surfels(), {{"glossy_senders", false}});
+        const auto found = spread(Floor::diffuse, diffuse, source);
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            EXPECT_NEAR(found.mean[i], truth[i], own * truth[i] + t * found.error[i]) << i;
+            EXPECT_LT(t * found.error[i], 0.25 * truth[i]) << i << ": too uncertain to tell";
+        }
+        const auto unlit = means(wall(Floor::diffuse, "deep-screen-space",
+                                      with(diffuse, {{"sender_samples", std::int64_t{0}}}), 1, source));
+        EXPECT_EQ(unlit.back(), 0);
+    }
     machines().clear();
 }
 

@@ -20,6 +20,8 @@ class LdmAo : public test::LdmAoMethodTest {
         return *found;
     }
 
+    scene::Environment& environment() { return scene_.environment; }
+
     Image render(const scene::Camera& camera, int width, int height, const Settings& settings,
                  graph::FrameOptions options = {}, int frame = 0, const std::string& key = "accessibility") {
         graph::FrameInputs inputs;

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "ldm_ao_fixture.h"
+#include "renderers/passes/lights/environment_light.h"
 
 namespace ir::ldm_ao_test {
 namespace {
@@ -30,6 +31,74 @@ TEST_P(LdmAoOnBoth, OfAnOpenPlaneIsExactlyOne) {
                     render(camera(name), 48, 48, with(ao_maps(directions, 200), "max_distance", reach));
                 for (const float value : image.pixels) ASSERT_EQ(value, 1) << directions << name;
             }
+}
+
+/// Brighter above and on one side.
+scene::Environment uneven_sky() {
+    Image map(32, 16, 3);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 32; ++x)
+            for (int c = 0; c < 3; ++c)
+                map.at(x, y, c) = float(c + 1) * (float(16 - y) + (x < 8 ? 10.0f : 0.0f)) / 16;
+    return {glm::vec3(0), std::make_shared<const Image>(std::move(map))};
+}
+
+TEST_P(LdmAoOnBoth, AConstantSkyIsAmbientLight) {
+    load("builtin:atrium?detail=0.1");
+    const auto& view = world_.cameras.front();
+    environment().constant = glm::vec3(0.7f);
+    for (const double reach : {0.0, 1.5})
+        for (const char* falloff : {"hard", "smooth"}) {
+            auto settings =
+                with(with(ao_maps(33, 100), "max_distance", reach), "falloff", std::string(falloff));
+            settings["ambient"] = 0.7;
+            const auto ambient = render(view, 61, 43, settings, {}, 0, "lit");
+            settings["ambient_source"] = std::string("environment");
+            const auto sky = render(view, 61, 43, settings, {}, 0, "lit");
+            EXPECT_GT(mean(ambient), 0.05);
+            EXPECT_LT(max_different(sky, ambient), 1e-4f) << reach << falloff;
+        }
+}
+
+TEST_F(LdmAo, BothProcessorsSeeTheSameSky) {
+    load("builtin:atrium?detail=0.1");
+    environment() = uneven_sky();
+    const auto& view = world_.cameras.front();
+    auto settings = with(ao_maps(33, 270), "ambient_source", std::string("environment"));
+    std::vector<Image> skies;
+    for (const auto on : {Processor::gl, Processor::host, Processor::host}) {
+        processor = on;
+        threads = skies.size() == 1 ? 1 : 3;
+        skies.push_back(render(view, 61, 43, settings, {}, 0, "ldm.sky"));
+    }
+    EXPECT_EQ(skies[1].pixels, skies[2].pixels);
+    double difference = 0;
+    for (std::size_t i = 0; i < skies[0].pixels.size(); ++i)
+        difference += std::abs(double(skies[0].pixels[i]) - skies[1].pixels[i]);
+    EXPECT_LT(difference / double(skies[0].pixels.size()) / mean(skies[0]), 0.002);
+}
+
+// E/π of an open plane is the integral of L cosθ over the sky above it, over π.
+TEST_P(LdmAoOnBoth, AnOpenPlaneHasTheSkysLightHoweverTheRegionsAreTurned) {
+    load("builtin:plane");
+    environment() = uneven_sky();
+    const passes::EnvironmentLight sky(environment());
+    double expected = 0;
+    constexpr int n = 400;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            const double cosine = std::sqrt((i + 0.5) / n), turn = 2 * std::numbers::pi * (j + 0.5) / n,
+                         sine = std::sqrt(1 - cosine * cosine);
+            expected +=
+                sky.radiance(glm::vec3(sine * std::cos(turn), cosine, sine * std::sin(turn))).r / (n * n);
+        }
+    auto settings = with(ao_maps(128, 50), "ambient_source", std::string("environment"));
+    settings["progressive"] = true;
+    for (int frame = 0; frame < 4; ++frame) {
+        graph().reset_history();
+        const auto image = render(camera("top"), 16, 16, settings, {}, frame, "ldm.sky");
+        EXPECT_NEAR(image.at(8, 8, 0) / expected, 1, 0.01) << frame;
+    }
 }
 
 TEST_F(LdmAo, UnderASecondPlaneTwoTexelsAboveIsNearZero) {

@@ -98,6 +98,10 @@ TEST_F(IndirectTracingOnHost, GivesThePhotonsOfTheDevice) {
                 Shot(box({lamp({0.3f, 1.2f, -0.4f}), spot({0, 2.5f, 0}, {0.2f, -1, 0}, 70)}), inside, 48, 48),
                 with(with(quick(), kept), {{"direct", std::string("photons")}}));
     expect_same("corridor", Shot("builtin:corridor", "entrance", 64, 48), with(quick(), kept));
+    auto lamp_and_sky = box({lamp({0.3f, 1.2f, -0.4f})});
+    lamp_and_sky.lights.front().type = scene::LightType::rectangle;
+    lamp_and_sky.environment.constant = glm::vec3(0.5f);
+    expect_same("rectangle and environment", Shot(lamp_and_sky, inside, 48, 48), with(quick(), kept));
     SmallWorld small;
     small.square({0, 0, 0}, {0, 1, 0}, 2);
     small.square({-1, 1, 0}, {1, 0.4f, 0}, 0.7f, SmallWorld::masked);

@@ -120,7 +120,7 @@ class IndirectSplatTest : public PassTest {
             const auto gbuffer = passes::gbuffer(builder, scene);
             const auto photons = upload(builder, run);
             const auto splat = li::splat_photons(builder, gbuffer, photons, run.parameters);
-            if (run.composed) li::compose(builder, scene, gbuffer, splat, run.parameters);
+            if (run.composed) li::compose(builder, scene, gbuffer, photons, splat, run.parameters);
             li::explain(builder, gbuffer, photons, splat, run.parameters);
         };
         return method;

@@ -11,8 +11,8 @@ std::vector<OutputDescription> surfel_outputs() {
          .doc = "The discs that stand for the scene's surfaces [Nalbach15 fig. 7]. surfel: its number, by "
                 "which it is chosen. radius: m, of a disc as large as the piece of surface that it stands "
                 "for; part: of the ideal area. radiance_front, radiance_back: RGB, W/(m² sr), what it sends "
-                "on the side of its normal and on the other one: the diffuse part of direct light, and "
-                "emission where all light is computed; 0 for ambient occlusion. triangle: of the scene."},
+                "on the side of its normal and on the other one: the diffuse part of direct light; 0 for "
+                "ambient occlusion. triangle: of the scene."},
         {.key = "surfels.fine",
          .label = "Fine surfels",
          .kind = OutputKind::glyphs,

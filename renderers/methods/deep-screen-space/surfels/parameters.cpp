@@ -90,6 +90,16 @@ void add_light(ParameterTable<Parameters>& table) {
               .active_when = only_indirect,
               .since_version = 2,
               .value_in_older_projects = 0.0})
+        .add(&Parameters::sender_samples,
+             {.key = "sender_samples",
+              .label = "Light samples of senders",
+              .doc = "Of rectangles, disks, emissive meshes and the environment, for each side of a surfel. "
+                     "Pixels see many surfels, so few are enough. 0: such sources light no surfel.",
+              .hard = {0, 1024},
+              .soft = {1, 16},
+              .active_when = only_indirect,
+              .since_version = 3,
+              .value_in_older_projects = std::int64_t{0}})
         .add(&Parameters::glossy_senders, {.key = "glossy_senders",
                                            .label = "Glossy senders",
                                            .doc = "Surfels also send the highlights of their direct "

@@ -32,9 +32,10 @@ graph::BufferRef shade(graph::GraphBuilder& builder, const passes::SceneBuffers&
     const auto& transport = parameters.transport;
     gl::ProgramSource source{{"methods/deep-screen-space/surfels/shade.comp"}};
     source.defines["MATERIALS"] = std::to_string(static_cast<int>(transport.materials));
-    // light that an emitter sends to a surface is direct light of that surface
-    source.defines["EMITS"] = transport.paths == Transport::Paths::full ? "1" : "0";
+    const auto irradiance = sample_sources(builder, surfels, parameters);
+    source.defines["EXTENDED"] = irradiance ? "1" : "0";
     auto pass = builder.pass("shade surfels");
+    if (irradiance) pass.reads("SurfelIrradiance", *irradiance);
     surfaces.read_by(pass);
     pass.reads(scene.lights, shadow.views, shadow.maps)
         .reads("Surfels", surfels.records)

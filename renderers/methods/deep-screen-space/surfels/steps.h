@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "renderers/methods/deep-screen-space/surfels.h"
 #include "renderers/methods/deep-screen-space/surfels/packing.h"
 #include "shaders/methods/deep-screen-space/surfels/fine.glsl.h"
@@ -45,6 +47,11 @@ Surfels place(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, c
 /// Declares "surfels.records" with the passes that keep some of the fine ones, unlit. [Nalbach15 fig. 6 c]
 Surfels thin(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const Growing& fine,
              std::uint64_t reserve, const Parameters& parameters, const std::string& fingerprint);
+
+/// Declares "surfels.irradiance" with the pass that fills it, on the host: what sources with an extent send
+/// to both sides of each surfel, by samples. None where there is no such source, or no sample.
+std::optional<graph::BufferRef> sample_sources(graph::GraphBuilder& builder, const Surfels& surfels,
+                                               const Parameters& parameters);
 
 /// Declares "surfels.lights" with the pass that fills it. [Nalbach15 fig. 6 d]
 graph::BufferRef shade(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,

@@ -13,14 +13,16 @@ using Paths = Transport::Paths;
 /// What the picture is made of.
 struct Parts {
     std::optional<graph::ImageRef> direct;  ///< none: not asked for, or all by photons
+    std::optional<graph::ImageRef> sky;     ///< what a white surface reflects of the environment
     bool splatted, unlit, emission, lambert;
     passes::SeenLight seen;
 };
 
-/// Photons carry only the light of sources without extent.
+/// As direct light photons carry only that of sources without extent.
 std::optional<graph::ImageRef> direct_of(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                                          const passes::GBuffer& gbuffer, const Parameters& parameters) {
-    const auto options = passes::extended_light_options(parameters.light, parameters.transport);
+    auto options = passes::extended_light_options(parameters.light, parameters.transport);
+    options.environment = options.environment && parameters.environment_by == EnvironmentBy::samples;
     const auto light = parameters.direct == DirectBy::photons
                            ? passes::extended_light(builder, gbuffer, options)
                            : passes::direct_light(builder, scene, gbuffer, {.extended = options}).radiance;
@@ -32,6 +34,7 @@ std::map<std::string, std::string> defines_of(const Parts& parts) {
     std::map<std::string, std::string> defines;
     if (parts.splatted) defines["SPLATTED"] = "1";
     if (parts.direct) defines["DIRECT_LIGHT"] = "1";
+    if (parts.sky) defines["SKY"] = "1";
     if (parts.unlit) defines["UNLIT"] = "1";
     if (parts.emission) defines["EMISSION"] = "1";
     if (parts.seen.image) defines["SEEN"] = "1";
@@ -48,10 +51,11 @@ struct Compose {
 }  // namespace
 
 void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, const passes::GBuffer& gbuffer,
-             const Splat& splat, const Parameters& parameters) {
+             const Photons& photons, const Splat& splat, const Parameters& parameters) {
     const auto paths = parameters.transport.paths;
     const bool by_photons = parameters.direct == DirectBy::photons;
     Parts parts{.direct = direct_of(builder, scene, gbuffer, parameters),
+                .sky = photons.sky,
                 .splatted = paths != Paths::direct || by_photons,
                 .unlit = paths != Paths::indirect && by_photons,
                 .emission = paths == Paths::full,
@@ -63,6 +67,7 @@ void compose(graph::GraphBuilder& builder, const passes::SceneBuffers& scene, co
     pass.reads("irradiance_image", splat.irradiance)
         .reads(gbuffer.geometric_normal, gbuffer.albedo, gbuffer.material, gbuffer.emission);
     if (parts.direct) pass.reads("direct_image", *parts.direct);
+    if (parts.sky) pass.reads("sky_image", *parts.sky);
     if (parts.seen.image) pass.reads("seen_image", *parts.seen.image);
     pass.writes("radiance_image", radiance)
         .writes("indirect_image", indirect)

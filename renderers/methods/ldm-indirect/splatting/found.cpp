@@ -97,7 +97,8 @@ std::vector<PathLine> paths_of(std::span<const FoundPhoton> photons, int maps, c
     for (const auto& photon : photons) {
         if (photon.light >= world.lights.size()) continue;
         const auto& light = world.lights[photon.light];
-        if (light.type == scene::LightType::directional) continue;
+        // Others do not start at one point.
+        if (light.type != scene::LightType::point && light.type != scene::LightType::spot) continue;
         const auto end = vector(photon.centre), start = glm::dvec3(light.position);
         if (photon.side == 0) {
             lines.push_back(line(photon, 0, start, end));

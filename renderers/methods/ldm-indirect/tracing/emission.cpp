@@ -1,5 +1,7 @@
 #include "renderers/methods/ldm-indirect/tracing/emission.h"
 
+#include "renderers/methods/ldm-indirect/tracing/extended_emission.h"
+
 namespace ir::methods::ldm_indirect {
 namespace {
 
@@ -12,20 +14,26 @@ struct Emit {
 }  // namespace
 
 Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                       const passes::Rsm& images, const passes::ldm::Maps& maps) {
+                       const passes::Rsm& images, const passes::ldm::MapsPointer& maps,
+                       const Parameters& parameters) {
     Primaries primaries;
-    primaries.count = static_cast<std::uint64_t>(images.layers) *
-                      static_cast<std::uint64_t>(images.resolution) *
-                      static_cast<std::uint64_t>(images.resolution);
+    primaries.extended = extended_photons(builder.inputs(), parameters);
+    if (images.views_drawn == 0 && primaries.extended.count() == 0 &&
+        parameters.transport.paths != Transport::Paths::direct)
+        builder.note("nothing shines: there are no photons");
+    primaries.from_images = static_cast<std::uint64_t>(images.layers) *
+                            static_cast<std::uint64_t>(images.resolution) *
+                            static_cast<std::uint64_t>(images.resolution);
     primaries.records = builder.buffer(
         {.text = {.key = "indirect.primary_photons",
                   .label = "Primary photons, all",
-                  .doc = "A photon for each texel of the lights' images, up to its first surface. Axes and "
+                  .doc = "A photon for each texel of the lights' images, up to its first surface; then those "
+                         "of sources with an extent. Axes and "
                          "turns are half of the differentials of position and direction. fate: 0 "
                          "nothing was seen or no light shines there, 1 splits, 2 its footprint is "
-                         "degenerate."},
+                         "degenerate. light: 254 an emissive mesh, 255 the environment."},
          .fields = record_fields<Primary>(),
-         .elements = primaries.count});
+         .elements = primaries.count()});
     primaries.shares = builder.buffer(
         {.text = {.key = "indirect.shares",
                   .label = "Where split photons go",
@@ -33,16 +41,17 @@ Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers&
                       "Of each primary photon: parts of the flux that it reflects, and numbers of photons, "
                       "by cause (see indirect.energy, leg 1)."},
          .fields = record_fields<Shares>(),
-         .elements = primaries.count,
+         .elements = primaries.count(),
          .cleared = true});
     auto pass = builder.pass("emit photons");
     passes::reads_rsm(pass, images, scene);
-    pass.reads(images.geometric_normal, maps.frame_buffer)
+    pass.reads(images.geometric_normal, maps->frame_buffer)
         .writes("Primaries", primaries.records)
         .writes(primaries.shares)
         .compute_sliced(
-            {{"methods/ldm-indirect/tracing/emit.comp"}}, static_cast<std::int64_t>(primaries.count),
-            Emit{static_cast<unsigned>(images.views_drawn), static_cast<unsigned>(maps.layout.maps)}, 4096);
+            {{"methods/ldm-indirect/tracing/emit.comp"}}, static_cast<std::int64_t>(primaries.from_images),
+            Emit{static_cast<unsigned>(images.views_drawn), static_cast<unsigned>(maps->layout.maps)}, 4096);
+    emit_from_extended(builder, primaries, maps, parameters);
     return primaries;
 }
 

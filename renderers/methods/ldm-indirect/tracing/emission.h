@@ -6,26 +6,26 @@
 #include "renderers/methods/ldm-indirect/parameters.h"
 #include "renderers/methods/ldm-indirect/stages.h"
 #include "renderers/passes/ldm/builder.h"
-#include "renderers/passes/photons/other_lights.h"
 #include "renderers/passes/rsm/rsm.h"
 #include "shaders/methods/ldm-indirect/tracing/primary.glsl.h"
 
 namespace ir::methods::ldm_indirect {
 
+/// What stands in place of a light's number, as LIGHT_… of primary.glsl.
+inline constexpr std::uint32_t light_mesh = 254, light_environment = 255;
 /// Lights that a photon's record can name.
-inline constexpr int max_lights = 256;
+inline constexpr int max_lights = light_mesh;
 /// Layers that every device has in an image.
 inline constexpr int max_layers = 1024;
 
-/// The views of the lights that emit photons, and what is left out.
-struct LightViews : passes::OtherLights {
+/// The views of the point, spot and directional lights that emit photons, and what is left out.
+struct LightViews {
     std::vector<passes::ShadowViewData> views;
-
-    std::vector<std::string> notes() const;
+    int beyond = 0;  ///< lights for which there was no room
 };
 
 /// Whole lights, in their order, as long as records and layers name them.
-LightViews views_of_lights(const scene::Scene& scene, const scene::World& world, int resolution);
+LightViews views_of_lights(const scene::World& world, int resolution);
 
 /// What each point, spot and directional light sees, `emission`² pixels per image; notes what emits nothing.
 passes::Rsm draw_light_images(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
@@ -33,16 +33,27 @@ passes::Rsm draw_light_images(graph::GraphBuilder& builder, const passes::SceneB
 
 inline constexpr int causes = 8;  ///< of primary.glsl
 
-/// The photons up to the first surface, one for each texel of the lights' images.
+/// Photons of sources with an extent, where there are such.
+struct ExtendedPhotons {
+    std::uint64_t lamps = 0;  ///< of rectangles, disks and emissive triangles together: as of a spot light
+    std::uint64_t environment = 0;  ///< as of a point light
+    std::uint64_t count() const { return lamps + environment; }
+};
+
+/// The photons up to the first surface: one for each texel of the lights' images, then those of sources with
+/// an extent.
 struct Primaries {
     graph::BufferRef records;  ///< "indirect.primary_photons"
     graph::BufferRef shares;   ///< "indirect.shares", of each; zero until photons are split
-    std::uint64_t count = 0;
+    std::uint64_t from_images = 0;
+    ExtendedPhotons extended;
+    std::uint64_t count() const { return from_images + extended.count(); }
 };
 
-/// The pass "emit photons".
+/// The pass "emit photons", and those of emit_from_extended().
 Primaries emit_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                       const passes::Rsm& images, const passes::ldm::Maps& maps);
+                       const passes::Rsm& images, const passes::ldm::MapsPointer& maps,
+                       const Parameters& parameters);
 
 /// Declares "indirect.primary", the photons at the first surface, as glyphs.
 void show_primaries(graph::GraphBuilder& builder, const Primaries& primaries);

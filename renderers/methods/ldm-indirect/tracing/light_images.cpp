@@ -5,12 +5,7 @@
 #include "renderers/passes/scene/light_data.h"
 
 namespace ir::methods::ldm_indirect {
-std::vector<std::string> LightViews::notes() const {
-    return OtherLights::notes(
-        !views.empty(), std::to_string(max_lights) + " lights or " + std::to_string(max_layers) + " images");
-}
-
-LightViews views_of_lights(const scene::Scene& scene, const scene::World& world, int resolution) {
+LightViews views_of_lights(const scene::World& world, int resolution) {
     LightViews result;
     int end = 0;  // lights before this one emit
     for (int layers = 0; end < std::min<int>(static_cast<int>(world.lights.size()), max_lights); ++end) {
@@ -21,15 +16,17 @@ LightViews views_of_lights(const scene::Scene& scene, const scene::World& world,
         result.beyond += passes::shadow_layers(world.lights[i]) > 0;
     for (const auto& view : passes::shadow_views(world, resolution))
         if (view.light < end) result.views.push_back(view);
-    result.count(scene, world);
     return result;
 }
 
 passes::Rsm draw_light_images(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                               const Parameters& parameters) {
     const auto& inputs = builder.inputs();
-    const auto lights = views_of_lights(*inputs.scene, *inputs.world, parameters.emission);
-    for (const auto& note : lights.notes()) builder.note(note);
+    const auto lights = views_of_lights(*inputs.world, parameters.emission);
+    if (lights.beyond > 0)
+        builder.note("photons come from the first " + std::to_string(max_lights) + " lights or " +
+                     std::to_string(max_layers) + " images; " + std::to_string(lights.beyond) +
+                     (lights.beyond == 1 ? " light" : " lights") + " beyond emit none");
     return passes::draw_rsm(builder, scene,
                             {.views = lights.views,
                              .resolution = parameters.emission,

@@ -65,7 +65,7 @@ Splitter::Splitter(GraphBuilder& builder, const passes::GBuffer& gbuffer, passes
       parameters_(parameters) {
     const std::int64_t batch_maps = maps_->layout.batch_maps;
     part_photons_ =
-        std::clamp<std::int64_t>(part_slots / batch_maps, 1, static_cast<std::int64_t>(primaries_.count));
+        std::clamp<std::int64_t>(part_slots / batch_maps, 1, static_cast<std::int64_t>(primaries_.count()));
     hits_ = scratch(builder, "hits", "Hits of photons", {{"distance"}, {"normal", FieldType::u32}},
                     part_photons_ * batch_maps);
     counts_ = scratch(builder, "counts", "Photons to store", {{"count", FieldType::u32}},
@@ -75,7 +75,7 @@ Splitter::Splitter(GraphBuilder& builder, const passes::GBuffer& gbuffer, passes
 }
 
 int Splitter::parts() const {
-    const auto count = static_cast<std::int64_t>(primaries_.count);
+    const auto count = static_cast<std::int64_t>(primaries_.count());
     return static_cast<int>((count + part_photons_ - 1) / part_photons_);
 }
 
@@ -86,7 +86,7 @@ Splitter::Part Splitter::part(int batch, int index) const {
     result.batch = batch;
     result.chunk = batch * parts() + index;
     result.first = index * part_photons_;
-    result.end = std::min(result.first + part_photons_, static_cast<std::int64_t>(primaries_.count));
+    result.end = std::min(result.first + part_photons_, static_cast<std::int64_t>(primaries_.count()));
     result.batch_maps = maps_->batch_maps(batch);
     result.groups = groups_of(result.batch_maps);
     return result;
@@ -163,7 +163,7 @@ void Splitter::store(GraphBuilder& builder, const Part& part, graph::BufferRef p
 graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gbuffer,
                                 const Primaries& primaries, const Photons& photons,
                                 const Parameters& parameters) {
-    const auto count = static_cast<std::int64_t>(primaries.count);
+    const auto count = static_cast<std::int64_t>(primaries.from_images);
     const auto hits = scratch(builder, "direct_hits", "Hits of primary photons",
                               {{"distance"}, {"normal", FieldType::u32}}, count);
     const auto counts =
@@ -179,7 +179,7 @@ graph::BufferRef store_directly(GraphBuilder& builder, const passes::GBuffer& gb
         .compute_sliced({{"methods/ldm-indirect/tracing/direct.comp"}}, count,
                         landing_constants(builder.inputs(), parameters), 4096);
     const auto places =
-        passes::exclusive_scan(builder, "indirect.direct", counts, primaries.count, photons.count);
+        passes::exclusive_scan(builder, "indirect.direct", counts, primaries.from_images, photons.count);
     builder.pass("store primary photons")
         .reads("Primaries", primaries.records)
         .reads("Hits", hits)

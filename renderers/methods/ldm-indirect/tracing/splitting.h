@@ -34,8 +34,8 @@ class Splitter {
     graph::BufferRef hits_, counts_, bases_;
 };
 
-/// Declares passes that store the primary photons themselves, where they arrive. Returns the buffer that
-/// holds the fate of each, a cause of primary.glsl. [Aalund15 §5.2]
+/// Declares passes that store the primary photons of the lights' images themselves, where they arrive.
+/// Returns the buffer that holds the fate of each, a cause of primary.glsl. [Aalund15 §5.2]
 graph::BufferRef store_directly(graph::GraphBuilder& builder, const passes::GBuffer& gbuffer,
                                 const Primaries& primaries, const Photons& photons,
                                 const Parameters& parameters);

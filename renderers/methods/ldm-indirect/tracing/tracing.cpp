@@ -9,8 +9,10 @@
 #include "renderers/methods/ldm-indirect/tracing/energy.h"
 #include "renderers/methods/ldm-indirect/tracing/host/split_on_host.h"
 #include "renderers/methods/ldm-indirect/tracing/splitting.h"
+#include "renderers/passes/direct/direct_light.h"
 #include "renderers/passes/ldm/host/trace_on_host.h"
 #include "renderers/passes/ldm/map_views.h"
+#include "renderers/passes/ldm/sky.h"
 
 namespace ir::methods::ldm_indirect {
 namespace {
@@ -28,14 +30,15 @@ bool has_direct_photons(const Parameters& parameters) {
 /// As many as there can be.
 std::uint64_t max_photons(const Primaries& primaries, const Parameters& parameters) {
     const auto maps = static_cast<std::uint64_t>(parameters.maps.directions);
-    return primaries.count * ((has_indirect(parameters) ? maps : 0) + has_direct_photons(parameters));
+    return primaries.count() * (has_indirect(parameters) ? maps : 0) +
+           primaries.from_images * has_direct_photons(parameters);
 }
 
 /// Counters hold 32 bits, scans 2^26 items.
 void refuse_beyond_counters(const Primaries& primaries, std::uint64_t most, const Parameters& parameters) {
     constexpr std::uint64_t max_primaries = std::uint64_t{1} << 26;
-    if (primaries.count <= max_primaries && most <= std::numeric_limits<std::uint32_t>::max()) return;
-    throw Error("indirect light: " + std::to_string(primaries.count) + " photons of lights, up to " +
+    if (primaries.count() <= max_primaries && most <= std::numeric_limits<std::uint32_t>::max()) return;
+    throw Error("indirect light: " + std::to_string(primaries.count()) + " photons of lights, up to " +
                 std::to_string(most) + " after they are split into " +
                 std::to_string(parameters.maps.directions) +
                 " directions, are more than can be counted (2^26, 2^32); lower 'emission' or 'directions'");
@@ -47,6 +50,15 @@ constexpr std::uint64_t max_reserved = std::uint64_t{1} << 22;
 std::uint64_t reserved_photons(std::uint64_t most, const Parameters& parameters) {
     const double part = static_cast<double>(most) * static_cast<double>(parameters.reserve);
     return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(part), 1, max_reserved);
+}
+
+/// Whether maps are asked for the environment's direct light.
+bool asks_sky(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    return parameters.transport.paths != Transport::Paths::indirect &&
+           parameters.environment_by == EnvironmentBy::maps &&
+           passes::extended_sources(inputs,
+                                    passes::extended_light_options(parameters.light, parameters.transport))
+               .environment;
 }
 
 Photons declare_photons(graph::GraphBuilder& builder, std::uint64_t reserved) {
@@ -71,12 +83,13 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
                       const passes::GBuffer& gbuffer, const Parameters& parameters) {
     const auto images = draw_light_images(builder, scene, parameters);
     const auto maps = ldm::declare_maps(builder, parameters.maps);
-    const auto primaries = emit_photons(builder, scene, images, *maps);
+    const auto primaries = emit_photons(builder, scene, images, maps, parameters);
     const auto most = max_photons(primaries, parameters);
     refuse_beyond_counters(primaries, most, parameters);
     auto photons = declare_photons(builder, reserved_photons(most, parameters));
-    const bool on_host = has_indirect(parameters) && ldm::has_host_body(maps->options) &&
-                         builder.inputs().processor == Processor::host;
+    const bool host_has_maps =
+        ldm::has_host_body(maps->options) && builder.inputs().processor == Processor::host;
+    const bool on_host = has_indirect(parameters) && host_has_maps;
     if (!on_host) begin_photons(builder, photons);
     std::optional<graph::BufferRef> fates;
     if (has_direct_photons(parameters))
@@ -91,12 +104,23 @@ Photons trace_photons(graph::GraphBuilder& builder, const passes::SceneBuffers& 
         split_on_host(builder, gbuffer, maps, primaries, photons, fates, parameters);
     else if (has_indirect(parameters))
         splitter.emplace(builder, gbuffer, maps, primaries, photons, parameters);
+    std::optional<ldm::Sky> sky;
+    if (asks_sky(builder.inputs(), parameters)) sky = ldm::declare_sky(builder, maps, {});
+    if (sky && host_has_maps)
+        ldm::trace_sky_on_host(builder, gbuffer, ldm::declare_meshlets(builder), maps, *sky,
+                               ldm::self_hit_rule(parameters.maps));
     // Beside the host's passes whole maps are built only while something looks at them.
     for (int batch = 0; batch < maps->layout.batches(); ++batch) {
         ldm::build_maps(builder, scene, maps, batch);
         if (splitter) splitter->split(builder, batch);
+        if (sky && !host_has_maps)
+            ldm::trace_sky(builder, gbuffer, maps, batch, *sky, "methods/ldm-indirect/sky.comp");
         ldm::show_layers(builder, maps, batch, chosen, layers);
         ldm::find_points(builder, scene, maps, batch, points);
+    }
+    if (sky) {
+        ldm::finish_sky(builder, *sky, false);
+        photons.sky = sky->light;
     }
     sum_energy(builder, primaries, has_indirect(parameters), fates);
     show_primaries(builder, primaries);
@@ -110,12 +134,17 @@ std::vector<OutputDescription> tracing_outputs() {
          .label = "Photons",
          .kind = OutputKind::glyphs,
          .unit = "m",
-         .doc = "The stored photons as they are splatted, 64 bytes each, with half of their differentials as "
-                "axes. leg: bits 0-15 map; bit 16: 1 along its direction, 0 against it; bit 17: directly "
-                "from the light; bits 24-31: light. flux: W. normal: of the receiver, octahedral in 2 x 16 "
-                "bits."}};
-    return joined(
-        {outputs, energy_outputs(), view_outputs(), passes::rsm_outputs({}, true), ldm::map_outputs()});
+         .doc =
+             "The stored photons as they are splatted, 64 bytes each, with half of their differentials as "
+             "axes. leg: bits 0-15 map; bit 16: 1 along its direction, 0 against it; bit 17: directly "
+             "from the light; bits 24-31: light, 254 an emissive mesh, 255 the environment. flux: W. normal: of the receiver, octahedral in 2 x 16 "
+             "bits."}};
+    return joined({outputs,
+                   energy_outputs(),
+                   view_outputs(),
+                   passes::rsm_outputs({}, true),
+                   ldm::map_outputs(),
+                   {ldm::sky_output({"environment_by", {std::string("maps")}})}});
 }
 
 std::vector<SelectorDescription> tracing_selectors() {

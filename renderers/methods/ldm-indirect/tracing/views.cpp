@@ -39,27 +39,27 @@ Categories side_categories() {
 }
 
 void show_primaries(graph::GraphBuilder& builder, const Primaries& primaries) {
-    const auto shown = glyphs(builder, "indirect.primary", record_fields<ShownPrimary>(), primaries.count);
+    const auto shown = glyphs(builder, "indirect.primary", record_fields<ShownPrimary>(), primaries.count());
     const auto count = builder.counter(
         {.key = "indirect.primaries_shown", .label = "Primary photons shown", .growth_of = shown});
     graph::BufferDesc flagged;
     flagged.text.key = "indirect.primary_flags";
     flagged.text.label = "Whether primary photons are shown";
     flagged.fields = {{"count", graph::FieldType::u32}};
-    flagged.elements = primaries.count;
+    flagged.elements = primaries.count();
     const auto flags = builder.buffer(std::move(flagged));
     builder.pass("find primary photons")
         .reads("Primaries", primaries.records)
         .writes("Counts", flags)
-        .compute_sliced({{primary_shader}}, static_cast<std::int64_t>(primaries.count), {}, first_slice);
+        .compute_sliced({{primary_shader}}, static_cast<std::int64_t>(primaries.count()), {}, first_slice);
     const auto places =
-        passes::exclusive_scan(builder, "indirect.primary_scan", flags, primaries.count, count);
+        passes::exclusive_scan(builder, "indirect.primary_scan", flags, primaries.count(), count);
     builder.pass("show primary photons")
         .reads("Primaries", primaries.records)
         .reads("Places", places)
         .writes("AllShown", shown)
         .compute_sliced(
-            {{primary_shader}, {{"PACK", "1"}}}, static_cast<std::int64_t>(primaries.count),
+            {{primary_shader}, {{"PACK", "1"}}}, static_cast<std::int64_t>(primaries.count()),
             [=](const PassContext& context) {
                 return ShowPrimary{static_cast<unsigned>(context.capacity(shown))};
             },
@@ -96,14 +96,16 @@ std::vector<OutputDescription> view_outputs() {
          .unit = "m",
          .doc = "Photons where they meet the first surface, as parallelograms of their differentials. "
                 "normal: the shading normal. direction: of travel. flux: W, on arrival. source: texel of "
-                "the lights' images.",
+                "the lights' images; behind them stand photons of sources with an extent. light: 254 an "
+                "emissive mesh, 255 the environment.",
          .explains = true},
         {.key = "indirect.footprints",
          .label = "Footprints",
          .kind = OutputKind::glyphs,
          .unit = "m",
          .doc = "The stored photons with their differentials, before splatting scales and limits them. "
-                "map and side: the direction that they came along. flux: W. path_length: m from the light.",
+                "map and side: the direction that they came along. flux: W. path_length: m from the light. "
+                "light: 254 an emissive mesh, 255 the environment.",
          .categories = {side_categories(),
                         {"direct",
                          {{0, "from a surface", tints::sky}, {1, "from the light itself", tints::yellow}}}},

@@ -10,6 +10,8 @@
 #include <mutex>
 
 #include "renderers/graph/pass_context.h"
+#include "renderers/passes/ldm/host/first_hit.h"
+#include "renderers/passes/ldm/sky.h"
 #include "renderers/passes/raytracing/alpha_masks.h"
 
 namespace ir::passes::ldm {
@@ -92,7 +94,8 @@ struct Worker {
     BuildScratch scratch;
     std::vector<std::uint32_t> sums;
     SelfHitCounts counts;
-    std::uint64_t built = 0;  ///< maps
+    std::vector<std::uint64_t> sky;  ///< by pixel: V cosθ L in three channels, and cosθ, in whole numbers
+    std::uint64_t built = 0;         ///< maps
     double build_ms = 0, ask_ms = 0;
 
     std::uint64_t map_bytes() const {
@@ -234,7 +237,9 @@ class Stream {
 struct StreamPass {
     std::string name;
     Holds holds;
-    graph::ObjectRef kept;  ///< KeptMaps; absent: no map is kept
+    graph::ObjectRef kept;            ///< KeptMaps; absent: no map is kept
+    graph::ObjectRef also_read = {};  ///< may be absent
+    std::function<void(const graph::PassContext&)> begin = [](const auto&) {};  ///< of each frame
     Stream::Prepare prepare;
     Stream::Ask ask;
     std::function<void(const graph::PassContext&, Stream&)> finish;
@@ -251,6 +256,7 @@ void declare(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::Object
         what.holds, host_threads(builder.inputs()));
     auto pass = builder.pass(what.name, graph::Queue::cpu);
     if (what.kept.index >= 0) pass.reads(what.kept);
+    if (what.also_read.index >= 0) pass.reads(what.also_read);
     pass.has_two_bodies()
         .reads(meshlets, gbuffer.position, gbuffer.normal, gbuffer.geometric_normal)
         .writes(target)
@@ -261,7 +267,10 @@ void declare(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::Object
         .execute_sliced(
             maps->layout.maps,
             [=](graph::PassContext& context, graph::Slice slice) {
-                if (slice.first) stream->begin(context, what.prepare);
+                if (slice.first) {
+                    what.begin(context);
+                    stream->begin(context, what.prepare);
+                }
                 stream->run(context, slice.begin, slice.end, what.ask);
                 if (!slice.last) return;
                 what.finish(context, *stream);
@@ -317,6 +326,60 @@ void write_counts(const graph::PassContext& context, Stream& stream, graph::Imag
         out[pixel] = {own, asked, asked - own, counts.rejected[place]};
     });
 }
+
+/// What the environment's light is measured in: the order of sums does not matter then.
+constexpr double sky_scale = double(std::uint64_t{1} << 40);
+
+/// Adds to a pixel's sums what maps say of the environment.
+class SkyAsker {
+  public:
+    SkyAsker(const Maps& maps, const std::vector<glm::vec3>& regions, const SelfHitRule& rule,
+             const Visibility& visibility)
+        : maps_(maps), regions_(regions), rule_(rule), visibility_(visibility) {
+        for (const auto& light : regions) brightest_ = std::max({brightest_, light.r, light.g, light.b});
+    }
+    float unit() const { return brightest_; }
+
+    void ask(const PixelTiles& tiles, const StreamedMap& map, std::vector<std::uint64_t>& sums) const {
+        const PointTracer tracer(map, rule_);
+        const auto same = [&](const MapFrame& f) { return f.direction == map.frame.direction; };
+        const auto number =
+            static_cast<std::size_t>(std::ranges::find_if(maps_.frames, same) - maps_.frames.begin());
+        const glm::vec3 v(map.frame.direction);
+        for (std::size_t place = 0; place < tiles.count() * PixelTiles::pixels; ++place) {
+            if (!(tiles.valid[place / PixelTiles::pixels] >> place % PixelTiles::pixels & 1)) continue;
+            const auto at = [&](const std::vector<float>(&values)[3]) {
+                return glm::vec3(values[0][place], values[1][place], values[2][place]);
+            };
+            const float cosine = glm::dot(at(tiles.normal), v);
+            auto* sum = &sums[4 * place];
+            if (map.first_row == 0) sum[3] += whole(std::abs(cosine));
+            const bool forward = cosine > 0;
+            const auto& light = regions_[2 * number + (forward ? 0 : 1)];
+            const auto normal = at(tiles.geometric_normal);
+            if (cosine == 0 || light == glm::vec3(0) || (glm::dot(normal, v) > 0) != forward) continue;
+            const auto hit = tracer.trace(at(tiles.position), normal, forward);
+            if (!hit.is_here) continue;
+            const float seen = open(hit, map.frame.direction.w) * std::abs(cosine) / brightest_;
+            for (int c = 0; c < 3; ++c) sum[c] += whole(seen * light[c]);
+        }
+    }
+
+  private:
+    static std::uint64_t whole(float value) { return static_cast<std::uint64_t>(value * sky_scale + 0.5); }
+    float open(const FirstHit& hit, float metres_per_quantum) const {
+        if (!hit.is_found) return 1;
+        if (visibility_.max_distance == 0) return 0;
+        const float part = std::max(hit.distance, 0.0f) * metres_per_quantum / visibility_.max_distance;
+        return part >= 1 ? 1.0f : visibility_.smooth ? part * part : 0.0f;
+    }
+
+    const Maps& maps_;
+    const std::vector<glm::vec3>& regions_;
+    SelfHitRule rule_;
+    Visibility visibility_;
+    float brightest_ = 0;
+};
 
 /// Declares the object "ldm.kept" and its pass, which makes room; absent where nothing may stand still.
 graph::ObjectRef declare_kept(graph::GraphBuilder& builder, const std::shared_ptr<const Maps>& maps) {
@@ -378,6 +441,8 @@ HostCounters declare_host_counters(graph::GraphBuilder& builder) {
 graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder) {
     graph::ObjectDesc desc;
     desc.text.key = "ldm.meshlets";
+    for (std::size_t i = 0; i < builder.objects().size(); ++i)
+        if (builder.objects()[i].text.key == desc.text.key) return {static_cast<int>(i)};
     desc.text.label = "Meshlets";
     desc.text.doc = "The scene's triangles in groups that lie together, for maps that are built on the host.";
     desc.fingerprint = builder.inputs().geometry_fingerprint;
@@ -429,6 +494,38 @@ void count_self_hits_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffe
         write_counts(context, stream, counts);
     };
     declare(builder, gbuffer, meshlets, maps, counts, pass);
+}
+
+void trace_sky_on_host(graph::GraphBuilder& builder, const GBuffer& gbuffer, graph::ObjectRef meshlets,
+                       const MapsPointer& maps, const Sky& sky, const SelfHitRule& rule) {
+    const auto regions = std::make_shared<std::shared_ptr<std::vector<glm::vec3>>>();
+    StreamPass pass;
+    pass.name = "build and trace maps for the sky";
+    pass.holds = Holds::lists;
+    pass.also_read = sky.regions;
+    pass.begin = [=](const graph::PassContext& context) {
+        *regions = context.object<std::vector<glm::vec3>>(sky.regions);
+    };
+    pass.prepare = [](const PixelTiles& tiles, Worker& worker) {
+        worker.sky.assign(4 * tiles.count() * PixelTiles::pixels, 0);
+    };
+    pass.ask = [=](const PixelTiles& tiles, Worker& worker, std::span<const StreamedMap> some) {
+        const SkyAsker asker(*maps, **regions, rule, sky.visibility);
+        for (const auto& map : some) asker.ask(tiles, map, worker.sky);
+    };
+    pass.finish = [=](const graph::PassContext& context, Stream& stream) {
+        const SkyAsker asker(*maps, **regions, rule, sky.visibility);
+        auto& sums = stream.workers().front().sky;
+        for (std::size_t i = 1; i < stream.workers().size(); ++i)
+            for (std::size_t p = 0; p < sums.size(); ++p) sums[p] += stream.workers()[i].sky[p];
+        const auto out = context.pixels<glm::vec4>(sky.sums);
+        for_each_pixel(stream.tiles(), [&](std::size_t pixel, std::size_t place) {
+            const auto* sum = &sums[4 * place];
+            const auto part = [&](int c) { return static_cast<float>(double(sum[c]) / sky_scale); };
+            out[pixel] = glm::vec4(asker.unit() * glm::vec3(part(0), part(1), part(2)), part(3));
+        });
+    };
+    declare(builder, gbuffer, meshlets, maps, sky.sums, pass);
 }
 
 }  // namespace ir::passes::ldm

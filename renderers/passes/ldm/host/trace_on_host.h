@@ -41,8 +41,8 @@ struct HostCounters {
 };
 HostCounters declare_host_counters(graph::GraphBuilder& builder);
 
-/// Declares the object "ldm.meshlets", a HostScene
-/// and its pass (cpu), kept while the world stays the same.
+/// Declares the object "ldm.meshlets", a HostScene, and its pass (cpu), kept while the world stays the same.
+/// Who asks again in a frame gets the same.
 graph::ObjectRef declare_meshlets(graph::GraphBuilder& builder);
 
 /// Declares the pass "build and trace maps" (cpu), which streams all maps through the caches of its threads:

@@ -1,5 +1,6 @@
 // Direct light that surfels send on, on both sides. [Nalbach15 §4.3, fig. 6 d]
-// EMITS: and what they emit. MATERIALS: as Transport::Materials counts.
+// What they emit is no part of it: that is direct light where it arrives. EXTENDED: of sources with an extent, too.
+// MATERIALS: as Transport::Materials counts.
 layout(local_size_x = 64) in;
 #include "passes/scene/hit_surface.glsl"
 #include "lib/brdf.glsl"
@@ -11,6 +12,9 @@ layout(local_size_x = 64) in;
 
 layout(std430) readonly buffer Lights { Light lights[]; };
 layout(std430) readonly buffer Surfels { Surfel surfels[]; };
+#if EXTENDED
+layout(std430) readonly buffer SurfelIrradiance { SurfelLight surfel_irradiance[]; };
+#endif
 layout(std430) readonly buffer Stored { uint stored, made; };
 layout(std430) writeonly buffer SurfelLights { SurfelLight surfel_lights[]; };
 layout(std430) writeonly buffer LitCount { uint lit_count; };
@@ -18,9 +22,12 @@ layout(std430) writeonly buffer LitCount { uint lit_count; };
 uniform int light_count, normal_maps;
 uniform float light_offset;  // radii
 
-vec3 reflected(HitSurface s, vec3 position_ws, float radius) {
+/// `extended`: irradiance by sources with an extent, W/m². Seen from above the interface lets as much of it through as
+/// of light along the normal: half-way to no direction does Fresnel's factor rise by more than 0.3 %.
+vec3 reflected(HitSurface s, vec3 position_ws, float radius, vec3 extended) {
     vec3 albedo = diffuse_albedo(s), sum = vec3(0);
     if (albedo == vec3(0)) return sum;
+    if (extended != vec3(0)) sum = below_interface(s, s.shading_normal_ws) * extended;
     for (int i = 0; i < light_count; ++i) {
         if (!is_punctual(lights[i])) continue;
         PunctualArrival light = punctual_arrival(lights[i], position_ws);
@@ -34,31 +41,19 @@ vec3 reflected(HitSurface s, vec3 position_ws, float radius) {
     return albedo / PI * sum;
 }
 
-#if EMITS
-vec3 emitted(uint triangle, vec2 weights) {
-    Material m = hit_materials[hit_triangle_materials[triangle]];
-    if (m.emission_slot.texture < 0 || m.emission == vec3(0)) return m.emission;
-    HitCorners c;
-    c.first = 4u * uvec3(hit_indices[3u * triangle], hit_indices[3u * triangle + 1u], hit_indices[3u * triangle + 2u]);
-    c.weights = vec3(1.0 - weights.x - weights.y, weights);
-    vec4 uv = hit_mix(c, 3u);
-    return m.emission * texture_at(m.emission_slot.texture, uv_of_slot(m.emission_slot, uv.xy, uv.zw)).rgb;
-}
-#endif
-
 void main() {
     uint item = item_of_part();
     if (item == 0u) lit_count = made;
     if (item >= min(stored, uint(surfel_lights.length()))) return;
     Surfel surfel = surfels[item];
     vec2 weights = unpackUnorm2x16(surfel.barycentrics);
-    vec3 emission = vec3(0);
-#if EMITS
-    emission = emitted(surfel.triangle, weights);
+    vec3 extended[2] = vec3[2](vec3(0), vec3(0));
+#if EXTENDED
+    for (int i = 0; i < 2; ++i) extended[i] = light_of_side(surfel_irradiance[item], i == 0);
 #endif
     HitSurface side = hit_surface(surfel.triangle, weights.x, weights.y, -surfel.normal_ws, normal_maps != 0);
-    surfel_lights[item].front = floats(emission + reflected(side, surfel.centre_ws, surfel.radius));
+    surfel_lights[item].front = floats(reflected(side, surfel.centre_ws, surfel.radius, extended[0]));
     side.geometric_normal_ws = -side.geometric_normal_ws;
     side.shading_normal_ws = -side.shading_normal_ws;
-    surfel_lights[item].back = floats(emission + reflected(side, surfel.centre_ws, surfel.radius));
+    surfel_lights[item].back = floats(reflected(side, surfel.centre_ws, surfel.radius, extended[1]));
 }

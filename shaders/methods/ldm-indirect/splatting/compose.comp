@@ -1,4 +1,4 @@
-// What the eye sees: SPLATTED light, DIRECT_LIGHT by rasterisation, the colour of UNLIT surfaces, EMISSION,
+// What the eye sees: SPLATTED light, DIRECT_LIGHT by rasterisation, that of the SKY by maps, the colour of UNLIT surfaces, EMISSION,
 // and sources that are SEEN and no surfaces.
 layout(local_size_x = 16, local_size_y = 16) in;
 
@@ -10,6 +10,7 @@ uniform sampler2D gbuffer_albedo;
 uniform sampler2D gbuffer_material;
 uniform sampler2D gbuffer_emission;
 uniform sampler2D direct_image;
+uniform sampler2D sky_image;
 uniform sampler2D seen_image;
 layout(rgba32f) uniform writeonly image2D radiance_image;
 layout(rgba32f) uniform writeonly image2D indirect_image;
@@ -41,6 +42,9 @@ void main() {
 #endif
 #ifdef DIRECT_LIGHT
         radiance += texelFetch(direct_image, pixel, 0).rgb;
+#endif
+#ifdef SKY
+        radiance += diffuse_reflectance(base_colour, material) * texelFetch(sky_image, pixel, 0).rgb;
 #endif
 #ifdef UNLIT
         if (material.z > 0.5) radiance += base_colour;

@@ -12,7 +12,7 @@ layout(std430) readonly buffer Fates { uint fates[]; };
 #endif
 
 uniform uint first_item, end_item;  // rows of blocks
-uniform uint primary_count, block_size;
+uniform uint primary_count, block_size, direct_count;
 uniform bool splits;
 
 struct Entry {
@@ -38,6 +38,7 @@ Entry entry_of(uint index, uint row) {
         if (!arrives || !splits) return Entry(vec3(0), 0u);
         return Entry(reflected_flux(p) * all_shares[index].part[cause], all_shares[index].photons[cause]);
     }
+    if (index >= direct_count) return Entry(vec3(0), 0u);
 #ifdef DIRECT
     return entry(fates[index] == row - ROW_DIRECT, arrived_flux(p));
 #else

@@ -1,11 +1,12 @@
-// A photon from a pixel of a light's image to the first surface, x1. [Aalund15 §4.2]
+// A photon from a pixel of a light's image, or from a source with an extent, to the first surface, x1.
+// [Aalund15 §4.2, §6]
 // 160 bytes. Differentials are halved, as in records of photons: transfer and rotation are linear.
 // C++: ir::methods::ldm_indirect::Primary
 struct Primary {
     vec3 position_ws;     // x1
-    uint source;          // texel of the lights' images
+    uint source;          // texel of the lights' images; behind them photons of sources with an extent
     vec3 axis_u;          // m: half of D_u x at x1
-    uint light;
+    uint light;           // number, or LIGHT_…
     vec3 axis_v;
     float path_length;    // m
     vec3 turn_u;          // half of D_u d
@@ -15,7 +16,7 @@ struct Primary {
     vec3 direction_ws;    // d1, of travel, unit length
     float reached;        // part of the emitted flux that the light's range lets arrive
     vec3 normal_ws;       // geometric, on the light's side
-    float solid_angle;    // sr of the pixel; m² for a directional light
+    float solid_angle;    // sr of the pixel; m² for a directional light; 0 of a source with an extent
     vec3 shading_ws;      // shading normal
     float unused0;
     vec3 emitted;         // W
@@ -24,7 +25,9 @@ struct Primary {
     float unused2;
 };
 
-const uint PRIMARY_NOTHING = 0u,  // the pixel sees no surface, or no light shines into it
+const uint LIGHT_MESH = 254u, LIGHT_ENVIRONMENT = 255u;
+
+const uint PRIMARY_NOTHING = 0u,  // the pixel sees no surface, or no light shines into it; the ray leaves the scene
     PRIMARY_SPLITS = 1u,
     PRIMARY_DEGENERATE = 2u;      // its footprint has no size that a float holds
 

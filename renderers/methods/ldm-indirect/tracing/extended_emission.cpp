@@ -1,0 +1,208 @@
+#include "renderers/methods/ldm-indirect/tracing/extended_emission.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "renderers/core/constants.h"
+#include "renderers/graph/pass_context.h"
+#include "renderers/methods/ldm-indirect/tracing/host/children.h"
+#include "renderers/methods/ldm-indirect/tracing/host/landings.h"
+#include "renderers/passes/direct/direct_light.h"
+#include "renderers/passes/gbuffer/glass.h"
+#include "renderers/passes/lights/emission_sampler.h"
+#include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/raytracing/open_part.h"
+#include "renderers/passes/sampling/point_sequence.h"
+#include "renderers/passes/scene/light_data.h"
+#include "renderers/scene/frame.h"
+
+namespace ir::methods::ldm_indirect {
+namespace {
+
+/// Pairs of numbers of a photon; further ones are of rays in gaps.
+enum EmissionDimension : std::uint32_t { of_place, of_direction, of_gap };
+
+/// Half-axes of what lies between a photon and its neighbours.
+struct Spacing {
+    float place;      ///< m
+    float direction;  ///< as a length on the unit sphere
+};
+
+/// Of n photons each has 1/n of the places, and 1/n of the directions; ellipses have these areas. (Places and
+/// directions spread together, so a photon stands for more: 1/n of both in m² sr. But what it lights reflects
+/// diffusely, and then only matters how far apart photons arrive, from wherever.)
+Spacing spacing_of(const passes::EmittedLight& light, float photons) {
+    const float n = pi * photons * light.probability;
+    return {std::sqrt(1 / (n * light.area_pdf)), std::min(std::sqrt(1 / (n * light.direction_pdf)), 1.0f)};
+}
+
+/// Maps do not see what lies within fewer texels. In the built-in Cornell box, whose lamp hangs half a
+/// millimetre below the ceiling, 0.67 of the light that there is came through it in addition.
+constexpr float narrow_texels = 2;
+
+/// Emits the photons of a frame.
+class ExtendedEmission {
+  public:
+    ExtendedEmission(const graph::FrameInputs& inputs, const passes::ldm::MapsPointer& maps,
+                     const ExtendedPhotons& photons, const Parameters& parameters)
+        : transport_(parameters.transport),
+          seed_(inputs.seed),
+          photons_(photons),
+          maps_(maps),
+          surfaces_(*inputs.scene, *inputs.world, parameters.transport.normal_maps),
+          lamps_(surfaces_, {.lights = extended_lights(*inputs.world), .environment = false}),
+          environment_(surfaces_, {.emissive_meshes = false}) {
+        for (const auto& frame : maps->frames)
+            narrow_ = std::max({narrow_, narrow_texels * glm::length(glm::vec3(frame.step_u)),
+                                narrow_texels * glm::length(glm::vec3(frame.step_v))});
+    }
+
+    /// `number` among all of them, `source` among the primary photons.
+    Primary photon(const passes::Bvh& bvh, std::uint64_t number, std::uint32_t source) const {
+        const bool is_lamp = number < photons_.lamps;
+        const auto all = is_lamp ? photons_.lamps : photons_.environment;
+        const auto index = is_lamp ? number : number - photons_.lamps;
+        const passes::PathSampler random(seed_ + (is_lamp ? 0 : 1), static_cast<std::uint32_t>(index));
+        const float choice = (static_cast<float>(index) + 0.5f) / static_cast<float>(all);
+        const auto light = (is_lamp ? lamps_ : environment_)
+                               .sample(choice, random.pair(of_place), random.pair(of_direction));
+        Primary primary = nothing(source);
+        if (!light) return primary;
+        primary.light = light_of(*light);
+        primary.emitted = light->flux / static_cast<float>(all);
+        primary.direction_ws = light->direction_ws;
+        const auto hit = bvh.closest_hit(light->origin_ws, light->direction_ws, 0, infinity);
+        if (!hit.is_hit()) return primary;
+        primary.path_length = hit.distance;
+        arrive(primary, surfaces_.at(hit, light->direction_ws));
+        if (primary.fate != primary_splits) return primary;
+        // Directions of what is infinitely far do not spread on their way.
+        spread(primary, spacing_of(*light, static_cast<float>(all)), is_lamp ? hit.distance : 0);
+        if (hit.distance < narrow_)
+            primary.reflectance *=
+                passes::open_part(bvh, primary.position_ws, primary.normal_ws, narrow_, random, of_gap);
+        return primary;
+    }
+
+    std::uint64_t bytes() const { return surfaces_.bytes(); }
+
+  private:
+    static std::vector<int> extended_lights(const scene::World& world) {
+        std::vector<int> result;
+        for (std::size_t i = 0; i < world.lights.size(); ++i)
+            if (passes::shadow_layers(world.lights[i]) == 0) result.push_back(static_cast<int>(i));
+        return result;
+    }
+    static std::uint32_t light_of(const passes::EmittedLight& light) {
+        if (light.emitter == passes::EmissionSampler::environment) return light_environment;
+        if (light.emitter == passes::EmissionSampler::emissive_mesh) return light_mesh;
+        return std::min(static_cast<std::uint32_t>(light.emitter), light_mesh - 1);
+    }
+    static Primary nothing(std::uint32_t source) {
+        Primary primary{};
+        primary.source = source;
+        primary.fate = primary_nothing;
+        primary.direction_ws = {0, 0, 1};
+        primary.normal_ws = primary.shading_ws = {0, 0, -1};
+        primary.cosine_sum = primary.reached = 1;
+        return primary;
+    }
+    /// As emit.comp.
+    glm::vec3 diffuse_reflectance(const passes::Surface& s) const {
+        if (s.is_unlit) return glm::vec3(0);
+        if (transport_.materials == Transport::Materials::lambert) return s.base_colour;
+        return s.transmission * (1 - s.metallic) > passes::mostly_glass ? glm::vec3(0)
+                                                                        : (1 - s.metallic) * s.base_colour;
+    }
+    void arrive(Primary& primary, const passes::Surface& at) const {
+        primary.position_ws = at.position_ws;
+        primary.normal_ws = at.geometric_normal_ws;
+        primary.shading_ws = at.shading_normal_ws;
+        primary.reflectance = diffuse_reflectance(at);
+        primary.cosine_sum = 1e-20f;
+        for (const auto& frame : maps_->frames)
+            primary.cosine_sum += std::abs(glm::dot(primary.shading_ws, glm::vec3(frame.direction)));
+        primary.fate = glm::dot(primary.direction_ws, primary.normal_ws) > -min_facing ? primary_degenerate
+                                                                                       : primary_splits;
+    }
+    /// Places and directions spread independently, so their second moments add: across the ray both are
+    /// circles, and so is their sum.
+    static void spread(Primary& primary, const Spacing& spacing, float t) {
+        const auto across = scene::frame_around(primary.direction_ws);
+        const float radius = std::hypot(spacing.place, t * spacing.direction);
+        const auto on_surface = [&](const glm::vec3& axis) {
+            return radius *
+                   (axis - glm::dot(axis, primary.normal_ws) /
+                               glm::dot(primary.direction_ws, primary.normal_ws) * primary.direction_ws);
+        };
+        primary.axis_u = on_surface(across[0]);
+        primary.axis_v = on_surface(across[1]);
+        primary.turn_u = spacing.direction * across[0];
+        primary.turn_v = spacing.direction * across[1];
+    }
+
+    Transport transport_;
+    std::uint64_t seed_;
+    ExtendedPhotons photons_;
+    passes::ldm::MapsPointer maps_;
+    passes::SurfaceLookup surfaces_;
+    passes::EmissionSampler lamps_, environment_;
+    float narrow_ = 0;  ///< m: narrow_texels of the largest texels
+};
+
+constexpr std::int64_t first_emission_slice = 256;
+
+}  // namespace
+
+ExtendedPhotons extended_photons(const graph::FrameInputs& inputs, const Parameters& parameters) {
+    if (parameters.transport.paths == Transport::Paths::direct) return {};
+    const auto photons =
+        static_cast<std::uint64_t>(parameters.emission) * static_cast<std::uint64_t>(parameters.emission);
+    const auto sources = passes::extended_sources(
+        inputs, passes::extended_light_options(parameters.light, parameters.transport));
+    return {sources.flat_lights + sources.emissive_triangles > 0 ? photons : 0,
+            sources.environment ? 6 * photons : 0};
+}
+
+void emit_from_extended(graph::GraphBuilder& builder, const Primaries& primaries,
+                        const passes::ldm::MapsPointer& maps, const Parameters& parameters) {
+    const auto photons = primaries.extended;
+    if (photons.count() == 0) return;
+    const auto bvh = passes::bvh(builder);
+    const auto emission = builder.object(
+        {.text = {.key = "indirect.emission",
+                  .label = "Sources with an extent",
+                  .doc = "Lights, emissive triangles and the environment, as photons leave them."}});
+    builder.pass("extended sources", graph::Queue::cpu)
+        .writes(emission)
+        .execute([=](graph::PassContext& context) {
+            const auto made = std::make_shared<ExtendedEmission>(context.inputs(), maps, photons, parameters);
+            context.store(emission, made, made->bytes());
+        });
+    builder.pass("emit photons of extended sources", graph::Queue::cpu)
+        .reads(bvh, emission)
+        .writes(primaries.records)
+        .execute_sliced(
+            static_cast<std::int64_t>(photons.count()),
+            [=](graph::PassContext& context, graph::Slice slice) {
+                const auto traced = context.object<passes::Bvh>(bvh);
+                const auto emitted = context.object<ExtendedEmission>(emission);
+                const auto all = context.elements<Primary>(primaries.records);
+                const int threads = context.inputs().threads;
+                tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+                arena.execute([&] {
+                    tbb::parallel_for(slice.begin, slice.end, [&](std::int64_t i) {
+                        const auto number = static_cast<std::uint64_t>(i);
+                        const auto source = primaries.from_images + number;
+                        all[source] = emitted->photon(*traced, number, static_cast<std::uint32_t>(source));
+                    });
+                });
+            },
+            first_emission_slice);
+}
+
+}  // namespace ir::methods::ldm_indirect
