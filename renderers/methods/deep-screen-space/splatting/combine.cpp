@@ -4,11 +4,6 @@
 namespace ir::methods::deep_screen_space {
 namespace {
 
-graph::ImageRef declare_of_samples(graph::GraphBuilder& builder, const std::string& key, gl::Format format,
-                                   int samples) {
-    return builder.output(key, {.format = format, .layers = samples});
-}
-
 /// Constants of combine.comp.
 struct Combine {
     int levels, samples;
@@ -18,23 +13,33 @@ struct Combine {
 
 }  // namespace
 
+graph::ImageRef declare_winning(graph::GraphBuilder& builder, VisibleSplats& visible,
+                                const std::string& fingerprint) {
+    const int samples = visible.splats.samples;
+    const auto declare = [&](const std::string& key, gl::Format format) {
+        return builder.output(key, {.format = format, .layers = samples, .fingerprint = fingerprint});
+    };
+    visible.nearest = declare("splats.nearest", gl::Format::r32ui);
+    visible.hit_level = declare("splats.hit_level", gl::Format::r16f);
+    return passes::bounce::declare_distance(builder, samples, fingerprint);
+}
+
 graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visible) {
     const int samples = visible.splats.samples;
-    const auto distance = passes::bounce::declare_distance(builder, samples);
-    visible.nearest = declare_of_samples(builder, "splats.nearest", gl::Format::r32ui, samples);
-    visible.hit_level = declare_of_samples(builder, "splats.hit_level", gl::Format::r16f, samples);
+    const auto distance = declare_winning(builder, visible);
     auto pass = builder.pass("combine levels");
     pass.reads("Surfels", visible.splats.surfels.records)
         .reads("places", visible.splats.hierarchy.places)
         .reads("winners", visible.winner)
         .reads("depths", visible.depth)
         .reads(visible.gbuffer.position)
-        .reads("directions", visible.directions.directions)
-        .writes("distance_image", distance)
+        .reads("directions", visible.directions.directions);
+    if (visible.exact.index >= 0) pass.reads("exact_rays", visible.exact);
+    pass.writes("distance_image", distance)
         .writes("nearest_image", visible.nearest)
         .writes("level_image", visible.hit_level);
     passes::bounce::compute_by_tiles(
-        pass, builder, {{"methods/deep-screen-space/splatting/combine.comp"}},
+        pass, builder, with_acceptance({{folder + "combine.comp"}}, visible.splats),
         Combine{visible.splats.hierarchy.levels, samples, nearest_decides(visible.splats)});
     return distance;
 }

@@ -1,20 +1,28 @@
 #pragma once
 
+#include <optional>
+
 #include "renderers/methods/deep-screen-space/splatting/splats.h"
 #include "renderers/passes/raytracing/device_bvh.h"
 
 namespace ir::methods::deep_screen_space {
 
+/// Of "splats.nearest": the other bits are a triangle. EXACT_HIT of exact.glsl.
+inline constexpr std::uint32_t exact_hit = 1u << 31;
+
 /// What the splats with visibility of a frame are, and who won: between the steps of splat_visible.
 struct VisibleSplats {
     Splats splats;
     passes::SceneBuffers scene;
-    passes::DeviceBvh bvh;  ///< only where discs must be seen
+    passes::DeviceBvh bvh;  ///< only where rays ask triangles
     passes::GBuffer gbuffer;
     passes::bounce::Directions directions;
     graph::ImageRef depth;  ///< "splats.depth" depth32f stack, z, a layer per sample and level (sample-major)
-    graph::ImageRef winner;     ///< "splats.winner" r32ui stack likewise: 1 + surfel; 0: none
-    graph::ImageRef nearest;    ///< "splats.nearest" r32ui stack of the view, a layer per sample: 1 + surfel
+    graph::ImageRef winner;  ///< "splats.winner" r32ui stack likewise: 1 + surfel; 0: none
+    graph::ImageRef exact;  ///< "splats.exact" rg32ui stack of the view, a layer per sample: exact.glsl; only
+                            ///< where level 0 is exact
+    graph::ImageRef nearest;  ///< "splats.nearest" r32ui stack likewise: 1 + surfel, or EXACT_HIT | triangle;
+                              ///< 0: nothing was met
     graph::ImageRef hit_level;  ///< "splats.hit_level" r16f likewise: level of the nearest, -1: none
 };
 
@@ -27,17 +35,34 @@ struct VisibleLevel {
 };
 VisibleLevel visible_level(const Splats& splats);
 
+/// Whether rays ask the scene's triangles, and not only discs.
+inline bool needs_triangles(const Parameters& parameters) {
+    return parameters.discs == Discs::seen || parameters.level0 == Level0::triangles;
+}
+
 /// What shaders/methods/deep-screen-space/splatting/accepted.glsl needs: defines and accesses.
 gl::ProgramSource with_acceptance(gl::ProgramSource source, const Splats& splats);
 void read_acceptance(graph::PassBuilder& pass, const VisibleSplats& visible);
 
-/// Declares the pass "combine levels" and what it writes: `nearest`, `hit_level` and the result,
-/// "bounce.distance". [Nalbach15 §4.2]
+/// Declares what decides of all levels: `nearest`, `hit_level` and the result, "bounce.distance".
+graph::ImageRef declare_winning(graph::GraphBuilder& builder, VisibleSplats& visible,
+                                const std::string& fingerprint = {});
+
+/// Declares the pass "exact rays of level 0" and `exact`, on the device.
+void trace_level0(graph::GraphBuilder& builder, VisibleSplats& visible);
+
+/// Declares the pass "combine levels", which writes it. [Nalbach15 §4.2]
 graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visible);
+
+/// Declares the pass "light samples of level 0", on the host: the irradiance (rgba32f, a layer per sample) by
+/// sources with an extent where rays met triangles. None where there is no such source.
+std::optional<graph::ImageRef> light_level0(graph::GraphBuilder& builder, const VisibleSplats& visible,
+                                            graph::ImageRef distance);
 
 /// Declares the pass "light of the winners" and "bounce.incoming": what they send towards x_p.
 graph::ImageRef resolve_light(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
-                              const passes::ShadowMaps& shadow, const VisibleSplats& visible);
+                              const passes::ShadowMaps& shadow, const VisibleSplats& visible,
+                              graph::ImageRef distance);
 
 /// Declares what only people look at: levels unshuffled, radiance of the winners on each level, implied ε.
 void show_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ImageRef distance);

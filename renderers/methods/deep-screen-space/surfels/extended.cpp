@@ -3,26 +3,23 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include "renderers/core/constants.h"
 #include "renderers/graph/pass_context.h"
+#include "renderers/methods/deep-screen-space/surfels/source_irradiance.h"
 #include "renderers/methods/deep-screen-space/surfels/steps.h"
-#include "renderers/passes/direct/direct_light.h"
-#include "renderers/passes/direct/light_estimate.h"
 #include "renderers/passes/raytracing/open_part.h"
 #include "shaders/methods/deep-screen-space/surfels/stored.comp.h"
 
 namespace ir::methods::deep_screen_space {
 namespace {
 
-/// Estimates the irradiance of surfels, as light on a white Lambertian surface times π. Without normal maps:
-/// surfels are larger than their folds.
+/// Of surfels, which are discs.
 class SurfelIrradiance {
   public:
     SurfelIrradiance(const passes::Bvh& bvh, const passes::ExtendedEmitters& sources, std::uint64_t seed,
                      const Parameters& parameters)
         : bvh_(bvh),
           surfaces_(sources.surfaces),
-          estimate_(bvh, sources.surfaces, sources.lights, {.materials = Transport::Materials::lambert}),
+          sources_(bvh, sources),
           seed_(seed),
           samples_(parameters.sender_samples),
           light_offset_(parameters.light_offset),
@@ -42,14 +39,9 @@ class SurfelIrradiance {
         auto surface = surfaces_.at(
             {.distance = 0, .triangle = surfel.triangle, .u = weights.x, .v = weights.y}, -normal);
         surface.position_ws = surfel.centre_ws + light_offset_ * surfel.radius * normal;
-        surface.base_colour = glm::vec3(1);
-        surface.is_unlit = false;
         const auto key = passes::mixed(seed_ ^ (std::uint64_t{surfel.identity} << 1 | number));
-        glm::vec3 sum(0);
-        for (int i = 0; i < samples_; ++i)
-            sum += estimate_.sample(surface, normal, passes::PathSampler(key, static_cast<std::uint32_t>(i)));
-        if (sum == glm::vec3(0)) return sum;
-        return pi / static_cast<float>(samples_) * out_of_gaps(surface, surfel.radius, key) * sum;
+        const auto sum = sources_.irradiance(surface, normal, key, samples_);
+        return sum == glm::vec3(0) ? sum : out_of_gaps(surface, surfel.radius, key) * sum;
     }
     /// Discs do not see what lies within a radius.
     float out_of_gaps(const passes::Surface& surface, float radius, std::uint64_t key) const {
@@ -62,7 +54,7 @@ class SurfelIrradiance {
 
     const passes::Bvh& bvh_;
     const passes::SurfaceLookup& surfaces_;
-    passes::LightEstimate estimate_;
+    SourceIrradiance sources_;
     std::uint64_t seed_;
     int samples_;
     float light_offset_;
@@ -73,9 +65,7 @@ class SurfelIrradiance {
 
 std::optional<graph::BufferRef> sample_sources(graph::GraphBuilder& builder, const Surfels& surfels,
                                                const Parameters& parameters) {
-    const auto options = passes::extended_light_options(parameters.light, parameters.transport);
-    if (parameters.sender_samples == 0 || !passes::extended_sources(builder.inputs(), options).any())
-        return {};
+    if (!has_sources(builder.inputs(), parameters)) return {};
     const auto room = builder.buffers().at(static_cast<std::size_t>(surfels.records.index)).elements;
     const auto irradiance =
         growing(builder,
@@ -86,7 +76,7 @@ std::optional<graph::BufferRef> sample_sources(graph::GraphBuilder& builder, con
                  .fields = record_fields<SurfelLight>()},
                 {.key = "surfels.sampled", .label = "Surfels whose light is sampled"}, room);
     const auto bvh = passes::bvh(builder);
-    const auto sources = passes::extended_emitters(builder, options);
+    const auto sources = sources_of(builder, parameters);
     builder.pass("light samples of surfels", graph::Queue::cpu)
         .reads(bvh, sources, surfels.records, surfels.stored)
         .writes(irradiance.buffer)
