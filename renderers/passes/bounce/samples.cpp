@@ -42,8 +42,9 @@ std::vector<OutputDescription> sample_outputs(const Condition& active_when, Effe
             in};
 }
 
-graph::ImageRef declare_distance(graph::GraphBuilder& builder, int samples) {
-    return builder.output("bounce.distance", {.format = gl::Format::r32f, .layers = samples});
+graph::ImageRef declare_distance(graph::GraphBuilder& builder, int samples, const std::string& fingerprint) {
+    return builder.output("bounce.distance",
+                          {.format = gl::Format::r32f, .layers = samples, .fingerprint = fingerprint});
 }
 
 graph::ImageRef declare_incoming_light(graph::GraphBuilder& builder, int samples) {

@@ -15,7 +15,8 @@ struct Samples {
 /// The two stacks' descriptions, for methods that write them: `declare_distance` alone, and `incoming` made
 /// of it by `visibility_of`, serve ambient occlusion. Writers leave negative distances and no light where
 /// there is no direction.
-graph::ImageRef declare_distance(graph::GraphBuilder& builder, int samples);
+graph::ImageRef declare_distance(graph::GraphBuilder& builder, int samples,
+                                 const std::string& fingerprint = {});
 graph::ImageRef declare_incoming_light(graph::GraphBuilder& builder, int samples);
 
 /// Declares "bounce.incoming" for ambient occlusion and the pass "visibility": 1 without a hit and from

@@ -4,11 +4,6 @@
 namespace ir::methods::deep_screen_space {
 namespace {
 
-graph::ImageRef declare_of_samples(graph::GraphBuilder& builder, const std::string& key, gl::Format format,
-                                   int samples) {
-    return builder.output(key, {.format = format, .layers = samples});
-}
-
 /// Constants of combine.comp.
 struct Combine {
     int levels, samples;
@@ -18,11 +13,20 @@ struct Combine {
 
 }  // namespace
 
+graph::ImageRef declare_winning(graph::GraphBuilder& builder, VisibleSplats& visible,
+                                const std::string& fingerprint) {
+    const int samples = visible.splats.samples;
+    const auto declare = [&](const std::string& key, gl::Format format) {
+        return builder.output(key, {.format = format, .layers = samples, .fingerprint = fingerprint});
+    };
+    visible.nearest = declare("splats.nearest", gl::Format::r32ui);
+    visible.hit_level = declare("splats.hit_level", gl::Format::r16f);
+    return passes::bounce::declare_distance(builder, samples, fingerprint);
+}
+
 graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visible) {
     const int samples = visible.splats.samples;
-    const auto distance = passes::bounce::declare_distance(builder, samples);
-    visible.nearest = declare_of_samples(builder, "splats.nearest", gl::Format::r32ui, samples);
-    visible.hit_level = declare_of_samples(builder, "splats.hit_level", gl::Format::r16f, samples);
+    const auto distance = declare_winning(builder, visible);
     auto pass = builder.pass("combine levels");
     pass.reads("Surfels", visible.splats.surfels.records)
         .reads("places", visible.splats.hierarchy.places)

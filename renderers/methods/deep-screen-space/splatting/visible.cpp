@@ -1,5 +1,6 @@
 #include "renderers/methods/deep-screen-space/splatting/visible.h"
 
+#include "renderers/methods/deep-screen-space/splatting/host/splat_on_host.h"
 #include "renderers/methods/deep-screen-space/splatting/steps.h"
 
 namespace ir::methods::deep_screen_space {
@@ -69,11 +70,31 @@ void read_acceptance(graph::PassBuilder& pass, const VisibleSplats& visible) {
         .reads(visible.scene.opacity, visible.scene.opacity_words);
 }
 
+namespace {
+
+/// By the rasteriser: a fragment for each surfel that may affect a pixel.
+graph::ImageRef splat_on_device(graph::GraphBuilder& builder, VisibleSplats& visible) {
+    auto pass = builder.pass("splat");
+    pass.has_two_bodies()
+        .reads("directions", visible.directions.directions)
+        .reads(visible.gbuffer.geometric_normal)
+        .writes(visible.depth, visible.winner);
+    read_acceptance(pass, visible);
+    draw_splats(pass, visible.splats,
+                [=](const graph::PassContext& p, const SplatLayer& layer) -> const gl::Program& {
+                    return bind_layer(p, visible, layer);
+                });
+    return combine_levels(builder, visible);
+}
+
+}  // namespace
+
 passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes::SceneBuffers& scene,
                                       const passes::GBuffer& gbuffer, const passes::ShadowMaps& shadow,
                                       const passes::bounce::Directions& directions,
                                       const Hierarchy& hierarchy, const Surfels& surfels,
                                       const Parameters& parameters) {
+    const bool on_host = builder.inputs().processor == Processor::host;
     VisibleSplats visible;
     visible.splats = declare_splats(builder, hierarchy, surfels, parameters, directions.samples);
     visible.scene = scene;
@@ -82,17 +103,8 @@ passes::bounce::Samples splat_visible(graph::GraphBuilder& builder, const passes
     visible.directions = directions;
     visible.depth = declare_layers(builder, visible.splats, "splats.depth", gl::Format::depth32f);
     visible.winner = declare_layers(builder, visible.splats, "splats.winner", gl::Format::r32ui);
-    auto pass = builder.pass("splat");
-    pass.reads("directions", directions.directions)
-        .reads(gbuffer.geometric_normal)
-        .writes(visible.depth, visible.winner);
-    read_acceptance(pass, visible);
-    draw_splats(pass, visible.splats,
-                [=](const graph::PassContext& p, const SplatLayer& layer) -> const gl::Program& {
-                    return bind_layer(p, visible, layer);
-                });
     passes::bounce::Samples samples;
-    samples.distance = combine_levels(builder, visible);
+    samples.distance = on_host ? splat_on_host(builder, visible) : splat_on_device(builder, visible);
     samples.incoming = parameters.transport.paths == Transport::Paths::ao
                            ? passes::bounce::visibility_of(builder, gbuffer, directions, samples.distance,
                                                            parameters.transport)

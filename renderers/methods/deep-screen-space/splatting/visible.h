@@ -31,8 +31,11 @@ VisibleLevel visible_level(const Splats& splats);
 gl::ProgramSource with_acceptance(gl::ProgramSource source, const Splats& splats);
 void read_acceptance(graph::PassBuilder& pass, const VisibleSplats& visible);
 
-/// Declares the pass "combine levels" and what it writes: `nearest`, `hit_level` and the result,
-/// "bounce.distance". [Nalbach15 §4.2]
+/// Declares what decides of all levels: `nearest`, `hit_level` and the result, "bounce.distance".
+graph::ImageRef declare_winning(graph::GraphBuilder& builder, VisibleSplats& visible,
+                                const std::string& fingerprint = {});
+
+/// Declares the pass "combine levels", which writes it. [Nalbach15 §4.2]
 graph::ImageRef combine_levels(graph::GraphBuilder& builder, VisibleSplats& visible);
 
 /// Declares the pass "light of the winners" and "bounce.incoming": what they send towards x_p.

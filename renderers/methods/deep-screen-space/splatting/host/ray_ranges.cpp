@@ -1,0 +1,72 @@
+#include "renderers/methods/deep-screen-space/splatting/host/ray_ranges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float rounding = 1e-4f;
+
+}  // namespace
+
+RayRanges::RayRanges(const scene::View& view, const VisibleLevel& rules, std::span<const Surfel> surfels,
+                     const Parameters& parameters)
+    : ideal_(ideal(view, parameters)),
+      rules_(rules),
+      shells_per_radius_(rules.influence.trade_off > 0 ? 1 / std::sqrt(rules.influence.trade_off) : 0) {
+    for (const auto& s : surfels) {
+        if (s.radius == 0) continue;
+        const float part = s.radius / distance(s.centre_ws);
+        least_ = std::min(least_, part);
+        most_ = std::max(most_, part);
+        largest_ = std::max(largest_, s.radius);
+    }
+}
+
+/// As ideal_distance of ideal.glsl; of parallel rays 1.
+float RayRanges::distance(glm::vec3 position_ws) const {
+    if (is_parallel()) return 1;
+    const auto offset = position_ws - ideal_.ideal_eye_ws;
+    return std::max({glm::dot(offset, ideal_.ideal_axis_ws), ideal_.ideal_corner_cosine * glm::length(offset),
+                     ideal_.ideal_nearest});
+}
+
+/// The largest t with t ≤ beyond + factor · distance(x + t direction).
+float RayRanges::last(float beyond, float factor, glm::vec3 x_ws, glm::vec3 direction_ws) const {
+    if (is_parallel()) return beyond + factor;
+    const auto offset = x_ws - ideal_.ideal_eye_ws;
+    const auto solve = [&](float at_x, float slope) {
+        return factor * slope < 1 ? (beyond + factor * at_x) / (1 - factor * slope) : infinity;
+    };
+    return std::max(
+        {solve(glm::dot(offset, ideal_.ideal_axis_ws), glm::dot(direction_ws, ideal_.ideal_axis_ws)),
+         solve(ideal_.ideal_corner_cosine * glm::length(offset), ideal_.ideal_corner_cosine),
+         solve(ideal_.ideal_nearest, 0)});
+}
+
+RayRanges::Range RayRanges::of(int level, glm::vec3 x_ws, glm::vec3 direction_ws) const {
+    const auto& i = rules_.influence;
+    const float disc = splat_disc_radius(rules_, level, 1);  // radii of a surfel
+    Range range;
+    range.far = rules_.max_distance > 0 ? rules_.max_distance : i.whole_reach + disc * largest_;
+    // How much farther from the eye than a point of the disc its centre may be.
+    const float apart = is_parallel() ? 0 : disc * most_;
+    if (level != i.open_level && apart < 1) {
+        const float size = disc * most_ / (1 - apart);
+        const float shell = std::ldexp(shells_per_radius_, level) * most_ / (1 - apart);
+        range.far =
+            std::min(range.far, std::max(last(0, shell + size, x_ws, direction_ws),
+                                         last(std::ldexp(i.shell_radius, level), size, x_ws, direction_ws)));
+    }
+    range.far *= 1 + rounding;
+    // The first shell that is not level 0's begins at 1 / √ε radii, and its discs are of twice the size.
+    const float clear = shells_per_radius_ - 2 * splat_disc_radius(rules_, 0, 1);
+    if (level == 0 || clear <= 0) return range;
+    const float factor = clear * least_ / (1 + apart);
+    range.near = (1 - rounding) * (is_parallel() ? factor : factor * distance(x_ws) / (1 + factor));
+    return range;
+}
+
+}  // namespace ir::methods::deep_screen_space

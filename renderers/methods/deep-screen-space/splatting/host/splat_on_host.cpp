@@ -1,0 +1,258 @@
+#include "renderers/methods/deep-screen-space/splatting/host/splat_on_host.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <glm/gtc/packing.hpp>
+#include <optional>
+
+#include "renderers/core/error.h"
+#include "renderers/methods/deep-screen-space/splatting/host/disc_level.h"
+#include "renderers/methods/deep-screen-space/splatting/host/ray_ranges.h"
+#include "shaders/methods/deep-screen-space/surfels/stored.comp.h"
+
+namespace ir::methods::deep_screen_space {
+namespace {
+
+using graph::PassContext;
+using graph::Slice;
+
+/// Pixels of a side of the squares that a thread does at a time.
+constexpr int side = 16;
+
+struct ReleaseDevice {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+
+/// What the rays of a frame are traced through.
+class HostSplats {
+  public:
+    HostSplats(const VisibleSplats& visible, graph::ObjectRef bvh) : visible_(visible), bvh_(bvh) {}
+
+    void begin(const PassContext& p) {
+        const auto& splats = visible_.splats;
+        const auto stored = p.elements<const StoredSurfels>(splats.surfels.stored)[0].stored;
+        surfels_ = p.elements<const Surfel>(splats.surfels.records).first(stored);
+        seed_ = random_seed(p.inputs(), splats.parameters);
+        ranges_.emplace(p.inputs().view, rules_, surfels_, splats.parameters);
+        positions_ = p.pixels<const glm::vec4>(visible_.gbuffer.position);
+        seen_.emplace(p.inputs().view, positions_, splats.parameters);
+        normals_ = p.pixels<const glm::vec4>(visible_.gbuffer.geometric_normal);
+        for (int level = 0; level < splats.hierarchy.levels; ++level)
+            places_.push_back(p.pixels<const std::uint32_t>(splats.hierarchy.places, level));
+        if (bvh_.index >= 0) tree_ = p.object<passes::Bvh>(bvh_);
+        width_ = p.inputs().view.width;
+        height_ = p.inputs().view.height;
+        device_.reset(rtcNewDevice(nullptr));
+        if (!device_) throw Error("deep screen space: Embree does not start; --processor gl does without");
+    }
+
+    /// Stratified, all samples have the same discs, only in other sub-images.
+    void begin_sample(int sample) {
+        if (!levels_.empty() && is_stratified()) return;
+        const auto& hierarchy = visible_.splats.hierarchy;
+        levels_.clear();
+        levels_.resize(static_cast<std::size_t>(hierarchy.levels));
+        tbb::parallel_for(0, hierarchy.levels, [&](int level) {
+            const auto mask = (1u << 2 * level) - 1;
+            levels_[static_cast<std::size_t>(level)] = std::make_unique<DiscLevel>(
+                device_.get(), surfels_, rules_, level, *seen_, [&](const Surfel& surfel) {
+                    return is_stratified() ? surfel.order & mask
+                                           : random_sub_image(surfel, static_cast<unsigned>(level),
+                                                              static_cast<unsigned>(sample), seed_);
+                });
+        });
+        if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
+            throw Error("deep screen space: Embree has no room for " + std::to_string(surfels_.size()) +
+                        " surfels on each level; raise surfel_radius");
+    }
+
+    int tiles_across() const { return (width_ + side - 1) / side; }
+
+    /// Calls `to` with the number and the place of each pixel of the tile.
+    template <class To>
+    void each_pixel(std::int64_t tile, const To& to) const {
+        const int first_x = static_cast<int>(tile % tiles_across()) * side,
+                  first_y = static_cast<int>(tile / tiles_across()) * side;
+        for (int y = first_y; y < std::min(first_y + side, height_); ++y)
+            for (int x = first_x; x < std::min(first_x + side, width_); ++x)
+                to(static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                       static_cast<std::size_t>(x),
+                   glm::uvec2(x, y));
+    }
+
+    bool is_ray(std::size_t pixel, const glm::vec4& direction) const {
+        return positions_[pixel].w != 0 && direction != glm::vec4(0);
+    }
+
+    Receiver receiver(std::size_t pixel) const {
+        const auto& parameters = visible_.splats.parameters;
+        return {positions_[pixel], normals_[pixel], parameters.discs, parameters.backs == Backs::open,
+                tree_.get()};
+    }
+
+    /// Where the pixel stands on the level.
+    glm::uvec2 place(glm::uvec2 pixel, int level) const {
+        const auto width = static_cast<std::size_t>(visible_.splats.hierarchy.width);
+        const auto word = places_[static_cast<std::size_t>(level)][pixel.y * width + pixel.x];
+        return {word & 0xffff, word >> 16};
+    }
+
+    void ask(DiscRay& ray, glm::uvec2 pixel, int level, int sample, RayRanges::Range range) const {
+        const auto& hierarchy = visible_.splats.hierarchy;
+        const auto sub_image =
+            place(pixel, level) / (glm::uvec2(hierarchy.width, hierarchy.height) >> unsigned(level));
+        auto cell = sub_image.y << level | sub_image.x;
+        if (is_stratified())
+            cell = (cell -
+                    sub_image_offset(static_cast<unsigned>(level), static_cast<unsigned>(sample), seed_)) &
+                   ((1u << 2 * level) - 1);
+        ray.winner = 0;
+        levels_[static_cast<std::size_t>(level)]->ask(ray, cell, range.near, range.far);
+    }
+
+    struct Winner {
+        std::uint32_t surfel = 0;  ///< 1 + index; 0: none
+        int level = -1;
+        float distance = -1;  ///< m
+    };
+    /// Of all levels, as combine.comp chooses.
+    Winner winner(std::size_t index, glm::uvec2 pixel, glm::vec3 direction_ws, int sample) const {
+        const auto from = receiver(index);
+        const bool nearest = nearest_decides(visible_.splats);
+        DiscRay ray(from, direction_ws);
+        Winner result;
+        for (int level = 0; level < visible_.splats.hierarchy.levels; ++level) {
+            auto range = ranges_->of(level, from.x_ws, direction_ws);
+            if (result.surfel != 0) range.far = std::min(range.far, result.distance);
+            ask(ray, pixel, level, sample, range);
+            if (ray.winner == 0) continue;
+            result = {ray.winner, level,
+                      splat_plane_distance(from.x_ws, direction_ws, surfels_[ray.winner - 1])};
+            if (!nearest) break;
+        }
+        return result;
+    }
+
+  private:
+    bool is_stratified() const { return visible_.splats.parameters.sub_images == SubImages::stratified; }
+
+    VisibleSplats visible_;
+    graph::ObjectRef bvh_;
+    VisibleLevel rules_ = visible_level(visible_.splats);
+    std::span<const Surfel> surfels_;
+    unsigned seed_ = 0;
+    std::optional<RayRanges> ranges_;
+    std::optional<WhatIsSeen> seen_;
+    std::span<const glm::vec4> positions_, normals_;
+    std::vector<std::span<const std::uint32_t>> places_;
+    std::shared_ptr<passes::Bvh> tree_;
+    int width_ = 0, height_ = 0;
+    std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice> device_;
+    std::vector<std::unique_ptr<DiscLevel>> levels_;
+};
+
+/// Calls `run(splats, sample, tile)` for all of them, sample by sample: only the discs of one are held.
+template <class Run>
+void execute(graph::PassBuilder& pass, const graph::GraphBuilder& builder, const VisibleSplats& visible,
+             graph::ObjectRef bvh, const Run& make_run) {
+    const auto& view = builder.inputs().view;
+    const auto tiles = std::int64_t{(view.width + side - 1) / side} * ((view.height + side - 1) / side);
+    const auto splats = std::make_shared<HostSplats>(visible, bvh);
+    pass.reads(visible.splats.surfels.records, visible.splats.surfels.stored, visible.splats.hierarchy.places,
+               visible.gbuffer.position, visible.gbuffer.geometric_normal, visible.directions.directions);
+    if (bvh.index >= 0) pass.reads(bvh);
+    pass.execute_sliced(tiles * visible.splats.samples, [=](PassContext& p, Slice slice) {
+        const int threads = p.inputs().threads;
+        tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+        arena.execute([&] {
+            if (slice.first) splats->begin(p);
+            const auto run = make_run(p, slice);
+            for (auto item = slice.begin; item < slice.end;) {
+                const auto sample = static_cast<int>(item / tiles);
+                const auto first = item % tiles, end = std::min(tiles, first + slice.end - item);
+                if (first == 0) splats->begin_sample(sample);
+                tbb::parallel_for(first, end, [&](std::int64_t tile) { run(*splats, sample, tile); });
+                item += end - first;
+            }
+        });
+    });
+}
+
+/// All layers of a stack.
+template <class T>
+std::vector<std::span<T>> layers(const PassContext& p, graph::ImageRef stack) {
+    std::vector<std::span<T>> result;
+    for (int layer = 0; layer < p.shape(stack).layers; ++layer) result.push_back(p.pixels<T>(stack, layer));
+    return result;
+}
+
+/// The pass of the picture: only the winners of all levels together are looked for.
+void declare_winners(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ObjectRef bvh,
+                     graph::ImageRef distance) {
+    auto pass = builder.pass("splat", graph::Queue::cpu);
+    pass.has_two_bodies().writes(visible.nearest, visible.hit_level, distance);
+    execute(pass, builder, visible, bvh, [=](const PassContext& p, Slice) {
+        return [directions = layers<const glm::vec4>(p, visible.directions.directions),
+                nearest = layers<std::uint32_t>(p, visible.nearest),
+                levels = layers<std::uint16_t>(p, visible.hit_level), distances = layers<float>(p, distance)](
+                   const HostSplats& splats, int sample, std::int64_t tile) {
+            const auto layer = static_cast<std::size_t>(sample);
+            splats.each_pixel(tile, [&](std::size_t index, glm::uvec2 pixel) {
+                HostSplats::Winner winner;
+                const auto& direction = directions[layer][index];
+                if (splats.is_ray(index, direction)) winner = splats.winner(index, pixel, direction, sample);
+                nearest[layer][index] = winner.surfel;
+                levels[layer][index] = glm::packHalf1x16(static_cast<float>(winner.level));
+                distances[layer][index] = winner.distance;
+            });
+        };
+    });
+}
+
+/// The winners of each level by itself, as the device has them in any case.
+void declare_levels(graph::GraphBuilder& builder, const VisibleSplats& visible, graph::ObjectRef bvh) {
+    auto pass = builder.pass("splat level by level", graph::Queue::cpu);
+    pass.writes(visible.depth, visible.winner);
+    execute(pass, builder, visible, bvh, [=](const PassContext& p, Slice slice) {
+        const auto depths = layers<float>(p, visible.depth);
+        const auto winners = layers<std::uint32_t>(p, visible.winner);
+        if (slice.first) {
+            for (const auto layer : depths) std::ranges::fill(layer, 1.0f);
+            for (const auto layer : winners) std::ranges::fill(layer, 0u);
+        }
+        return [=, directions = layers<const glm::vec4>(p, visible.directions.directions)](
+                   const HostSplats& splats, int sample, std::int64_t tile) {
+            const auto& hierarchy = visible.splats.hierarchy;
+            splats.each_pixel(tile, [&](std::size_t index, glm::uvec2 pixel) {
+                const auto& direction = directions[static_cast<std::size_t>(sample)][index];
+                if (!splats.is_ray(index, direction)) return;
+                const auto from = splats.receiver(index);
+                for (int level = 0; level < hierarchy.levels; ++level) {
+                    DiscRay ray(from, direction);
+                    splats.ask(ray, pixel, level, sample, {});
+                    if (ray.winner == 0) continue;
+                    const auto at = splats.place(pixel, level);
+                    const auto texel = at.y * static_cast<std::size_t>(hierarchy.width) + at.x;
+                    const auto layer = static_cast<std::size_t>(sample * hierarchy.levels + level);
+                    depths[layer][texel] = ray.z;
+                    winners[layer][texel] = ray.winner;
+                }
+            });
+        };
+    });
+}
+
+}  // namespace
+
+graph::ImageRef splat_on_host(graph::GraphBuilder& builder, VisibleSplats& visible) {
+    graph::ObjectRef bvh;
+    if (visible.splats.parameters.discs == Discs::seen) bvh = passes::bvh(builder);
+    const auto distance = declare_winning(builder, visible, visible.splats.fingerprint);
+    declare_winners(builder, visible, bvh, distance);
+    declare_levels(builder, visible, bvh);
+    return distance;
+}
+
+}  // namespace ir::methods::deep_screen_space

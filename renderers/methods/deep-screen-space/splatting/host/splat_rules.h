@@ -1,0 +1,116 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "renderers/methods/deep-screen-space/splatting/visible.h"
+#include "renderers/passes/raytracing/bvh.h"
+#include "renderers/passes/raytracing/ray_offset.h"
+
+/// What influence.glsl, sub_image.glsl, visible_hit.glsl and accepted.glsl say, on the host.
+namespace ir::methods::deep_screen_space {
+
+/// As pcg4d of lib/random.glsl.
+inline glm::uvec4 pcg4d(glm::uvec4 v) {
+    v = v * 1664525u + 1013904223u;
+    const auto mix = [&] {
+        v.x += v.y * v.w;
+        v.y += v.z * v.x;
+        v.z += v.x * v.y;
+        v.w += v.y * v.z;
+    };
+    mix();
+    v ^= v >> 16u;
+    mix();
+    return v;
+}
+
+/// Row · 2^level + column of the sub-image that a surfel is splatted into.
+inline std::uint32_t random_sub_image(const Surfel& surfel, unsigned level, unsigned sample, unsigned seed) {
+    const auto random = pcg4d({surfel.identity, level, sample, seed});
+    return random.y >> 16 << level >> 16 << level | random.x >> 16 << level >> 16;
+}
+
+/// Stratified, a surfel goes to the sub-image (order + this) mod 4^level.
+inline std::uint32_t sub_image_offset(unsigned level, unsigned sample, unsigned seed) {
+    return pcg4d({0u, level, sample, seed}).x;
+}
+
+inline float first_shell(const InfluenceConstants& i, float radius) {
+    return i.trade_off > 0 ? std::max(radius / std::sqrt(i.trade_off), i.shell_radius) : i.shell_radius;
+}
+
+/// Of a level, m: beyond `inner`, up to `outer`; empty where they are equal.
+struct Shell {
+    float inner, outer;
+};
+inline Shell shell_of(const InfluenceConstants& i, float radius, int level) {
+    const float outer = std::ldexp(first_shell(i, radius), level);
+    const float inner = level == 0 ? 0 : 0.5f * outer;
+    return {std::min(inner, i.whole_reach),
+            level == i.open_level ? i.whole_reach : std::min(outer, i.whole_reach)};
+}
+
+/// The level whose shell around the surfel holds a point `squared` m² away; -1: `level` does not draw it.
+inline int splat_shell(const VisibleLevel& rules, int level, float radius, float squared) {
+    const auto& i = rules.influence;
+    if (squared > i.whole_reach * i.whole_reach) return -1;
+    const float d = first_shell(i, radius);
+    float reach = d * d;
+    int shell = 0;
+    while (shell < level && squared > reach) {
+        reach *= 4;
+        ++shell;
+    }
+    if ((squared > reach && level != i.open_level) || (!rules.full_discs && shell != level)) return -1;
+    return shell;
+}
+
+inline float splat_disc_radius(const VisibleLevel& rules, int shell, float radius) {
+    return std::ldexp(std::sqrt(rules.coverage) * radius, shell);
+}
+
+inline float splat_plane_distance(glm::vec3 x_ws, glm::vec3 direction_ws, const Surfel& surfel) {
+    return glm::dot(surfel.normal_ws, surfel.centre_ws - x_ws) / glm::dot(surfel.normal_ws, direction_ws);
+}
+
+inline float splat_z(const InfluenceConstants& i, float t) {
+    constexpr float last = 0.999f;
+    const float z = t * t / (i.whole_reach * i.whole_reach);
+    return z < last ? z : 1 - (1 - last) * (last / z);
+}
+
+/// The pixel that rays start from, and which discs count for it: accepted.glsl.
+struct Receiver {
+    glm::vec3 x_ws, geometric_normal_ws;
+    Discs discs = Discs::above;
+    bool open_backs = false;
+    const passes::Bvh* bvh = nullptr;  ///< only where discs must be seen
+
+    bool accepts(const Surfel& surfel, glm::vec3 direction_ws, float disc_radius) const {
+        if (open_backs && glm::dot(surfel.normal_ws, direction_ws) > 0) return false;
+        if (discs != Discs::all && !is_above(surfel.centre_ws)) return false;
+        return discs != Discs::seen || sees(surfel, direction_ws, disc_radius);
+    }
+
+  private:
+    bool is_above(glm::vec3 centre_ws) const {
+        constexpr float rounding = 4e-6f;
+        const auto size = glm::max(glm::abs(x_ws), glm::abs(centre_ws));
+        return glm::dot(geometric_normal_ws, centre_ws - x_ws) >
+               rounding * std::max(size.x, std::max(size.y, size.z));
+    }
+    bool sees(const Surfel& surfel, glm::vec3 direction_ws, float disc_radius) const {
+        constexpr float lift = 0.05f;
+        const auto origin = passes::offset_origin(x_ws, geometric_normal_ws);
+        const bool is_back = glm::dot(surfel.normal_ws, direction_ws) > 0;
+        const auto facing = is_back ? -surfel.normal_ws : surfel.normal_ws;
+        const auto way = surfel.centre_ws + lift * disc_radius * facing - origin;
+        const float distance = glm::length(way);
+        return !bvh->occluded(origin, way / distance, 0, 0.999f * distance);
+    }
+};
+
+}  // namespace ir::methods::deep_screen_space

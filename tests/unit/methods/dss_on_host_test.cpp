@@ -1,0 +1,159 @@
+// Rays through scenes of discs on the host meet what the rasteriser's splats show.
+#include <sstream>
+
+#include "tests/unit/methods/dss_visible_fixture.h"
+
+namespace ir::test {
+namespace {
+
+class DssOnHost : public VisibleTest {
+  protected:
+    static constexpr int width = 40, height = 28, samples = 2;
+
+    struct Body {
+        std::vector<Image> nearest, level, distance, level_depth, winner;
+    };
+    Body body(const Shot& shot, const VisibleRun& run, Processor on) {
+        run_shot(shot, method(run), run, run.seed, on);
+        Body result;
+        for (int s = 0; s < samples; ++s) {
+            result.nearest.push_back(read("splats.nearest", s));
+            result.level.push_back(read("splats.hit_level", s));
+            result.distance.push_back(read("bounce.distance", s));
+        }
+        for (int layer = 0; layer < samples * run.parameters.levels; ++layer) {
+            result.level_depth.push_back(read("splats.level_depth", layer));
+            result.winner.push_back(read("splats.winner", layer));
+        }
+        return result;
+    }
+
+    static int different(const std::vector<Image>& a, const std::vector<Image>& b, float tolerance = 0) {
+        int count = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            for (std::size_t k = 0; k < a[i].pixels.size(); ++k)
+                count += !(std::abs(a[i].pixels[k] - b[i].pixels[k]) <= tolerance);
+        return count;
+    }
+
+    void expect_same(const Shot& shot, const VisibleRun& run) {
+        const auto device = body(shot, run, Processor::gl), host = body(shot, run, Processor::host);
+        const int rays = width * height * samples;
+        int hits = 0;
+        for (const auto& layer : device.nearest)
+            hits += static_cast<int>(
+                std::count_if(layer.pixels.begin(), layer.pixels.end(), [](float n) { return n != 0; }));
+        EXPECT_GT(hits, rays / 40);
+        // at the edges of discs, and of discs in one plane
+        const int most = rays / 250;
+        EXPECT_LE(different(device.nearest, host.nearest), most);
+        EXPECT_LE(different(device.level, host.level), most);
+        EXPECT_LE(different(device.distance, host.distance, 1e-4f), most);
+        EXPECT_LE(different(device.level_depth, host.level_depth, 1e-4f), most * run.parameters.levels);
+        EXPECT_LE(different(device.winner, host.winner), most * run.parameters.levels);
+    }
+};
+
+/// A floor, a wall on it, and a plate above.
+Shot corner_shot(bool orthographic, int width, int height) {
+    SmallWorld small;
+    small.square({0, 0, 0}, {0, 1, 0}, 3);
+    small.square({0, 1, -1.5f}, {0, 0, 1}, 2);
+    small.square({0.6f, 1.1f, 0.3f}, {0, -1, 0}, 0.6f);
+    return {small.scene(), dss_camera({0.4f, 1.4f, 3.5f}, {0, 0.6f, 0}, orthographic, 4), width, height};
+}
+
+/// Discs on the same surfaces, larger the farther they are from the eye, in order along them.
+std::vector<Disc> corner_discs() {
+    std::mt19937 random(7);
+    std::vector<Disc> discs;
+    scatter_discs(discs, random, {-3, 0, -3}, {0, 0, 6}, {6, 0, 0}, 900);
+    scatter_discs(discs, random, {-2, -1, -1.5f}, {4, 0, 0}, {0, 4, 0}, 500);
+    scatter_discs(discs, random, {0, 1.1f, -0.3f}, {1.2f, 0, 0}, {0, 0, 1.2f}, 150);
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        discs[i].order = static_cast<std::uint32_t>(i);
+        discs[i].radius *= 0.3f * glm::distance(discs[i].centre_ws, glm::vec3(0.4f, 1.4f, 3.5f));
+    }
+    return discs;
+}
+
+dss::Parameters corner_parameters() {
+    auto parameters = visible_parameters(2, 4, 1.2f);
+    parameters.influence = dss::Influence::estimated;
+    parameters.trade_off = 0.02f;
+    parameters.coverage = 1.5f;
+    return parameters;
+}
+
+TEST_F(DssOnHost, MeetsTheSameDiscsByAllChoices) {
+    struct Choice {
+        const char* name;
+        std::function<void(dss::Parameters&)> make;
+    };
+    const std::vector<Choice> choices{
+        {"as it is", [](auto&) {}},
+        {"constant influence", [](auto& p) { p.influence = dss::Influence::constant; }},
+        {"shells",
+         [](auto& p) {
+             p.influence = dss::Influence::constant;
+             p.shells = dss::Shells::shells;
+         }},
+        {"estimated shells", [](auto& p) { p.shells = dss::Shells::shells; }},
+        {"open last shell", [](auto& p) { p.last_shell = dss::LastShell::open; }},
+        {"far",
+         [](auto& p) {
+             p.last_shell = dss::LastShell::open;
+             p.transport.max_distance = 0;
+         }},
+        {"far, ends",
+         [](auto& p) {
+             p.transport.max_distance = 0;
+             p.shell_radius = 0.2f;
+         }},
+        {"all discs", [](auto& p) { p.discs = dss::Discs::all; }},
+        {"seen discs", [](auto& p) { p.discs = dss::Discs::seen; }},
+        {"open backs", [](auto& p) { p.backs = dss::Backs::open; }},
+        {"stratified", [](auto& p) { p.sub_images = dss::SubImages::stratified; }},
+        {"small ε", [](auto& p) { p.trade_off = 0.002f; }},
+        {"large ε", [](auto& p) { p.trade_off = 0.3f; }},
+        {"one level", [](auto& p) { p.levels = 1; }},
+    };
+    const auto discs = corner_discs();
+    for (const bool orthographic : {false, true}) {
+        const auto shot = corner_shot(orthographic, width, height);
+        for (const auto& choice : choices) {
+            SCOPED_TRACE(std::string(choice.name) + (orthographic ? ", parallel" : ""));
+            VisibleRun run{.surfels = discs, .parameters = corner_parameters()};
+            run.wanted = {"splats.*", "bounce.distance"};
+            choice.make(run.parameters);
+            expect_same(shot, run);
+        }
+    }
+}
+
+TEST_F(DssOnHost, NothingGivesNothing) {
+    VisibleRun run{.parameters = corner_parameters()};
+    run.wanted = {"splats.*", "bounce.distance"};
+    const auto host = body(corner_shot(false, width, height), run, Processor::host);
+    for (const auto& layer : host.nearest) EXPECT_EQ(std::ranges::max(layer.pixels), 0);
+    for (const auto& layer : host.distance) EXPECT_EQ(std::ranges::max(layer.pixels), -1);
+    for (const auto& layer : host.level_depth) EXPECT_EQ(std::ranges::min(layer.pixels), 1);
+}
+
+TEST_F(DssOnHost, ThreadsDoNotChangeThePicture) {
+    VisibleRun run{.surfels = corner_discs(), .parameters = corner_parameters()};
+    run.parameters.discs = dss::Discs::seen;
+    const auto shot = corner_shot(false, width, height);
+    std::vector<float> one;
+    for (const int threads : {1, 3}) {
+        run_shot(shot, method(run), run, 0, Processor::host, threads);
+        auto pixels = read("splats.nearest", 1).pixels;
+        if (threads == 1)
+            one = pixels;
+        else
+            EXPECT_EQ(pixels, one);
+    }
+}
+
+}  // namespace
+}  // namespace ir::test
